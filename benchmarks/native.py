@@ -32,7 +32,7 @@ from allworlds.engines.kernel.library_player import LibraryPlayer
 from allworlds.engines.kernel.records import LONGEST_STRETCH, RUN_TOLD
 from allworlds.engines.players import Logs
 from allworlds.engines.tally import Examiner, RunCounter
-from allworlds.engines.units import Scope
+from allworlds.engines.units import Scope, units_of_level
 from allworlds.explorers.loading import load
 from allworlds.explorers.shared_library import ROOM, Library, NativeExplorer
 from allworlds.judging.findings.rules import Rules
@@ -145,7 +145,7 @@ def main() -> None:
     given = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         measured = Measured(given.library, given.edges, folder)
-    units = list(measured.scope.units(given.edges))[: given.units]
+    units = list(units_of_level(measured.scope.extent, given.edges))[: given.units]
     measured.one_by_one(units[0])  # both judges are compared on the first runs
     measured.spent, measured.runs = dict.fromkeys(measured.spent, 0.0), 0
     for unit in units:

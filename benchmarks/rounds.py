@@ -25,10 +25,10 @@ from typing import Any
 
 from allworlds.engines.engine_table import ENGINES, WALKED_FROM, Job
 from allworlds.engines.kernel.worlds import by_vertices_and_faces
-from allworlds.engines.limits import Limits, Silent
+from allworlds.engines.limits import Limits, Listener
 from allworlds.engines.sweep import gather
 from allworlds.engines.tally import Examiner, Tally
-from allworlds.engines.units import Scope
+from allworlds.engines.units import Scope, units_of_level
 from allworlds.explorers.loading import load
 from allworlds.judging.episode import default_step_budget
 from allworlds.judging.findings.rules import Rules
@@ -170,8 +170,8 @@ def _check(scope: Scope, threads: int) -> None:
     job = Job(scope, load("algorithm1"), Limits(workers=threads), 1, None, lambda _: None)
     ready = ENGINES["kernel"].ready(job)
     with ready.transport:
-        units = scope.units(scope.extent.levels[-1])
-        gather(ready.transport, ready.engine, units, Tally(1), Silent())
+        units = units_of_level(scope.extent, scope.extent.levels[-1])
+        gather(ready.transport, ready.engine, units, Tally(1), Listener())
 
 
 def _count(edges: int) -> None:

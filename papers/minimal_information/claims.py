@@ -15,6 +15,14 @@ from algorithm import (
     tests_decide,
     three_cases,
 )
+from beyond import (
+    directional_not_minimal,
+    door_minimal,
+    door_suffices,
+    powers_have_twins,
+    primitive_words,
+    weakest_sensors,
+)
 from complexity import (
     bound,
     bound_order,

@@ -22,7 +22,7 @@ Three things are said beside a type:
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import MISSING, fields as fields_of_dataclass, replace as replace_in_dataclass
 from enum import Enum
 from functools import cache, cached_property
@@ -481,8 +481,9 @@ def parse(document: object, kind: type[T], what: str) -> T:
         said, path = _PLACED.fullmatch(str(error)).groups("")  # type: ignore[union-attr]
         steps = path.lstrip(".").replace("[", ".[").split(".") if path else []
         where = f"{path.lstrip('.')} = {show(_at(document, steps))}" if path else what
-        if legal := _legal(kind, steps) if said.startswith("Invalid enum") else []:
-            raise InputError(f"{where} is not one of {', '.join(map(str, legal))}") from None
+        legal = ", ".join(map(str, _legal(inspect.type_info(kind), steps)))
+        if legal and said.startswith("Invalid enum"):
+            raise InputError(f"{where} is not one of {legal}") from None
         said = show(said[:1].lower() + said[1:].replace("`", ""))[1:-1]
         raise InputError(f"{where}: {said}") from None
     except UnicodeEncodeError:
@@ -505,33 +506,21 @@ def _at(document: Any, steps: Iterable[str]) -> object:
     return document
 
 
-def _legal(kind: Any, steps: Iterable[str]) -> list[object]:
+def _legal(kind: inspect.Type, steps: Sequence[str]) -> Iterator[object]:
     """The values of an enumeration that stands where the steps lead."""
-    kinds = _alternatives(inspect.type_info(kind))
-    for step in steps:
-        kinds = [part for one in kinds for part in _part(one, step)]
-    legal: list[object] = []
-    for one in kinds:
-        if isinstance(one, inspect.LiteralType):
-            legal += one.values
-        elif isinstance(one, inspect.EnumType):
-            legal += [each.value for each in one.cls]
-    return legal
-
-
-def _part(kind: inspect.Type, step: str) -> list[inspect.Type]:
-    match kind:
-        case inspect.StructType(fields=told):
-            return [part for f in told if f.encode_name == step for part in _alternatives(f.type)]
-        case inspect.DictType(value_type=part) | inspect.CollectionType(item_type=part):
-            return _alternatives(part)
-    return []
-
-
-def _alternatives(kind: inspect.Type) -> list[inspect.Type]:
     match kind:
         case inspect.Metadata(type=one):
-            return _alternatives(one)
+            yield from _legal(one, steps)
         case inspect.UnionType(types=several):
-            return [one for each in several for one in _alternatives(each)]
-    return [kind]
+            for one in several:
+                yield from _legal(one, steps)
+        case inspect.LiteralType(values=values) if not steps:
+            yield from values
+        case inspect.EnumType(cls=values) if not steps:
+            yield from (each.value for each in values)
+        case inspect.StructType(fields=told) if steps:
+            for part in told:
+                if part.encode_name == steps[0]:
+                    yield from _legal(part.type, steps[1:])
+        case inspect.DictType(value_type=one) | inspect.CollectionType(item_type=one) if steps:
+            yield from _legal(one, steps[1:])

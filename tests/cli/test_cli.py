@@ -189,29 +189,6 @@ def test_what_an_explorer_prints_is_in_the_document_of_its_run_alone(tmp_path, c
         assert "explored" not in err
 
 
-@pytest.mark.no_cover
-@pytest.mark.usefixtures("without_workers")
-@pytest.mark.parametrize(
-    ("name", "options"),
-    [
-        ("one_schedule", ["--schedules", "all", "--edges", "1"]),
-        ("here_of_another", ["--edges", "3", "--class", "planar", "--policy", "random:5"]),
-        ("everywhere", ["--edges", "2", "--laws", "folding"]),
-        ("right", ["--edges", "2", "--bound", "m", "--laws", "bound,map", "--step-budget", "20"]),
-        ("right", ["--edges", "2", "--bound", "m", "--class", "planar"]),
-    ],
-)
-def test_the_command_of_a_finding_shows_the_same_law(cli, name, options):
-    code, out, _ = cli("check", f"{WRONG}:{name}", *options, "--json")
-    assert code == 1
-    (finding,) = json.loads(out)["findings"]
-    code, out, _ = cli(*shlex.split(finding["reproduce"])[1:], "--json")
-    again = json.loads(out)["finding"]
-    assert code == 1
-    for key in ("law", "world", "transcript", "choices", "expected", "seen"):
-        assert again[key] == finding[key]
-
-
 @pytest.mark.usefixtures("without_workers")
 def test_the_command_of_a_program_shows_the_same_law(cli):
     command = f"{sys.executable} {EXPLORERS / 'program.py'} no-json"
@@ -299,6 +276,12 @@ def test_a_count_that_its_source_contradicts_is_an_internal_error(cli, monkeypat
     code, out, _ = cli("count", "--edges", "1")
     assert code == 70
     assert "MISMATCH" in out
+
+
+def test_the_help_has_the_verbs_in_panels(cli):
+    _, out, _ = cli("--help")
+    everyday, worlds = (out.index(f"─ {name} ─") for name in ("Everyday", "Worlds"))
+    assert everyday < out.index("│ check ") < worlds < out.index("│ count ")
 
 
 @pytest.mark.parametrize("verb", ["check", "count", "run", "replay"])

@@ -7,7 +7,7 @@ from xml.etree import ElementTree as ET
 
 import pytest
 
-from allworlds.cli.defaults import Defaults, beginning
+from allworlds.cli.defaults import Defaults, begin
 from allworlds.cli.output import emit, output_of
 from allworlds.reports.formats import file_of
 from allworlds.studies.check.exhaustive import check
@@ -106,7 +106,10 @@ def test_a_file_that_cannot_be_written_is_refused_before_the_run(
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("check -o mine.py", "-o 'mine.py' is no file that check writes: .html .md .csv .json"),
+        (
+            "check -o mine.py",
+            "-o 'mine.py' is no file that check writes: .html .md .csv .tex .json",
+        ),
         ("check -o pdf:mine.html", "-o 'pdf:mine.html' is no file that check writes: .html .md"),
         ("check -o svg:mine", "-o 'svg:mine' is no file that check writes"),
         ("run theta -o mine.xml", "-o 'mine.xml' is no file that run writes: .html .md .csv"),
@@ -148,8 +151,8 @@ def test_asking_whether_a_file_can_be_written_leaves_it_as_it_is(tmp_path):
 
 def test_without_a_file_nothing_is_written(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    with beginning([], Defaults()):
-        emit(check(edges=1), output_of("check")())
+    begin([], Defaults())
+    emit(check(edges=1), output_of("check")())
     assert list(tmp_path.iterdir()) == []
 
 
@@ -170,8 +173,8 @@ def test_half_a_file_is_no_file(tmp_path, monkeypatch, capsys):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(Path, "write_bytes", full)
-    with beginning([], Defaults()):
-        emit(check(edges=1), output_of("check")(files=[str(tmp_path / "report.xml")]))
+    begin([], Defaults())
+    emit(check(edges=1), output_of("check")(files=[str(tmp_path / "report.xml")]))
     assert [*tmp_path.iterdir()] == []
     assert capsys.readouterr().err.count("\n") == 1
 

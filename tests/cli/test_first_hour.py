@@ -27,7 +27,7 @@ def test_a_file_that_is_no_python_is_told_with_its_line(refused, tmp_path):
     file = tmp_path / "typo.py"
     file.write_text("def explore(first):\n    x = = 1\n", encoding="utf-8")
     said = refused("check", file, "--edges", 1)
-    assert "line 2 is no Python: SyntaxError: invalid syntax" in said
+    assert "is no Python: SyntaxError: invalid syntax (typo.py, line 2)" in said
 
 
 @pytest.mark.parametrize(

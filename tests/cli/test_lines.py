@@ -6,7 +6,7 @@ import sys
 import pytest
 
 from allworlds.cli.output import LONGEST, complain
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from allworlds.engines.units import tell_of_size
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps import MapClass
@@ -72,7 +72,7 @@ def test_a_line_is_as_long_as_it_is_shown(monkeypatch, encoding, text):
     assert len(shown) <= LONGEST + 1
 
 
-class Heard(Silent):
+class Heard(Listener):
     def __init__(self):
         self.told = []
 
@@ -110,7 +110,7 @@ class Enough(Exception):
     """The exception that ends a job as soon as it gives its notice."""
 
 
-class NoticeOnce(Silent):
+class NoticeOnce(Listener):
     def notice(self, text):
         raise Enough
 

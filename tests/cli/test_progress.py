@@ -7,13 +7,13 @@ import pytest
 
 from allworlds import ambiguity, count, search
 from allworlds.cli import output
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from schemas.validating import complaints
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
-class Adds(Silent):
+class Adds(Listener):
     """A listener that notes each stage with its announced total, and adds up the work done."""
 
     def __init__(self):

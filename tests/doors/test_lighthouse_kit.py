@@ -130,8 +130,8 @@ def test_lighthouses_of_ones_own_pass(tmp_path, monkeypatch):
         ("Points", "gives_bearings is False"),
         ("Changes", "asked twice"),
         ("Nowhere", "has no place in any map with at most 4 edges"),
-        ("TellsNames", r"tells \d, and \d with the darts renamed"),
-        ("TellsTurns", "tells something else"),
+        ("TellsNames", r"tells \d, asked again \d, and \d with the darts"),
+        ("TellsTurns", "tells 0, asked again 1"),
     ],
 )
 def test_what_is_no_function_of_the_world_is_found(tmp_path, monkeypatch, kind, said):

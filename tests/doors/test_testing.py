@@ -138,12 +138,6 @@ def test_a_wrong_explorer_fails_each_part_that_goes_far_enough(part):
         parts[part]()
 
 
-@pytest.mark.no_cover
-def test_what_conforms_no_longer_is_told_with_the_part():
-    with pytest.raises(AssertionError, match=r"^known-hard-maps: \nFinding 1: "):
-        assert_conforms(wrong(), corpus=None)
-
-
 def test_a_drawn_finding_is_shrunk_to_the_smallest_of_all():
     part = conformance(wrong(), drawn=5, drawn_edges=7)[-1]
     with pytest.raises(AssertionError, match="'pose' in a world with 2 edges and 1 vertex"):
@@ -184,6 +178,14 @@ def cubic_alone(tmp_path, monkeypatch):
     )
     monkeypatch.chdir(tmp_path)
     return "cubic.py:explore"
+
+
+def test_the_drawn_maps_of_the_kit_keep_a_condition(cubic_alone):
+    *_, last = conformance(cubic_alone, edges=3, drawn=2, drawn_edges=6, where="cubic")
+    last()
+    *_, last = conformance(cubic_alone, edges=3, drawn=2, drawn_edges=6, where="eulerian")
+    with pytest.raises(AssertionError, match="crash"):
+        last()
 
 
 def test_given_worlds_are_tried_in_place_of_all(cubic_alone):

@@ -32,7 +32,7 @@ OTHERS = {
     "answer_timeout": 20.0,
     "memory": 3000,
 }
-APART = {"workers", "start_timeout", "time_limit", "dask", "dask_timeout", "run", "corpus"}
+APART = {"workers", "start_timeout", "time_limit", "dask", "run", "corpus"}
 APART |= {"listener"}
 """Where and how long it is done, and what is made of it."""
 BESIDE = {

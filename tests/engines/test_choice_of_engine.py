@@ -4,8 +4,8 @@ from functools import partial
 import pytest
 
 from allworlds import check, count, worst
-from allworlds.engines.engine_table import ENGINES, Job, engine_for, why_not_compiled
-from allworlds.engines.limits import Limits, Silent
+from allworlds.engines.engine_table import ENGINES, engine_for, why_not_compiled
+from allworlds.engines.limits import Limits, Listener
 from allworlds.engines.single import subject_of
 from allworlds.engines.units import Scope
 from allworlds.explorers.loading import Subject, load
@@ -13,13 +13,12 @@ from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
-from allworlds.studies.check.exhaustive import is_worth_a_guess
 from shared_fixtures import EXPLORERS
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
-class Stopper(Silent):
+class Stopper(Listener):
     """A listener that presses Ctrl-C, or only listens."""
 
     def __init__(self, after=None):
@@ -90,15 +89,6 @@ def test_auto_takes_it_for_explorers_of_ones_own_too(subject, memory, engine):
     assert engine_for("auto", scope_to(5), subject, memory).name == engine
     assert engine_for("auto", scope_to(4), subject, memory).name == "python"
     assert engine_for("auto", scope_to(5, "movable"), subject, memory).name == "python"
-
-
-@pytest.mark.parametrize(
-    ("subject", "worth"), [(MINE, True), (LIBRARY, False), (load("algorithm1"), False)]
-)
-def test_what_plays_slowly_is_worth_a_guess_whoever_judges(subject, worth):
-    job = Job(scope_to(6), subject, Limits(), 1, None, str)
-    assert is_worth_a_guess(job, ENGINES["kernel"]) == worth
-    assert is_worth_a_guess(job, ENGINES["python"])
 
 
 @pytest.mark.parametrize("name", ["right", "planted"])

@@ -41,6 +41,10 @@ def prints(first):
     print("here")
     return (yield from explore(first))
 
+def floods(first):
+    print(200_000 * "x")
+    return (yield from explore(first))
+
 def forks(first):
     import os
     os.fork()
@@ -126,6 +130,15 @@ def test_prints_are_recorded_where_that_is_asked_for(module):
         finally:
             one.close()
         assert one.prints.text == told
+
+
+def test_a_player_that_prints_more_than_a_pipe_holds_answers(module):
+    one = PlayerProcess(setup_of(module, "floods", prints=True, answer_timeout=20), 0)
+    try:
+        answered(one, runs(2))
+    finally:
+        one.close()
+    assert one.prints.text.startswith("xxx")
 
 
 def test_a_copy_of_a_player_does_not_answer(module):

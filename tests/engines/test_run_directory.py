@@ -53,7 +53,6 @@ def test_what_is_kept_is_there_again(finished):
     assert opened(finished) == [{"rows": [number] * 9} for number in range(9)] + [None]
     with reading(finished) as read:
         assert read.identity == JOB
-        assert sorted(read.keys()) == [f"2:-{number}" for number in range(9)]
         assert {key: (worlds, result) for key, worlds, _, result in read.rows()} == {
             f"2:-{number}": (number, {"rows": [number] * 9}) for number in range(9)
         }
@@ -220,5 +219,5 @@ def test_a_directory_that_cannot_be_written_can_be_read(finished, monkeypatch):
 
     monkeypatch.setattr(sqlite3, "connect", read_only)
     with reading(finished) as read:
-        assert len(read.keys()) == 9
+        assert len([*read.rows()]) == 9
     assert refused

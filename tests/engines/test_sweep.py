@@ -6,7 +6,6 @@ The documents are compared byte for byte, so that the order of their keys counts
 import pytest
 
 from allworlds import ambiguity, check, compare, count, fuzz, worst
-from allworlds.engines.limits import Silent
 from allworlds.verbs import VERBS
 from kept_jobs import EXPLORERS
 
@@ -46,29 +45,6 @@ KINDS = ("check refuted", "worst", "compare", "compare --to", "fuzz", "count", "
 def test_every_verb_with_a_sweep_is_tried():
     words = {" ".join(name.split()[:2]) for name in SWEEPS} | {name.split()[0] for name in SWEEPS}
     assert {verb.name for verb in VERBS if verb.swept} <= words
-
-
-class Counts(Silent):
-    """Counts how many worlds were announced for each level, and how many were done."""
-
-    def __init__(self):
-        self.announced, self.done = [], []
-
-    def level(self, edges, worlds):
-        self.announced.append(worlds)
-        self.done.append(0)
-
-    def progress(self, count):
-        self.done[-1] += count
-
-
-@pytest.mark.no_cover
-@pytest.mark.parametrize("name", KINDS)
-def test_as_many_worlds_are_done_in_each_level_as_were_announced(name):
-    heard = Counts()
-    SWEEPS[name](listener=heard)
-    assert sum(heard.done)
-    assert heard.done == heard.announced
 
 
 @pytest.mark.parametrize("name", KINDS)

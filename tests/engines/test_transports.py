@@ -12,7 +12,7 @@ import pytest
 from allworlds.engines import dask, engine_table
 from allworlds.engines.engine_table import ThisThread, Threads
 from allworlds.engines.job_records import NO_RECORDS, Records
-from allworlds.engines.limits import DaskCluster, Silent, TimeIsUp
+from allworlds.engines.limits import NOBODY, TimeIsUp
 from allworlds.engines.sweep import gather
 from allworlds.engines.units import PartialResult
 from allworlds.maps.classes import Extent, MapClass
@@ -47,14 +47,14 @@ def scheduler():
 @pytest.fixture
 def made(request):
     def make(name, deadline=None):
-        cluster = DaskCluster(request.getfixturevalue("scheduler")) if name == "Dask" else None
-        return made_of(name, deadline, cluster)
+        address = request.getfixturevalue("scheduler") if name == "Dask" else None
+        return made_of(name, deadline, address)
 
     return make
 
 
-def made_of(name, deadline, cluster):
-    known = {"workers": 2, "batch": 3, "deadline": deadline, "cluster": cluster}
+def made_of(name, deadline, address):
+    known = {"workers": 2, "batch": 3, "deadline": deadline, "address": address}
     known |= {"inside": ThisThread, "probe": str, "order": iter}
     known |= {"soon": bool, "near": ThisThread(deadline), "far": Threads(2, deadline)}
     taken = inspect.signature(TRANSPORTS[name]).parameters
@@ -108,7 +108,7 @@ def test_a_transport_brings_every_unit_once(name, units, made):
     assert Counter(part.unit for part in parts if part.last) == Counter(units)
     total = Some()
     with made(name) as transport:
-        gather(transport, Digits(), units, total, Silent())
+        gather(transport, Digits(), units, total, NOBODY)
     assert total == Counter("".join(map(str, units)))
 
 
@@ -158,7 +158,7 @@ def test_a_time_limit_in_which_no_unit_can_be_kept_is_told(records, kept, digits
         records.kept = kept
     extent = Extent(MapClass.MAPS, 3)
     with pytest.raises(TimeIsUp) as up:
-        gather(Ending(digits), Digits(), [Slow(3456)], Some(), Silent(), records, extent)
+        gather(Ending(digits), Digits(), [Slow(3456)], Some(), NOBODY, records, extent)
     assert re.search(said, str(up.value))
 
 

@@ -32,25 +32,6 @@ def only_finding(name, **options):
     return finding
 
 
-@pytest.mark.early
-@pytest.mark.parametrize(
-    ("name", "law", "seen"),
-    [
-        ("os_exit", "crash", "exit code 0"),
-        ("segfault", "crash", "signal 11"),
-        ("closes", "crash", "end of the process"),
-        ("raises", "crash", "ZeroDivisionError"),
-    ],
-)
-def test_the_law_that_is_broken_at_a_vertex_of_degree_1(wrong, name, law, seen):
-    finding = only_finding(wrong(name))
-    assert finding.law == law
-    assert finding.world == EDGE
-    assert seen in finding.seen
-    assert finding.transcript.steps == ()
-    assert finding.confirmed
-
-
 def test_memory_beyond_the_limit_is_a_crash(wrong):
     finding = only_finding(wrong("memory"), memory=1000)
     assert (finding.law, finding.world) == ("crash", EDGE)

@@ -228,7 +228,11 @@ def test_the_machine_is_not_taken_for_the_explorer():
         return Shield(explore)
 
     world = next(rooted_maps(2))
-    for error in (MemoryError(), ExplorerFault("crash", "a signal", machine=True)):
+    for error in (
+        MemoryError(),
+        KeyboardInterrupt(),
+        ExplorerFault("crash", "a signal", machine=True),
+    ):
         with pytest.raises(type(error)):
             Walk(failing(error), world, 0)
     assert Walk(failing(ExplorerFault("crash", "exit code 1")), world, 0).answer

@@ -8,7 +8,7 @@ import pytest
 
 import allworlds
 from allworlds.document import replace
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from allworlds.engines.units import Shard
 from allworlds.inputs.checks import InputError
 from allworlds.inputs.requests import Option, Request, answer, fields_of, meant, remembered
@@ -24,7 +24,7 @@ def test_what_users_give_becomes_values_and_stays_so():
     assert request.map_class is MapClass.SIMPLE
     assert request.shard == Shard(0, 2)
     assert (request.laws, str(request.bound)) == (("map", "pose"), "7")
-    assert isinstance(request.listener, Silent)
+    assert isinstance(request.listener, Listener)
     changed = replace(request, edges=3)
     assert (changed.edges, changed.shard) == (3, Shard(0, 2))
     with pytest.raises(FrozenInstanceError):

@@ -6,12 +6,9 @@ import pytest
 
 import allworlds
 from allworlds import Move
-from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.judging.explanations.by_law import another_world
 from allworlds.judging.laws.folding import fold
 from allworlds.protocol.actions import Transcript
-from allworlds.studies.check.exhaustive import check
-from allworlds.studies.explain import explain
 from second_opinion import same_pose
 
 WORDS = [word for length in range(4) for word in product(range(2), repeat=length)]
@@ -41,12 +38,3 @@ def test_in_every_small_world_and_for_every_short_walk_it_is_another_and_senses_
                 assert not same_pose(other.map, other.start, world.map, world.start)
                 assert other.map.is_simple or not world.map.is_simple
     assert others > 100
-
-
-@pytest.mark.no_cover
-@pytest.mark.parametrize("mutant", WRONG_EXPLORERS, ids=lambda mutant: mutant.name)
-def test_findings_of_folding_name_it_and_no_others_do(mutant):
-    for finding in check(mutant.explorer(), edges=3, max_findings=3).findings:
-        told = explain(finding)
-        assert (told.other is not None) == (finding.law == "folding")
-        assert (told.to_json()["other"] is not None) == (finding.law == "folding")

@@ -7,7 +7,7 @@ import pytest
 
 from allworlds.document import replace
 from allworlds.inputs.checks import InputError
-from allworlds.judging.explanations.by_law import TELLERS, tell_whose_bound
+from allworlds.judging.explanations.by_law import TELLERS, _say_sizes, tell_whose_bound
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import BOUNDS
@@ -16,7 +16,7 @@ from allworlds.protocol.actions import Estimate
 from allworlds.studies.explain import explain
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
-from small import EDGE, LASSO, PATH
+from small import EDGE, LASSO, PATH, TRIANGLE
 
 VERDICTS = Path(__file__).parents[2] / "docs" / "verdicts.md"
 
@@ -246,3 +246,9 @@ def test_every_law_of_the_judge_has_its_entry_in_the_judges_order():
 def test_a_law_that_only_later_versions_know_is_told_by_its_sentences(finding_of):
     finding = replace(finding_of("no-answer"), law="harmony")
     assert "The law 'harmony' is broken." in explain(finding).sentences
+
+
+def test_another_map_of_the_same_size_is_called_that():
+    assert _say_sizes(TRIANGLE, TRIANGLE) == (
+        "The answer has 3 edges and 3 vertices, as the world has, but is another map."
+    )

@@ -130,6 +130,7 @@ def test_a_spoiled_answer_is_told_by_its_slip_in_every_small_world(name):
     # What was done can often be undone in another way, too, but it is never without a name.
     assert all(told)
     assert any(words in sentence for sentence in told)
+    assert not any("None" in sentence for sentence in told)
     if name == "mirrored":
         assert all(words in sentence for sentence in told)
 

@@ -15,7 +15,6 @@ from allworlds.maps import (
     named_maps,
 )
 from allworlds.maps.build import cycle, dense, lattice
-from allworlds.maps.combinatorial import Mismatch
 from bruteforce import rooted_maps_by_permutations
 
 # Vertices, edges and face lengths of well-known embedded graphs: the Platonic solids K4 and
@@ -97,7 +96,7 @@ def test_the_maps_of_fig_1_are_simple_and_differ():
     left, right = named_map("fig1-left"), named_map("fig1-right")
     assert left.is_simple
     assert right.is_simple
-    assert isinstance(isomorphism(left, right), Mismatch)
+    assert isomorphism(left, right) is None
 
 
 @pytest.mark.parametrize("name", ["", "moon", "wheel", "k4-N", "edge-3", "-4"])
@@ -175,7 +174,7 @@ def test_every_map_can_be_written_with_edge_names():
         except InvalidMap:
             continue
         names = [[dart // 2 for dart in vertex] for vertex in map_.vertices]
-        assert not isinstance(isomorphism(from_cycles(names), map_), Mismatch)
+        assert isomorphism(from_cycles(names), map_)
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,7 @@ from allworlds.maps import (
     unrooted_code,
 )
 from allworlds.maps.build import cycle, dense, lattice
-from allworlds.maps.combinatorial import Mismatch, carries, numbering
+from allworlds.maps.combinatorial import carries, numbering
 from small import LOOP, joined, maps
 
 # Symmetric maps: of each the number of rotations that carry it into itself.  A solid has two
@@ -191,36 +191,29 @@ def test_small_maps_are_the_same_exactly_if_their_unrooted_codes_are(edges):
     for (a, code), (b, other) in product(known, repeat=2):
         answer = isomorphism(a, b)
         assert bool(answer) == (code == other)
-        assert is_witness(answer, a, b) if answer else isinstance(answer, Mismatch)
+        assert is_witness(answer, a, b) if answer else answer is None
 
 
 @pytest.mark.parametrize(
-    ("a", "b", "reason"),
+    ("a", "b"),
     [
-        (cycle(3), cycle(4), "the edges differ: 3 and 4"),
-        (cycle(2), from_cycles(["a", "ab", "b"]), "the vertices differ: 2 and 3"),
-        (
-            named_map("two-loops-plane"),
-            named_map("two-loops-torus"),
-            "the faces differ: 3 and 1",
-        ),
+        (cycle(3), cycle(4)),
+        (cycle(2), from_cycles(["a", "ab", "b"])),
+        (named_map("two-loops-plane"), named_map("two-loops-torus")),
         (
             from_rotation([[1], [0, 2], [1, 3], [2]]),
             from_rotation([[1, 2, 3], [0], [0], [0]]),
-            "the degrees differ: [1, 1, 2, 2] and [1, 1, 1, 3]",
         ),
         # A vertex with legs of 1, 2 and 3 edges, clockwise and anticlockwise.
         (
             from_cycles(["abc", "a", "bd", "d", "ce", "ef", "f"]),
             from_cycles(["acb", "a", "bd", "d", "ce", "ef", "f"]),
-            "edges, vertices, faces and degrees agree, but no image of dart 0 extends to all darts",
         ),
     ],
 )
-def test_maps_that_differ_are_told_apart_by_the_first_number_that_differs(a, b, reason):
-    assert isomorphism(a, b) == Mismatch(reason)
-    assert not isomorphism(a, b)
-    assert not isomorphism(b, a)
+def test_maps_that_differ_are_told_apart(a, b):
+    assert isomorphism(a, b) is None
+    assert isomorphism(b, a) is None
 
 
 @pytest.mark.parametrize("edges", [2, 3, 4])
@@ -229,8 +222,6 @@ def test_a_chiral_map_is_not_its_mirror_image_though_all_numbers_agree(edges):
         mirrored = map_.mirrored()
         same = unrooted_code(map_) == unrooted_code(mirrored)
         assert bool(isomorphism(map_, mirrored)) == same
-        if not same:
-            assert "no image of dart 0" in isomorphism(map_, mirrored).reason
 
 
 def test_planar_maps_up_to_mirror_images_are_the_published_numbers():
@@ -286,28 +277,10 @@ def test_two_rooted_maps_are_the_same_exactly_if_their_codes_are(a, b, data):
         assert not answer
 
 
-def test_a_mismatch_of_degrees_says_where():
-    edge = named_map("edge")
-    assert rooted_isomorphism(edge, 0, LOOP, 1) == Mismatch(
-        "dart 0 is at a vertex of degree 1, its image 1 at one of degree 2"
-    )
+def test_walks_that_meet_other_degrees_or_close_at_other_times_are_no_isomorphism():
+    assert rooted_isomorphism(named_map("edge"), 0, LOOP, 1) is None
     a, b = from_cycles(["a", "ab", "b"]), from_cycles(["a", "ab", "bc", "c"])
-    answer = rooted_isomorphism(a, 0, b, 0)
-    assert "degree 1" in answer.reason
-    assert "degree 2" in answer.reason
-
-
-def test_a_walk_that_closes_too_early_says_where():
+    assert rooted_isomorphism(a, 0, b, 0) is None
     # Both are one vertex of degree 2 as far as percepts go; the loop closes after one edge.
-    answer = rooted_isomorphism(LOOP, 0, cycle(3), 0)
-    assert "but it is already" in answer.reason
-
-
-def test_a_walk_that_closes_too_late_says_where():
-    answer = rooted_isomorphism(cycle(3), 0, LOOP, 0)
-    assert "but that is already the image of" in answer.reason
-
-
-def test_a_mismatch_is_false_and_a_witness_is_true():
-    assert not Mismatch("because")
-    assert isomorphism(LOOP, LOOP)
+    assert rooted_isomorphism(LOOP, 0, cycle(3), 0) is None
+    assert rooted_isomorphism(cycle(3), 0, LOOP, 0) is None

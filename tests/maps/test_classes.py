@@ -80,7 +80,7 @@ def test_vertices_alone_do_not_bound_a_class_with_loops(map_class):
     with pytest.raises(InputError) as refusal:
         Extent(map_class, None, 4)
     assert "vertices = 4 alone" in str(refusal.value)
-    assert f"instead of {map_class.value}" in str(refusal.value)
+    assert f"class {map_class.value} needs" in str(refusal.value)
 
 
 @pytest.mark.parametrize("map_class", MapClass)

@@ -354,46 +354,25 @@ def test_text_nested_thousands_deep_is_refused_as_no_map():
 
 
 @pytest.mark.parametrize(
-    ("sigma", "alpha", "table"),
+    ("sigma", "alpha", "tried"),
     [
-        (
-            [1, 0, 3, 3],
-            [1, 0, 3, 2],
-            "dart   0   1   2   3\nsigma  1   0  [3] [3]\nalpha  1   0   3   2",
-        ),
-        ([0, 1], [0, 1], "dart   0   1\nsigma  0   1\nalpha [0]  1"),
-        ([0, 9], [1, 0], "dart   0   1\nsigma  0  [9]\nalpha  1   0"),
-        (
-            [0, 1, 2, 3],
-            [1, 2, 3, 0],
-            "dart   0   1   2   3\nsigma  0   1   2   3\nalpha [1] [2]  3   0",
-        ),
-        (
-            [0, 1, 2, 3],
-            [1, 0, 3, 2],
-            "dart   0   1  [2] [3]\nsigma  0   1   2   3\nalpha  1   0   3   2",
-        ),
-        ([0, 1], [1], "dart   0   1\nsigma  0   1\nalpha  1"),
+        ([1, 0, 3, 3], [1, 0, 3, 2], "sigma [1, 0, 3, 3]\nalpha [1, 0, 3, 2]"),
+        ([0, 9], [None, 0], "sigma [0, 9]\nalpha [None, 0]"),
+        ([0, 1], [1], "sigma [0, 1]\nalpha [1]"),
         ([], [], ""),
         (7, [1, 0], ""),
     ],
 )
-def test_what_was_tried_is_kept_with_the_clash_in_brackets(sigma, alpha, table):
+def test_what_was_tried_is_kept(sigma, alpha, tried):
     with pytest.raises(InvalidMap) as refusal:
         CombinatorialMap(sigma, alpha)
-    assert refusal.value.tried.replace(" \n", "\n") == table
+    assert refusal.value.tried == tried
 
 
-def test_of_many_darts_the_rows_with_the_clash_are_shown():
-    darts = [*range(100)]
-    alpha = [d ^ 1 for d in darts]
-    alpha[70] = 10**30
+def test_of_many_darts_the_first_are_shown():
     with pytest.raises(InvalidMap) as refusal:
-        CombinatorialMap(darts, alpha)
-    table = refusal.value.tried
-    assert table.splitlines()[0].split() == ["dart", *map(str, range(64, 80))]
-    assert "[100000000...]" in table
-    assert len(table.splitlines()) == 3
+        CombinatorialMap([*range(1000)], [10**30] * 1000)
+    assert max(map(len, refusal.value.tried.splitlines())) < 300
 
 
 # ---------------------------------------------------------------- cycles

@@ -4,13 +4,10 @@ from math import comb, factorial, prod
 
 import pytest
 
-from allworlds.maps import MapClass, rooted_maps
-from allworlds.maps.classes import condition_named
 from allworlds.maps.counting import (
     NARROWED,
     catalan,
     rooted_of_genus_by_contraction,
-    vertex_counts,
 )
 
 NAMES = [
@@ -26,18 +23,6 @@ def source_under(map_class, name):
 
 def total(map_class, name, edges):
     return sum(source_under(map_class, name).cells(edges).values())
-
-
-@pytest.mark.no_cover
-@pytest.mark.parametrize("map_class", list(MapClass))
-@pytest.mark.parametrize("name", NAMES)
-def test_each_source_counts_what_is_enumerated(name, map_class):
-    for edges in (1, 2, 3, 4, 5):
-        cells = dict.fromkeys(vertex_counts(edges), 0)
-        for map_ in rooted_maps(edges, map_class, where=condition_named(name)):
-            cells[map_.vertex_count] += 1
-        if source := source_under(map_class, name):
-            assert source.cells(edges) == cells
 
 
 @pytest.mark.parametrize(("name", "legal"), [("cubic", {3}), ("eulerian", {*range(2, 99, 2)})])

@@ -12,7 +12,6 @@ import allworlds
 ROOT = Path(__file__).parents[2]
 FOLDERS = {
     Path(allworlds.__file__).parent: 100,
-    ROOT / "tests": 250,
     ROOT / "benchmarks": 5,
     ROOT / "proofs": 20,
     ROOT / "docsite": 5,

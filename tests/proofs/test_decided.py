@@ -25,7 +25,7 @@ assumptions:
 	@test -f Main.v && test ! -f Main.vo && {command}
 """
 
-FULL = Means(budget="full")
+FULL = Means(1, "full")
 
 
 @pytest.fixture
@@ -44,7 +44,7 @@ def certificate(decided, tmp_path):
 
     def found(code):
         (tmp_path / "check.py").write_text(CHECKER.format(code=code))
-        return decided.certificate(Means(), claim="cycles")
+        return decided.certificate(Means(1), claim="cycles")
 
     return found
 
@@ -74,8 +74,8 @@ def test_a_certificate_counts_as_its_checker_says(certificate):
 
 
 def test_without_a_folder_or_coq_or_time_nothing_is_said(decided, monkeypatch):
-    assert "check.py" in decided.certificate(Means(), claim="cycles").reason
-    assert "--budget full" in decided.theorem(Means(), names=["x"]).reason
+    assert "check.py" in decided.certificate(Means(1), claim="cycles").reason
+    assert "--budget full" in decided.theorem(Means(1), names=["x"]).reason
     monkeypatch.setenv("PATH", "")
     assert decided.theorem(FULL, names=["x"]).reason == "Coq is not installed"
 

@@ -163,6 +163,13 @@ def test_no_two_names_become_one_where_they_are_cut(names, shown):
     assert scene.cut_names(5) == cut
 
 
+def test_sixteen_characters_of_a_name_stand_in_a_text():
+    names = ("sixteen letters!", "seventeen letters", "hall")
+    drawn = in_characters(Scene(named_map("path-3"), vertices=names), 200)
+    assert "sixteen letters!" in drawn.split("\n\n")[0]
+    assert "seventeen letters" not in drawn.split("\n\n")[0]
+
+
 def test_thousands_of_names_that_begin_alike_stay_apart():
     names = tuple(f"the room with the number {i}" for i in range(1200))
     shown = Scene(named_map("path-1200"), vertices=names).short_names(3)

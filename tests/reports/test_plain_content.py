@@ -8,7 +8,7 @@ from allworlds.document import Document, Natural, Report, about
 from allworlds.outcome import Verdict
 from allworlds.reports.content.plain import plain_content
 from allworlds.reports.formats import FORMATS
-from allworlds.reports.plain_text import content_line, content_text
+from allworlds.reports.plain_text import content_line, content_text, entry
 from allworlds.verbs import ROWS
 
 
@@ -58,3 +58,8 @@ def test_every_form_of_rows_shows_it(form):
     made = FORMATS[form].of_content(plain_content(Leaves(kind="maps", rows=ROWS_OF_TWO)))
     assert "leaves" in made
     assert "200" in made
+
+
+def test_an_option_is_not_broken_at_its_hyphens():
+    lines = entry("scope", "all were tried with --time-limit", 40)
+    assert lines == ["scope      all were tried with", "           --time-limit"]

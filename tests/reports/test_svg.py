@@ -86,15 +86,6 @@ def test_another_cyclic_order_would_be_seen():
     assert any(GENUS_2.sigma[a] != b for a, b in pairwise(around))
 
 
-@pytest.mark.no_cover
-@pytest.mark.parametrize("map_", MAPS, ids=str)
-def test_every_dart_and_every_vertex_is_named_once(map_):
-    svg = drawn(map_)
-    texts = [text.text for text in svg.iter(f"{NS}text")]
-    names = [*map(str, map_.darts), *(f"v{v}" for v in range(map_.vertex_count))]
-    assert sorted(texts) == sorted(names)
-
-
 def meet(a, b, c, d):
     """The segments ab and cd cross."""
 
@@ -125,7 +116,7 @@ def test_edges_that_must_cross_do():
     for map_ in MAPS:
         if map_.genus:
             assert crossings(map_) >= 1
-            assert planar(map_).crossings >= map_.genus
+            assert planar(map_).unbent - planar(map_).own >= 4 * map_.genus
 
 
 @pytest.mark.parametrize("map_", [*NAMED, GENUS_2], ids=str)
@@ -241,7 +232,7 @@ def test_the_lower_edge_leaves_a_gap_where_it_is_crossed():
         svg = drawn(map_)
         bridges = [path for path in svg.iter(f"{NS}path") if path.get("class") == "bridge"]
         # Each of two edges that cross has a gap made for it; that below is hidden by the other.
-        assert len(bridges) == 2 * planar(map_).crossings
+        assert 2 * len(bridges) == planar(map_).unbent - planar(map_).own
         curves = [flat(way) for _, way in edges(svg)]
         for bridge in bridges:
             at = sum(points(bridge.get("d"))) / 2

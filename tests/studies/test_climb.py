@@ -11,7 +11,7 @@ import pytest
 
 from allworlds import compare, run
 from allworlds.document import replace
-from allworlds.engines.limits import Silent, TimeIsUp
+from allworlds.engines.limits import Listener, TimeIsUp
 from allworlds.engines.players import Unsettled
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import load
@@ -215,7 +215,7 @@ def test_the_time_limit_and_an_interrupt_leave_finished_sizes(monkeypatch):
 
 
 def test_a_law_that_is_broken_in_a_begun_size_refutes():
-    class Ends(Silent):
+    class Ends(Listener):
         def progress(self, worlds):
             raise TimeIsUp
 
@@ -273,6 +273,11 @@ def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):
     assert file.read_text().startswith("code,family,holes,seed,edges")
 
 
+def test_the_text_runs_the_last_member_again():
+    report = compare("algorithm1", "folding", family=["random"], to=12, draws=2, workers=1)
+    assert "allworlds run algorithm1 --family random:6x12 --seed 2" in text_of(report, 100)
+
+
 @pytest.mark.parametrize(
     ("options", "said"),
     [
@@ -303,7 +308,9 @@ def test_a_family_without_a_size_is_refused_with_both_spellings(family):
 
 
 def test_what_grows_is_asked_for_by_to(refused):
-    assert "draws = 2 is for worlds that grow" in refused("compare", "folding-oldest", "--draws", 2)
+    assert "draws = 2 has no effect on worlds that do not grow" in refused(
+        "compare", "folding-oldest", "--draws", 2
+    )
 
 
 def test_a_seed_left_out_is_the_first(cli):

@@ -198,7 +198,7 @@ def test_the_page_holds_both_walks_and_the_document(report):
         (
             ["folding", "folding-oldest"],
             {"edges": 2, "family": "cycle:3"},
-            "'cycle:3' is one world",
+            "'cycle:3', which is one world",
         ),
         (["folding", "folding-oldest"], {"edges": 2, "holes": "10%"}, "10%"),
         (["folding", "folding-oldest"], {"family": "ring:3"}, "ring:3"),

@@ -8,7 +8,7 @@ from typing import ClassVar
 import pytest
 
 from allworlds.document import replace
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap, MapClass, rooted_code, rooted_maps
 from allworlds.maps.counting import CountSource
@@ -254,7 +254,7 @@ def test_an_explorer_that_tampers_with_percepts_deceives_nobody(explorers):
 
 @pytest.mark.usefixtures("without_workers")
 def test_that_nothing_was_walked_is_told():
-    class Listener(Silent):
+    class Hears(Listener):
         told = ()
 
         def notice(self, text):
@@ -265,7 +265,7 @@ def test_that_nothing_was_walked_is_told():
         return Estimate(map_ if first.degree == 1 else map_.dual(), 0)
         yield
 
-    silent, telling = Listener(), Listener()
+    silent, telling = Hears(), Hears()
     assert check(edges=1, laws=["map"], listener=silent).verdict is Verdict.HOLDS
     assert check(motionless, edges=1, laws=["map"], listener=telling).verdict is Verdict.HOLDS
     assert not silent.told
@@ -289,7 +289,7 @@ def test_a_closure_runs_in_this_process_and_a_function_elsewhere(explorers):
 
 
 def test_the_listener_is_told_of_every_world():
-    class Listener(Silent):
+    class Hears(Listener):
         told: ClassVar[list[list[int]]] = []
 
         def level(self, edges, worlds):
@@ -301,8 +301,8 @@ def test_the_listener_is_told_of_every_world():
         def notice(self, text):
             raise AssertionError(text)
 
-    check(edges=3, workers=2, listener=Listener())
-    assert Listener.told == [[1, 2, 2], [2, 10, 10], [3, 74, 74]]
+    check(edges=3, workers=2, listener=Hears())
+    assert Hears.told == [[1, 2, 2], [2, 10, 10], [3, 74, 74]]
 
 
 @pytest.mark.no_cover

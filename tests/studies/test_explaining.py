@@ -108,14 +108,14 @@ def test_an_answer_that_is_no_map_is_told_once_with_what_was_tried(report_of, tm
     file.write_text(json.dumps(report.to_json()), encoding="utf-8")
     _, out, _ = cli("explain", file)
     assert " ".join(out.split()).count("sigma[2] = sigma[3] = 3") == 1
-    assert out.count("sigma  1   0  [3] [3]") == 1
+    assert out.count("sigma [1, 0, 3, 3]") == 1
     assert "counted anticlockwise" in " ".join(out.split())
     assert " ".join(out.split()).count("line 18, in no_map: return Estimate(") == 1
 
 
 def test_what_was_tried_is_shown_only_if_it_can_be(report_of, cli):
     _, out, _ = cli("check", report_of("no_darts").explorer, "--edges", 1, "-v")
-    assert "[None]" in out
+    assert "alpha [1, None]" in out
     _, out, _ = cli("check", report_of("no_lists").explorer, "--edges", 1, "-v")
     assert "sigma must be a sequence of darts, not 3" in " ".join(out.split())
     assert "the permutations that were tried" not in out

@@ -1,7 +1,7 @@
 import pytest
 
 from allworlds import merge
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from allworlds.inputs.checks import InputError
 from allworlds.reports.content.check import scope_words, size_table
 from allworlds.reports.formats import file_of, text as text_of
@@ -44,6 +44,13 @@ def test_a_sample_without_any_place_of_the_lighthouse_is_vacuous():
     assert text_of(report, 100).startswith("VACUOUS    the scope holds no run\n")
 
 
+@pytest.mark.processes
+def test_a_finding_is_confirmed_by_a_second_play(tmp_path):
+    (tmp_path / "gives_up.py").write_text("def explore(first):\n    return\n    yield")
+    found, *_ = fuzz(f"{tmp_path / 'gives_up.py'}:explore", edges=4, runs=2).findings
+    assert (found.law, found.confirmed) == ("no-estimate", True)
+
+
 def test_a_shard_without_a_run_says_so(tmp_path):
     (tmp_path / "runs").mkdir()
     reports = [fuzz(edges=4, runs=2, shard=(k, 3), run=tmp_path / f"runs/{k}") for k in range(3)]
@@ -81,7 +88,7 @@ def test_a_least_number_of_edges_that_no_world_can_have_is_refused(least, words)
 def test_whoever_listens_is_told_of_every_world():
     told = []
 
-    class Listening(Silent):
+    class Listening(Listener):
         def level(self, edges, size):
             told.append((edges, size))
 

@@ -198,7 +198,7 @@ def test_an_error_outweighs_an_interrupt_which_outweighs_a_difference(paper):
 @pytest.mark.parametrize(
     ("options", "told"),
     [
-        ({"only": ["pair"]}, "only 'pair' is no claim; near it are pairs"),
+        ({"only": ["pair"]}, "only 'pair' is no claim; did you mean 'pairs'?"),
         ({"require": ["@"]}, "require '@' is no claim; the first of 3 are pairs, not-all, proof"),
         ({"budget": "large"}, "budget 'large' is not one of quick, full"),
         ({"workers": 0}, "workers 0 is not positive"),
@@ -261,7 +261,7 @@ def test_each_standing_has_its_sign_and_what_differs_is_told(paper):
     assert "DIFFERS    not-all: verdict: refuted expected, holds found" in told
     assert "REQUIRED   proof was not checked" in told
     assert brief(report, 100) == (
-        "REFUTED: 3 claims: 1 holds, 1 not as expected, 1 not checked (Coq is not installed)"
+        "REFUTED: 3 claims: 1 holds, 1 not as expected, 1 not checked (1: Coq is not installed)"
     )
 
 

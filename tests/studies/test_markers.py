@@ -193,7 +193,7 @@ def test_a_cluster_has_no_place_in_a_world_of_one_vertex_which_is_counted():
 
 
 def test_a_natural_lighthouse_whose_promise_is_false_is_refused():
-    with pytest.raises(InputError, match="needs unique degrees"):
+    with pytest.raises(InputError, match="natural cannot stand at dart 0"):
         World.from_json({**PATH.to_json(), "lighthouse": {"kind": "natural", "dart": 0}})
 
 

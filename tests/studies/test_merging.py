@@ -3,7 +3,7 @@
 import pytest
 
 import allworlds
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from allworlds.engines.run_directory import Gap
 from allworlds.inputs.checks import InputError
 from kept_jobs import EXPLORERS
@@ -46,15 +46,17 @@ def test_a_shard_of_a_merge_that_is_missing_is_a_gap(report, cli, tmp_path):
     runs, _ = sharded(report, "check --edges 2", tmp_path, 3)
     code, out, err = cli("merge", runs[0], runs[2])
     assert (code, out) == (75, "")
-    assert err == ("allworlds: shard 1/3 is missing: give the run directory of each shard\n")
+    assert err == (
+        "allworlds: what is missing is shard 1/3: give the run directory of each shard\n"
+    )
     report("check --edges 2", "--shard", "0/12", "--run", str(tmp_path / "one"))
     code, _, err = cli("merge", tmp_path / "one")
     assert code == 75
-    assert "shards 1/12, 2/12, " in err
+    assert "shard 1/12, 2/12, " in err
     assert "9/12 and 2 more" in err
 
 
-class Ends(Silent):
+class Ends(Listener):
     def progress(self, worlds):
         raise KeyboardInterrupt
 

@@ -77,6 +77,7 @@ def test_a_line_is_an_action_and_the_conversation_is_no_result(end, capsys, monk
     assert [row.get("move") for row in document["transcript"]] == [None, 0, 2]
     assert document["path"] is None
     assert said.err.count("you sense: degree 3") == 3
+    assert said.err.count("> ") == 5
     assert "that cannot be done: the directional lighthouse gives no markers" in said.err
     legal = "a number, drop, pick, write K with a number K, or an empty line to end"
     assert f"is not one of {legal}" in said.err

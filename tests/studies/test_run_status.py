@@ -3,7 +3,7 @@
 import pytest
 
 import allworlds
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from allworlds.studies.merge import DoneOf
 from kept_jobs import EXPLORERS
 
@@ -27,7 +27,7 @@ def test_of_a_comparison_the_largest_cost_of_all_explorers_is_shown(tmp_path):
     assert allworlds.status(tmp_path).worst.cost == largest
 
 
-class Looks(Silent):
+class Looks(Listener):
     def __init__(self, run, done):
         self.run, self.done, self.seen = run, done, []
 
@@ -103,7 +103,7 @@ def test_what_is_not_finished_is_told_so_far(cli, tmp_path):
         if edges == 3:
             raise KeyboardInterrupt
 
-    class Ends(Silent):
+    class Ends(Listener):
         level = staticmethod(ends)
 
     allworlds.check(edges=3, run=tmp_path, listener=Ends())

@@ -4,39 +4,14 @@ import random
 
 import pytest
 
-from allworlds import check
-from allworlds.engines.kernel.capabilities import MOST_EDGES
-from allworlds.engines.limits import Silent
 from allworlds.engines.tally import EnginesDisagree
 from allworlds.engines.units import drawn_units
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.reports.formats import text as text_of
-from allworlds.studies.check.exhaustive import Guess, estimate, worlds_of
+from allworlds.studies.check.exhaustive import estimate
 
 pytestmark = pytest.mark.usefixtures("compiled")
-
-
-def measured(*rates):
-    """A function in place of a sample, which returns these rates one after the other."""
-    left = iter(rates)
-
-    def estimated(job, engine):
-        edges, worlds = job.scope.extent.levels[-1], worlds_of(job)
-        return Guess(edges=edges, engine=engine.name, worlds=worlds, sampled=9, rate=next(left))
-
-    return estimated
-
-
-def test_nothing_larger_is_told_where_there_is_nothing_or_too_much(monkeypatch):
-    for asked in (
-        {"map_class": "simple", "vertices": 3},
-        {"edges": MOST_EDGES, "engine": "kernel", "vertices": 2},
-        {"edges": 16},
-        {"map_class": "simple", "vertices": 3, "edges": 3},
-    ):
-        monkeypatch.setattr("allworlds.studies.check.exhaustive.estimated", measured(1.0, 1.0))
-        assert estimate(**asked).larger == ()
 
 
 def test_where_nothing_is_finished_there_is_no_guess(monkeypatch):
@@ -48,33 +23,6 @@ def test_where_nothing_is_finished_there_is_no_guess(monkeypatch):
     assert (said.rate, said.seconds, said.sampled) == (None, None, 0)
     assert said.to_json()["seconds"] is None
     assert "takes very long" in text_of(said, 100)
-
-
-class Hears:
-    """A listener that is there."""
-
-    def __init__(self):
-        self.notices, silent = [], Silent()
-        self.level, self.stage, self.progress = silent.level, silent.stage, silent.progress
-        self.notice = self.notices.append
-
-
-@pytest.mark.usefixtures("without_workers")
-def test_a_long_check_begins_with_an_estimate(monkeypatch):
-    room = "allworlds.studies.check.exhaustive"
-    monkeypatch.setattr(f"{room}.SECONDS", 0.01)
-    monkeypatch.setattr(f"{room}.MANY", {"python": 10})
-    monkeypatch.setattr("allworlds.studies.check.exhaustive.LONG", -1.0)
-    listener = Hears()
-    report = check(edges=2, engine="python", listener=listener)
-    (said,) = listener.notices
-    assert said.startswith("this will take about ")
-    assert report.to_json() == check(edges=2, engine="python").to_json()
-    listener = Hears()
-    check(edges=2, engine="python", listener=listener, time_limit=100)
-    monkeypatch.setattr(f"{room}.MANY", {"python": 100})
-    check(edges=2, engine="python", listener=listener)
-    assert listener.notices == []
 
 
 @pytest.mark.no_cover

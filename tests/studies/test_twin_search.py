@@ -23,20 +23,6 @@ def sizes(result):
     return [(world.map.edge_count, world.map.vertex_count) for world in result.pair]
 
 
-# Smallest pairs with the position marked: any map m = 2, simple m = 6, planar simple m = 8.
-@pytest.mark.no_cover
-@pytest.mark.parametrize(
-    ("map_class", "edges", "found"),
-    [("maps", 2, (2, 1)), ("planar", 3, (3, 1)), ("simple", 6, (6, 4))],
-)
-def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class, edges, found):
-    bounds = {"vertices": 9, "map_class": map_class, "out": tmp_path}
-    result = allworlds.search(lighthouse="position", edges=edges, **bounds)
-    assert (result.status, result.exit_code) == ("sat", 0)
-    assert sizes(result) == [found, found]
-    assert [found.status for found in result.levels].count("unsat") >= edges - 1
-
-
 def test_sizes_without_any_world_are_left_out():
     sizes = [one for one, _ in question("position", "simple", 4, 7).sizes()]
     wanted = [(1, 2, 2), (2, 3, 3), (3, 3, 4), (4, 4, 4), (5, 4, 4), (6, 4, 4)]

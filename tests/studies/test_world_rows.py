@@ -116,7 +116,7 @@ def test_a_lighthouse_is_named_for_a_world_that_names_none():
     [
         ({}, "neither a world nor a family"),
         ({"world": 5}, "world = 5 is no World"),
-        ({"world": "k4", "family": "torus:3x3"}, "family torus:3x3 has no effect on world 'k4'"),
+        ({"world": "k4", "family": "torus:3x3"}, "family torus:3x3 has no effect on a world"),
         ({"world": "k4", "holes": "10%"}, "holes 10% has no effect on world 'k4'"),
         ({"world": World(named_map("k4")), "lighthouse": "position"}, "lighthouse position has no"),
         ({"family": "k4"}, "family 'k4' is not one of"),

@@ -98,10 +98,10 @@ def _means(mutant: Mutant, monkeypatch: pytest.MonkeyPatch, folder: Path) -> Mea
         shutil.copytree(decided.PROOFS, folder, ignore=left_out, dirs_exist_ok=True)
         monkeypatch.setattr(decided, "PROOFS", folder)
     if not mutant.claim.startswith("coq-"):
-        return Means()
+        return Means(1)
     monkeypatch.setattr(decided, "_assumptions", lambda _folder: as_claimed())
     monkeypatch.setattr(decided.shutil, "which", lambda name: name)
-    return Means(budget="full")
+    return Means(1, "full")
 
 
 # ---------------------------------------------------------------- explorers and worlds

@@ -18,7 +18,7 @@ OF_PROOFS = {"certificate", "theorem", "theorems_in"}
 
 def verdict(name, **bounds):
     """The verdict of a claim in this scope."""
-    return function_of(BY_NAME[name])(Means(), **bounds).verdict
+    return function_of(BY_NAME[name])(Means(1), **bounds).verdict
 
 
 def other(value):
@@ -55,7 +55,7 @@ def fails_when_changed(entry):
 def really_fails_when_changed(name):
     """Do the same with what is really found in the quick scope; return the number of changes."""
     claim = BY_NAME[name]
-    return fails_when_changed(entry_of(claim, function_of(claim), Means()))
+    return fails_when_changed(entry_of(claim, function_of(claim), Means(1)))
 
 
 @pytest.mark.parametrize("budget", ["quick", "full"])

@@ -36,21 +36,6 @@ def test_algorithm_1_explores_a_named_world_at_the_known_cost(entry):
     assert told.outcome.cost == entry.expected["cost"]
 
 
-@pytest.mark.usefixtures("without_workers")
-@entries("finding")
-def test_a_finding_is_reproduced_by_its_mutant_to_the_letter(entry):
-    finding = Finding.from_json(CORPUS.document(entry))
-    replayed = replay(finding)
-    assert replayed.outcome == entry.expected["outcome"]
-    again = replayed.again.finding
-    assert again.law == finding.law == entry.expected["law"]
-    assert again.world == finding.world
-    if finding.law != "nondeterministic":
-        # What such an explorer does depends on what it did before.
-        assert again.transcript == finding.transcript
-        assert (again.expected, again.seen) == (finding.expected, finding.seen)
-
-
 @pytest.mark.no_cover
 @entries("finding")
 def test_a_finding_is_fixed_by_algorithm_1(entry):

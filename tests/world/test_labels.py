@@ -91,7 +91,7 @@ def test_a_document_holds_them_and_is_read_again():
         ("names", ["a", " ", "c"], "names[1] = ' ' is no printable text"),
         ("names", ["a", "b", 3], "names[2] = 3: expected str, got int"),
         ("names", ["a", "b\u202e", "c"], "names[1] = 'b\\u202e' is no printable text"),
-        ("names", ["a", "b", "a"], "names[2] = 'a' is names[0], too; names differ"),
+        ("names", ["a", "b", "a"], "names[2] = 'a' is no printable text of its own"),
         ("positions", None, "positions = None: expected array, got null"),
         ("positions", [[0, 0]] * 2, "is no list of 3"),
         (

@@ -174,18 +174,18 @@ def test_reference_darts_in_a_file_may_come_in_any_order():
 @pytest.mark.parametrize(
     ("lighthouse", "named"),
     [
-        ({"kind": "position", "dart": 1}, r"stands at dart 1, .*legal are 0"),
+        ({"kind": "position", "dart": 1}, "stand at dart 1 .*legal are 0"),
         ({"kind": "position", "dart": [0, 1]}, r"lighthouse.dart = \[0, 1\] is not an integer"),
         ({"kind": "position", "dart": None}, r"lighthouse.dart = None is not an integer"),
         ({"kind": "compass", "darts": 3}, r"must be a list of darts, not 3"),
         ({"kind": "compass", "darts": None}, r"must be a list of darts, not None"),
         ({"kind": "compass", "darts": [0, "1", 3]}, r"darts\[1\] = '1' is not an integer"),
         ({"kind": "compass", "darts": [0, True, 3]}, r"darts\[1\] = True is not an integer"),
-        ({"kind": "compass", "darts": [0, 1, 4]}, r"names 4, which is no dart.*0\.\.3"),
-        ({"kind": "compass", "darts": [-1, 1, 3]}, r"names -1, which is no dart"),
-        ({"kind": "compass", "darts": [0, 3]}, r"has 0 darts of the vertex \[1, 2\]"),
-        ({"kind": "compass", "darts": [0, 1, 2, 3]}, r"has 2 darts of the vertex \[1, 2\]"),
-        ({"kind": "compass", "darts": [0, 0, 1, 3]}, r"has 2 darts of the vertex \[0\]"),
+        ({"kind": "compass", "darts": [0, 1, 4]}, r"\[0, 1, 4\]; legal is one dart of each vertex"),
+        ({"kind": "compass", "darts": [-1, 1, 3]}, r"darts = \[-1, 1, 3\]; legal is one"),
+        ({"kind": "compass", "darts": [0, 3]}, r"of \[\(0,\), \(1, 2\), \(3,\)\]"),
+        ({"kind": "compass", "darts": [0, 1, 2, 3]}, "legal is one dart of each vertex"),
+        ({"kind": "compass", "darts": [0, 0, 1, 3]}, "legal is one dart of each vertex"),
         ({"kind": "none:x=1"}, r"lighthouse.kind = 'none:x=1' is more than a name"),
     ],
 )
@@ -194,7 +194,6 @@ def test_a_lighthouse_that_does_not_fit_is_named(lighthouse, named):
         World.from_json({**PATH.to_json(), "lighthouse": lighthouse})
 
 
-def test_reference_darts_are_given_ascending():
-    with pytest.raises(InvalidWorld, match=r"\[2, 0, 3\] must be ascending"):
-        World(PATH, Compass((2, 0, 3)))
+def test_reference_darts_may_be_given_in_any_order():
+    assert World(PATH, Compass((2, 0, 3))) == World(PATH, Compass((0, 2, 3)))
     assert World(PATH, Compass([0, 2, 3])).percepts == World(PATH, Compass((0, 2, 3))).percepts

@@ -60,4 +60,4 @@ def test_a_claim_that_is_false_is_refuted(name, bounds):
 
 def test_an_explorer_that_breaks_a_law_is_no_measure_for_another():
     with pytest.raises(Unfinished, match="breaks a law"):
-        optima.run_by_run(Means(), edges=2, one="dudek91", other="algorithm1")
+        optima.run_by_run(Means(1), edges=2, one="dudek91", other="algorithm1")

@@ -17,7 +17,7 @@ from typing import Annotated, Any, NoReturn, get_args, get_type_hints
 
 import typer
 
-from allworlds.cli.defaults import Defaults, beginning, defaults_here
+from allworlds.cli.defaults import Defaults, begin, defaults_here
 from allworlds.cli.output import (
     OutputGroup,
     abandon_stdout,
@@ -345,8 +345,8 @@ def call(arguments: list[str]) -> int:
     try:
         if any(not word.startswith("-") for word in arguments):
             defaults = defaults_here()
-        with beginning(arguments, defaults):
-            code = _invoked(arguments, defaults)
+        begin(arguments, defaults)
+        return _invoked(arguments, defaults)
     except InputError as error:
         return _refuse(str(error), defaults)
     except NoResult as error:
@@ -368,7 +368,6 @@ def call(arguments: list[str]) -> int:
         print(printable(traceback.format_exc()), end="", file=sys.stderr)
         complain("internal error; the lines above say where")
         return Exit.INTERNAL
-    return code
 
 
 def _somewhere() -> bool:

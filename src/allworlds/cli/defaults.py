@@ -6,7 +6,6 @@ differs from run to run: version, host, time, speed.
 
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
@@ -189,15 +188,9 @@ class _BegunCommand:
 _COMMAND: ContextVar[_BegunCommand] = ContextVar("command")
 
 
-@contextmanager
-def beginning(command: Sequence[str], defaults: Defaults) -> Iterator[None]:
-    """Context manager that notes the beginning of a command."""
-    begun = _BegunCommand(tuple(command), defaults, datetime.now(UTC), perf_counter())
-    token = _COMMAND.set(begun)
-    try:
-        yield
-    finally:
-        _COMMAND.reset(token)
+def begin(command: Sequence[str], defaults: Defaults) -> None:
+    """Note the beginning of a command."""
+    _COMMAND.set(_BegunCommand(tuple(command), defaults, datetime.now(UTC), perf_counter()))
 
 
 def words_of_command() -> tuple[str, ...]:

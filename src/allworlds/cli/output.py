@@ -161,18 +161,11 @@ def printable(text: str) -> str:
     return words.harmless(text.replace("\r", r"\x0d"))
 
 
-COLOURS = {
-    "HOLDS": 32,
-    "FIXED": 32,
-    "REFUTED": 31,
-    "REPRODUCED": 31,
-    "ERROR": 31,
-    "NOT REPRODUCED": 33,
-    "NOT-REFUTED": 33,
-    "INCONCLUSIVE": 33,
-    "VACUOUS": 33,
-    "EMPTY": 33,
-}
+COLOURS = (
+    dict.fromkeys(("HOLDS", "FIXED"), 32)
+    | dict.fromkeys(("REFUTED", "REPRODUCED", "ERROR"), 31)
+    | dict.fromkeys(("NOT REPRODUCED", "NOT-REFUTED", "INCONCLUSIVE", "VACUOUS", "EMPTY"), 33)
+)
 """The colour in which a terminal shows the word that begins the line of a verdict."""
 
 
@@ -342,28 +335,15 @@ def _bar() -> Any:
         BarColumn,
         MofNCompleteColumn,
         Progress as RichProgress,
-        ProgressColumn,
-        Task,
         TextColumn,
         TimeRemainingColumn,
     )
-    from rich.text import Text
-
-    class Rate(ProgressColumn):
-        """Speed of the bar, per second."""
-
-        def render(self, task: Task) -> Text:
-            speed = task.finished_speed or task.speed
-            return Text(
-                "" if speed is None else f"{speed:,.4g}/s" if speed < 10 else f"{speed:,.0f}/s"
-            )
 
     return RichProgress(
         TextColumn("{task.description}"),
         BarColumn(),
         MofNCompleteColumn(),
         TextColumn("{task.fields[of]}"),
-        Rate(),
         TimeRemainingColumn(),
         TextColumn("left"),
         console=Console(stderr=True),

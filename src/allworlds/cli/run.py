@@ -2,7 +2,7 @@
 
 import re
 import sys
-from typing import Annotated
+from typing import Annotated, Any
 
 import allworlds
 from allworlds import Drop, Move, Percept, Pick, Write, document as doc
@@ -61,15 +61,11 @@ def run(words: RunWords, *, asked: RunOptions, output: OutputGroup) -> int:
 
     Run an explorer once in one world, tell it step by step, and judge it.
     """
-    told = _listed() if words.listed else answer(allworlds.run, words.request(asked))
+    names: Any = names_of_worlds() if words.listed else None
+    told = WorldNames(**names) if names else answer(allworlds.run, words.request(asked))
     if words.without_walk and not isinstance(told, WorldNames):
         told = doc.replace(told, shows_walk=False)
     return emit(told, output)
-
-
-def _listed() -> WorldNames:
-    names = names_of_worlds()
-    return WorldNames(maps=names["maps"], families=names["families"], corpus=names["corpus"])
 
 
 _WORLDS = "a WORLD is inline JSON, @file, or a name such as k4, wheel:4, theta-torus"

@@ -22,20 +22,21 @@ from typing import Any, NoReturn, Self
 from uuid import uuid4
 
 from allworlds.engines.engine_table import ThisThread
-from allworlds.engines.limits import LOCAL, POLL, ClusterLost, DaskCluster, check_deadline
+from allworlds.engines.limits import LOCAL, POLL, ClusterLost, check_deadline
 from allworlds.engines.units import PartialResult, Sum, Transport
 from allworlds.inputs.checks import InputError, ensure_installed, show
 from allworlds.version import __version__
 
-PATIENCE, IDLE = 10.0, 120.0
-"""Seconds in which a scheduler must answer at first, and after which unused lanes are closed."""
+PATIENCE, SILENCE, IDLE = 10.0, 60.0, 120.0
+"""Seconds in which a scheduler must answer at first, after which a silent part of a cluster is
+given up, and after which unused lanes are closed."""
 
 
 class Dask:
     """The transport to a Dask scheduler; leaving the context cancels the unfinished tasks.
 
     Args:
-        cluster: with the address of the scheduler.
+        address: of the scheduler, or :data:`LOCAL`.
         workers: processes of a local cluster.
         deadline: on the monotonic clock, or None.
         inside: makes the transport on a worker; picklable.
@@ -45,10 +46,10 @@ class Dask:
 
     def __init__(
         self,
-        cluster: DaskCluster,
+        address: str,
         workers: int = 1,
         deadline: float | None = None,
-        inside: Callable[[], Transport[Any]] = ThisThread,
+        inside: Callable[[], Transport] = ThisThread,
         probe: Callable[[], str] = str,
         order: Callable[[Iterable[Any]], Iterable[Any]] = iter,
     ) -> None:
@@ -56,14 +57,15 @@ class Dask:
         import distributed
 
         self._distributed: Any = distributed
-        self._cluster, self._workers, self._deadline = cluster, workers, deadline
+        self._address, self._workers, self._deadline = address, workers, deadline
+        self._named = f"the Dask scheduler {address}"
         self._inside, self._probe, self._order = inside, probe, order
         self._stack: Any = ExitStack()
         self._job, self._threads = uuid4().hex, 0
         self._cost = 1.0  # seconds a unit, the last tasks counting most
 
     def __enter__(self) -> Self:
-        utils, address = self._distributed.utils, self._cluster.address
+        utils, address = self._distributed.utils, self._address
         with self._stack as stack:
             # What befalls a cluster is told in one line, and not in Dask's own.
             stack.enter_context(utils.silence_logging_cmgr(logging.CRITICAL))
@@ -82,7 +84,7 @@ class Dask:
     def __exit__(self, *error: object) -> None:
         self._stack.__exit__(*error)
 
-    def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult[Any, Any]]:
+    def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult]:
         """Yield the results of all units, each of them whole, as they come.
 
         Raises:
@@ -131,12 +133,8 @@ class Dask:
             async with distributed.rpc(address, connection_args=security) as server:
                 kind = (await asyncio.wait_for(server.identity(), PATIENCE))["type"]
             why = f"a {kind.lower()} answers there, which is no scheduler"
-        except OSError as error:
+        except Exception as error:  # noqa: BLE001  # whatever another service has sent
             why = f"no scheduler answers there: {str(error) or why}"
-        except (ValueError, TypeError):
-            why = "no scheduler answers there: this is no address"
-        except Exception:  # noqa: BLE001  # whatever another service has sent
-            why = "what answers there is no scheduler"
         if kind != "Scheduler":
             legal = f"legal are the address of one, as tcp://HOST:8786, and {LOCAL}"
             raise InputError(f"dask {show(address)}: {why}; {legal}")
@@ -147,7 +145,7 @@ class Dask:
 
         One that was stopped keeps its connection: its heartbeats tell, by the scheduler's clock.
         """
-        scheduler, limit = self._client.scheduler, self._cluster.timeout
+        scheduler, limit = self._client.scheduler, SILENCE
         silence = f"for {limit:g} s"
         heard, beats = monotonic(), dict[tuple[str, float], float]()
         try:
@@ -158,7 +156,7 @@ class Dask:
                 beats = {beat: beats.get(beat, now) for beat in seen}
                 heard = max([heard, *beats.values()])
                 if now - heard > limit:
-                    raise ClusterLost(f"no worker of {self._cluster} gave a sign of life {silence}")
+                    raise ClusterLost(f"no worker of {self._named} gave a sign of life {silence}")
                 for (name, _), since in beats.items():
                     if now - since > limit:
                         del workers[name]
@@ -167,9 +165,9 @@ class Dask:
                 self._threads = sum(worker["nthreads"] for worker in workers.values())
                 await asyncio.sleep(1)
         except TimeoutError:
-            raise ClusterLost(f"{self._cluster} gave no sign of life {silence}") from None
+            raise ClusterLost(f"{self._named} gave no sign of life {silence}") from None
         except OSError:
-            raise ClusterLost(f"{self._cluster} is gone") from None
+            raise ClusterLost(f"{self._named} is gone") from None
 
     async def _done(self, *task: Any) -> Any:
         try:
@@ -177,7 +175,7 @@ class Dask:
         except self._distributed.scheduler.KilledWorker as error:
             raise ClusterLost(f"Dask workers were lost over the same units: {error}") from None
         except self._distributed.CancelledError:
-            raise ClusterLost(f"{self._cluster} is gone") from None
+            raise ClusterLost(f"{self._named} is gone") from None
 
 
 @lru_cache(8)
@@ -198,7 +196,7 @@ class _Job:
 
     def __init__(self) -> None:
         self.turn, self.timer = Lock(), Timer(IDLE, self.close)
-        self.idle: list[Transport[Any]] = []
+        self.idle: list[Transport] = []
         self.ended, self.engine = False, None
 
     def close(self) -> None:

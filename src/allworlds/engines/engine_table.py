@@ -17,8 +17,8 @@ from msgspec import Struct
 from allworlds.document import one_of, replace
 from allworlds.engines import lanes, tally
 from allworlds.engines.kernel import capabilities
-from allworlds.engines.limits import POLL, DaskCluster, Limits, TimeIsUp, check_deadline
-from allworlds.engines.units import PartialResult, Scope, Transport, U, UnitEngine
+from allworlds.engines.limits import POLL, Limits, TimeIsUp, check_deadline
+from allworlds.engines.units import PartialResult, Scope, Transport, UnitEngine
 from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import content_digest, not_alike, with_content
 from allworlds.inputs.checks import InputError, lack_of, not_one_of, show
@@ -27,7 +27,7 @@ from allworlds.maps.classes import MapClass
 from allworlds.world.lighthouses import base, kinds, marked
 
 
-def _parts(engine: UnitEngine, unit: U) -> Iterator[PartialResult[U, Any]]:
+def _parts(engine: UnitEngine, unit: Any) -> Iterator[PartialResult]:
     """The parts of a unit's result; the last one says that it is."""
     parts = iter(engine.parts(unit))
     result = next(parts)
@@ -49,7 +49,7 @@ class ThisThread:
     def __exit__(self, *_: object) -> None:
         """Leave the context; no work goes on."""
 
-    def map(self, engine: UnitEngine, units: Iterable[U]) -> Iterator[PartialResult[U, Any]]:
+    def map(self, engine: UnitEngine, units: Iterable[Any]) -> Iterator[PartialResult]:
         """Yield the parts of all units, in their order."""
         for unit in units:
             for part in _parts(engine, unit):
@@ -57,13 +57,15 @@ class ThisThread:
                 check_deadline(self._deadline)
 
 
-def local_or_dask(cluster: DaskCluster | None, deadline: float | None) -> Transport[Any]:
-    """The transport in this thread, or to the cluster; a local one has a process a core."""
+def local_or_dask(
+    cluster: str | None, deadline: float | None, workers: int = 0, batch: int = 1
+) -> Transport:
+    """The transport to the cluster, or to threads; without workers to this one, or to all cores."""
     if cluster is None:
-        return ThisThread(deadline)
+        return Threads(workers, deadline, batch) if workers else ThisThread(deadline)
     from allworlds.engines.dask import Dask
 
-    return Dask(cluster, os.cpu_count() or 1, deadline)
+    return Dask(cluster, workers or os.cpu_count() or 1, deadline)
 
 
 class Threads:
@@ -94,7 +96,7 @@ class Threads:
         patient = isinstance(error, Exception | None) and not isinstance(error, TimeIsUp)
         self._pool.shutdown(wait=patient, cancel_futures=True)
 
-    def map(self, engine: Any, units: Iterable[U]) -> Iterator[PartialResult[U, Any]]:
+    def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult]:
         """Yield the parts of all units, in the order in which their batches are done.
 
         Raises:
@@ -102,7 +104,7 @@ class Threads:
         """
         self._engine = engine
         waiting = iter(units)
-        at_work: list[Future[list[PartialResult[U, Any]]]] = []
+        at_work: list[Future[list[PartialResult]]] = []
         while True:
             while len(at_work) < 2 * self._workers and (batch := [*islice(waiting, self._batch)]):
                 at_work.append(self._pool.submit(_done, engine, batch, self._ended))
@@ -117,7 +119,7 @@ class Threads:
             check_deadline(self._deadline)
 
 
-def _done(engine: UnitEngine, batch: Iterable[U], ended: Event) -> list[PartialResult[U, Any]]:
+def _done(engine: UnitEngine, batch: Iterable[Any], ended: Event) -> list[PartialResult]:
     """The parts of some units; of fewer, once the context has ended."""
     return [
         part
@@ -150,7 +152,7 @@ class Job(Struct, frozen=True):
         keep: the number of findings that are kept.
         deadline: on the monotonic clock, or None.
         notice: takes a text that the user reads at once.
-        cluster: that is to do the work; None for work on this machine without Dask.
+        cluster: the address of the scheduler of Dask that is to do the work; None: without Dask.
     """
 
     scope: Scope
@@ -159,13 +161,13 @@ class Job(Struct, frozen=True):
     keep: int
     deadline: float | None
     notice: Callable[[str], None]
-    cluster: DaskCluster | None = None
+    cluster: str | None = None
 
 
 class ReadyEngine(Struct, frozen=True):
     """An engine made ready, and the transport by which units get to it and tallies back."""
 
-    transport: Transport[Any]
+    transport: Transport
     engine: Any  # what the transport takes; None where every unit is kept
 
 
@@ -275,15 +277,12 @@ class Compiled(EngineKind):
             return ReadyEngine(players_for(job), tally.RunCounter(job.scope, job.keep, least))
         from allworlds.engines.compiled_engine import BATCH, CompiledEngine
 
-        engine, workers = CompiledEngine.ready(job), job.limits.workers
-        if job.cluster is None:
-            return ReadyEngine(Threads(workers, job.deadline, BATCH), engine)
-        from allworlds.engines.dask import Dask
-
-        return ReadyEngine(Dask(job.cluster, workers, job.deadline), engine)
+        engine = CompiledEngine.ready(job)
+        there = local_or_dask(job.cluster, job.deadline, job.limits.workers, BATCH)
+        return ReadyEngine(there, engine)
 
 
-def players_for(job: Job) -> Transport[Any]:
+def players_for(job: Job) -> Transport:
     """The transport to the place where the explorer is played: here, or on workers of a cluster."""
     if job.cluster is None:
         # Code of the user's may judge the runs, or choose the worlds.

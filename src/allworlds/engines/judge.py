@@ -14,7 +14,7 @@ from allworlds import document as doc, log as entries
 from allworlds.engines import players, units
 from allworlds.engines.tally import LOST, Outcome, Referee, RunCounter, Tally, name_run
 from allworlds.inputs.checks import InputError, show
-from allworlds.judging.episode import Episode, Fault, Over, fault_of, followed
+from allworlds.judging.episode import Answered, Episode, Fault, Over, ending_of, fault_of, followed
 from allworlds.judging.laws.law_table import PRECEDENCE, Violation
 from allworlds.log import Log
 from allworlds.maps.combinatorial import CombinatorialMap
@@ -103,17 +103,10 @@ def in_words(log: Log) -> tuple[list[str], str]:
 
 
 def _ending(log: Log) -> str:
-    if fault := fault_of(log):
-        return fault.law
-    code, *parts = log.ending
-    match code:
-        case entries.QUOTIENT:
-            return "a quotient"
-        case entries.VALUE:
-            return f"the answer {parts[0]}"
-        case entries.OVER:
-            return "all was done"
-    return show(dict(zip(("sigma", "alpha", "here"), parts, strict=True)))
+    ending = ending_of(log)
+    if isinstance(ending, Fault):
+        return ending.law
+    return f"the answer {show(ending.answer)}" if isinstance(ending, Answered) else "all was done"
 
 
 def nondeterministic(seen: str) -> Violation:

@@ -133,7 +133,7 @@ class Lane:
         self._others: dict[int, PlayerProcess | PlayerHere] = {}
         self._works: list[Work] = []
         self._waiting: deque[RunBatch] = deque()
-        self._done: list[units.PartialResult[units.UnitOfRuns, Any]] = []
+        self._done: list[units.PartialResult] = []
         self._reported = time.monotonic()
         self._random = Random()  # noqa: S311  # from the system; no verdict depends on it
         self._size, self._losses, self._silences = LEAST, 0, 0
@@ -200,7 +200,7 @@ class Lane:
         """Whether there is something left to be played under other seeds."""
         return bool(self._kept) and self._seeds_more
 
-    def turn(self, others: Sequence[int] = ()) -> list[units.PartialResult[units.UnitOfRuns, Any]]:
+    def turn(self, others: Sequence[int] = ()) -> list[units.PartialResult]:
         """Go on for a moment; return the parts of units that are done.
 
         Args:

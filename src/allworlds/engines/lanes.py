@@ -20,7 +20,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import islice
 from random import Random
-from typing import TYPE_CHECKING, Any, NoReturn, Self
+from typing import TYPE_CHECKING, NoReturn, Self
 
 from msgspec import Struct, field
 
@@ -132,9 +132,7 @@ class Lanes(Struct):
             process.end()
         self._processes.clear()
 
-    def map(
-        self, engine: tally.RunCounter, units: Iterable[UnitOfRuns]
-    ) -> Iterator[PartialResult[UnitOfRuns, Any]]:
+    def map(self, engine: tally.RunCounter, units: Iterable[UnitOfRuns]) -> Iterator[PartialResult]:
         """Yield the parts of all units, as they come.
 
         Raises:
@@ -269,7 +267,7 @@ def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:
 
 def workers_for(
     subject: Subject, limits: Limits, deadline: float | None = None, *, models: bool = False
-) -> Transport[Any]:
+) -> Transport:
     """Lanes for an explorer.
 
     Args:

@@ -4,16 +4,16 @@ import os
 import re
 import time
 from collections.abc import Callable
+from dataclasses import fields
 from math import inf
 from pathlib import Path
 from typing import Annotated, Any, Self
 
-from msgspec import Struct
 from typing_extensions import override
 
 from allworlds import document as doc, outcome
 from allworlds.inputs.checks import InputError, an_integer, at_most, integer_of, seconds_of, show
-from allworlds.inputs.requests import EFFORT, RARE_EFFORT, Converted, Option, Request, values_of
+from allworlds.inputs.requests import EFFORT, RARE_EFFORT, Converted, Option, Request
 from allworlds.protocol.actions import ANSWER_TIMEOUT
 
 
@@ -33,26 +33,9 @@ class Listener:
         """Hear a message to the user."""
 
 
-class Silent(Listener):
-    """The listener that ignores all events."""
-
-
-NOBODY = Silent()
+NOBODY = Listener()
 """The listener where none is named, and that of a report, which is equal to another if all else
 is."""
-
-
-class NoticeOnce(Silent):
-    """A listener that hands on notices alone, and each of them once."""
-
-    def __init__(self, listener: Listener) -> None:
-        self._listener, self._said = listener, set[str]()
-
-    def notice(self, text: str) -> None:
-        """Hear a message to the user."""
-        if text not in self._said:
-            self._said.add(text)
-            self._listener.notice(text)
 
 
 POLL = 0.1
@@ -61,16 +44,13 @@ POLL = 0.1
 START_TIMEOUT = 60.0
 """Seconds in which an explorer must be imported, unless others are named."""
 
-DASK_TIMEOUT = 60.0
-"""Seconds of silence after which a part of a cluster is given up, unless others are named."""
-
 MOST = {
     "workers": 10_000,
     "answer-timeout": 10**6,
     "start-timeout": 10**6,
-    "dask-timeout": 10**6,
     "time-limit": 10**9,
     "memory": 10**9,
+    "max-findings": 10**9,
 }
 """The largest legal value of each limit: an operating system does not count further."""
 
@@ -84,7 +64,7 @@ def worker_count(text: str) -> int:
     raise InputError(f"workers {show(text)} is neither auto nor a positive number")
 
 
-def _positive(name: str) -> Callable[[Any], Any]:
+def positive(name: str) -> Callable[[Any], Any]:
     """Return what takes a limit of that name: a positive number, or none where there can be none.
 
     That function raises InputError, naming the value.
@@ -95,7 +75,7 @@ def _positive(name: str) -> Callable[[Any], Any]:
             return None
         if not isinstance(value, int | float) or isinstance(value, bool):
             raise InputError(f"{name} = {show(value)} is not a number")
-        if name in ("workers", "memory"):
+        if name in ("workers", "memory", "max-findings"):
             an_integer(name, value)
         if not 0 < value < inf:
             raise InputError(f"{name} {show(value)} is not positive and finite")
@@ -123,16 +103,17 @@ class TimeoutOptions(Request):
         Option(
             RARE_EFFORT, "S", "Seconds of silence that break the law 'timeout'.", parse=seconds_of
         ),
-    ] = Converted(_positive("answer-timeout"), ANSWER_TIMEOUT)
+    ] = Converted(positive("answer-timeout"), ANSWER_TIMEOUT)
     start_timeout: Annotated[
         Converted[float, float],
         _seconds("Seconds in which an explorer must be imported, or a library loaded."),
-    ] = Converted(_positive("start-timeout"), START_TIMEOUT)
+    ] = Converted(positive("start-timeout"), START_TIMEOUT)
 
     @property
-    def patience(self) -> "Limits":
-        """The time-outs of this request, as limits."""
-        return Limits(**values_of(TimeoutOptions, self))
+    def limits(self) -> "Limits":
+        """The limits alone, without the rest of a request."""
+        shared = {each.name for each in fields(Limits)} & {each.name for each in fields(self)}
+        return Limits(**{name: getattr(self, name) for name in shared})
 
 
 class WorkerOptions(Request):
@@ -148,7 +129,7 @@ class WorkerOptions(Request):
             default="auto",
             apart=True,
         ),
-    ] = Converted(_positive("workers"), 1)
+    ] = Converted(positive("workers"), 1)
 
 
 class TimeLimitOptions(Request):
@@ -157,7 +138,7 @@ class TimeLimitOptions(Request):
     time_limit: Annotated[
         Converted[float | None, float | None],
         _seconds("Stop after S seconds, and report what is finished.", EFFORT),
-    ] = Converted(_positive("time-limit"), None)
+    ] = Converted(positive("time-limit"), None)
 
 
 class Limits(TimeLimitOptions, WorkerOptions, TimeoutOptions):
@@ -175,16 +156,7 @@ class Limits(TimeLimitOptions, WorkerOptions, TimeoutOptions):
             "Address space of each worker process; the kernel engine has none.",
             parse=integer_of,
         ),
-    ] = Converted(_positive("memory"), None)
-
-    @property
-    def limits(self) -> "Limits":
-        """The limits alone, without the rest of a request."""
-        return Limits(**values_of(Limits, self))
-
-    def deadline(self) -> float | None:
-        """The end of the time limit, on the monotonic clock, if the job begins now."""
-        return deadline_after(self.time_limit)
+    ] = Converted(positive("memory"), None)
 
 
 class ListenerOptions(Request):
@@ -211,53 +183,22 @@ class RunDirectoryOptions(Request):
     ] = None
 
 
-def _scheduler(address: str | None) -> str | None:
-    """Return an address that is no empty text: it is refused before anything is compiled."""
-    if address is not None and not address.strip():
-        raise InputError(f"dask {show(address)} is no address of a scheduler")
-    return address
-
-
 LOCAL = "local"
 """The word in place of an address: a cluster of this machine alone, for the time of the job."""
-
-
-class DaskCluster(Struct, frozen=True):
-    """A Dask cluster that is to do the work.
-
-    Attributes:
-        address: of its scheduler, or :data:`LOCAL`.
-        timeout: the seconds of silence after which a worker, or the scheduler, is given up.
-    """
-
-    address: str
-    timeout: float = DASK_TIMEOUT
-
-    def __str__(self) -> str:
-        return f"the Dask scheduler {self.address}"
 
 
 class ClusterOptions(Request):
     """The part of a request that names the cluster."""
 
     dask: Annotated[
-        Converted[str | None, str | None],
+        str | None,
         Option(
             RARE_EFFORT,
             "ADDRESS|local",
             "Do the work on the workers of this Dask scheduler (extra: distributed).",
             apart=True,
         ),
-    ] = Converted(_scheduler, None)
-    dask_timeout: Annotated[
-        Converted[float, float],
-        _seconds("Give up a Dask worker or scheduler that is silent for S seconds."),
-    ] = Converted(_positive("dask-timeout"), DASK_TIMEOUT)
-
-    @property
-    def cluster(self) -> DaskCluster | None:
-        """The cluster; None for work on this machine without Dask."""
-        return None if self.dask is None else DaskCluster(self.dask, self.dask_timeout)
+    ] = None
 
 
 class TimeIsUp(Exception):

@@ -2,8 +2,9 @@
 
 import io
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from itertools import accumulate
 from typing import Any, TextIO
 
 KEPT = 4096
@@ -30,53 +31,40 @@ class Prints:
     @property
     def text(self) -> str:
         """The prints with control characters escaped, in at most :data:`KEPT` bytes."""
-        if self._size <= KEPT:
-            whole = "".join(shown for _, shown in _letters(self._first))
-            if len(whole.encode()) <= KEPT:
-                return whole
+        letters = _letters(self._first)
+        whole = "".join(shown for _, shown in letters)
+        if self._size <= KEPT and len(whole.encode()) <= KEPT:
+            return whole
         room = (KEPT - len(SIGN.format("9" * 15))) // 2
-        end = (self._first + self._last)[-KEPT:]
-        first, before = _fitting(_letters(self._first), room)
-        last, after = _fitting(reversed(list(_letters(end))), room)
+        first, before = _fitting(letters, room)
+        last, after = _fitting(_letters((self._first + self._last)[-KEPT:])[::-1], room)
         return "".join(first) + SIGN.format(self._size - before - after) + "".join(last[::-1])
 
 
-def _letters(printed: bytes | bytearray) -> Iterator[tuple[int, str]]:
+def _letters(printed: bytes | bytearray) -> list[tuple[int, str]]:
     """The letters of the text, each with the number of bytes that it is made of."""
+    letters = []
     for letter in printed.decode(errors="surrogateescape").replace("\r\n", "\n"):
         raw = letter.encode(errors="surrogateescape")
-        if letter in "\n\t" or letter.isprintable():
-            yield len(raw), letter
-        elif 0xDC80 <= ord(letter) <= 0xDCFF:
-            yield 1, f"\\x{raw[0]:02x}"
-        else:
-            yield len(raw), ascii(letter)[1:-1]
+        shown = letter if letter in "\n\t" or letter.isprintable() else ascii(letter)[1:-1]
+        letters.append((len(raw), f"\\x{raw[0]:02x}" if shown.startswith("\\udc") else shown))
+    return letters
 
 
-def _fitting(letters: Iterable[tuple[int, str]], room: int) -> tuple[list[str], int]:
+def _fitting(letters: Sequence[tuple[int, str]], room: int) -> tuple[list[str], int]:
     """The letters that fit into so many bytes, and the number of bytes that they are made of."""
-    fitting: list[str] = []
-    made_of = 0
-    for size, shown in letters:
-        room -= len(shown.encode())
-        if room < 0:
-            break
-        fitting.append(shown)
-        made_of += size
-    return fitting, made_of
+    sizes = accumulate(len(shown.encode()) for _, shown in letters)
+    fitting = letters[: sum(size <= room for size in sizes)]
+    return [shown for _, shown in fitting], sum(size for size, _ in fitting)
 
 
-class _PrintStream(io.BufferedIOBase):
+class _PrintStream(io.BytesIO):
     """A stream of bytes that ends in a sink."""
 
     name = "<the explorer's prints>"
 
     def __init__(self, sink: Prints) -> None:
         self._sink = sink
-
-    def writable(self) -> bool:
-        """Return that it is."""
-        return True
 
     def write(self, printed: Any, /) -> int:
         """Give the bytes to the sink."""

@@ -104,11 +104,6 @@ class Database:
         row = self._first("SELECT * FROM units WHERE key = ?", key)
         return None if row is None else json.loads(self._sound(f"unit {key}", *row)[3])
 
-    def keys(self) -> list[str]:
-        """The keys of the finished units."""
-        with saying_where(self.path):
-            return [key for (key,) in self._connection.execute("SELECT key FROM units")]
-
     def rows(self) -> Iterator[tuple[str, int, float, Any]]:
         """Of every finished unit its key, worlds, time and result, in no order."""
         with saying_where(self.path):
@@ -293,19 +288,16 @@ class RunDirectory(Records):
     Attributes:
         database: its file.
         notice: takes messages to the user.
-        found: the units that were finished when it was opened; each is asked for at most once, and
-            no other process adds units.
     """
 
     database: Database
     notice: Callable[[str], None]
-    found: frozenset[str]
     kept: int = 0
     _full: bool = False
 
     @override
     def result(self, key: str) -> Any:
-        return self.database.result(key) if key in self.found else None
+        return self.database.result(key)
 
     @override
     def keep(self, key: str, result: Sum) -> None:
@@ -400,7 +392,7 @@ def records_in(
         found = _of_job(path, identity())
         stack.callback(found.close)
         found.begin_session(time.time())
-        yield RunDirectory(found, notice, frozenset(found.keys()))
+        yield RunDirectory(found, notice)
 
 
 def _of_job(path: Path, identity: Identity) -> Database:
@@ -491,9 +483,6 @@ def merged(runs: Sequence[str | Path]) -> Iterator[tuple[Identity, Merged]]:
         missing = [f"{k}/{shards}" for k in range(shards) if f"{k}/{shards}" not in seen]
         if missing:
             more = f" and {len(missing) - 9} more" if len(missing) > 9 else ""
-            noun, verb = ("shard", "is") if len(missing) == 1 else ("shards", "are")
-            raise Gap(
-                f"{noun} {', '.join(missing[:9])}{more} {verb} missing: "
-                "give the run directory of each shard"
-            )
+            said = f"what is missing is shard {', '.join(missing[:9])}{more}"
+            raise Gap(f"{said}: give the run directory of each shard")
         yield first.identity, Merged(directories)

@@ -23,7 +23,7 @@ from allworlds.engines.units import GivenWorlds, Scope
 from allworlds.explorers import loading, program, sources
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs.checks import InputError, show
-from allworlds.judging.episode import Answered, Fault, ending_of, fault_of
+from allworlds.judging.episode import Answered, Fault, Over, ending_of
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.law_table import checked_laws
@@ -116,10 +116,8 @@ def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
     for i, index in enumerate(choices):
         if run.outcome.choices[i : i + 1] != (index,):
             asked = len(run.outcome.choices)
-            only = "none was asked for"
-            if asked:
-                only = f"only {asked} {'was' if asked == 1 else 'were'} asked for"
-            reason = "there are fewer options" if i < asked else only
+            few = f"only {asked} {'was' if asked == 1 else 'were'}" if asked else "none was"
+            reason = "there are fewer options" if i < asked else f"{few} asked for"
             return f"choice {i} is {show(index)}, but {reason}"
     return ""
 
@@ -285,15 +283,11 @@ def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limi
             log, printed = plays.in_world(choices, seed)
             return doc.replace(_found_again(finding, plays, log), output=printed)
         (first,), printed = plays.again(
-            finding.transcript, choices, FIRST if _differ(finding) else seed
+            finding.transcript, choices, FIRST if finding.law == "nondeterministic" else seed
         )
         return doc.replace(_repeated(finding, plays, first, seed), output=printed)
     except InputError:  # an explorer may not be importable any more
         return doc.replace(finding, confirmed=False)
-
-
-def _differ(finding: Finding) -> bool:
-    return finding.law == "nondeterministic"
 
 
 def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
@@ -315,7 +309,7 @@ def _repeated(finding: Finding, plays: Plays, first: Log, seed: int) -> Finding:
     plays that differ.
     """
     record = finding.transcript, finding.choices
-    if _differ(finding):
+    if finding.law == "nondeterministic":
         logs = [first]
         for each in (SECOND, FIRST):
             logs += plays.again(*record, each, REPEATED)[0]
@@ -352,16 +346,12 @@ def _same_walk(finding: Finding, log: Log) -> bool:
 
 def _ends_alike(finding: Finding, log: Log) -> bool:
     """Whether a play ends as the finding says; of a refused action nothing is recorded."""
-    if fault := fault_of(log):
-        return fault.law == finding.law
-    match log.ending[0]:
-        case entries.QUOTIENT:
-            return finding.law not in ("crash", "timeout", "illegal-action", "map", "pose")
-        case entries.VALUE | entries.OVER:
-            return finding.law in ("task", "bound")
     end = ending_of(log)
-    if finding.law == "no-estimate":
-        return isinstance(end, Fault)
-    if not isinstance(finding.seen, Estimate):
-        return finding.law not in ("crash", "timeout", "illegal-action")
-    return isinstance(end, Answered) and end.answer == finding.seen
+    if isinstance(end, Fault):
+        return end.law == finding.law
+    if isinstance(end, Over) or log.ending[0] == entries.VALUE:
+        return finding.law in ("task", "bound")
+    if isinstance(finding.seen, Estimate):
+        return bool(end.answer == finding.seen)
+    others = ("map", "pose") if isinstance(end.answer, Ambiguous) else ("no-estimate",)
+    return finding.law not in ("crash", "timeout", "illegal-action", *others)

@@ -17,6 +17,7 @@ from typing import (
     Literal,
     TypeAlias,
     TypeVar,
+    get_args,
 )
 
 from typing_extensions import override
@@ -34,15 +35,17 @@ By: TypeAlias = Literal["size", "world", "run"]
 """Rows for programs: one for each size, each world, or each run, and explorer."""
 
 
-def by_named(given: str | None) -> By | None:
-    """The word, or None.
+_by = checks.a_word("by", get_args(By))
 
-    Raises:
-        InputError: naming another word.
-    """
-    if given in (None, "size", "world", "run"):
-        return given  # type: ignore[return-value]  # one of these
-    raise checks.not_one_of("by", given, ("size", "world", "run"))
+
+class SweptOptions(
+    limits.ListenerOptions,
+    limits.ClusterOptions,
+    limits.RunDirectoryOptions,
+    limits.TimeLimitOptions,
+    units.ShardOptions,
+):
+    """The part of a request that says how, and for how long, its units are gone through."""
 
 
 class RowOptions(requests.Request):
@@ -57,7 +60,7 @@ class RowOptions(requests.Request):
             "of worlds that grow: run].",
             apart=True,
         ),
-    ] = requests.Converted(by_named, None)
+    ] = requests.Converted(lambda given: None if given is None else _by(given), None)
 
 
 TriedPlaces = Annotated[
@@ -81,12 +84,6 @@ GivenCount: TypeAlias = Annotated[
 ]
 
 
-def given_of(request: object) -> dict[str, Any]:
-    """The keys of a scope that tell of given worlds."""
-    given = getattr(request, "given", None)
-    return given.described if given else {"sha256": None, "given": None}
-
-
 Scope_ = TypeVar("Scope_", bound=doc.Document)
 
 
@@ -106,7 +103,10 @@ def told_scope(
         one.name: requests.as_json(getattr(request, one.name))
         for one in requests.in_scope(type(request))
     }
-    told = {**asked, **(rules.in_effect if rules else {}), **given_of(request)}
+    given = getattr(request, "given", None)
+    of_given = given.described if given else {"sha256": None, "given": None}
+    told = {**asked, **(rules.in_effect if rules else {}), **of_given}
+    told["shard"] = str(getattr(request, "shard", units.WHOLE))
     return kind(**({name: told[name] for name in told if name in keys} | more))
 
 
@@ -126,16 +126,11 @@ ToldGate: TypeAlias = Annotated[
 ]
 
 
-class SweptReport(limits.RowsReport):
+class PortionReport(limits.EndedReport):
     """A report about the worlds of an ``extent``; the ``request`` says what was asked."""
 
     request: doc.NotInDocument[Any]
     extent: doc.NotInDocument[classes.Extent]
-
-    @doc.computed
-    def stopped(self) -> doc.Why:
-        """Reason why rows are missing."""
-        return self.ending.stopped
 
     @property
     def portion(self) -> units.Shard:
@@ -147,6 +142,15 @@ class SweptReport(limits.RowsReport):
     @override
     def whole(self) -> bool:
         return self.portion == units.WHOLE
+
+
+class SweptReport(PortionReport, limits.RowsReport):
+    """A report with rows about the worlds of an extent."""
+
+    @doc.computed
+    def stopped(self) -> doc.Why:
+        """Reason why rows are missing."""
+        return self.ending.stopped
 
     @property
     @override
@@ -172,7 +176,7 @@ Answer = TypeVar("Answer")
 
 
 def gather(
-    transport: units.Transport[Any],
+    transport: units.Transport,
     engine: Any,
     undone: Iterable[units.Unit],
     total: units.Sum,

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from heapq import heapify, heapreplace
 from math import inf
 from random import Random
-from typing import Annotated, Any, Generic, Protocol, Self, TypeAlias, TypeVar
+from typing import Annotated, Any, Protocol, Self, TypeAlias
 
 from msgspec import Struct
 from msgspec.structs import force_setattr
@@ -46,16 +46,11 @@ class Sum(Protocol):
         """Take in another part."""
 
 
-U = TypeVar("U", bound=Unit)
-R = TypeVar("R")
-E_contra = TypeVar("E_contra", contravariant=True)
-
-
-class PartialResult(Struct, Generic[U, R], frozen=True):
+class PartialResult(Struct, frozen=True):
     """A part of a unit's result; ``last``: whether it completes the unit."""
 
-    unit: U
-    result: R
+    unit: Any
+    result: Any
     last: bool
 
 
@@ -66,14 +61,14 @@ class UnitEngine(Protocol):
         """Yield the unit's result in parts, at least one; they add up to the whole."""
 
 
-class Transport(Protocol[E_contra]):
+class Transport(Protocol):
     """A transport brings units to engines; a context, after which no work goes on."""
 
     def __enter__(self) -> Self: ...
 
     def __exit__(self, *_: object) -> None: ...
 
-    def map(self, engine: E_contra, units: Iterable[Any]) -> Iterator[PartialResult[Any, Any]]:
+    def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult]:
         """Yield the parts of all units, as they come.
 
         Raises:
@@ -107,11 +102,10 @@ WHOLE = Shard(0, 1)
 
 def shard_numbers(text: str) -> tuple[int, int]:
     """The two numbers of ``K/N``."""
-    match = re.fullmatch(r"([0-9]+)/([0-9]+)", text)
+    match = re.fullmatch(r"([0-9]{1,9})/([0-9]{1,9})", text)
     if match is None:
-        raise InputError(f"shard {show(text)} is not of the form K/N, counted from 0")
-    if max(map(len, match.groups())) > 9:
-        raise InputError(f"shard {show(text)} is too big; N is at most {10**9 - 1}")
+        legal = f"counted from 0; N is at most {10**9 - 1}"
+        raise InputError(f"shard {show(text)} is not of the form K/N, {legal}")
     return int(match[1]), int(match[2])
 
 
@@ -442,13 +436,3 @@ class Scope(Struct, frozen=True):
     def portion(self) -> Shard:
         """The whole, or a shard of it."""
         return self.coverage.portion if isinstance(self.coverage, Sample) else self.coverage
-
-    def units(self, edges: int) -> Iterator[LevelUnit | GivenUnit]:
-        """The units of a level; they do not depend on the number of workers."""
-        return units_of_level(self.extent, edges, self.portion)
-
-    @property
-    def levels(self) -> Iterator[SweptLevel]:
-        """The levels of the scope, with their units."""
-        for edges in self.extent.levels:
-            yield SweptLevel(edges, level_size(self.extent, edges), self.units(edges))

@@ -8,7 +8,7 @@ from __future__ import annotations
 import importlib.util
 import inspect
 import sys
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Callable, Generator
 from contextlib import AbstractContextManager, closing, nullcontext
 from typing import TYPE_CHECKING, Any, overload
 
@@ -23,7 +23,7 @@ from allworlds.protocol.choices import Choices
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
 
-    from allworlds.explorers.builtin.explorer_table import BuiltIn, Size
+    from allworlds.explorers.builtin.explorer_table import BuiltIn
     from allworlds.explorers.builtin.folding import Shield
     from allworlds.explorers.program import Program
     from allworlds.explorers.shared_library import NativeExplorer
@@ -172,11 +172,6 @@ class Subject(Struct, frozen=True, weakref=True):
     def lighthouse(self) -> str:
         """The lighthouse under which it is run unless another is named."""
         return self.own.lighthouse if self.own else LIGHTHOUSE
-
-    @property
-    def witnesses(self) -> Mapping[str, tuple[Size, Size | None]]:
-        """The events that a complete check must have seen (see ``BuiltIn``)."""
-        return self.own.witnesses if self.own else {}
 
     @property
     def step_budget(self) -> int | None:

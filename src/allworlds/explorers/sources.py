@@ -79,11 +79,7 @@ def whole_name(name: str) -> str:
     try:
         code = compile(text, name, "exec", dont_inherit=True)
     except (SyntaxError, ValueError, RecursionError) as error:
-        line = getattr(error, "lineno", None)
-        where = f", line {line}" if line else ""
-        said = getattr(error, "msg", None) or error
-        kind = type(error).__name__
-        raise InputError(f"{show(name)}{where} is no Python: {kind}: {said}") from None
+        raise InputError(f"{show(name)} is no Python: {importing.said(error)}") from None
     explorers = explorers_in(code) or ["explore"]
     if len(explorers) == 1:
         return f"{name}:{explorers[0]}"
@@ -132,8 +128,6 @@ def _like_file(name: str) -> str:
         files = sorted(file.name for file in given.parent.glob("*.py"))
     except (OSError, ValueError):
         return ""
-    if f"{given.name}.py" in files:
-        return f"; did you mean {show(f'{name}.py')}?"
     close = get_close_matches(given.name, files, n=1)
     return f"; did you mean {show(name.removesuffix(given.name) + close[0])}?" if close else ""
 
@@ -403,7 +397,8 @@ class ExplorersWords(Request):
             "",
             "[EXPLORER...]",
             "Built-in names, module:attribute, path/to/file.py:attribute or entry points, each "
-            "also as shield:EXPLORER; those of --exec and --native come after them.",
+            "also as shield:EXPLORER, and with a lighthouse of its own as EXPLORER@KIND; those of "
+            "--exec and --native come after them.",
             repeated=True,
         ),
     ] = None

@@ -12,7 +12,7 @@ import os
 import re
 import signal
 import sys
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from difflib import get_close_matches
 from importlib.util import find_spec
@@ -112,6 +112,17 @@ def an_integer(name: str, value: object) -> int:
         return integer(value)
     except TypeError:
         raise InputError(f"{name} = {show(value)} is not an integer") from None
+
+
+def a_word(name: str, words: Sequence[str]) -> Callable[[object], Any]:
+    """Return what takes one of these words, and raises InputError, naming it, for anything else."""
+
+    def taken(given: object) -> object:
+        if given not in words:
+            raise not_one_of(name, given, words)
+        return given
+
+    return taken
 
 
 def at_most(name: str, value: float, most: int) -> None:

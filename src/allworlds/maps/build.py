@@ -13,7 +13,7 @@ from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from typing import Any
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap, distances
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap, distances, unreached
 from allworlds.words import plural
 
 LARGEST = 10_000
@@ -144,16 +144,12 @@ def map_at(
     Raises:
         InvalidMap: naming a vertex that cannot be reached, or if there is no dart.
     """
-    try:
-        return CombinatorialMap(sigma, alpha)
-    except InvalidMap as error:
-        if not error.clash:
-            raise
-        lost = min(dart for _, dart in error.clash)
+    if lost := sigma and unreached(sigma, alpha):
         raise InvalidMap(
-            f"vertex {show(vertex_at[lost])} cannot be reached from vertex {show(vertex_at[0])}; "
-            "a map is connected"
-        ) from None
+            f"vertex {show(vertex_at[lost[0]])} cannot be reached from vertex "
+            f"{show(vertex_at[0])}; a map is connected"
+        )
+    return CombinatorialMap(sigma, alpha)
 
 
 def cycle(n: int) -> CombinatorialMap:
@@ -272,22 +268,6 @@ def named_maps() -> tuple[str, ...]:
     return tuple(sorted([*_SINGLE, *(f"{family}-N" for family in _NUMBERED)]))
 
 
-def _bouquet(n: int) -> CombinatorialMap:
-    return from_cycles([[i // 2 for i in range(2 * n)]])
-
-
-def _dipole(n: int) -> CombinatorialMap:
-    return from_cycles([range(n), range(n)[::-1]])
-
-
-def _path(n: int) -> CombinatorialMap:
-    return from_rotation([[w for w in (v - 1, v + 1) if 0 <= w < n] for v in range(n)])
-
-
-def _star(n: int) -> CombinatorialMap:
-    return from_rotation([range(1, n + 1), *([0] for _ in range(n))])
-
-
 def _wheel(n: int) -> CombinatorialMap:
     rim = [[0, (i - 1) % n + 1, (i + 1) % n + 1] for i in range(n)]
     return from_rotation([range(1, n + 1), *rim])
@@ -309,18 +289,21 @@ _SINGLE: dict[str, Callable[[], CombinatorialMap]] = {
     "k5": lambda: dense(5),
     "loop": lambda: from_cycles(["aa"]),
     "petersen": lambda: _of_digits("145 026 137 248 039 078 189 295 356 467"),
-    "theta": lambda: _dipole(3),
+    "theta": lambda: named_map("dipole-3"),
     "theta-torus": lambda: from_cycles(["abc", "abc"]),
-    "two-loops-plane": lambda: _bouquet(2),
+    "two-loops-plane": lambda: named_map("bouquet-2"),
     "two-loops-torus": lambda: from_cycles(["abab"]),
 }
 
 _NUMBERED: dict[str, tuple[int, Callable[[int], CombinatorialMap]]] = {
-    "bouquet": (1, _bouquet),
+    "bouquet": (1, lambda n: from_cycles([[i // 2 for i in range(2 * n)]])),
     "cycle": (1, cycle),
-    "dipole": (1, _dipole),
-    "path": (2, _path),
-    "star": (1, _star),
+    "dipole": (1, lambda n: from_cycles([range(n), range(n)[::-1]])),
+    "path": (
+        2,
+        lambda n: from_rotation([[w for w in (v - 1, v + 1) if 0 <= w < n] for v in range(n)]),
+    ),
+    "star": (1, lambda n: from_rotation([range(1, n + 1), *([0] for _ in range(n))])),
     "wheel": (3, _wheel),
 }
 """For each family the least N and the map of N."""

@@ -308,11 +308,6 @@ def genus_exactly(gluing: Gluing, genus: int) -> bool:
     return not closed or 2 - vertices + len(closed) // 2 - faces <= 2 * genus
 
 
-def _girth_at_least(map_: CombinatorialMap, least: int) -> bool:
-    length = girth(map_)
-    return length is None or length >= least
-
-
 def _faces_of(length: int) -> ConditionKind:
     """Every face has that many darts."""
     return ConditionKind(
@@ -327,7 +322,7 @@ CONDITIONS: dict[str, ConditionKind] = {
     "regular": ConditionKind(lambda m, d: {*m.degrees} == {d}, regular, 1),
     "eulerian": ConditionKind(lambda m, _: not any(d % 2 for d in m.degrees), even),
     "trees": ConditionKind(lambda m, _: m.edge_count == m.vertex_count - 1, tree),
-    "girth": ConditionKind(_girth_at_least, girth_at_least, 1),
+    "girth": ConditionKind(lambda m, g: (girth(m) or g) >= g, girth_at_least, 1),
     "genus": ConditionKind(lambda m, g: m.genus == g, genus_exactly, 0),
     "triangulation": _faces_of(3),
     "quadrangulation": _faces_of(4),
@@ -338,30 +333,24 @@ CONDITIONS: dict[str, ConditionKind] = {
 
 
 class MapSource(Protocol):
-    """Maps that are given one by one, in place of every map of a class."""
+    """Maps that are given one by one, in place of every map of a class.
 
-    @property
-    def starts(self) -> Mapping[int, int]:
-        """By the number of edges, ascending, how many rooted maps there are."""
+    Attributes:
+        starts: by the number of edges, ascending, how many rooted maps there are.
+        count: how many there are.
+        fixed: whether the start and the lighthouse of each are.
+        words: how many there are, and where they come from.
+        gate: why nobody counts them.
+    """
 
-    @property
-    def count(self) -> int:
-        """How many there are."""
-
-    @property
-    def fixed(self) -> bool:
-        """Whether the start and the lighthouse of each are."""
+    starts: Mapping[int, int]
+    count: int
+    fixed: bool
+    words: str
+    gate: str
 
     def like(self, world: Any) -> Iterable[Any]:
         """The given worlds that are this one in another numbering, in their order."""
-
-    @property
-    def words(self) -> str:
-        """How many there are, and where they come from."""
-
-    @property
-    def gate(self) -> str:
-        """Why nobody counts them."""
 
 
 class Extent(Struct, frozen=True):
@@ -404,14 +393,10 @@ class Extent(Struct, frozen=True):
                 f"vertices = {show(self.vertices)}, but a map of the class {self.map_class} has at "
                 f"least {least}"
             )
-        if self.edges is None and self.vertices is None:
-            raise InputError("a class needs a bound: edges, or vertices for the simple classes")
-        if self.edges is None and not self.map_class.simple:
-            raise InputError(
-                f"vertices = {show(self.vertices)} alone bounds no class with loops or parallel "
-                "edges; give edges too, or the class simple or planar-simple instead of "
-                f"{self.map_class}"
-            )
+        if self.edges is None and (self.vertices is None or not self.map_class.simple):
+            alone = f"; vertices = {self.vertices} alone is none here" if self.vertices else ""
+            bounds = "edges, or vertices for the simple classes"
+            raise InputError(f"the class {self.map_class} needs a bound: {bounds}{alone}")
 
     @property
     def levels(self) -> Sequence[int]:

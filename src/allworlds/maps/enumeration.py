@@ -133,12 +133,9 @@ class Gluing:
 
     def _fork(self) -> "Gluing":
         twin = object.__new__(Gluing)
-        twin.edges, twin.limit = self.edges, self.limit
-        twin.planar, twin.simple = self.planar, self.simple
+        vars(twin).update(vars(self))
         twin.alpha, twin.vertex = self.alpha[:], self.vertex[:]
         twin.degrees, twin.neighbours = self.degrees[:], self.neighbours[:]
-        twin.faces, twin.newest = self.faces, self.newest
-        twin._where, twin._dual = self._where, self._dual
         return twin
 
     def _new_vertex(self, degree: int) -> Dart:
@@ -209,7 +206,7 @@ def rooted_maps(
     gluing = Gluing(edges, map_class, vertices, where)
     for decision in prefix:
         gluing.apply(decision)
-    every = _completions(gluing)
+    every = (finished.finish() for _, finished in _grown(gluing, ()))
     if where is None:
         yield from every
         return
@@ -219,12 +216,15 @@ def rooted_maps(
             yield map_
 
 
-def _completions(gluing: Gluing) -> Iterator[CombinatorialMap]:
-    if gluing.finished:
-        yield gluing.finish()
+def _grown(
+    gluing: Gluing, history: tuple[Decision, ...], depth: int | None = None
+) -> Iterator[tuple[tuple[Decision, ...], Gluing]]:
+    """The gluings that this one grows to: finished ones, or those after ``depth`` decisions."""
+    if gluing.finished or len(history) == depth:
+        yield history, gluing
         return
-    for _, after in gluing.successors():
-        yield from _completions(after)
+    for decision, after in gluing.successors():
+        yield from _grown(after, (*history, decision), depth)
 
 
 def history(map_: CombinatorialMap) -> tuple[Decision, ...]:
@@ -259,12 +259,5 @@ def prefixes(
 
     Under a condition those are left out that can become no map of which it is true.
     """
-
-    def histories(gluing: Gluing, history: tuple[Decision, ...]) -> Iterator[tuple[Decision, ...]]:
-        if gluing.finished or len(history) == depth:
-            yield history
-            return
-        for decision, after in gluing.successors():
-            yield from histories(after, (*history, decision))
-
-    yield from histories(Gluing(edges, map_class, vertices, where), ())
+    for history, _ in _grown(Gluing(edges, map_class, vertices, where), (), depth):
+        yield history

@@ -296,11 +296,6 @@ class Family(Struct, frozen=True):
     has_holes: bool = False
     one_map: bool = False
 
-    @property
-    def pattern(self) -> str:
-        """A regular expression for the members' texts."""
-        return re.sub(r"[A-Z]", r"(\\d+)", self.form)
-
 
 def family(text: str, *, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
     """The map of a family.
@@ -351,7 +346,7 @@ def rootings(text: str, map_: CombinatorialMap, holes: float | str | None = None
 
 def _parsed(text: str) -> tuple[Family, tuple[int, ...]]:
     for kind in FAMILIES:
-        match = re.fullmatch(kind.pattern, text, re.ASCII)
+        match = re.fullmatch(re.sub(r"[A-Z]", r"(\\d+)", kind.form), text, re.ASCII)
         if match is not None:
             return kind, tuple(int(size[:7]) for size in match.groups())
     raise not_one_of("family", text, FORMS.split(", "), also=OTHER_WORDS)

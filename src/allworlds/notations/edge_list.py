@@ -6,7 +6,7 @@ numbers, and differ at one vertex.
 
 import csv
 import io
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from math import isfinite
 from typing import IO
 
@@ -53,19 +53,12 @@ def _rank(text: str) -> float:
     return number
 
 
-def write_edge_list(entries: Iterable[Entry]) -> Iterator[bytes]:
-    """The table of one world.
-
-    Raises:
-        InputError: if there are more.
-    """
-    for number, entry in enumerate(entries):
-        if number:
-            raise InputError("a table of edges tells one world; name a file of another notation")
-        out, map_ = io.StringIO(), entry.map
-        rank = {dart: i for darts in map_.vertices for i, dart in enumerate(darts)}
-        name = [entry.labels.vertex(vertex) for vertex in map_.vertex_of]
-        writer = csv.writer(out, lineterminator="\n")
-        writer.writerow(COLUMNS)
-        writer.writerows([name[d], name[e], rank[d], rank[e]] for d, e in map_.edges)
-        yield out.getvalue().encode()
+def write_edge_list(entry: Entry) -> bytes:
+    """The table of a world."""
+    out, map_ = io.StringIO(), entry.map
+    rank = {dart: i for darts in map_.vertices for i, dart in enumerate(darts)}
+    name = [entry.labels.vertex(vertex) for vertex in map_.vertex_of]
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    writer.writerows([name[d], name[e], rank[d], rank[e]] for d, e in map_.edges)
+    return out.getvalue().encode()

@@ -1,8 +1,7 @@
-"""Places in files, their texts and lines, and what readers and writers share besides."""
+"""Places in files, their texts, and what readers and writers share besides."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import IO
 
 from allworlds.inputs.checks import InputError
 from allworlds.maps.combinatorial import Vertex
@@ -28,18 +27,6 @@ def text_of(content: bytes) -> str:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise InputError(f"byte {error.start} is no text in UTF-8") from None
-
-
-def lines_of(file: IO[bytes]) -> Iterator[tuple[int, str, str]]:
-    """The lines that are not empty, from here on: the offset of each, its place, its text."""
-    start = offset = file.tell()
-    for number, line in enumerate(file, 1):
-        place = f"line {number}" + (f" from byte {start} on" if start else "")
-        if line.strip():
-            with at(place):
-                text = text_of(line)
-            yield offset, place, text
-        offset += len(line)
 
 
 def neighbours(entry: Entry) -> list[list[Vertex]]:

@@ -3,7 +3,8 @@
 import re
 from array import array
 from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from functools import cached_property, lru_cache
 from itertools import chain
 from pathlib import Path
@@ -87,7 +88,7 @@ class GivenMaps:
         codes: their files.
 
     Attributes:
-        count: how many there are.
+        count: how many there are; ``words`` is ``3 worlds of plan.json``.
         starts: by the number of edges, ascending, how many rooted maps there are.
         lighthouse: the kind of those that are fixed; None: none is.
         fixed: whether start and lighthouse of each are.
@@ -105,7 +106,7 @@ class GivenMaps:
         find: Callable[[int, int, int], GivenMap],
         codes: tuple[Digest, ...] = (),
     ) -> None:
-        self.noun, self.of, self.gate, self.codes = noun, of, f"absent: {gate}", codes
+        self.of, self.gate, self.codes = of, f"absent: {gate}", codes
         self.count, self.fixed, self._find = 0, True, find
         kinds = dict[LighthouseKind, str]()
         self._at: dict[int, array[int]] = defaultdict(lambda: array("Q"))
@@ -122,15 +123,11 @@ class GivenMaps:
         if not self.count:
             empty = f"there is no {noun} of {of}" if of else "worlds = [] is empty"
             raise InputError(f"{empty}; legal is one world or more")
-        self.starts = {edges: sum(self._at[edges][3::4]) for edges in sorted(self._at)}
+        self.words = f"{plural(self.count, noun)}{of and f' of {of}'}"
+        self.starts: Mapping[int, int] = {m: sum(self._at[m][3::4]) for m in sorted(self._at)}
 
     def __getstate__(self) -> dict[str, Any]:
         return {**vars(self), "_at": None, "_find": None}
-
-    @property
-    def words(self) -> str:
-        """``3 worlds of plan.json``."""
-        return f"{plural(self.count, self.noun)}{self.of and f' of {self.of}'}"
 
     @property
     def described(self) -> dict[str, Any]:
@@ -239,18 +236,14 @@ def _given(entry: Entry, name: str) -> GivenMap:
     if entry.lighthouse is not None:
         with at(name):
             place = lighthouse_from_json(entry.lighthouse, map_, starts[0])
-            starts = [start for start in starts if _stands(place, map_, start)] or starts
+            held = list[Dart]()
+            for start in starts:
+                with suppress(InvalidWorld):
+                    place.check(map_, start)
+                    held.append(start)
+            starts = held or starts
             place.check(map_, starts[0])
     return GivenMap(map_, starts, place, entry.labels)
-
-
-def _stands(place: Lighthouse, map_: CombinatorialMap, start: Dart) -> bool:
-    """Whether the lighthouse can stand there when one starts here."""
-    try:
-        place.check(map_, start)
-    except InvalidWorld:
-        return False
-    return True
 
 
 # ---------------------------------------------------------------- options

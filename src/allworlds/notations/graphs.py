@@ -32,36 +32,35 @@ PLAIN, YED = "{http://graphml.graphdrawing.org/xmlns}", "{http://www.yworks.com/
 """The namespaces of GraphML and of yEd."""
 
 
-def read_graphml(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
-    """The world of a file in GraphML."""
-    yield 0, _entry(_made(_of_graphml, file.read()))
+def read_graph(
+    make: Callable[[bytes], nx.Graph],
+) -> Callable[[IO[bytes]], Iterator[tuple[int, Entry]]]:
+    """A reader of the world of a file, whose content is made a graph so."""
+
+    def read(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                graph = make(file.read())
+        except InputError:
+            raise
+        except Exception as error:  # noqa: BLE001  # networkx has many kinds, where a file is garbled
+            said = show(str(error) or error)[1:-1]
+            raise InputError(f"networkx cannot read it: {said}") from None
+        yield 0, _entry(graph)
+
+    return read
 
 
-def read_yed(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
-    """The world of a file of yEd."""
-    yield 0, _entry(_made(_of_yed, file.read()))
-
-
-def read_gml(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
-    """The world of a file in GML."""
+def of_gml(content: bytes) -> nx.Graph:
+    """The graph of a text in GML."""
     import networkx as nx
 
-    yield 0, _entry(_made(lambda content: nx.parse_gml(text_of(content), "id"), file.read()))
+    return nx.parse_gml(text_of(content), "id")
 
 
-def _made(make: Callable[[bytes], Any], content: bytes) -> Any:
-    """The graph that is made of the content of a file."""
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")
-            return make(content)
-    except InputError:
-        raise
-    except Exception as error:  # noqa: BLE001  # networkx has many kinds, where a file is garbled
-        raise InputError(f"networkx cannot read it: {show(str(error) or error)[1:-1]}") from None
-
-
-def _of_graphml(content: bytes) -> nx.Graph:
+def of_graphml(content: bytes) -> nx.Graph:
+    """The graph of a text in GraphML."""
     import networkx as nx
 
     graph, root = nx.read_graphml(io.BytesIO(content)), ET.fromstring(content)  # noqa: S314
@@ -71,7 +70,8 @@ def _of_graphml(content: bytes) -> nx.Graph:
     return graph
 
 
-def _of_yed(content: bytes) -> nx.Graph:
+def of_yed(content: bytes) -> nx.Graph:
+    """The graph of a file of yEd."""
     import networkx as nx
 
     root, graph = ET.fromstring(content), nx.MultiGraph()  # noqa: S314  # networkx reads it, too

@@ -17,6 +17,7 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import Any
 
+from allworlds.document import parse
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps.build import from_rotation
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, cycles, inverse
@@ -76,7 +77,7 @@ def _fat(given: Mapping[str, Any]) -> CombinatorialMap:
     images = dict[str, list[int]]()
     for key, value in given.items():
         with at(key):
-            images[key] = permutation(_cycles(value))
+            images[key] = permutation(parse(value, list[list[int]], show(value)))
     if len({*map(len, images.values())}) > 1:
         raise InvalidMap(f"{' and '.join(images)} do not have the same darts")
     sigma, alpha, phi = map(images.get, ("vertices", "edges", "faces"))
@@ -90,16 +91,6 @@ def _fat(given: Mapping[str, Any]) -> CombinatorialMap:
             rest = f"by {right}, as vertices and edges say"
             raise InvalidMap(f"in faces dart {dart} is followed by {after}; legal is {rest}")
     return map_
-
-
-def _cycles(given: object) -> list[list[Any]]:
-    """The cycles of a permutation."""
-    lists = isinstance(given, list | tuple) and all(
-        isinstance(each, list | tuple) for each in given
-    )
-    if lists and {type(dart) for each in given for dart in each} == {int}:  # type: ignore[attr-defined]
-        return [[*each] for each in given]  # type: ignore[attr-defined]  # of lists
-    raise InvalidMap(f"{show(given)} is no list of cycles of darts such as [[0, 1], [2]]")
 
 
 def fat_of(entry: Entry) -> dict[str, list[list[int]]]:

@@ -11,7 +11,7 @@ size has, and each number of an edge; the higher byte is first.
 Source: the guide of plantri, and its program; the headers are also those of CaGe.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from typing import IO, Literal
 
 from allworlds.inputs.checks import InputError
@@ -69,22 +69,20 @@ def read_planar_code(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
         offset = file.tell()
 
 
-def write_planar_code(entries: Iterable[Entry]) -> Iterator[bytes]:
-    """Worlds in ``planar_code``: simple, in the plane, and without names.
+def write_planar_code(entry: Entry) -> bytes:
+    """A world in ``planar_code``: simple, in the plane, and without names.
 
     Raises:
         InputError: naming the vertex with a loop or parallel edges, or the genus.
     """
-    yield PLANAR + b"<<"
-    for entry in entries:
-        map_ = entry.map
-        if map_.genus:
-            raise InputError(f"planar_code tells maps of genus 0, not {map_.genus}; see edge_code")
-        size = 1 if map_.vertex_count <= MOST else 2
-        numbers = [map_.vertex_count]
-        for ends in neighbours(entry):
-            numbers += [*(end + 1 for end in ends), 0]
-        yield b"\0" * (size - 1) + b"".join(each.to_bytes(size, "little") for each in numbers)
+    map_ = entry.map
+    if map_.genus:
+        raise InputError(f"planar_code tells maps of genus 0, not {map_.genus}; see edge_code")
+    size = 1 if map_.vertex_count <= MOST else 2
+    numbers = [map_.vertex_count]
+    for ends in neighbours(entry):
+        numbers += [*(end + 1 for end in ends), 0]
+    return b"\0" * (size - 1) + b"".join(each.to_bytes(size, "little") for each in numbers)
 
 
 def read_edge_code(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
@@ -113,17 +111,14 @@ def read_edge_code(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
         offset = file.tell()
 
 
-def write_edge_code(entries: Iterable[Entry]) -> Iterator[bytes]:
-    """Worlds in ``edge_code``: without names, of any genus."""
-    yield EDGE + b"<<"
-    for entry in entries:
-        map_ = entry.map
-        edge = {dart: number for number, pair in enumerate(map_.edges) for dart in pair}
-        size = 1 if map_.edge_count <= MOST else 2 if map_.edge_count <= MOST << 8 else 3
-        lists = [b"".join(edge[d].to_bytes(size, "big") for d in ds) for ds in map_.vertices]
-        body = b"\xff".join(lists)
-        if len(body) <= MOST and size == 1:
-            yield bytes([len(body)]) + body
-        else:
-            digits = (len(body).bit_length() + 7) // 8
-            yield bytes([0, digits << 4 | size]) + len(body).to_bytes(digits, "big") + body
+def write_edge_code(entry: Entry) -> bytes:
+    """A world in ``edge_code``: without names, of any genus."""
+    map_ = entry.map
+    edge = {dart: number for number, pair in enumerate(map_.edges) for dart in pair}
+    size = 1 if map_.edge_count <= MOST else 2 if map_.edge_count <= MOST << 8 else 3
+    lists = [b"".join(edge[d].to_bytes(size, "big") for d in ds) for ds in map_.vertices]
+    body = b"\xff".join(lists)
+    if len(body) <= MOST and size == 1:
+        return bytes([len(body)]) + body
+    digits = (len(body).bit_length() + 7) // 8
+    return bytes([0, digits << 4 | size]) + len(body).to_bytes(digits, "big") + body

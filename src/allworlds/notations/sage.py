@@ -8,24 +8,14 @@ Source: the reference manual of Sage, ``set_embedding``.
 
 import ast
 import warnings
-from collections.abc import Iterable, Iterator
-from typing import IO, Any
+from typing import Any
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.notations.entry import at, lines_of, neighbours
-from allworlds.notations.objects import entry_of
+from allworlds.notations.entry import neighbours
 from allworlds.world.world import Entry
 
 
-def read_sage(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
-    """The worlds of a file with one dictionary a line."""
-    for offset, place, text in lines_of(file):
-        with at(place):
-            entry = entry_of(_literal(text.strip()))
-        yield offset, entry
-
-
-def _literal(text: str) -> Any:
+def literal(text: str) -> Any:
     """The value of a literal; raise InputError if it is none, or if a key stands in it twice."""
     try:
         with warnings.catch_warnings():
@@ -40,13 +30,12 @@ def _literal(text: str) -> Any:
     return value
 
 
-def write_sage(entries: Iterable[Entry]) -> Iterator[bytes]:
-    """Simple worlds, a dictionary a line; vertices without names are numbers.
+def write_sage(entry: Entry) -> bytes:
+    """A simple world, a dictionary in a line; vertices without names are numbers.
 
     Raises:
         InputError: naming a vertex with a loop or parallel edges.
     """
-    for entry in entries:
-        names: tuple[Any, ...] = entry.labels.vertices or tuple(range(entry.map.vertex_count))
-        around = [[names[end] for end in ends] for ends in neighbours(entry)]
-        yield f"{dict(zip(names, around, strict=True))}\n".encode()
+    names: tuple[Any, ...] = entry.labels.vertices or tuple(range(entry.map.vertex_count))
+    around = [[names[end] for end in ends] for ends in neighbours(entry)]
+    return f"{dict(zip(names, around, strict=True))}\n".encode()

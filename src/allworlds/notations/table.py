@@ -1,15 +1,25 @@
 """The notations of embedded graphs that files are read in and written in."""
 
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
 from typing import IO, Literal, TypeAlias, get_args
 
 from msgspec import Struct
 
-from allworlds.inputs.checks import InputError, a_path, in_file, not_one_of, one_of, show
+from allworlds.inputs.checks import (
+    InputError,
+    a_path,
+    in_file,
+    not_one_of,
+    one_of,
+    parse_json,
+    show,
+)
 from allworlds.notations.edge_list import read_edge_list, write_edge_list
-from allworlds.notations.graphs import read_gml, read_graphml, read_yed
+from allworlds.notations.entry import at
+from allworlds.notations.graphs import of_gml, of_graphml, of_yed, read_graph
 from allworlds.notations.objects import fat_of, own_of, rotation_of
 from allworlds.notations.plantri import (
     EDGE,
@@ -19,13 +29,8 @@ from allworlds.notations.plantri import (
     write_edge_code,
     write_planar_code,
 )
-from allworlds.notations.sage import read_sage, write_sage
-from allworlds.notations.worlds_as_json import (
-    read_json,
-    read_lines,
-    write_json,
-    write_lines,
-)
+from allworlds.notations.sage import literal, write_sage
+from allworlds.notations.worlds_as_json import read_json, read_lines, write_json
 from allworlds.world.labels import Labelling
 from allworlds.world.world import Entry
 
@@ -47,7 +52,7 @@ class Notation(Struct, frozen=True):
         suffixes: of files in it.
         read: the entries of an open binary file from its position on, clockwise and with the y axis
             upward, each with the offset at which it begins; its number where it does not stream.
-        write: the bytes of these entries; None where it is not written.
+        write: the bytes of an entry; None where it is not written.
         keeps: those of :data:`EVERY` that it can tell.
         mark: bytes that stand near the beginning of such files alone, where it has some.
         streams: whether it holds many entries, of which one at a time is in memory.
@@ -57,7 +62,7 @@ class Notation(Struct, frozen=True):
     name: str
     suffixes: tuple[str, ...]
     read: Callable[[IO[bytes]], Iterator[tuple[int, Entry]]]
-    write: Callable[[Iterable[Entry]], Iterator[bytes]] | None = None
+    write: Callable[[Entry], bytes] | None = None
     keeps: tuple[str, ...] = ()
     mark: bytes = b""
     streams: bool = False
@@ -66,12 +71,19 @@ class Notation(Struct, frozen=True):
 
 NOTATIONS = (
     Notation("worlds", (".json",), read_json, write_json(own_of), EVERY),
-    Notation("lines", (".jsonl", ".ndjson"), read_lines, write_lines, EVERY, streams=True),
+    Notation(
+        "lines",
+        (".jsonl", ".ndjson"),
+        read_lines(parse_json),
+        write_json(own_of),
+        EVERY,
+        streams=True,
+    ),
     Notation("rotation", (".rot.json",), read_json, write_json(rotation_of), ("names",)),
     Notation("fat", (".fat.json",), read_json, write_json(fat_of)),
-    Notation("graphml", (".graphml",), read_graphml, y="up"),
-    Notation("yed", (), read_yed, mark=b"http://www.yworks.com/xml/graphml", y="down"),
-    Notation("gml", (".gml",), read_gml, y="down"),
+    Notation("graphml", (".graphml",), read_graph(of_graphml), y="up"),
+    Notation("yed", (), read_graph(of_yed), mark=b"http://www.yworks.com/xml/graphml", y="down"),
+    Notation("gml", (".gml",), read_graph(of_gml), y="down"),
     Notation(
         "planar_code",
         (".pl", ".plc"),
@@ -81,7 +93,7 @@ NOTATIONS = (
         streams=True,
     ),
     Notation("edge_code", (".ec",), read_edge_code, write_edge_code, mark=EDGE, streams=True),
-    Notation("sage", (".sage",), read_sage, write_sage, ("names",), streams=True),
+    Notation("sage", (".sage",), read_lines(literal), write_sage, ("names",), streams=True),
     Notation("edges", (".csv",), read_edge_list, write_edge_list, ("names",)),
 )
 """Every notation; the first is that of a file that begins as JSON does."""
@@ -116,12 +128,15 @@ def legal(*, written: bool = False) -> str:
     return one_of(end for each in notations for end in each.suffixes)
 
 
-def _opened(file: str | Path) -> IO[bytes]:
-    """The file, at its beginning."""
+@contextmanager
+def _opened(file: str | Path) -> Iterator[tuple[IO[bytes], Notation]]:
+    """The file, at its beginning, and its notation; what is told of bad input names it."""
     try:
-        return a_path("file", file).open("rb")
+        stream = a_path("file", file).open("rb")
     except OSError as error:
         raise InputError(f"file {show(str(file))} cannot be read: {error.strerror}") from None
+    with stream, in_file(str(file)):
+        yield stream, notation_in(stream, str(file))
 
 
 def entries(
@@ -136,8 +151,7 @@ def entries(
 
     Cost: the memory of one entry at a time, where the notation streams.
     """
-    with _opened(file) as stream, in_file(str(file)):
-        notation = notation_in(stream, str(file))
+    with _opened(file) as (stream, notation):
         _check(notation, order, y)
         found = False
         for offset, entry in notation.read(stream):
@@ -178,8 +192,7 @@ def entry_at(
 
     Cost: that of this world; the file is read as a whole, once, where its notation does not stream.
     """
-    with _opened(file) as stream, in_file(str(file)):
-        notation = notation_in(stream, str(file))
+    with _opened(file) as (stream, notation):
         if notation.streams:
             stream.seek(offset)
             for _, entry in notation.read(stream):
@@ -243,15 +256,19 @@ def written(worlds: Iterable[Entry], notation: Notation) -> Iterator[bytes]:
     Raises:
         InputError: naming the world whose map the notation cannot tell.
     """
-    number = 0
 
-    def counted() -> Iterator[Entry]:
-        nonlocal number
-        for number, entry in enumerate(worlds, 1):  # noqa: B007  # nonlocal
-            yield entry
+    def parts() -> Iterator[bytes]:
+        assert notation.write
+        for number, entry in enumerate(worlds, 1):
+            with at(f"world {number} is not written"):
+                yield notation.write(entry)
 
-    assert notation.write
-    try:
-        yield from notation.write(counted())
-    except InputError as error:
-        raise type(error)(f"world {number} is not written: {error}") from None
+    if notation.streams:
+        yield notation.mark and notation.mark + b"<<"
+        yield from parts()
+        return
+    first, *more = parts()
+    if more and not notation.suffixes[0].endswith(".json"):
+        raise InputError(f"a file of {notation.name} holds one world; name one of another notation")
+    texts = (part.rstrip() for part in (first, *more))
+    yield b"[%s]\n" % b",\n".join(texts) if more else first

@@ -1,13 +1,13 @@
 """Files of JSON: worlds, rotations and fat graphs, alone, in lists, by names, or one a line."""
 
 import json
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import nullcontext
 from typing import IO, Any
 
 from allworlds.inputs.checks import parse_json, show
-from allworlds.notations.entry import at, lines_of, text_of
-from allworlds.notations.objects import entry_of, own_of
+from allworlds.notations.entry import at, text_of
+from allworlds.notations.objects import entry_of
 from allworlds.world.world import Entry
 
 Objects = Iterator[tuple[int, Entry]]
@@ -31,30 +31,21 @@ def _worlds(document: Any) -> list[tuple[str, Any]]:
     return [("", document)]
 
 
-def read_lines(file: IO[bytes]) -> Objects:
-    """The worlds of a file that has one a line."""
-    for offset, place, text in lines_of(file):
-        with at(place):
-            entry = entry_of(parse_json(text))
-        yield offset, entry
+def read_lines(parse: Callable[[str], Any]) -> Callable[[IO[bytes]], Objects]:
+    """A reader of files that have a world a line, which is parsed so."""
+
+    def read(file: IO[bytes]) -> Objects:
+        start = offset = file.tell()
+        for number, line in enumerate(file, 1):
+            if line.strip():
+                with at(f"line {number}" + (f" from byte {start} on" if start else "")):
+                    entry = entry_of(parse(text_of(line).strip()))
+                yield offset, entry
+            offset += len(line)
+
+    return read
 
 
-def write_json(of: Callable[[Entry], Any]) -> Callable[[Iterable[Entry]], Iterator[bytes]]:
-    """A writer of one object, or of a list, of what each entry becomes."""
-
-    def write(entries: Iterable[Entry]) -> Iterator[bytes]:
-        objects = [_text(of(entry)) for entry in entries]
-        rest = ",\n".join(objects)
-        yield f"{rest if len(objects) == 1 else f'[{rest}]'}\n".encode()
-
-    return write
-
-
-def _text(value: Any) -> str:
-    return json.dumps(value, ensure_ascii=False)
-
-
-def write_lines(entries: Iterable[Entry]) -> Iterator[bytes]:
-    """Worlds, one a line."""
-    for entry in entries:
-        yield f"{_text(own_of(entry))}\n".encode()
+def write_json(of: Callable[[Entry], Any]) -> Callable[[Entry], bytes]:
+    """A writer of what each entry becomes, in a line."""
+    return lambda entry: f"{json.dumps(of(entry), ensure_ascii=False)}\n".encode()

@@ -7,7 +7,7 @@ is its actions and percepts.  A fault is raised by the adapter of an explorer.
 from collections.abc import Generator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Annotated, Any, Literal, Protocol, TypeAlias, assert_never
+from typing import Annotated, Any, Literal, Protocol, TypeAlias
 
 from allworlds.document import (
     Document,
@@ -17,9 +17,9 @@ from allworlds.document import (
     Positive,
     WrittenByFields,
     about,
-    plain,
+    parse,
 )
-from allworlds.inputs.checks import InputError, integer, show
+from allworlds.inputs.checks import InputError, show
 from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
 from allworlds.protocol.choices import Choices
 
@@ -224,6 +224,12 @@ class Wrote(Document, forbid_unknown_fields=False):
     percept: Annotated[Percept, about("what was sensed then")]
 
 
+class _Sensed(Document):
+    """The percepts of a transcript."""
+
+    transcript: Entries[AtStart]
+
+
 @dataclass(frozen=True)
 class Transcript(Paged):
     """The first percept, then each action with the percept that answered it.
@@ -251,42 +257,33 @@ class Transcript(Paged):
 
     def to_json(self) -> list[dict[str, Any]]:
         """The rows ``[{"percept": P}, {"move": k, "percept": P}, ...]``."""
-        rows: list[dict[str, Any]] = plain([AtStart(percept=self.first), *map(_row, self.steps)])
-        return rows
+        steps = ({**_said(action), "percept": percept.to_json()} for action, percept in self.steps)
+        return [{"percept": self.first.to_json()}, *steps]
 
     @classmethod
-    def from_json(cls, rows: object) -> "Transcript":
+    def from_json(cls, rows: Any) -> "Transcript":
         """The transcript of :meth:`to_json`'s rows.
 
         Raises:
-            ValueError: naming the first row that is none.
+            InputError: naming a row that is none.
         """
-        if not isinstance(rows, list) or not rows:
-            raise ValueError("a transcript is a list that begins with the first percept")
+        first, *sensed = parse({"transcript": rows}, _Sensed, "transcript").transcript
         steps = []
-        for i, row in enumerate(rows[1:], 1):
-            action = action_from_json(row)
-            if action is None:
-                raise ValueError(
-                    f"row {i} of the transcript has no move, drop, pick or write: {show(row)}"
-                )
-            steps.append((action, _percept(i, row)))
-        return cls(_percept(0, rows[0]), tuple(steps))
+        for at, row in zip(sensed, rows[1:], strict=True):
+            if (action := action_from_json(row)) is None:
+                raise InputError(f"{show(row)} in transcript has no move, drop, pick or write")
+            steps.append((action, at.percept))
+        return cls(first.percept, tuple(steps))
 
 
-def _row(step: tuple[Action, Percept]) -> Moved | Dropped | Picked | Wrote:
-    action, percept = step
+def _said(action: Action) -> dict[str, Any]:
+    """The action as a row has it: see :class:`Moved` and those behind it."""
     match action:
         case Move(k):
-            return Moved(move=k, percept=percept)
-        case Drop():
-            return Dropped(drop=True, percept=percept)
-        case Pick():
-            return Picked(pick=True, percept=percept)
+            return {"move": k}
         case Write(k):
-            return Wrote(write=k, percept=percept)
-        case _:
-            assert_never(action)
+            return {"write": k}
+    return {str(action): True}
 
 
 def action_from_json(row: object) -> Action | None:
@@ -302,33 +299,6 @@ def action_from_json(row: object) -> Action | None:
             return Write(k)
         case _:
             return None
-
-
-def percept_from_json(value: object) -> Percept:
-    """The percept of ``{"degree", "marks", "bearing"}``.
-
-    Raises:
-        ValueError: if it is none.
-    """
-    if not isinstance(value, Mapping):
-        raise ValueError(f"a percept is an object with a degree, not {show(value)}")
-    try:
-        bearing = value.get("bearing")
-        return Percept(
-            integer(value.get("degree")),
-            integer(value.get("marks", 0)),
-            None if bearing is None else integer(bearing),
-        )
-    except TypeError:
-        raise ValueError(f"a percept holds integers: {show(value)}") from None
-
-
-def _percept(i: int, row: object) -> Percept:
-    value = row.get("percept") if isinstance(row, Mapping) else None
-    try:
-        return percept_from_json(value)
-    except ValueError as error:
-        raise ValueError(f"row {i} of the transcript: {error}") from None
 
 
 Told: TypeAlias = int | Mapping[str, int] | None

@@ -7,7 +7,7 @@ it is all that is needed to enumerate every schedule.
 
 from collections.abc import Sequence, Sized
 from random import Random
-from typing import Literal, Protocol, TypeAlias, TypeVar, cast, get_args
+from typing import Literal, Protocol, TypeAlias, TypeVar, get_args
 
 from typing_extensions import override
 
@@ -219,14 +219,3 @@ class ScheduledChoices(Choices):
 
 Schedule: TypeAlias = Literal["one", "all"]
 """The schedules of a run: the policy's, or every one."""
-
-
-def a_schedule(text: object) -> Schedule:
-    """The schedules of that name: ``one`` or ``all``.
-
-    Raises:
-        InputError: for anything else.
-    """
-    if text not in get_args(Schedule):
-        raise not_one_of("schedules", text, get_args(Schedule))
-    return cast("Schedule", text)

@@ -224,22 +224,11 @@ def called(name: str, factory: Any, arguments: Mapping[str, Argument]) -> Any:
         return factory
     if not callable(factory):
         raise InputError(f"{show(name)}: what takes arguments is a function that returns the rest")
-    _ensure_takes(name, factory, arguments)
-    return attempted(f"{show(name)} raises", lambda: factory(**arguments))
-
-
-def _ensure_takes(name: str, factory: Any, arguments: Mapping[str, Argument]) -> None:
-    """Raise InputError unless a factory takes these arguments."""
     try:
-        parameters = inspect.signature(factory).parameters
-    except (TypeError, ValueError):  # there is no signature to ask
-        return
-    kinds = [each.kind for each in parameters.values()]
-    takes = [key for key, each in parameters.items() if each.kind in _NAMED]
-    for key in arguments:
-        if key not in takes and inspect.Parameter.VAR_KEYWORD not in kinds:
-            legal = ", ".join(takes) or "none"
-            raise InputError(f"{show(name)} takes no argument {show(key)}; legal are {legal}")
-
-
-_NAMED = inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY
+        inspect.signature(factory).bind_partial(**arguments)
+    except TypeError as error:
+        legal = inspect.signature(factory)
+        raise InputError(f"{show(name)} {error}; legal is {legal}") from None
+    except ValueError:  # there is no signature to ask
+        pass
+    return attempted(f"{show(name)} raises", lambda: factory(**arguments))

@@ -10,6 +10,8 @@ from collections.abc import Callable, Generator, Iterable, MutableSequence, Sequ
 from itertools import islice
 from typing import Any, Protocol
 
+from msgspec import Struct
+
 from allworlds import log as entries
 from allworlds.inputs import checks
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
@@ -125,22 +127,18 @@ def play_run(
     return bytes(log)
 
 
-class _Turns:
+class _Turns(Struct):
     """The turns of one run."""
 
-    def __init__(
-        self,
-        log: bytearray,
-        around: Surroundings,
-        choices: Choices,
-        budget: int,
-        beat: MutableSequence[int],
-        hear: Callable[[bytearray], None] | None,
-    ) -> None:
-        self.log, self.around, self.choices = log, around, choices
-        self.budget, self.beat, self.hear = budget, beat, hear
-        self.own: checks.InputError | None = None  # the explorer's
-        self._noted = self._shown = 0
+    log: bytearray
+    around: Surroundings
+    choices: Choices
+    budget: int
+    beat: MutableSequence[int]
+    hear: Callable[[bytearray], None] | None
+    own: checks.InputError | None = None  # the explorer's
+    _noted: int = 0
+    _shown: int = 0
 
     def note_choices(self) -> None:
         """Write the choices since the last turn into the log."""
@@ -278,26 +276,24 @@ def answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
         answer: anything.
         most: the largest number of darts that is looked at.
     """
-    quotient = type(answer) is actions.Ambiguous
-    expected = A_QUOTIENT if quotient else AN_ESTIMATE
-    if not quotient and type(answer) is not actions.Estimate:
-        return entries.fault("no-estimate", expected, checks.show(answer))
+    expected = A_QUOTIENT if type(answer) is actions.Ambiguous else AN_ESTIMATE
     try:
         if type(answer) is actions.Ambiguous:
             lists = answer.sigma, answer.alpha, answer.degree, answer.marks
             sequences = [integers(each, most) for each in lists]
             return entries.quotient(sequences, checks.integer(answer.here))
-        assert type(answer) is actions.Estimate
-        claimed: object = answer.map
-        if not isinstance(claimed, CombinatorialMap):
-            return entries.fault("no-estimate", expected, f"a map that is {checks.show(claimed)}")
-        sigma, alpha = integers(claimed.sigma, most), integers(claimed.alpha, most)
-        return entries.answer(sigma, alpha, checks.integer(answer.here))
+        if type(answer) is actions.Estimate:
+            claimed: object = answer.map
+            if not isinstance(claimed, CombinatorialMap):
+                said = f"a map that is {checks.show(claimed)}"
+                return entries.fault("no-estimate", expected, said)
+            sigma, alpha = integers(claimed.sigma, most), integers(claimed.alpha, most)
+            return entries.answer(sigma, alpha, checks.integer(answer.here))
     except TooManyDarts as error:
         return entries.fault("no-estimate", expected, str(error))
     except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
         checks.let_users_interrupt(error)
-        return entries.fault("no-estimate", expected, checks.show(answer))
+    return entries.fault("no-estimate", expected, checks.show(answer))
 
 
 def any_answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:

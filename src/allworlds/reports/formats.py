@@ -339,6 +339,14 @@ def _maker(kind: type) -> Callable[[Any], parts.ReportContent]:
             from allworlds.reports.content.ambiguity import search_content
 
             return search_content
+        case "AmbiguitySensors":
+            from allworlds.reports.content.sensors import sensors_content
+
+            return sensors_content
+        case "AmbiguityWeakest":
+            from allworlds.reports.content.sensors import weakest_content
+
+            return weakest_content
         case "LedgerReport":
             from allworlds.reports.content.ledger import ledger_content
 

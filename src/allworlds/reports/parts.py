@@ -45,6 +45,7 @@ class Scene(Struct, frozen=True):
         darts: their names, where these are not their numbers.
         vertices: likewise.
         positions: of the vertices, where these are given.
+        letters: the marks that are sensed by single darts, where those of a vertex differ.
     """
 
     map: CombinatorialMap
@@ -58,6 +59,7 @@ class Scene(Struct, frozen=True):
     darts: Sequence[str] = ()
     vertices: Sequence[str] = ()
     positions: tuple[Position, ...] = ()
+    letters: Mapping[Dart, int] = field(default_factory=dict)
 
     @property
     def dart_names(self) -> Sequence[str]:
@@ -90,17 +92,26 @@ class Scene(Struct, frozen=True):
         map_: CombinatorialMap,
         start: Dart,
         percepts: Iterable[tuple[Dart, Percept]],
+        *,
+        lasting: bool = False,
     ) -> Scene:
         """Return the scene of a map in which percepts are known for arrival at some darts.
 
-        The dart at bearing 0 is pointed along, and a vertex with marks is marked.
+        The dart at bearing 0 is pointed along, and a vertex with marks is marked; if the marks of
+        the darts are ``lasting`` and differ, its darts are.
         """
         known = list(percepts)
         # What is sensed last holds: markers can be taken away.
         marks = {map_.vertex_of[dart]: p.marks for dart, p in known}
-        marks = {vertex: number for vertex, number in marks.items() if number}
-        pointed = {map_.turn(dart, p.bearing) for dart, p in known if p.bearing is not None}
-        return cls(map_, start, None, marks, sorted(pointed))
+        uneven = {map_.vertex_of[d] for d, p in known if p.marks != marks[map_.vertex_of[d]]}
+        uneven = uneven if lasting else set()
+        return cls(
+            map_,
+            start,
+            marks={v: number for v, number in marks.items() if number and v not in uneven},
+            letters={d: p.marks for d, p in known if p.marks and map_.vertex_of[d] in uneven},
+            pointed=sorted({map_.turn(d, p.bearing) for d, p in known if p.bearing is not None}),
+        )
 
 
 def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
@@ -110,7 +121,7 @@ def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
     """
     map_, lying = world.map, Counter(dropped)
     percepts = ((d, p.marked(lying[map_.vertex_of[d]])) for d, p in enumerate(world.percepts))
-    scene, labels = Scene.sensed(map_, world.start, percepts), world.labels
+    scene, labels = Scene.sensed(map_, world.start, percepts, lasting=True), world.labels
     return doc.replace(scene, vertices=labels.vertices, positions=labels.positions)
 
 
@@ -127,7 +138,8 @@ def walk_in_answer(world: World, answer: Estimate, transcript: Transcript) -> Sc
     walk = believed_walk(world, answer, transcript)
     # Where the answer has no place for the lighthouse it says nothing of markers.
     percepts = zip(walk.trail, walk.percepts or [], strict=False)
-    scene = Scene.sensed(answer.map, walk.trail[0], percepts)
+    lasting = not world.lighthouse.as_kind.leaves_marks
+    scene = Scene.sensed(answer.map, walk.trail[0], percepts, lasting=lasting)
     return doc.replace(scene, robot=answer.here, walked=_arrivals(walk.trail, transcript))
 
 

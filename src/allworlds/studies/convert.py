@@ -1,7 +1,8 @@
 """Worlds of a file: told of, and written in another notation."""
 
 from collections import deque
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import KW_ONLY
 from pathlib import Path
 from typing import Annotated
@@ -87,19 +88,15 @@ def convert(request: ConvertRequest) -> Convert:
         return Convert(rows=tuple(rows))
     path = a_path("output", request.output)
     notation = to_write(str(path))
-    _write(path, written(told(), notation))
-    left_out = tuple(sorted(has - {"sigma", "alpha", *notation.keeps}))
-    return Convert(written=str(path), rows=tuple(rows), left_out=left_out or None)
-
-
-def _write(path: Path, content: Iterable[bytes]) -> None:
-    """Write a file as a whole, or not at all."""
-    part = path.with_name(f"{path.name}.part")
+    part = path.with_name(f"{path.name}.part")  # what is refused midway leaves the old file
     try:
         with part.open("wb") as file:
-            file.writelines(content)
+            file.writelines(written(told(), notation))
         part.replace(path)
     except OSError as error:
         raise InputError(f"file {show(str(path))} cannot be written: {error.strerror}") from None
     finally:
-        part.unlink(missing_ok=True)
+        with suppress(OSError):
+            part.unlink()
+    left_out = tuple(sorted(has - {"sigma", "alpha", *notation.keeps}))
+    return Convert(written=str(path), rows=tuple(rows), left_out=left_out or None)

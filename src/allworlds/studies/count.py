@@ -9,10 +9,16 @@ from msgspec import UNSET, Struct, UnsetType, field
 from typing_extensions import override
 
 from allworlds import document as doc, outcome
-from allworlds.engines import engine_table, limits, sweep
-from allworlds.engines.units import WHOLE, LevelUnit, ShardOptions, SweptLevel
+from allworlds.engines import engine_table, sweep
+from allworlds.engines.units import (
+    WHOLE,
+    LevelUnit,
+    SweptLevel,
+    cells_of_level,
+    is_counted,
+)
 from allworlds.inputs import checks, requests
-from allworlds.maps import classes, combinatorial, count_source
+from allworlds.maps import classes, combinatorial
 from allworlds.world.selection import WhereOptions
 
 TOLD_EVERY = 1000
@@ -22,15 +28,7 @@ UNROOTED_LIMIT = 6
 """The largest number of edges for which unrooted maps are counted."""
 
 
-class CountRequest(
-    limits.ListenerOptions,
-    limits.ClusterOptions,
-    limits.RunDirectoryOptions,
-    limits.TimeLimitOptions,
-    ShardOptions,
-    WhereOptions,
-    classes.ExtentOptions,
-):
+class CountRequest(sweep.SweptOptions, WhereOptions, classes.ExtentOptions):
     """Request of ``count``: a class, its bounds and the effort."""
 
 
@@ -90,7 +88,7 @@ class Census(sweep.SweptReport):
     @doc.computed
     def scope(self) -> CountedScope:
         """All that was counted."""
-        return sweep.told_scope(CountedScope, self.request, shard=str(self.portion))
+        return sweep.told_scope(CountedScope, self.request)
 
     @doc.computed
     def gate(self) -> sweep.ToldGate:
@@ -134,7 +132,7 @@ class CountSweep(sweep.Sweep["Counted", Census]):
     @override
     def ready(self) -> engine_table.ReadyEngine:
         return engine_table.ReadyEngine(
-            engine_table.local_or_dask(self.request.cluster, self.deadline), Enumerate(self.extent)
+            engine_table.local_or_dask(self.request.dask, self.deadline), Enumerate(self.extent)
         )
 
     @override
@@ -224,10 +222,6 @@ def row_of(extent: classes.Extent, edges: int, total: Counted, *, whole: bool) -
     # A map has 2m / |Aut| rootings, so its rootings weigh |Aut| / 2m each.
     known = whole and edges <= UNROOTED_LIMIT
     labelled = {n: maps * factorial(n) // (2 * edges) for n, maps in by_vertices.items()}
-    counted = None
-    if (counts := count_source.source_of(extent)) is not None:
-        source = counts.cells(edges)
-        counted = {n: source.get(n, 0) for n in range(1, extent.vertex_limit(edges) + 1)}
     return CountRow(
         edges=edges,
         rooted=total.worlds,
@@ -235,7 +229,7 @@ def row_of(extent: classes.Extent, edges: int, total: Counted, *, whole: bool) -
         by_vertices=dict(by_vertices),
         by_genus=dict(sorted(by_genus.items())),
         labelled=labelled if whole and extent.map_class.simple else UNSET,
-        counted=counted,
+        counted=cells_of_level(extent, edges) if is_counted(extent) else None,
         cells=tuple(
             (*cell, maps, total.fixed[cell] // (2 * edges) if known else None)
             for cell, maps in sorted(total.cells.items())

@@ -12,7 +12,14 @@ from typing_extensions import override
 from allworlds.engines import lanes, single, sweep
 from allworlds.engines.engine_table import ReadyEngine, players_for
 from allworlds.engines.job_records import Identity
-from allworlds.engines.limits import ClusterOptions, Listener, RunDirectoryOptions, Silent, TimeIsUp
+from allworlds.engines.limits import (
+    NOBODY,
+    ClusterOptions,
+    Listener,
+    RunDirectoryOptions,
+    TimeIsUp,
+    deadline_after,
+)
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import (
     WHOLE,
@@ -25,7 +32,7 @@ from allworlds.engines.units import (
     Transport,
 )
 from allworlds.explorers import loading, sources
-from allworlds.inputs.checks import InputError, an_integer, integer_of, show
+from allworlds.inputs.checks import InputError, integer_of, show
 from allworlds.inputs.requests import SCOPE, Option, Request, answers
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules
@@ -93,12 +100,11 @@ def scope_of(request: FuzzRequest, rules: Rules) -> Scope:
         InputError: for numbers out of range.
     """
     sample = Sample(request.runs, request.seed, request.min_edges, request.shard)
-    edges = an_integer("edges", request.edges)
-    if edges < 1:
-        raise InputError(f"edges = {show(edges)} is not positive")
-    if sample.min_edges > edges:
-        raise InputError(f"min-edges = {show(sample.min_edges)} is more than edges = {edges}")
-    return Scope(Extent(request.map_class, edges, where=request.where), rules, coverage=sample)
+    extent = Extent(request.map_class, request.edges, where=request.where)
+    if sample.min_edges > request.edges:
+        least, most = show(sample.min_edges), show(request.edges)
+        raise InputError(f"min-edges = {least} is more than edges = {most}")
+    return Scope(extent, rules, coverage=sample)
 
 
 class FuzzSweep(TallySweep[CheckReport]):
@@ -253,12 +259,12 @@ def _in_chunks(worlds: Sequence[tuple[world.World, int]]) -> list[GivenWorlds]:
     return [GivenWorlds(tuple(worlds[i : i + CHUNK])) for i in range(0, len(worlds), CHUNK)]
 
 
-def smallest_from(finding: Finding, workers: Transport[RunCounter], scope: Scope) -> Finding:
+def smallest_from(finding: Finding, workers: Transport, scope: Scope) -> Finding:
     """The smallest finding that the shrinker reaches from this one, or has when the time is up."""
 
     def refute(given: Sequence[GivenWorlds]) -> Finding | None:
         found = Tally(keep=1)
-        sweep.gather(workers, RunCounter(scope, found.keep), given, found, Silent())
+        sweep.gather(workers, RunCounter(scope, found.keep), given, found, NOBODY)
         return found.findings[0] if found.findings else None
 
     with suppress(TimeIsUp):
@@ -294,8 +300,8 @@ def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Findin
     if not given:
         return None
     tally = Tally(keep=1)
-    with lanes.workers_for(subject, limits, limits.deadline()) as workers:
-        sweep.gather(workers, RunCounter(scope, tally.keep), _in_chunks(given), tally, Silent())
+    with lanes.workers_for(subject, limits, deadline_after(limits.time_limit)) as workers:
+        sweep.gather(workers, RunCounter(scope, tally.keep), _in_chunks(given), tally, NOBODY)
         for found in tally.findings:
             smallest = smallest_from(found, workers, scope)
             return single.played_again(smallest, subject, limits)

@@ -10,16 +10,15 @@ import tomllib
 import traceback
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import KW_ONLY
-from difflib import get_close_matches
 from pathlib import Path
-from typing import Annotated, Any, Literal, TypeAlias, cast, get_args
+from typing import Annotated, Any, Literal, TypeAlias, get_args
 
 from msgspec import Meta, Struct, field
 from typing_extensions import override
 
 from allworlds import document as doc, outcome
 from allworlds.engines import limits, tally
-from allworlds.inputs.checks import InputError, a_path, not_one_of, read_text, show
+from allworlds.inputs.checks import InputError, a_path, a_word, did_you_mean, read_text, show
 from allworlds.inputs.requests import EFFORT, SCOPE, Argument, Converted, Option, answers
 from allworlds.protocol.importing import attribute_of, module_of_text, text_of
 from allworlds.studies.check.report import CheckReport
@@ -77,7 +76,7 @@ class Means(Struct, frozen=True):
         budget: how much may be done.
     """
 
-    workers: int = 1
+    workers: int
     budget: Budget = "quick"
 
 
@@ -101,16 +100,15 @@ def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
         raise Unfinished(f"the check of {whole.explorer} ended as {whole.verdict.value}")
     seen: dict[str, Any] = {"worlds": whole.worlds, "runs": whole.runs}
     seen |= {event: whole.tally.witnesses.get(event, 0) for event in events}
-    pictures = tuple(
-        Picture(f"the smallest world in which {whole.explorer} fails", finding.world)
-        for finding in whole.findings[:1]
+    if not whole.findings:
+        return Found(truth(whole.verdict is outcome.Verdict.HOLDS), seen, figures)
+    finding = whole.findings[0]
+    picture = Picture(f"the smallest world in which {whole.explorer} fails", finding.world)
+    edges, vertices, *_ = finding.key
+    refutation = (
+        f"the law {finding.law} is broken in a world with {edges} edges and {vertices} vertices"
     )
-    refutation = "".join(
-        f"the law {finding.law} is broken in a world with {finding.world.map.edge_count} edges and "
-        f"{finding.world.map.vertex_count} vertices"
-        for finding in whole.findings[:1]
-    )
-    return Found(truth(whole.verdict is outcome.Verdict.HOLDS), seen, figures, pictures, refutation)
+    return Found("refuted", seen, figures, (picture,), refutation)
 
 
 # ---------------------------------------------------------------- ledger.toml
@@ -210,8 +208,6 @@ LEDGER, CLAIMS = "ledger.toml", "claims.py"
 
 FAULTS = (Unfinished, outcome.Disagreement, tally.EnginesDisagree)
 """The faults of this program that refute the claim that meets them."""
-
-BUDGETS: tuple[str, ...] = get_args(Budget)
 
 
 Outcome: TypeAlias = Found | NotChecked | Exception
@@ -335,12 +331,6 @@ class LedgerReport(limits.RowsReport):
         ]
 
 
-def _budget(given: object) -> Budget:
-    if given not in BUDGETS:
-        raise not_one_of("budget", given, BUDGETS)
-    return cast("Budget", given)
-
-
 def _names(given: Iterable[str]) -> tuple[str, ...]:
     return (given,) if isinstance(given, str) else tuple(given)
 
@@ -373,7 +363,7 @@ class LedgerRequest(limits.ListenerOptions, limits.WorkerOptions, kw_only=False)
             "quick|full",
             "How much is checked: the bounds of ledger.toml for quick, or for full.",
         ),
-    ] = Converted(_budget, "quick")
+    ] = Converted(a_word("budget", get_args(Budget)), "quick")
 
 
 @answers(LedgerRequest)
@@ -423,16 +413,12 @@ def _entries(
 def entry_of(claim: Claim, check: Check, means: Means) -> CheckedClaim:
     """Check the claim and return its entry."""
     began = time.monotonic()
-    found = found_by(check, means, claim.scopes[means.budget].bounds)
-    return entry_with(claim, means.budget, found, time.monotonic() - began)
-
-
-def found_by(check: Check, means: Means, bounds: Mapping[str, Any]) -> Outcome:
-    """The outcome of a claim's function, or the fault or error of this program that it met."""
+    found: Outcome
     try:
-        return check(means, **bounds)
+        found = check(means, **claim.scopes[means.budget].bounds)
     except Exception as error:  # noqa: BLE001  # of one claim: the others are checked all the same
-        return error
+        found = error
+    return entry_with(claim, means.budget, found, time.monotonic() - began)
 
 
 def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0) -> CheckedClaim:
@@ -470,8 +456,6 @@ def _ensure_named(option: str, names: Iterable[str], legal: Sequence[str]) -> No
     """Raise InputError, naming the first that is none, unless all of these are claims."""
     for name in names:
         if name not in legal:
-            near = get_close_matches(str(name), legal, 3, 0.4)
-            hint = f"near it are {', '.join(near)}"
-            if not near:
-                hint = f"the first of {len(legal)} are {', '.join(legal[:3])}"
-            raise InputError(f"{option} {show(name)} is no claim; {hint}")
+            some = f"; the first of {len(legal)} are {', '.join(legal[:3])}"
+            hint = did_you_mean(str(name), legal) or some
+            raise InputError(f"{option} {show(name)} is no claim{hint}")

@@ -25,32 +25,15 @@ class MergeRequest(sweep.RowOptions, limits.ListenerOptions):
 
 def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
     """The class of what goes through the units of a verb that a run directory keeps."""
-    match verb:
-        case "check":
-            from allworlds.studies.check.exhaustive import CheckSweep
+    from allworlds.studies.ambiguity.marked_worlds import CensusSweep
+    from allworlds.studies.check.exhaustive import CheckSweep
+    from allworlds.studies.compare.comparison import SameWorlds
+    from allworlds.studies.count import CountSweep
+    from allworlds.studies.fuzz import FuzzSweep
+    from allworlds.studies.worst.all_worlds import SchedulesSweep
 
-            return CheckSweep
-        case "fuzz":
-            from allworlds.studies.fuzz import FuzzSweep
-
-            return FuzzSweep
-        case "compare":
-            from allworlds.studies.compare.comparison import SameWorlds
-
-            return SameWorlds
-        case "worst":
-            from allworlds.studies.worst.all_worlds import SchedulesSweep
-
-            return SchedulesSweep
-        case "count":
-            from allworlds.studies.count import CountSweep
-
-            return CountSweep
-        case "ambiguity census":
-            from allworlds.studies.ambiguity.marked_worlds import CensusSweep
-
-            return CensusSweep
-    raise LookupError(verb)
+    kinds = (CheckSweep, FuzzSweep, SameWorlds, SchedulesSweep, CountSweep, CensusSweep)
+    return next(kind for kind in kinds if kind.verb == verb)
 
 
 def _merged(request: MergeRequest) -> Any:
@@ -163,7 +146,7 @@ def status(request: StatusRequest) -> Standing:
     running = run_directory.in_use(path)
     with run_directory.reading(path) as database, as_recorded(database.identity.code):
         identity = database.identity
-        sweep = sweep_of(identity.verb).known(identity, identity.portion, limits.Silent())
+        sweep = sweep_of(identity.verb).known(identity, identity.portion, limits.NOBODY)
         ended = database.recall("ended") == job_records.ENDED
         began = database.last_session()
         units = worlds = recent = findings = 0

@@ -91,7 +91,7 @@ def run(request: RunRequest) -> single.SingleRun:
         InputError: naming the offending option and what would be legal, or the first choice
             that was not taken.
     """
-    limits = request.patience
+    limits = request.limits
     subject = single.subject_of(request.explore, limits)
     world = request.meant(request.world, subject.lighthouse)
     rules = request.rules_of(subject, kinds.kind_of(world.lighthouse))
@@ -193,7 +193,7 @@ def replay(request: ReplayRequest) -> Replay:
     finding, explore = request.finding, request.explore
     if not isinstance(finding, Finding):
         raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
-    limits = request.patience
+    limits = request.limits
     recorded_trail(finding.world, finding.transcript)
     same = explore is None or explore == finding.explorer
     subject = single.subject_of(finding.explorer if explore is None else explore, limits)
@@ -226,7 +226,7 @@ LARGEST = 200
 
 VARIANTS = {
     BUILT_IN[name].lighthouse: name
-    for name in ("algorithm1", "algorithm1-cluster", "algorithm1-natural")
+    for name in ("algorithm1", "algorithm1-cluster", "algorithm1-natural", "algorithm1-door")
 }
 """Algorithm 1 for each lighthouse that it is written for."""
 
@@ -284,16 +284,6 @@ class Play(Report, kw_only=True):
     def costs(self) -> tuple[CostBeside, ...]:
         """Of others in the same world."""
         return tuple(_costs(self.world))
-
-    @property
-    def not_compared(self) -> str:
-        """A sentence that says whose cost is not compared, and why; empty if each is."""
-        edges, kind = self.world.map.edge_count, self.world.lighthouse.kind
-        if kind not in VARIANTS:
-            return f"Algorithm 1 is not for the {kind} lighthouse."
-        if edges > LARGEST:
-            return f"Algorithm 1 is not run in worlds with more than {LARGEST} edges."
-        return ""
 
 
 class PlayRequest(requests.Request, kw_only=False):

@@ -60,11 +60,9 @@ class Labelling(Struct, frozen=True, rename={"vertices": "names"}):
             raise InvalidWorld(f"name = {show(self.name)} is no printable text")
         first = {name: vertex for vertex, name in reversed([*enumerate(labels.vertices)])}
         for vertex, name in enumerate(labels.vertices):
-            if not name.strip() or not name.isprintable():
-                raise InvalidWorld(f"names[{vertex}] = {show(name)} is no printable text")
-            if first[name] < vertex:
+            if not name.strip() or not name.isprintable() or first[name] < vertex:
                 raise InvalidWorld(
-                    f"names[{vertex}] = {show(name)} is names[{first[name]}], too; names differ"
+                    f"names[{vertex}] = {show(name)} is no printable text of its own"
                 )
         return labels
 

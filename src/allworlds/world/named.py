@@ -6,7 +6,6 @@ counts, and checks, with their provenance and what is expected of them.
 """
 
 import re
-from collections.abc import Iterable
 from functools import cache
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
@@ -36,10 +35,9 @@ from allworlds.world.lighthouses.kinds import (
     GivenLighthouse,
     LighthouseKind,
     kind_of,
-    lighthouse_kind,
 )
 from allworlds.world.lighthouses.marked import Directional
-from allworlds.world.selection import tried_kind
+from allworlds.world.selection import kind_if_any, tried_kind
 from allworlds.world.world import World, at_place
 
 Kind: TypeAlias = Literal["world", "finding", "pair", "counts", "check"]
@@ -230,10 +228,6 @@ def _is_json(text: str) -> bool:
     return text.lstrip().startswith(("{", "["))
 
 
-def _lighthouse(given: GivenLighthouse | None) -> LighthouseKind | None:
-    return None if given is None else lighthouse_kind(given)
-
-
 class WorldOptions(Request):
     """The part of a request that says of a WORLD what its text does not, or names a family."""
 
@@ -255,7 +249,7 @@ class WorldOptions(Request):
             "KIND",
             "The lighthouse, if the world names none [default: the explorer's own].",
         ),
-    ] = Converted(_lighthouse, None)
+    ] = Converted(kind_if_any, None)
     place: Annotated[
         int | None,
         Option(
@@ -266,16 +260,6 @@ class WorldOptions(Request):
             parse=integer_of,
         ),
     ] = None
-
-    def refuse(self, names: Iterable[str], what: str) -> None:
-        """Refuse options that have no effect.
-
-        Raises:
-            InputError: naming the first of these that is given, and ``what`` it has no effect on.
-        """
-        for name in names:
-            if (given := getattr(self, name)) is not None:
-                raise InputError(f"{name} {given} has no effect on {what}")
 
     def meant(self, given: str | World | None, usual: GivenLighthouse) -> World:
         """The world of a text, or the given one, or the one of the family.
@@ -288,18 +272,18 @@ class WorldOptions(Request):
             InputError: naming what is not there, or has no effect.
         """
         kind = tried_kind(usual if self.lighthouse is None else self.lighthouse)
-        if isinstance(given, str):
-            self.refuse(["family"], f"world {show(given)}: it is a world already")
-            # Scripts may name a seed in every run.
-            seed = self.seed if _names_family(given) else None
-            world = world_named(given, kind, seed, self.holes)
-        elif given is not None:
-            world = world_named(given, kind)
-            self.refuse(("family", "holes", "lighthouse"), "a world that is given")
-        elif self.family is not None:
+        if given is None:
+            if self.family is None:
+                raise InputError("there is neither a world nor a family")
             world = World(map_of_family(self.family, self.holes, self.seed or 0), kind)
         else:
-            raise InputError("there is neither a world nor a family")
+            # Scripts may name a seed in every run.
+            seed = self.seed if isinstance(given, str) and _names_family(given) else None
+            world = world_named(given, kind, seed, self.holes)
+            lighthouse = self.lighthouse if isinstance(given, World) else None
+            for name, value in (("family", self.family), ("lighthouse", lighthouse)):
+                if value is not None:
+                    raise InputError(f"{name} {value} has no effect on a world that is given")
         return world if self.place is None else at_place(world, self.place)
 
 

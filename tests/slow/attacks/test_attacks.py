@@ -43,6 +43,7 @@ def tried():
                     yield pytest.param(attack, function, workers, marks=marks, id=name)
 
 
+@pytest.mark.long
 @pytest.mark.early
 @pytest.mark.parametrize(("attack", "function", "workers"), [*tried()])
 def test_an_attack_gets_its_verdict_and_leaves_nothing_behind(attack, function, workers, scene):

@@ -3,6 +3,8 @@
 import json
 import shlex
 
+import pytest
+
 from cli.test_cli import WRONG
 
 
@@ -23,4 +25,27 @@ def test_a_finding_is_replayed_from_its_report_and_from_its_command(cli, tmp_pat
     code, out, _ = cli(*command[1:], "--json")
     again = json.loads(out)["finding"]
     for key in ("law", "world", "transcript", "choices", "expected", "seen", "options"):
+        assert again[key] == finding[key]
+
+
+@pytest.mark.no_cover
+@pytest.mark.usefixtures("without_workers")
+@pytest.mark.parametrize(
+    ("name", "options"),
+    [
+        ("one_schedule", ["--schedules", "all", "--edges", "1"]),
+        ("here_of_another", ["--edges", "3", "--class", "planar", "--policy", "random:5"]),
+        ("everywhere", ["--edges", "2", "--laws", "folding"]),
+        ("right", ["--edges", "2", "--bound", "m", "--laws", "bound,map", "--step-budget", "20"]),
+        ("right", ["--edges", "2", "--bound", "m", "--class", "planar"]),
+    ],
+)
+def test_the_command_of_a_finding_shows_the_same_law(cli, name, options):
+    code, out, _ = cli("check", f"{WRONG}:{name}", *options, "--json")
+    assert code == 1
+    (finding,) = json.loads(out)["findings"]
+    code, out, _ = cli(*shlex.split(finding["reproduce"])[1:], "--json")
+    again = json.loads(out)["finding"]
+    assert code == 1
+    for key in ("law", "world", "transcript", "choices", "expected", "seen"):
         assert again[key] == finding[key]

@@ -39,6 +39,7 @@ def test_every_way_to_grow_ends_in_a_map_and_every_map_can_be_grown(map_class, e
     assert grown == set(all_rooted_maps(edges, map_class))
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @CLASSES
 @pytest.mark.parametrize("edges", [6, 14])

@@ -4,7 +4,7 @@ import pytest
 
 from allworlds.testing import assert_conforms, assert_explores, conformance
 from doors import test_testing as quick
-from doors.test_testing import RIGHT
+from doors.test_testing import RIGHT, wrong
 
 cubic_alone = quick.cubic_alone
 
@@ -28,3 +28,9 @@ def test_under_a_condition_no_part_of_the_kit_leaves_it(cubic_alone):
     assert str(last) == "drawn-maps"
     with pytest.raises(AssertionError, match="crash"):
         last()
+
+
+@pytest.mark.no_cover
+def test_what_conforms_no_longer_is_told_with_the_part():
+    with pytest.raises(AssertionError, match=r"^known-hard-maps: \nFinding 1: "):
+        assert_conforms(wrong(), corpus=None)

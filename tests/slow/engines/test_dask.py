@@ -9,7 +9,7 @@ import pytest
 
 import processes
 from allworlds import check, count, worst
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from clusters import cluster_apart
 from engines import test_dask as quick
 from engines.test_dask import WRONG, distributed
@@ -23,7 +23,7 @@ pytestmark = [
 ]
 
 
-class Interrupts(Silent):
+class Interrupts(Listener):
     def progress(self, worlds):
         raise KeyboardInterrupt
 
@@ -37,7 +37,7 @@ def test_an_interrupt_cancels_what_is_done_elsewhere(here, tmp_path):
     assert check(edges=5, run=tmp_path).to_json() == check(edges=5).to_json()
 
 
-class After(Silent):
+class After(Listener):
     """A listener that does something when so many worlds are done, once."""
 
     def __init__(self, worlds, then):
@@ -81,14 +81,15 @@ SILENCE = 10.0
 
 @pytest.mark.long
 @pytest.mark.parametrize("verb", ["check", long("worst"), long("count")])
-def test_a_worker_that_is_stopped_is_given_up(verb, apart):
+def test_a_worker_that_is_stopped_is_given_up(verb, apart, monkeypatch):
+    monkeypatch.setattr("allworlds.engines.dask.SILENCE", SILENCE)
     job, after = {
         "check": (lambda **more: check(edges=4, engine="python", **more), 300),
         "worst": (lambda **more: worst(edges=4, **more), 30),
         "count": (lambda **more: count(edges=5, **more), 300),
     }[verb]
     stopper = After(after, lambda: apart.workers[0].send_signal(signal.SIGSTOP))
-    report = job(dask=apart.address, dask_timeout=SILENCE, listener=stopper)
+    report = job(dask=apart.address, listener=stopper)
     assert not stopper.then, "nobody was stopped"
     assert report.to_json() == job().to_json()
 
@@ -105,7 +106,10 @@ GOES_AWAY = {
 @pytest.mark.parametrize(
     "what", [name if name == "scheduler killed" else long(name) for name in GOES_AWAY]
 )
-def test_a_cluster_that_goes_away_leaves_what_was_finished(what, apart, tmp_path, capfd):
+def test_a_cluster_that_goes_away_leaves_what_was_finished(
+    what, apart, tmp_path, capfd, monkeypatch
+):
+    monkeypatch.setattr("allworlds.engines.dask.SILENCE", SILENCE)
     which, number, told = GOES_AWAY[what]
     asked = {"edges": 4, "engine": "python", "run": tmp_path / "run"}
 
@@ -114,7 +118,7 @@ def test_a_cluster_that_goes_away_leaves_what_was_finished(what, apart, tmp_path
             process.send_signal(number)
 
     listener = After(300, go)
-    report = check(**asked, dask=apart.address, dask_timeout=SILENCE, listener=listener)
+    report = check(**asked, dask=apart.address, listener=listener)
     assert (report.exit_code, report.levels[:3]) == (3, (1, 2, 3))
     (notice,) = listener.notices
     assert told in notice

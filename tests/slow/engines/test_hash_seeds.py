@@ -5,7 +5,7 @@ import json
 import pytest
 
 from allworlds.engines.lane import GOES_BY_HASHES, SECOND
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.run import replay
@@ -42,7 +42,7 @@ CHECKS = {
 }
 
 
-class Ends(Silent):
+class Ends(Listener):
     """Interrupts the job when it has done so many worlds."""
 
     def __init__(self, worlds):
@@ -106,6 +106,7 @@ def explore(first):
 """
 
 
+@pytest.mark.long
 def test_the_finding_of_a_play_that_another_does_not_repeat_has_both(tmp_path):
     module = tmp_path / "chance.py"
     module.write_text(EVERY_OTHER_TIME)

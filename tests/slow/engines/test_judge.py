@@ -237,6 +237,7 @@ def laws_of(monkeypatch, explore, only):
             yield {found.law for found in played.findings}, {run.law for run in judged}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("only", [None, *LAWS])
 @pytest.mark.parametrize("explore", WRONG, ids=lambda explore: explore.__name__)
 def test_both_judges_find_the_same_law_broken(monkeypatch, explore, only):

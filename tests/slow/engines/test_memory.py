@@ -6,7 +6,7 @@ import tracemalloc
 import pytest
 
 from allworlds import ambiguity, check, worst
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from allworlds.engines.tally import Tally
 from small import long
 
@@ -16,7 +16,7 @@ MOST = 150
 """Bytes a unit: a result is ten times as much."""
 
 
-class Watches(Silent):
+class Watches(Listener):
     """Looks, after every so many parts of units, how much memory is in use."""
 
     def __init__(self, units):

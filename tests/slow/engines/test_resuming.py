@@ -13,7 +13,7 @@ import pytest
 
 import processes
 from allworlds import check
-from allworlds.engines.limits import Silent
+from allworlds.engines.limits import Listener
 from engines.test_resuming import VERBS, wrong
 from kept_jobs import EXPLORERS, stable
 from small import long
@@ -87,7 +87,7 @@ class Ended(BaseException):
     """The process is ended here, and has no time to do anything about it."""
 
 
-class Ends(Silent):
+class Ends(Listener):
     """Ends the process when so many worlds are done."""
 
     def __init__(self, worlds):
@@ -125,7 +125,7 @@ def test_a_job_that_was_ended_goes_on_and_says_the_same(name, tmp_path):
     assert before < units_in(tmp_path / "run")
 
 
-class NoticeOnce(Silent):
+class NoticeOnce(Listener):
     """Does something when the first worlds are done, and hears notices."""
 
     def __init__(self, something):

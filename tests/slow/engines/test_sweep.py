@@ -7,20 +7,15 @@ import pytest
 import allworlds
 from allworlds import fuzz
 from allworlds.engines import sweep
-from allworlds.engines.limits import Silent, TimeIsUp
+from allworlds.engines.limits import Listener, TimeIsUp
 from allworlds.engines.players import Unsettled
 from clusters import cluster_here
 from engines import test_sweep as quick
-from engines.test_sweep import SWEEPS, WRONG
+from engines.test_sweep import KINDS, SWEEPS, WRONG
 
 pytestmark = pytest.mark.usefixtures("compiled", "without_workers")
 
 OTHERS = [name for name in quick.SWEEPS if name not in quick.KINDS]
-
-
-@pytest.mark.parametrize("name", OTHERS)
-def test_as_many_worlds_are_done_in_each_level_as_were_announced(name):
-    quick.test_as_many_worlds_are_done_in_each_level_as_were_announced(name)
 
 
 @pytest.mark.parametrize("name", OTHERS)
@@ -48,6 +43,7 @@ def test_what_was_interrupted_at_several_places_goes_on(name, undisturbed, tmp_p
         assert standing.units.done == standing.units.all
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @pytest.mark.parametrize("name", SWEEPS)
 def test_what_is_sharded_and_merged_is_the_same(name, undisturbed, tmp_path):
@@ -104,7 +100,7 @@ def undisturbed():
     return of
 
 
-class Interrupts(Silent):
+class Interrupts(Listener):
     """Interrupts at the part that comes after so many parts of units, kept ones among them."""
 
     def __init__(self, parts):
@@ -142,6 +138,7 @@ def cluster():
         yield address
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
 @pytest.mark.parametrize("name", SWEEPS)
@@ -156,6 +153,7 @@ def test_what_a_cluster_does_is_the_same_and_goes_on_without_it(
     assert text(job(run=tmp_path)) == undisturbed(name)
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @pytest.mark.parametrize("name", SWEEPS)
 def test_what_was_finished_when_it_was_ended_is_reported(name, undisturbed, monkeypatch):
@@ -189,3 +187,26 @@ def test_the_status_of_every_verb_is_told(name, cli, tmp_path):
     assert code == 0
     assert name.split()[0] in out
     assert "finished" in out
+
+
+class Counts(Listener):
+    """Counts how many worlds were announced for each level, and how many were done."""
+
+    def __init__(self):
+        self.announced, self.done = [], []
+
+    def level(self, edges, worlds):
+        self.announced.append(worlds)
+        self.done.append(0)
+
+    def progress(self, count):
+        self.done[-1] += count
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("name", [*KINDS, *OTHERS])
+def test_as_many_worlds_are_done_in_each_level_as_were_announced(name):
+    heard = Counts()
+    SWEEPS[name](listener=heard)
+    assert sum(heard.done)
+    assert heard.done == heard.announced

@@ -7,7 +7,6 @@ from allworlds.engines.players import GRACE
 from allworlds.judging.findings.finding import Finding
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.run import replay, run
-from engines import test_workers as quick
 from engines.test_workers import EDGE, LOOP, only_finding
 from processes import PATIENCE, SOON
 
@@ -73,6 +72,7 @@ def test_a_walk_that_is_another_one_the_second_time_is_nondeterministic(wrong, n
     assert "walk differs" in finding.seen or "in some plays only" in finding.seen
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("kind", "law", "seen"),
     [
@@ -140,26 +140,6 @@ def test_one_run_of_an_explorer_that_dies_is_a_crash(wrong, name):
 
 
 @pytest.mark.long
-@pytest.mark.early
-@pytest.mark.parametrize(
-    ("name", "law", "seen"),
-    [
-        ("hang", "timeout", "silent for 4 s"),
-        small.long("hang_gil", "timeout", "silent for 4 s"),
-        small.long("hang_regex", "timeout", "silent for 4 s"),
-        ("reads", "crash", "EOFError"),
-        ("closes_and_hangs", "crash", "the process's pipe"),
-        ("sys_exit", "crash", "SystemExit"),
-        ("interrupt", "crash", "KeyboardInterrupt"),
-        ("deep", "crash", "RecursionError"),
-        ("orphan", "crash", "exit code 3"),
-    ],
-)
-def test_the_law_that_is_broken_at_a_vertex_of_degree_1(wrong, name, law, seen):
-    quick.test_the_law_that_is_broken_at_a_vertex_of_degree_1(wrong, name, law, seen)
-
-
-@pytest.mark.long
 def test_an_answer_that_is_another_one_the_second_time_is_nondeterministic(wrong):
     # In three runs both plays may agree by chance; in the 300 of three edges they do not.
     report = check(wrong("by_answer"), edges=3, laws=["map"])
@@ -177,3 +157,31 @@ def test_a_crash_in_one_of_two_plays_is_nondeterministic(wrong):
     assert "crash" in finding.seen
     assert "ZeroDivisionError" in finding.seen
     assert "Traceback" in finding.detail
+
+
+@pytest.mark.early
+@pytest.mark.parametrize(
+    ("name", "law", "seen"),
+    [
+        ("os_exit", "crash", "exit code 0"),
+        ("segfault", "crash", "signal 11"),
+        ("closes", "crash", "end of the process"),
+        ("raises", "crash", "ZeroDivisionError"),
+        ("hang", "timeout", "silent for 4 s"),
+        small.long("hang_gil", "timeout", "silent for 4 s"),
+        small.long("hang_regex", "timeout", "silent for 4 s"),
+        ("reads", "crash", "EOFError"),
+        ("closes_and_hangs", "crash", "the process's pipe"),
+        ("sys_exit", "crash", "SystemExit"),
+        ("interrupt", "crash", "KeyboardInterrupt"),
+        ("deep", "crash", "RecursionError"),
+        ("orphan", "crash", "exit code 3"),
+    ],
+)
+def test_the_law_that_is_broken_at_a_vertex_of_degree_1(wrong, name, law, seen):
+    finding = only_finding(wrong(name))
+    assert finding.law == law
+    assert finding.world == EDGE
+    assert seen in finding.seen
+    assert finding.transcript.steps == ()
+    assert finding.confirmed

@@ -104,6 +104,7 @@ def test_it_may_say_that_several_worlds_look_alike():
     assert (finding.expected, finding.seen) == (other.expected, other.seen)
 
 
+@pytest.mark.long
 @pytest.mark.processes
 @pytest.mark.early
 @pytest.mark.no_cover

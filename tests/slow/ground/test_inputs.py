@@ -8,7 +8,9 @@ draws others.
 import pytest
 
 from ground import test_inputs as quick
-from ground.test_inputs import ALL, PART, keep_the_law
+from ground.cases import cases
+from ground.law import tried
+from ground.test_inputs import ALL, PART, QUICK, SEED
 from small import long
 
 folder = quick.folder
@@ -20,3 +22,13 @@ pytestmark = pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("first", [0, *map(long, range(PART, ALL, PART))])
 def test_every_input_is_answered_or_refused_in_one_line(first, folder):
     keep_the_law(range(first, first + PART), folder)
+
+
+def keep_the_law(numbers, folder):
+    for name, case in cases(SEED, numbers):
+        broken = tried(case, folder)
+        assert not broken, f"case {name}: {', '.join(broken)}\n{case}"
+
+
+def test_an_input_is_answered_or_refused_in_one_line(folder):
+    keep_the_law(range(QUICK), folder)

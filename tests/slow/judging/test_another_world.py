@@ -2,6 +2,9 @@
 
 import pytest
 
+from allworlds.corpus.explorers import WRONG_EXPLORERS
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.explain import explain
 from judging import test_another_world as quick
 from small import long
 
@@ -11,3 +14,12 @@ def test_in_every_small_world_and_for_every_short_walk_it_is_another_and_senses_
     quick.test_in_every_small_world_and_for_every_short_walk_it_is_another_and_senses_the_same(
         map_class
     )
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("mutant", WRONG_EXPLORERS, ids=lambda mutant: mutant.name)
+def test_findings_of_folding_name_it_and_no_others_do(mutant):
+    for finding in check(mutant.explorer(), edges=3, max_findings=3).findings:
+        told = explain(finding)
+        assert (told.other is not None) == (finding.law == "folding")
+        assert (told.to_json()["other"] is not None) == (finding.law == "folding")

@@ -24,6 +24,7 @@ def certificates(proofs_):
     return sorted(json.loads((proofs_ / "manifest.json").read_text()))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", range(8))
 def test_a_certificate_with_one_byte_changed_makes_the_check_fail(copied, seed):
     chance = random.Random(seed)

@@ -67,6 +67,7 @@ EASY = [contradiction, empty_clause, widened, nothing_else, appended]
 """A formula that has no model, but not because of what it should say; and its short proof."""
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     ("name", "damage"),
     [*((name, damage) for name in QUICK for damage in EASY), *((n, contradiction) for n in LARGE)],

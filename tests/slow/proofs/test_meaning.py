@@ -53,6 +53,7 @@ SAMPLED = [
 ]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("lighthouse", "map_class", "edges"), SAMPLED)
 def test_nor_any_of_a_sample_of_larger_ones(checkers, meant, lighthouse, map_class, edges):
     assert require_meaning(checkers, meant, lighthouse, map_class, (edges, edges), sample=8) == 8

@@ -23,6 +23,7 @@ def test_the_default_job_has_8954_worlds():
     assert (report.worlds, report.runs, report.verdict) == (8954, 50727, Verdict.HOLDS)
 
 
+@pytest.mark.long
 @pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(

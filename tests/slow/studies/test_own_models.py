@@ -23,6 +23,7 @@ def counts(report):
     return json.dumps({k: told[k] for k in ("verdict", "scope", "rows", "witnesses", "findings")})
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("asked", [ASKED, WRONG], ids=["holds", "refuted"])
 def test_workers_and_run_directories_change_nothing(folder, asked):
     one = allworlds.check("mine.py:walks", workers=1, **asked)

@@ -2,12 +2,12 @@
 
 import pytest
 
+from allworlds.engines.kernel.capabilities import MOST_EDGES
 from allworlds.engines.units import level_size
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.reports.formats import text as text_of
-from allworlds.studies.check.exhaustive import estimate
-from studies.test_time_estimate import measured
+from allworlds.studies.check.exhaustive import Guess, estimate, worlds_of
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -69,6 +69,7 @@ def test_what_larger_checks_take_is_told_too(asked, rates, expected, monkeypatch
         assert line.split()[:2] == [str(guess.edges), f"{guess.worlds:,}"]
 
 
+@pytest.mark.long
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("engine", ["kernel", "python"])
 def test_an_estimate_is_about_all_worlds(engine, monkeypatch):
@@ -80,3 +81,25 @@ def test_an_estimate_is_about_all_worlds(engine, monkeypatch):
     assert guess.seconds == round(guess.worlds / guess.rate, 1)
     assert "for 792 worlds: a guess" in text_of(guess, 100)
     assert estimate(edges=4, engine=engine, shard=(0, 4)).worlds == guess.worlds // 4
+
+
+def measured(*rates):
+    """A function in place of a sample, which returns these rates one after the other."""
+    left = iter(rates)
+
+    def estimated(job, engine):
+        edges, worlds = job.scope.extent.levels[-1], worlds_of(job)
+        return Guess(edges=edges, engine=engine.name, worlds=worlds, sampled=9, rate=next(left))
+
+    return estimated
+
+
+def test_nothing_larger_is_told_where_there_is_nothing_or_too_much(monkeypatch):
+    for asked in (
+        {"map_class": "simple", "vertices": 3},
+        {"edges": MOST_EDGES, "engine": "kernel", "vertices": 2},
+        {"edges": 16},
+        {"map_class": "simple", "vertices": 3, "edges": 3},
+    ):
+        monkeypatch.setattr("allworlds.studies.check.exhaustive.estimated", measured(1.0, 1.0))
+        assert estimate(**asked).larger == ()

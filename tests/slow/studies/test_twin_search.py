@@ -12,7 +12,6 @@ from allworlds.world import Compass, Directional, Nothing, Position, World
 from allworlds.world.bisimulation import same_world_from, sensed
 from searches import question
 from small import long
-from studies import test_twin_search as quick
 from studies.test_twin_search import needs_python_sat, sizes
 
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
@@ -158,17 +157,6 @@ def test_with_every_other_start_excluded_a_level_has_a_pair_where_enumeration_ha
     assert solved.status == ("sat" if there else "unsat")
 
 
-@pytest.mark.no_cover
-@pytest.mark.parametrize(
-    ("map_class", "edges", "found"),
-    [long("planar-simple", 8, (8, 7))],
-)
-def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class, edges, found):
-    quick.test_the_smallest_pair_is_found_with_the_position_marked(
-        tmp_path, map_class, edges, found
-    )
-
-
 @pytest.mark.long
 @pytest.mark.no_cover
 @needs_python_sat
@@ -198,3 +186,22 @@ def test_where_there_is_no_pair_every_level_has_a_checked_proof(
         clauses = [tuple(map(int, line[:-1])) for line in lines if line[0] not in {"c", "p"}]
         check_lrat(clauses, found.proof.read_text().splitlines())
         assert read_dimacs(found.formula)[1] == clauses
+
+
+# Smallest pairs with the position marked: any map m = 2, simple m = 6, planar simple m = 8.
+@pytest.mark.no_cover
+@pytest.mark.parametrize(
+    ("map_class", "edges", "found"),
+    [
+        ("maps", 2, (2, 1)),
+        ("planar", 3, (3, 1)),
+        ("simple", 6, (6, 4)),
+        long("planar-simple", 8, (8, 7)),
+    ],
+)
+def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class, edges, found):
+    bounds = {"vertices": 9, "map_class": map_class, "out": tmp_path}
+    result = allworlds.search(lighthouse="position", edges=edges, **bounds)
+    assert (result.status, result.exit_code) == ("sat", 0)
+    assert sizes(result) == [found, found]
+    assert [found.status for found in result.levels].count("unsat") >= edges - 1

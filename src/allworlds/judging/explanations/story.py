@@ -15,7 +15,6 @@ from allworlds.maps.combinatorial import (
     CombinatorialMap,
     Dart,
     InvalidMap,
-    Mismatch,
     isomorphism,
     rooted_isomorphism,
 )
@@ -271,7 +270,7 @@ def _glued_crosswise(belief: Belief) -> Slip | None:
         names = rooted_isomorphism(mended, answer.here, world, robot)
         if not names and with_wrong_place is None:
             here, names = None, isomorphism(mended, world)
-        if isinstance(names, Mismatch):
+        if names is None:
             continue
         sentence = _say_crosswise(belief, [(names[a], names[b]) for a, b in wrong])
         slip = Slip("edges crossed", sentence, mended, world, here)

@@ -77,8 +77,6 @@ def _headline(report: LedgerReport) -> parts.Headline | None:
     # The reasons why claims were not checked, each with the number of its claims.
     reasons = Counter(one.told for one in report.claims if one.standing == "not-checked")
     needed = "; ".join(f"{words.number(count)}: {reason}" for reason, count in reasons.items())
-    if len(reasons) == 1:
-        (needed,) = reasons
     outcomes = (
         (held, "holds" if held == 1 else "hold"),
         (refuted, f"{'is' if refuted == 1 else 'are'} refuted, as expected"),

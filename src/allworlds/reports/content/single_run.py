@@ -181,7 +181,7 @@ def _quotient(answer: Ambiguous) -> list[Block]:
 
 
 LONGEST_LIST = 60
-"""The choices of a longer list are shown from both ends."""
+"""Of a longer list of choices the first are shown."""
 
 
 def headline_of(finding: Finding) -> str:
@@ -300,13 +300,10 @@ def answer_view(world: World, answer: Estimate, transcript: Any, trail: Any) -> 
 
 
 def _remarks(finding: Finding, origin: str, *, checked: bool) -> Iterator[tuple[str, str]]:
-    if finding.choices:  # of many the first and the last
-        taken = [*map(str, finding.choices)]
-        if len(taken) > LONGEST_LIST:
-            half = LONGEST_LIST // 2
-            between = f"... ({words.number(len(taken) - 2 * half)} more) ..."
-            taken = [*taken[:half], between, *taken[-half:]]
-        yield "choices", ", ".join(taken)
+    if finding.choices:
+        shown, more = finding.choices[:LONGEST_LIST], len(finding.choices) - LONGEST_LIST
+        rest = f", and {words.number(more)} more" if more > 0 else ""
+        yield "choices", ", ".join(map(str, shown)) + rest
     if checked:
         confirmed = "no"
         if finding.confirmed:

@@ -15,7 +15,6 @@ from allworlds.document import replace
 from allworlds.maps.combinatorial import (
     CombinatorialMap,
     Dart,
-    Mismatch,
     cycles,
     isomorphism,
     unrooted_code,
@@ -190,7 +189,7 @@ def layout(map_: CombinatorialMap, root: Dart) -> Layout:
         same = CombinatorialMap.trusted(*unrooted_code(map_))
         if ways := _ways(same):
             names = isomorphism(map_, same)
-            assert not isinstance(names, Mismatch)
+            assert names is not None
             return _finished(map_, root, [ways[names[dart]] for dart in map_.darts])
     return _finished(map_, root, _round_a_circle(map_))
 
@@ -359,10 +358,9 @@ def mirror_of(map_: CombinatorialMap, other: CombinatorialMap) -> dict[Dart, Dar
 
     A map that is the other one is no mirror image here, even if it is its own.
     """
-    if not isinstance(isomorphism(map_, other), Mismatch):
+    if isomorphism(map_, other):
         return {}
-    names = isomorphism(map_.mirrored(), other)
-    return {} if isinstance(names, Mismatch) else dict(enumerate(names))
+    return dict(enumerate(isomorphism(map_.mirrored(), other) or ()))
 
 
 def layout_like(

@@ -30,11 +30,6 @@ class PlanarMap(Struct, frozen=True):
     own: int
     unbent: int
 
-    @property
-    def crossings(self) -> int:
-        """The number of crossings of edges."""
-        return (self.unbent - self.own) // 4
-
     def way(self, dart: Dart) -> list[Dart]:
         """The darts along the edge that begins with the dart, both ends of each piece."""
         way = [dart, self.alpha[dart]]
@@ -53,7 +48,7 @@ def planar(map_: CombinatorialMap) -> PlanarMap:
     edges = map_.edges
     tries = min(len(edges), TRIES) if map_.genus else 1
     orders = (edges[i:] + edges[:i] for i in range(tries))
-    return min((_drawn(map_, order) for order in orders), key=lambda drawn: drawn.crossings)
+    return min((_drawn(map_, order) for order in orders), key=lambda drawn: drawn.unbent)
 
 
 def _drawn(map_: CombinatorialMap, order: Sequence[tuple[Dart, Dart]]) -> PlanarMap:

@@ -91,23 +91,20 @@ def _angles(
     # The first of a bundle of parallel edges; where all are one, its last at the other end.
     firsts = (b for a, b in pairwise([lines[-1], *lines]) if ends[a] != ends[b])
     lasts = (d for d in lines if owner[alpha[map_.sigma[alpha[d]]]] != here)
-    last = first = next(chain(firsts, lasts))
-    turn, groups = 0.0, dict[float, list[Dart]]()
-    at = around.index(first)
+    at = around.index(next(chain(firsts, lasts)))
+    groups = list[list[Dart]]()
     for dart in chain(around[at:], around[:at]):
-        if ends[dart] not in (here, ends[last]):
-            turn += phase(towards[dart] / towards[last]) % tau
-            last = dart
-        groups.setdefault(turn, []).append(dart)
-    whole = turn + phase(towards[first] / towards[last]) % tau
-    if turn and not isclose(whole, tau):
+        if dart in towards and (not groups or ends[dart] != ends[groups[-1][0]]):
+            groups.append([])
+        groups[-1].append(dart)
+    ways = [towards[darts[0]] for darts in groups]
+    gaps = [phase(b / a) % tau for a, b in pairwise([*ways, ways[0]])] if len(ways) > 1 else [tau]
+    if not isclose(sum(gaps), tau):
         return
-    turns = [*groups]
-    gaps = [after - before for before, after in pairwise([turns[-1] - tau, *turns, tau])]
-    for (turn, darts), before, after in zip(groups.items(), gaps, gaps[1:], strict=False):
+    for darts, way, before, after in zip(groups, ways, [gaps[-1], *gaps], gaps, strict=False):
         straight = [i for i, dart in enumerate(darts) if dart in towards]
         middle = (straight[0] + straight[-1]) / 2
         outermost = max(middle, len(darts) - 1 - middle, 0.5)
         apart = min(APART, 0.4 * min(before, after) / outermost)
         for i, dart in enumerate(darts):
-            yield dart, phase(towards[first]) + turn + apart * (i - middle)
+            yield dart, phase(way) + apart * (i - middle)

@@ -47,15 +47,13 @@ def tag(name: str, /, *children: Child, **attributes: str | float | None) -> ET.
     for key, value in attributes.items():
         if value is not None:
             element.set(key.rstrip("_").replace("_", "-"), legal(escaped(str(value))))
-    last: ET.Element | None = None
     for child in children:
         if isinstance(child, ET.Element):
             element.append(child)
-            last = child
-        elif last is None:
-            element.text = (element.text or "") + legal(escaped(child))
+        elif len(element):
+            element[-1].tail = (element[-1].tail or "") + legal(escaped(child))
         else:
-            last.tail = (last.tail or "") + legal(escaped(child))
+            element.text = (element.text or "") + legal(escaped(child))
     if name not in _INLINE:
         element.tail = "\n"
     return element
@@ -172,6 +170,9 @@ def in_words(scene: Scene) -> str:
         )
         sentences.append(f"Clockwise round {vertices[vertex]} its darts lead: {', '.join(ways)}.")
     sentences += [f"Markers at {vertices[v]}: {marks}." for v, marks in sorted(scene.marks.items())]
+    if scene.letters:
+        marks = ", ".join(f"{k} by {darts[d]}" for d, k in sorted(scene.letters.items()))
+        sentences.append(f"Marks that are sensed by single darts: {marks}.")
     if scene.pointed:
         sentences.append(f"Pointed darts: {', '.join(darts[d] for d in sorted(scene.pointed))}.")
     if scene.labels is not None:
@@ -252,6 +253,8 @@ def _number(scene: Scene, dart: Dart, place: complex) -> ET.Element:
     if scene.labels is not None:
         text.append(tag("tspan", scene.labels[dart], class_="letter"))
         colour = f" class-{sorted(set(scene.labels)).index(scene.labels[dart]) % COLOURS}"
+    if dart in scene.letters:
+        text.append(tag("tspan", f"●{scene.letters[dart]}", class_="letter"))
     wide, high = _width(scene, dart) + 4, HIGH + 2
     left, top = rounded(-wide / 2), rounded(-high / 2)
     box = tag("rect", class_="box", x=left, y=top, width=wide, height=high, rx=3)
@@ -273,7 +276,8 @@ def _number(scene: Scene, dart: Dart, place: complex) -> ET.Element:
 def _width(scene: Scene, dart: Dart) -> float:
     """Width in pixels of the dart's number with its letter."""
     letters = "" if scene.labels is None else scene.labels[dart]
-    return 4.0 + 7.0 * len(scene.dart_names[dart] + letters)
+    marks = f"●{scene.letters[dart]}" if dart in scene.letters else ""
+    return 4.0 + 7.0 * len(scene.dart_names[dart] + letters + marks)
 
 
 def _clockwise(along: Sequence[complex]) -> ET.Element:
@@ -341,14 +345,10 @@ def draw(shown: CombinatorialMap | World) -> Drawing:
     Raises:
         InputError: for anything else.
     """
-    match shown:
-        case World():
-            scene, map_ = scene_of(shown), shown.map
-        case CombinatorialMap():
-            scene, map_ = Scene(shown), shown
-        case _:
-            raise InputError(f"{show(shown)} is neither a CombinatorialMap nor a World")
-    where = size(map_.edge_count, map_.vertex_count)
+    if not isinstance(shown, CombinatorialMap | World):
+        raise InputError(f"{show(shown)} is neither a CombinatorialMap nor a World")
+    scene = scene_of(shown) if isinstance(shown, World) else Scene(shown)
+    where = size(scene.map.edge_count, scene.map.vertex_count)
     title = f"A {'world' if isinstance(shown, World) else 'map'} with {where}"
     style = (files("allworlds.reports.drawing") / "alone.css").read_text(encoding="utf-8")
 

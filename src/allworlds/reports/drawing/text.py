@@ -12,12 +12,9 @@ printed numbers.
 
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TypeVar
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.reports.parts import Scene
-
-T = TypeVar("T")
 
 LONGEST_ROW = 40
 """Of more vertices in a table, and of more darts of a vertex, both ends are shown."""
@@ -31,6 +28,7 @@ _LEGEND = {
     "→": "a→v.b the other end of dart a is dart b of v",
     "┼": "┼ arcs cross, no vertex",
     "●": "● marker",
+    "●k": "●k k marks for who comes in by this dart",
     "▲": "▲ dart where the bearing is 0",
     "S": "S start",
     "R": "R robot at the end",
@@ -94,30 +92,28 @@ def rotation_table(scene: Scene, width: int = 80) -> str:
         other = map_.alpha[dart]
         return f"{signs}{dart}{label}→{shown[map_.vertex_of[other]]}.{other}"
 
-    def row(group: list[Dart]) -> list[str]:
-        first, left_out, last = _ends(group)
-        more = [f"({len(left_out):,} darts more)"] if left_out else []
-        texts = [*map(entry, first), *more, *map(entry, last)]
-        return [names[map_.vertex_of[group[0]]], str(len(group)), *texts]
-
-    head, between, tail = _ends(_groups(map_, scene.start))
-    rows = [*map(row, head), *map(row, tail)]
+    rows = []
+    for group in _groups(map_, scene.start):
+        darts = _cut([*map(entry, group)], "darts")
+        rows.append([names[map_.vertex_of[group[0]]], str(len(group)), *darts])
     name, degree = (max(len(row[i]) for row in rows) for i in (0, 1))
     cell = max(len(text) for row in rows for text in row[2:])
     lines = [
         "  ".join([v.ljust(name), d.rjust(degree), *(text.ljust(cell) for text in texts)]).rstrip()
         for v, d, *texts in rows
     ]
-    if between:
-        darts = sum(map(len, between))
-        lines.insert(len(head), f"... ({len(between):,} vertices more, with {darts:,} darts)")
+    lines = _cut(lines, "vertices")
     return "\n".join([*lines, "", _legend({"→"}, scene, width)])
 
 
 def _signed(scene: Scene) -> dict[str, Sequence[Dart]]:
     """The signs of single darts, each with its darts."""
     robot = () if scene.robot is None else (scene.robot,)
-    return {"▲": tuple(scene.pointed), "S": (scene.start,), "R": robot}
+    marked: dict[str, Sequence[Dart]] = {
+        f"●{marks}": [dart for dart, its in scene.letters.items() if its == marks]
+        for marks in sorted(set(scene.letters.values()))
+    }
+    return {**marked, "▲": tuple(scene.pointed), "S": (scene.start,), "R": robot}
 
 
 def _groups(map_: CombinatorialMap, root: Dart) -> list[list[Dart]]:
@@ -137,12 +133,12 @@ def _groups(map_: CombinatorialMap, root: Dart) -> list[list[Dart]]:
     return groups
 
 
-def _ends(items: list[T]) -> tuple[list[T], list[T], list[T]]:
-    """The first items, those that are left out, and the last ones."""
-    if len(items) <= LONGEST_ROW:
-        return items, [], []
+def _cut(texts: list[str], what: str) -> list[str]:
+    """The texts; of many the first and the last, and how many are between them."""
+    if len(texts) <= LONGEST_ROW:
+        return texts
     half = LONGEST_ROW // 2
-    return items[:half], items[half : len(items) - half], items[len(items) - half :]
+    return [*texts[:half], f"... ({len(texts) - 2 * half:,} {what} more)", *texts[-half:]]
 
 
 def _turned(map_: CombinatorialMap, first: Dart) -> list[Dart]:
@@ -199,6 +195,7 @@ def _legend(signs: set[str], scene: Scene, width: int) -> str:
     signs |= {"●"} if any(scene.marks.values()) else set()
     signs |= {"a"} if scene.labels is not None else set()
     signs |= {sign for sign, darts in _signed(scene).items() if darts}
+    signs |= {"●k"} if scene.letters else set()
     # Spaces within an item hold together; only between items may the line break.
     said = [text for sign, text in _LEGEND.items() if sign in signs]
     items = [text.replace(" ", "\0") for text in [*said, *scene.cut_names(LONGEST_NAME)]]

@@ -50,10 +50,9 @@ def play_content(play: Play) -> ReportContent:
         ShownWalk("Your walk", walked, [View("world", "The world", scene, walked.walked)])
     ]
     if play.transcript.steps:
-        rows: list[list[Cell]] = [["you", play.transcript.cost]]
-        rows += [[NAMES[one.who], one.cost] for one in play.costs]
+        rows: list[list[Cell]] = [["you", play.transcript.cost], *costs_data(play)["others"]]
         blocks += [Table(["walked by", "traversals"], rows, "Costs in this world")]
-        blocks += [Paragraph(f"{LEAST} {play.not_compared}".rstrip())]
+        blocks += [Paragraph(LEAST)]
     headline = Headline("PLAYED", plural(play.transcript.cost, "traversal"))
     return ReportContent("allworlds play", "you", play, headline, [Section("walk-1", "", blocks)])
 
@@ -112,7 +111,4 @@ def world_data(world: World) -> dict[str, Any]:
 
 def costs_data(play: Play) -> dict[str, Any]:
     """The costs of others for the script, and what is to be said of them."""
-    return {
-        "others": [[NAMES[one.who], one.cost] for one in play.costs],
-        "said": f"{LEAST} {play.not_compared}".rstrip(),
-    }
+    return {"others": [[NAMES[one.who], one.cost] for one in play.costs], "said": LEAST}

@@ -1,14 +1,16 @@
 """A check, level by level to a report, in worlds of the user's own, too; and how long it takes."""
 
 import time
+from collections.abc import Callable
 from contextlib import suppress
+from functools import cache
 from itertools import islice
 from random import Random
 from typing import Annotated, Any, TypeAlias
 
 from typing_extensions import override
 
-from allworlds import document as doc, outcome, words
+from allworlds import document as doc, outcome
 from allworlds.engines import limits, players, single, tally, units
 from allworlds.engines.engine_table import (
     ENGINES,
@@ -20,10 +22,11 @@ from allworlds.engines.engine_table import (
     why_not_compiled,
 )
 from allworlds.engines.job_records import Identity
+from allworlds.engines.limits import deadline_after
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import answers
 from allworlds.judging.findings.finding import labelled
-from allworlds.maps import classes, count_source
+from allworlds.maps import classes
 from allworlds.studies.check import tally_sweep
 from allworlds.studies.check.report import (
     CheckReport,
@@ -46,7 +49,7 @@ def check(request: CheckRequest) -> CheckReport:
         InputError: naming the offending option and what would be legal.
     """
     run, corpus = request.run, request.corpus
-    job, chosen = _job(request, keep=request.max_findings)
+    job, chosen = _job(request, request.listener.notice, request.max_findings)
     sweep = CheckSweep(request, job, chosen)
     if run is not None and corpus is not None:
         raise InputError(
@@ -67,28 +70,31 @@ def estimate(request: CheckRequest) -> "TimeEstimate":
     """
     if request.given is not None:
         raise InputError(f"estimate is of a class, and not of {request.given.words}")
-    heard = doc.replace(request, listener=limits.NoticeOnce(request.listener))
-    job, chosen = _job(heard)
+    once = cache(request.listener.notice)
+    job, chosen = _job(request, once)
     guess, larger = estimated(job, chosen), tuple[Guess, ...]()
     if guess.rate and (extent := one_larger(job)):
         # What an engine cannot do ends the table.
         with suppress(InputError):
-            larger = (estimated(*_job(doc.replace(heard, edges=extent.edges))),)
+            larger = (estimated(*_job(doc.replace(request, edges=extent.edges), once)),)
     counted = units.is_counted(job.scope.extent)
     first = {name: getattr(guess, name) for name in guess.__struct_fields__}
     return TimeEstimate(explorer=job.subject.name, larger=larger, counted=counted, **first)
 
 
-def _job(request: CheckRequest, keep: int = 1) -> tuple[Job, EngineKind]:
+def _job(
+    request: CheckRequest, notice: Callable[[str], None], keep: int = 1
+) -> tuple[Job, EngineKind]:
     """The job of a request, and the engine for it."""
-    limits, notice = request.limits, request.listener.notice
+    limits = request.limits
     subject = single.subject_of(request.explore, limits)
     scope = units.Scope(request.extent, request.rules(subject), request.schedules, request.shard)
     if scope.schedules == "all" and not subject.takes_choices:
         raise InputError(f"schedules 'all' needs an explorer with choices; {subject.name} has none")
     if request.engine == "auto" and (why := why_not_compiled(scope, subject, limits.memory)):
         notice(why)
-    job = Job(scope, subject, limits, keep, limits.deadline(), notice, request.cluster)
+    deadline = deadline_after(limits.time_limit)
+    job = Job(scope, subject, limits, keep, deadline, notice, request.dask)
     return job, engine_for(request.engine, scope, subject, limits.memory)
 
 
@@ -135,13 +141,8 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
 
     @override
     def begin(self) -> outcome.Ending | None:
-        """Try past findings, and announce the estimated time of a long check to a listener."""
+        """Try past findings."""
         job, corpus = self.job, self._corpus
-        if not isinstance(self.listener, limits.Silent) and is_worth_a_guess(job, self._engine):
-            seconds = estimated(job, self._engine).seconds
-            if seconds is not None and seconds > LONG:
-                said = f"this will take about {words.duration(seconds)}: a guess from a sample"
-                self.listener.notice(said)
         if corpus is not None:
             past = corpus.retry(job.subject, job.limits, self.scope)
             self._tally.findings = past[: job.keep]
@@ -219,14 +220,8 @@ MOST_SECONDS = 4.0
 """Seconds that it takes at most, besides compiling, once on a machine; samples are at most two.
 Where no piece is done by then there is no guess."""
 
-PIECE = {"python": 200, "compiled": 200_000}
-"""The most worlds in a piece of the sample, by the player."""
-
-MANY = {"python": 20_000, "compiled": 100_000_000}
-"""Checks of more worlds begin with an estimate."""
-
-LONG = 60.0
-"""Seconds; of longer checks it is said how long they will take."""
+FEW, MANY = 200, 200_000
+"""The most worlds in a piece of the sample, played in Python, or by compiled code."""
 
 LONGEST = 1e300
 """Seconds; what takes longer is said to take as long."""
@@ -298,26 +293,11 @@ class TimeEstimate(doc.Report, _Lasting):
     counted: doc.NotInDocument[bool] = True
 
 
-def _plays(job: Job, engine: EngineKind) -> str:
-    """``compiled`` if compiled code plays the runs; else ``python``, for programs too."""
-    slow = job.subject.from_user and not job.subject.compiled
-    return "python" if slow or engine.name == "python" else "compiled"
-
-
 def worlds_of(job: Job) -> int:
     """The number of worlds to be tried; for a shard an estimate."""
     extent = job.scope.extent
     worlds = sum(units.level_size(extent, edges) for edges in extent.levels)
     return worlds // job.scope.portion.count
-
-
-def is_worth_a_guess(job: Job, engine: EngineKind) -> bool:
-    """Whether a check may be long, and has no limit of time; its worlds are soon counted."""
-    extent = job.scope.extent
-    if count_source.source_of(extent) is None:
-        return False  # how many worlds there are is not known
-    soon = job.limits.time_limit is None and job.scope.extent.levels[-1] <= COUNTABLE
-    return soon and worlds_of(job) > MANY[_plays(job, engine)]
 
 
 def estimated(job: Job, engine: EngineKind) -> Guess:
@@ -329,8 +309,9 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
     ready = engine.ready(doc.replace(job, deadline=time.monotonic() + MOST_SECONDS))
     extent, draw = job.scope.extent, Random(0)  # noqa: S311  # the same pieces each time
     sampled, began, ended = 0, 0.0, 0.0
+    slow = engine.name == "python" or (job.subject.from_user and not job.subject.compiled)
     try:
-        drawn = units.drawn_units(extent, extent.levels[-1], PIECE[_plays(job, engine)], draw)
+        drawn = units.drawn_units(extent, extent.levels[-1], FEW if slow else MANY, draw)
         with ready.transport as transport:
             for part in transport.map(ready.engine, islice(drawn, PIECES)):
                 now = time.monotonic()

@@ -6,7 +6,7 @@ witnesses, and the most expensive runs.
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Literal, TypeAlias, get_args
 
 from typing_extensions import override
 
@@ -30,13 +30,13 @@ from allworlds.document import (
 from allworlds.engines import engine_table, lane, single, sweep
 from allworlds.engines.limits import (
     ClusterOptions,
-    EndedReport,
     Limits,
     ListenerOptions,
     RunDirectoryOptions,
+    positive,
 )
 from allworlds.engines.tally import Tally
-from allworlds.engines.units import WHOLE, Sample, Scope, Shard, ShardOptions
+from allworlds.engines.units import WHOLE, Sample, Scope, ShardOptions, cells_of_level
 from allworlds.explorers import loading, sources
 from allworlds.inputs import checks, requests
 from allworlds.judging.findings.finding import Finding, labelled
@@ -48,7 +48,7 @@ from allworlds.maps.build import named_map
 from allworlds.maps.classes import DEFAULT_EDGES, ClassOptions, Condition, Extent, ExtentOptions
 from allworlds.notations.given import GivenOptions
 from allworlds.outcome import Completed, Verdict
-from allworlds.protocol.choices import Schedule, a_schedule
+from allworlds.protocol.choices import Schedule
 from allworlds.studies.check import tally_sweep
 from allworlds.world import selection
 from allworlds.world.world import World
@@ -89,13 +89,6 @@ class ManyWorlds(ListenerOptions, Limits, RuleOptions, selection.LighthouseOptio
         return replace(rules, shared_file=shared_file(subject.name, rules, where))
 
 
-def _max_findings(given: object) -> int:
-    number = checks.an_integer("max-findings", given)
-    if number < 1:
-        raise checks.InputError(f"max-findings {checks.show(number)} is not positive and finite")
-    return number
-
-
 class CheckRequest(
     RunDirectoryOptions,
     ClusterOptions,
@@ -126,7 +119,7 @@ class CheckRequest(
             "all: every sequence of choices, for an explorer that takes choices.",
             document_type=Annotated[Schedule, about("the policy's, or every sequence of choices")],
         ),
-    ] = requests.Converted(a_schedule, "one")
+    ] = requests.Converted(checks.a_word("schedules", get_args(Schedule)), "one")
     engine: Annotated[
         str,
         requests.Option(
@@ -144,7 +137,7 @@ class CheckRequest(
             "Stop after the level with the K-th finding (the smallest of each law and map counts).",
             parse=checks.integer_of,
         ),
-    ] = requests.Converted(_max_findings, 1)
+    ] = requests.Converted(positive("max-findings"), 1)
     corpus: Annotated[
         str | Path | None,
         requests.Option(
@@ -190,16 +183,15 @@ def count_gate(extent: classes.Extent, edges: int, tally: Tally) -> list[GateCel
     source = count_source.source_of(extent)
     if source is None:
         return []
-    counted = source.cells(edges)
     cells = [
         GateCell(
             edges=edges,
             vertices=vertices,
             enumerated=row.worlds if (row := tally.rows.get((edges, vertices))) else 0,
-            counted=counted.get(vertices, 0),
+            counted=counted,
             source=source.name,
         )
-        for vertices in range(1, extent.vertex_limit(edges) + 1)
+        for vertices, counted in cells_of_level(extent, edges).items()
     ]
     return [cell for cell in cells if cell.enumerated or cell.counted]
 
@@ -218,7 +210,8 @@ def missing_witnesses(
     """
     simple, last = extent.map_class.simple, extent.levels[-1]
     required = {event for event, least in SMALLEST.items() if extent.include(named_map(least))}
-    for event, least in subject.witnesses.items() if task.is_map and extent.where is None else ():
+    own = subject.own if task.is_map and extent.where is None else None
+    for event, least in own.witnesses.items() if own else ():
         match least[simple]:
             case (edges, vertices) if edges <= last and vertices <= extent.vertex_limit(last):
                 required.add(event)
@@ -281,7 +274,7 @@ class CheckRow(Document):
     bound: Annotated[int | None, about("the largest bound of a run; null without a bound")]
 
 
-class CheckReport(EndedReport):
+class CheckReport(sweep.PortionReport):
     """Report of 'check' and of 'fuzz'.
 
     What a check has seen, and what follows from it.
@@ -293,8 +286,6 @@ class CheckReport(EndedReport):
     explorer: Annotated[Text, about("its name")]
     engine: Annotated[engine_table.EngineName, about("the engine that ran")]
     asked: NotInDocument[Scope]
-    request: NotInDocument[Any]
-    extent: NotInDocument[classes.Extent]
     tally: NotInDocument[Tally]
     levels: NotInDocument[tuple[int, ...]]
     cells: NotInDocument[tuple[GateCell, ...]] = ()
@@ -323,7 +314,6 @@ class CheckReport(EndedReport):
             edges=extent.edges,
             places=sweep.tried_places(rules.lighthouse, extent),
             shared_file=rules.shared_file,
-            shard=str(self.portion),
             sample=sweep.told_scope(SampleReport, self.request)
             if isinstance(coverage, Sample)
             else None,
@@ -398,16 +388,6 @@ class CheckReport(EndedReport):
     @override
     def seconds_by_part(self) -> dict[str, list[float]]:
         return {"level_seconds": [*self.seconds]}
-
-    @property
-    def portion(self) -> Shard:
-        """The part of the job that was to be done."""
-        return self.asked.portion
-
-    @property
-    @override
-    def whole(self) -> bool:
-        return self.portion == WHOLE
 
     @property
     def complete(self) -> bool:

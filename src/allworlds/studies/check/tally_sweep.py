@@ -20,7 +20,7 @@ from allworlds.engines import lanes, single, sweep, tally, units
 from allworlds.engines.engine_table import Job
 from allworlds.engines.job_records import Records, canonical, from_kept
 from allworlds.engines.judge import nondeterministic
-from allworlds.engines.limits import Limits
+from allworlds.engines.limits import Limits, deadline_after
 from allworlds.explorers import loading, sources
 from allworlds.inputs import checks, requests
 from allworlds.judging.findings.finding import DIGITS, Finding, digest_of, labelled
@@ -262,7 +262,7 @@ def _retry(finding: Finding, subject: loading.Subject, limits: Limits) -> Findin
     extent = Extent(MapClass.MAPS, finding.world.map.edge_count)
     scope = units.Scope(extent, finding.rules, "all" if every else "one")
 
-    with lanes.workers_for(subject, limits, limits.deadline()) as workers:
+    with lanes.workers_for(subject, limits, deadline_after(limits.time_limit)) as workers:
         world = units.GivenWorlds(((finding.world, finding.place),))
         for part in workers.map(tally.RunCounter(scope, keep=1), [world]):
             for found in part.result.findings:
@@ -336,7 +336,7 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
         super().__init__(request, extent)
         self.scope = scope
         notice = self.listener.notice
-        self.job = Job(scope, subject, request.limits, keep, self.deadline, notice, request.cluster)
+        self.job = Job(scope, subject, request.limits, keep, self.deadline, notice, request.dask)
 
     @override
     def parameters(self) -> dict[str, Any]:
@@ -345,10 +345,6 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
     @override
     def explorer(self) -> dict[str, Any]:
         return record_of(self.job.subject)
-
-    @override
-    def levels(self) -> Iterable[units.SweptLevel]:
-        return self.scope.levels
 
     @override
     def empty(self) -> tally.Tally:

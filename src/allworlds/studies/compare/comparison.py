@@ -25,6 +25,7 @@ from allworlds.studies.compare.entrants import (
     Entrant,
     InWorld,
     UnitOfOne,
+    ensure_unnamed,
     entrants_of,
 )
 from allworlds.studies.compare.growth import GrowingWorlds, Growth, Member, form_of
@@ -127,12 +128,8 @@ def _contest(
     """The sweep for a request."""
     if request.to is not None:
         return GrowingWorlds(entrants, request, request.to)
-    for name in ("draws", "places"):
-        if (given := getattr(request, name)) is not None:
-            raise InputError(
-                f"{name} = {show(given)} is for worlds that grow: with --to M worlds of each size "
-                "up to M edges are drawn from a family without a size, as in --family corridor"
-            )
+    grow = "worlds that do not grow; give --to M and a family without a size, as --family corridor"
+    ensure_unnamed(request, ("draws", "places"), grow)
     if len(entrants) < 2:
         only = show(entrants[0].name) if entrants else "none"
         raise InputError(f"compare takes two explorers at least, not {only}")
@@ -145,12 +142,8 @@ def _contest(
                 f"family {show(family)} names no world: give a size, as in lattice:3x4, for one "
                 "world, or --to M for worlds that grow up to M edges"
             )
-        if edges is not None or vertices is not None or request.given is not None:
-            raise InputError(
-                f"family {show(family)} is one world; it takes no edges, vertices or worlds"
-            )
-        if request.where is not None:
-            raise InputError(f"family {show(family)} is one world; where has no effect on it")
+        names = ("edges", "vertices", "worlds", "graph", "where")
+        ensure_unnamed(request, names, f"family {show(family)}, which is one world")
         seed = request.seed or 0
         return SameWorlds(entrants, doc.replace(request, seed=seed), Member(family, holes, seed))
     if holes is not None:
@@ -189,7 +182,9 @@ class SameWorlds(Contest[Comparison]):
     ) -> "SameWorlds | GrowingWorlds":
         request = cls.asked_then(identity, portion, listener)
         entrants = tuple(
-            Entrant(tally_sweep.subject_of_record(one), tally_sweep.rules_known(request, one))
+            Entrant(
+                tally_sweep.subject_of_record(one), tally_sweep.rules_known(request, one), one["at"]
+            )
             for one in identity.explorer["explorers"]
         )
         return _contest(entrants, request)
@@ -207,7 +202,7 @@ class SameWorlds(Contest[Comparison]):
         for number, one in enumerate(self.entrants):
             mine: Iterable[units.UnitOfRuns] = ()
             if self._map is None:
-                mine = one.scope(self.bounds, self.portion).units(edges)
+                mine = units.units_of_level(self.bounds, edges, self.portion)
             elif self.portion.index == 0:
                 given = self._placed(one, self._map)
                 mine = [units.GivenWorlds(given)] if given else ()

@@ -40,7 +40,7 @@ from allworlds.engines.units import (
 )
 from allworlds.explorers import loading, sources
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
-from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, OptionGroup
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, OptionGroup, as_json
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.maps import classes, combinatorial, families
@@ -48,6 +48,7 @@ from allworlds.notations.given import GivenOptions
 from allworlds.studies.check.report import ManyWorlds, SharedFile
 from allworlds.studies.check.tally_sweep import Confirmation, record_of, rules_record
 from allworlds.world import named, selection, world
+from allworlds.world.lighthouses.kinds import LighthouseKind
 
 
 def _families(given: object) -> tuple[str, ...] | None:
@@ -147,9 +148,16 @@ class CompareRequest(
         OptionGroup(
             sources.ExplorersWords,
             "names, as on the command line, or generator functions; two or more, with ``to`` one "
-            "or more.",
+            "or more.  ``NAME@LIGHTHOUSE`` is run under that lighthouse.",
         ),
     ] = ()
+
+
+def ensure_unnamed(request: CompareRequest, names: Iterable[str], of: str) -> None:
+    """Raise InputError if one of these options is given, which has no effect there."""
+    for name in names:
+        if (value := getattr(request, name)) is not None:
+            raise InputError(f"{name} = {show(as_json(value))} has no effect on {of}")
 
 
 MapKey: TypeAlias = tuple[int, int, tuple[int, ...], tuple[int, ...]]
@@ -256,7 +264,7 @@ class CostsOfAll(Struct):
 class SideBySide:
     """The transports of all entrants, by their numbers, as one."""
 
-    def __init__(self, transports: Sequence[Transport[Any]]) -> None:
+    def __init__(self, transports: Sequence[Transport]) -> None:
         self._transports, self._stack = transports, ExitStack()
 
     def __enter__(self) -> Self:
@@ -272,7 +280,7 @@ class SideBySide:
 
     def map(
         self, engine: Sequence[CostEngine], given: Iterable[UnitOfOne]
-    ) -> Iterator[PartialResult[UnitOfOne, CostsOfAll]]:
+    ) -> Iterator[PartialResult]:
         """Yield the parts of all units as they come. The units of an entrant stand together."""
         for number, own in groupby(given, key=lambda unit: unit.number):
             transport = self._transports[number]
@@ -283,17 +291,29 @@ class SideBySide:
 
 Answer = TypeVar("Answer")
 
+AT = "@"
+"""The sign between an explorer and its lighthouse."""
+
 
 class Entrant(Struct, frozen=True):
-    """An explorer with the rules by which its runs are played and judged."""
+    """An explorer with the rules by which its runs are played and judged.
+
+    Attributes:
+        at: the lighthouse that stands behind its name; empty where none does.
+    """
 
     subject: loading.Subject
     rules: Rules
+    at: str = ""
 
     @property
     def name(self) -> str:
-        """The explorer's name."""
-        return self.subject.name
+        """The explorer's name, with the lighthouse behind it."""
+        return self.named(self.subject.name)
+
+    def named(self, explorer: str) -> str:
+        """Another name of the explorer, with the lighthouse behind it."""
+        return f"{explorer}{AT}{self.at}" if self.at else explorer
 
     def scope(self, extent: classes.Extent, portion: Shard = WHOLE) -> Scope:
         """The scope of its runs in the worlds of an extent, or in a shard of them."""
@@ -311,24 +331,37 @@ def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
         InputError: for one that is none or is there twice, or for an option.
     """
     entrants: list[Entrant] = []
-    for explore in request.explorers:
+    for given in request.explorers:
+        explore, kind = _with_lighthouse(given)
+        asked = doc.replace(request, lighthouse=kind) if kind else request
         subject = single.subject_of(explore, request.limits)
-        if any(subject.name == other.name for other in entrants):
-            raise InputError(f"explorer {show(subject.name)} is named twice")
-        entrants.append(Entrant(subject, request.rules(subject)))
+        entrant = Entrant(subject, asked.rules(subject), str(kind or ""))
+        if any(entrant.name == other.name for other in entrants):
+            raise InputError(f"explorer {show(entrant.name)} is named twice")
+        entrants.append(entrant)
     return tuple(entrants)
 
 
-class ComparedName(doc.Document):
-    """An explorer by its name."""
+def _with_lighthouse(explore: object) -> tuple[Any, LighthouseKind | None]:
+    """An explorer, and the lighthouse behind its name, if there is one.
 
-    name: Annotated[doc.Text, doc.about("the explorer's")]
+    Paths and commands may hold the sign, too: so it is one only before a lighthouse, and an error
+    where the text before it is the name of an explorer.
+    """
+    name, at, lighthouse = explore.rpartition(AT) if isinstance(explore, str) else ("", "", "")
+    try:
+        return (name, selection.tried_kind(lighthouse)) if at else (explore, None)
+    except InputError:
+        if sources.names_explorer(name) and not loading.is_program(name):
+            raise
+        return explore, None
 
 
 @doc.with_options(selection.LighthouseOptions, RuleOptions)
-class Compared(ComparedName):
+class Compared(doc.Document):
     """An explorer of a comparison, with the rules of its runs."""
 
+    name: Annotated[doc.Text, doc.about("the explorer's, with `@` and a lighthouse if so named")]
     places: TriedPlaces
     shared_file: SharedFile
 
@@ -375,7 +408,7 @@ class ContestReport(SweptReport, kw_only=True):
     @doc.computed
     def scope(self) -> ContestScope:
         """The worlds in which they were run."""
-        return told_scope(ContestScope, self.request, shard=str(self.portion))
+        return told_scope(ContestScope, self.request)
 
     @property
     @override
@@ -416,12 +449,15 @@ class Contest(Sweep[CostsOfAll, Answer]):
 
     @override
     def explorer(self) -> dict[str, Any]:
-        records = [{**record_of(one.subject), **rules_record(one.rules)} for one in self.entrants]
+        records = [
+            {**record_of(one.subject), **rules_record(one.rules), "at": one.at}
+            for one in self.entrants
+        ]
         return {"name": ", ".join(self.names), "explorers": records}
 
     @override
     def ready(self) -> ReadyEngine:
-        limits, cluster, notice = self.request.limits, self.request.cluster, self.listener.notice
+        limits, cluster, notice = self.request.limits, self.request.dask, self.listener.notice
         engines = [CostEngine(one.scope(self.bounds), 1) for one in self.entrants]
         transports = [
             players_for(Job(engine.scope, one.subject, limits, 1, self.deadline, notice, cluster))

@@ -451,17 +451,13 @@ class GrowingWorlds(entrants.Contest[Growth]):
                 )
 
 
-def _ensure_grows(entrants: Sequence[entrants.Entrant], request: entrants.CompareRequest) -> None:
+def _ensure_grows(who: Sequence[entrants.Entrant], request: entrants.CompareRequest) -> None:
     """Raise InputError for an option without effect on worlds that grow, and for none to run."""
-    given = {name: getattr(request, name) for name in ("edges", "vertices", "holes", "worlds")}
-    for name, value in given.items():
-        if value is not None:
-            raise InputError(f"{name} = {show(value)} has no effect on worlds that grow")
-    if request.where is not None:
-        raise InputError(f"where {show(request.where.name)} has no effect on worlds that grow")
+    names = ("edges", "vertices", "holes", "worlds", "graph", "where")
+    entrants.ensure_unnamed(request, names, "worlds that grow")
     if request.map_class is not classes.MapClass.MAPS:
         raise InputError(f"class {show(request.map_class.value)} has no effect on worlds that grow")
-    if not entrants:
+    if not who:
         raise InputError("compare with to takes an explorer at least, not none")
     if not request.family:
         raise InputError(f"compare with to takes a family at least: {FORMS}")

@@ -13,9 +13,11 @@ Source: T. C. Hesterberg, What Teachers Should Know About the Bootstrap, The Ame
 69 (2015), section 4.1 ('expanded percentile').
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from functools import cache
+from itertools import accumulate, islice
 from math import atan, cos, exp, fsum, log, pi, sin, sqrt
+from operator import mul
 from statistics import NormalDist
 from typing import Any, TypeAlias
 
@@ -88,16 +90,8 @@ def student_quantile(share: float, freedom: int) -> float:
 
 def _student(value: float, freedom: int) -> float:
     """The probability that a variable of Student's distribution is below a positive value."""
-    angle = atan(value / sqrt(freedom))
-    inside = fsum(_terms(angle, freedom))
-    if freedom % 2:
-        inside = 2 / pi * (angle + inside)
-    return (1 + inside) / 2
-
-
-def _terms(angle: float, freedom: int) -> Iterator[float]:
-    """The terms of the finite series of that probability."""
-    term = sin(angle) * (cos(angle) if freedom % 2 else 1.0)
-    for k in range(2 + freedom % 2, freedom + 1, 2):
-        yield term
-        term *= cos(angle) ** 2 * (k - 1) / k
+    angle, odd = atan(value / sqrt(freedom)), freedom % 2
+    factors = (cos(angle) ** 2 * (k - 1) / k for k in range(2 + odd, freedom + 1, 2))
+    terms = accumulate(factors, mul, initial=sin(angle) * (cos(angle) if odd else 1.0))
+    inside = fsum(islice(terms, freedom // 2))
+    return (1 + (2 / pi * (angle + inside) if odd else inside)) / 2

@@ -3,23 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from typing import TYPE_CHECKING, Annotated, Any, Literal, cast, get_args
+from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
 
 from typing_extensions import override
 
 from allworlds import document as doc, outcome, words
 from allworlds.engines import limits, single, sweep, units
-from allworlds.engines.dask import Dask
-from allworlds.engines.engine_table import COMPILER, ReadyEngine, Threads
+from allworlds.engines.engine_table import COMPILER, ReadyEngine, local_or_dask
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import Subject, load
 from allworlds.explorers.sources import DEFAULT_EXPLORER
 from allworlds.inputs.checks import (
     InputError,
-    an_integer,
+    a_word,
     ensure_installed,
     integer_of,
-    not_one_of,
     show,
 )
 from allworlds.inputs.requests import RULES, SCOPE, Argument, Converted, Option, Request, answers
@@ -51,22 +49,6 @@ def _algorithm1(given: object) -> str:
     return DEFAULT_EXPLORER
 
 
-def _room_for(edges: int) -> int:
-    if edges > MOST_EDGES:
-        raise InputError(f"edges = {show(edges)}, but there is room for {MOST_EDGES} at most")
-    return edges
-
-
-def _edges(given: object) -> int | None:
-    return None if given is None else _room_for(an_integer("edges", given))
-
-
-def _transit(given: object) -> Transit:
-    if given not in get_args(Transit):
-        raise not_one_of("transit", given, get_args(Transit))
-    return cast("Transit", given)
-
-
 class Algorithm1Option(Request, kw_only=False):
     """The part of a request of ``worst`` that may be given by its place."""
 
@@ -82,20 +64,12 @@ class Algorithm1Option(Request, kw_only=False):
 
 
 class WorstRequest(
-    limits.ListenerOptions,
-    limits.ClusterOptions,
-    limits.RunDirectoryOptions,
-    limits.TimeLimitOptions,
-    limits.WorkerOptions,
-    units.ShardOptions,
-    GivenOptions,
-    classes.ClassOptions,
-    Algorithm1Option,
+    sweep.SweptOptions, limits.WorkerOptions, GivenOptions, classes.ClassOptions, Algorithm1Option
 ):
     """Request of ``worst``: the worlds and the effort."""
 
     edges: Annotated[
-        Converted[int | None, int | None],
+        int | None,
         Option(
             SCOPE,
             "M",
@@ -103,7 +77,7 @@ class WorstRequest(
             parse=integer_of,
             document_type=Annotated[doc.Positive, doc.about("at most so many")],
         ),
-    ] = Converted(_edges, None)
+    ] = None
     transit: Annotated[
         Converted[str, Transit],
         Option(
@@ -114,7 +88,7 @@ class WorstRequest(
                 Transit, doc.about("the paths by which Algorithm 1 goes to the next edge")
             ],
         ),
-    ] = Converted(_transit, "simple")
+    ] = Converted(a_word("transit", get_args(Transit)), "simple")
 
     @property
     def extent(self) -> classes.Extent:
@@ -127,7 +101,8 @@ class WorstRequest(
         usual = self.edges is None and self.given is None
         edges = DEFAULT_EDGES if usual else self.edges
         extent = classes.Extent(self.map_class, edges, given=self.given)
-        _room_for(extent.levels[-1])
+        if (most := extent.levels[-1]) > MOST_EDGES:
+            raise InputError(f"edges = {show(most)}, but there is room for {MOST_EDGES} at most")
         return extent
 
 
@@ -208,7 +183,6 @@ class WorstReport(sweep.SweptReport, kw_only=True):
             schedules="all",
             symmetry="one world for each start vertex: every choice of dart is tried, so the dart "
             "faced at the start and the bearing make no difference",
-            shard=str(self.portion),
         )
 
     @doc.computed
@@ -278,10 +252,7 @@ class SchedulesSweep(sweep.Sweep["ScheduleCostsBySize", WorstReport]):
 
         if not is_compiled(search):
             self.listener.notice(COMPILING)
-        cluster, workers = self.request.cluster, self.request.workers
-        there = (
-            Dask(cluster, workers, self.deadline) if cluster else Threads(workers, self.deadline)
-        )
+        there = local_or_dask(self.request.dask, self.deadline, self.request.workers)
         return ReadyEngine(there, ScheduleSearch(self.extent, self.request.transit))
 
     @override

@@ -119,7 +119,8 @@ class Lighthouse(ABC):
     with the name ``dart`` holds a dart, one with the name ``darts`` a tuple of them; a class with
     darts in other fields says how they are renamed (:meth:`relabelled`).  An integer, boolean or
     text in a field with a default is an option: its name on the command line may give it another
-    default, which every ``cls(...)`` in :meth:`places` then has.
+    default, which ``cls.name`` and every ``cls(...)`` in :meth:`places` then have, but not the
+    fields of the dataclass.
 
     Attributes:
         kind: the name on the command line and in files.
@@ -208,12 +209,10 @@ class Lighthouse(ABC):
         if code is not None:
             given = code.arguments or values_in(self)
             return {"kind": code.plain, "options": given, "digest": code.digest, **where}
-        usual = [
-            key
-            for key, option in options_of(kind).items()
-            if not option.always and where[key] == option.default
-        ]
-        return {"kind": self.kind, **{key: where[key] for key in where if key not in usual}}
+        options = options_of(kind)
+        usual = [key for key in options if where[key] == options[key].default]
+        kept = [key for key in where if key not in usual or options[key].always]
+        return {"kind": self.kind, **{key: where[key] for key in kept}}
 
     @classmethod
     def at(cls, **where: Any) -> Lighthouse:

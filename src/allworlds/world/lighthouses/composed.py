@@ -98,18 +98,15 @@ class Movable(PlacelessLighthouse):
     @override
     def acted(self, map_: CombinatorialMap, state: State, action: actions.Action) -> State:
         here, lying = map_.vertex_of[state.dart], [*state.lying]
-        after = state
+        bits = state.number_at(here)
         if type(action) is actions.Drop:
             lying.append(here)
-            if self.distinct:
-                dropped = sum(bits for _, bits in state.written)
-                first = ~dropped & (dropped + 1)
-                after = state.with_number(here, state.number_at(here) | first)
+            dropped = sum(number for _, number in state.written)
+            bits |= ~dropped & (dropped + 1)
         else:
             lying.remove(here)
-            if self.distinct:
-                bits = state.number_at(here)
-                after = state.with_number(here, bits & (bits - 1))
+            bits &= bits - 1
+        after = state.with_number(here, bits) if self.distinct else state
         hand = state.hand + len(state.lying) - len(lying)
         return replace(after, lying=tuple(sorted(lying)), hand=hand)
 
@@ -244,14 +241,6 @@ class Composed(Lighthouse):
             )
             for dart in map_.darts
         )
-
-    def number(self, map_: CombinatorialMap, start: Dart) -> int:
-        """The number among the combinations; that of the last part changes first."""
-        number = 0
-        for part in self.parts:
-            places = sum(1 for _ in part.as_kind.places(map_, start))
-            number = number * places + part.number(map_, start)
-        return number
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Composed | None:
         """Every part where a robot must believe that it stands."""

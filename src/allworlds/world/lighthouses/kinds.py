@@ -32,9 +32,11 @@ from allworlds.world.lighthouses.marked import (
     Cluster,
     Compass,
     Directional,
+    Door,
     Labels,
     Natural,
     Position,
+    Word,
 )
 from allworlds.world.lighthouses.options import (
     InvalidWorld,
@@ -148,43 +150,22 @@ def _check(kind: type[Lighthouse], name: str, method: str, *, theirs: bool) -> N
 # ---------------------------------------------------------------- the values of methods
 
 
-def _places(
-    places: tuple[Any, ...], kind: type[Lighthouse], _map: CombinatorialMap, _start: Dart
-) -> Iterator[Lighthouse]:
+def _places(places: tuple[Any, ...], kind: type[Lighthouse], *_asked: object) -> Iterator[Any]:
     """Places of the class, with the options that were asked for."""
-    chosen, code = kind.chosen, kind.code
     for place in places:
-        fits = isinstance(place, Lighthouse) and place.code is code
-        if not fits or any(getattr(place, key) != value for key, value in chosen.items()):
-            assert code is not None
-            raise InvalidWorld(
-                f"places of the lighthouse {show(code.name)} has {shown(place)}, which "
-                "cls(...) has not made; write yield cls(...)"
-            )
+        made = isinstance(place, Lighthouse) and place.code is kind.code
+        if not made or any(getattr(place, key) != kind.chosen[key] for key in kind.chosen):
+            raise TypeError
     return iter(places)
 
 
 def _percepts(
-    sensed: tuple[Any, ...], place: Lighthouse, map_: CombinatorialMap
+    sensed: tuple[Any, ...], _place: Lighthouse, map_: CombinatorialMap
 ) -> tuple[actions.Percept, ...]:
     """A percept for each dart, with its degree, in plain integers."""
-    assert place.code is not None
-    name = show(place.code.name)
     if len(sensed) != len(map_.darts):
-        raise InvalidWorld(
-            f"the lighthouse {name} has {len(sensed)} percepts for {len(map_.darts)} darts"
-        )
-    found = []
-    for degree, percept in zip(map_.degree_at, sensed, strict=True):
-        try:
-            found.append(_percept(degree, percept))
-        except TypeError:
-            raise InvalidWorld(
-                f"the lighthouse {name} senses {show(percept)} at a dart of degree {degree}; legal "
-                "is Percept(degree, marks, bearing) with that degree, marks from 0 on, and a "
-                "bearing from 0 on and below the degree, or None"
-            ) from None
-    return tuple(found)
+        raise TypeError
+    return tuple(map(_percept, map_.degree_at, sensed))
 
 
 def _percept(degree: int, given: Any) -> actions.Percept:
@@ -221,8 +202,11 @@ def _state(after: Any, _place: Lighthouse, _map: object, before: State, _action:
 
 
 RETURNS: dict[str, tuple[Callable[..., Any], str]] = {
-    "places": (_places, ""),
-    "percepts": (_percepts, ""),
+    "places": (_places, "what cls(...) has made; write yield cls(...)"),
+    "percepts": (
+        _percepts,
+        "Percept(degree, marks, bearing) for each dart, a bearing is below the degree, or None",
+    ),
     "told": (_told, "an integer, a dict of integers by their names, or None"),
     "in_hand": (_natural, "an integer from 0 on"),
     "left_marks": (_natural, "an integer from 0 on"),
@@ -248,7 +232,7 @@ def _placed(code: user_code.UserCode, state: Mapping[str, Any]) -> Lighthouse:
 LIGHTHOUSES: dict[str, type[Lighthouse]] = {
     kind.kind: kind
     for kind in (
-        *(Nothing, Position, Directional, Compass, Cluster, Natural, Movable, Labels),
+        *(Nothing, Position, Directional, Door, Word, Compass, Cluster, Natural, Movable, Labels),
         *(Whiteboard, Ports, Knowledge),
     )
 }
@@ -419,12 +403,10 @@ def _own_of(document: Mapping[str, Any]) -> type[Lighthouse]:
     name, given = document["kind"], document.get("options", {})
     if not isinstance(given, Mapping):
         raise InvalidWorld(f"lighthouse.options = {show(given)} is no object")
-    if PLUS in name:
-        raise InvalidWorld(f"lighthouse.kind = {show(name)} needs the key parts")
-    if name.partition(":")[0] in LIGHTHOUSES or "?" in name or "=" in name:
+    if name.partition(":")[0] in LIGHTHOUSES or re.search(r"[+?=]", name):
         raise InvalidWorld(
             f"lighthouse.kind = {show(name)} is more than a name; its options are keys beside it, "
-            "or those of the key options if it is your own"
+            "or those of the key options if it is your own; several lighthouses are the key parts"
         )
     code = _found(name)
     code.ensure_recorded(document.get("digest"))

@@ -8,11 +8,13 @@ from dataclasses import dataclass, field, replace
 from itertools import count, islice, product
 from typing import Annotated, Any, ClassVar, Self
 
+from msgspec import Meta
 from typing_extensions import override
 
 from allworlds.document import IfAny, NotInDocument, Some, about
 from allworlds.inputs.checks import are_plain, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, numbering
+from allworlds.protocol import actions
 from allworlds.world.lighthouses import base
 from allworlds.world.lighthouses.options import InvalidWorld, ensure_legal, the_integer
 
@@ -24,34 +26,40 @@ class MarkedStart(base.ReferenceLighthouse):
 
     dart: Dart
 
+    @classmethod
+    def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[MarkedStart]:
+        """One place for each bearing ``0..deg(v0)-1``."""
+        place: Any = cls
+        for bearing in range(map_.degree_at[start]):
+            yield place(map_.turn(start, bearing))
+
     @override
     def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:
         return {self.dart: 1} if self.sensing.marks else {}
 
+    def legal_darts(self, map_: CombinatorialMap, start: Dart) -> Sequence[Dart]:
+        """The darts at which it can stand: those of the start's vertex."""
+        return map_.vertices[map_.vertex_of[start]]
+
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless its dart is one of the start's vertex."""
-        dart = the_integer("lighthouse.dart", self.dart)
-        at_start = map_.vertices[map_.vertex_of[start]]
-        if dart not in at_start:
+        """Raise InvalidWorld unless its options are legal, and its dart is one of those."""
+        ensure_legal(self)
+        legal = self.legal_darts(map_, start)
+        if the_integer("lighthouse.dart", self.dart) not in legal:
             raise InvalidWorld(
-                f"the lighthouse stands at dart {show(dart)}, which is not at the start's vertex; "
-                f"legal are {', '.join(map(str, at_start))}"
+                f"the lighthouse {self.written} cannot stand at dart {show(self.dart)} with start "
+                f"{start}; legal are {', '.join(map(str, legal)) or 'none'}"
             )
 
 
 class TowardsNeighbour(MarkedStart):
     """A lighthouse at v0 and at the vertex v1 to which its dart leads."""
 
-    def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless its dart leads from the start's vertex to another vertex."""
-        super().check(map_, start)
-        at_start = map_.vertices[map_.vertex_of[start]]
-        if map_.alpha[self.dart] in at_start:
-            legal = [d for d in at_start if map_.alpha[d] not in at_start]
-            raise InvalidWorld(
-                f"lighthouse.dart = {show(self.dart)} leads back to the start's vertex, not to "
-                f"another one; legal are {', '.join(map(str, legal)) or 'none'}"
-            )
+    @override
+    def legal_darts(self, map_: CombinatorialMap, start: Dart) -> Sequence[Dart]:
+        owner, alpha = map_.vertex_of, map_.alpha
+        ends = {owner[alpha[p.dart]] for p in self.as_kind.places(map_, start)}  # type: ignore[attr-defined]  # of its kind
+        return [dart for dart in map_.vertices[owner[start]] if owner[alpha[dart]] in ends]
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer) -> Self:
         """The lighthouse in the same direction from the start, even if it may not stand there."""
@@ -95,11 +103,70 @@ class Directional(MarkedStart):
     default_bound: ClassVar[str] = "paper"
     folds: ClassVar[bool] = True
 
-    @classmethod
-    def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Directional]:
-        """One place for each bearing ``0..deg(v0)-1``."""
-        for bearing in range(map_.degree_at[start]):
-            yield cls(map_.turn(start, bearing))
+
+def word_of(pattern: str, degree: int) -> tuple[int, ...]:
+    """The letters of a pattern for the bearings ``0..degree-1``.
+
+    The pattern is repeated to the degree.  One with ``x*`` is not: there ``x`` stands as often as
+    the others leave room for.  At a smaller degree it is cut off.
+    """
+    before, star, after = pattern.partition("*")
+    if star:
+        others = len(before) - 1 + len(after)
+        letters = before[:-1] + before[-1] * (degree - others) + after
+    else:
+        letters = pattern * degree
+    return tuple(map(int, letters[:degree]))
+
+
+class SensedByBearing(MarkedStart):
+    """A lighthouse at v0 of which one letter is sensed: that of the bearing of its dart."""
+
+    pattern: str
+
+    sensing: ClassVar[base.Sensing] = base.Sensing(base.Where.AT_V0, bearing=False)
+
+    @override
+    def percepts(self, map_: CombinatorialMap) -> tuple[actions.Percept, ...]:
+        letters = word_of(self.pattern, map_.degree_at[self.dart])
+        at_v0 = {map_.turn(self.dart, -bearing): mark for bearing, mark in enumerate(letters)}
+        return tuple(actions.Percept(map_.degree_at[d], at_v0.get(d, 0)) for d in map_.darts)
+
+
+@dataclass(frozen=True, slots=True)
+class Door(SensedByBearing):
+    """One marked dart of the start vertex v0, sensed only by who has just come in by it.
+
+    Sensed there: one mark; elsewhere, and at v0 by every other dart, only the degree.
+    """
+
+    dart: base.StandsAt
+
+    kind: ClassVar[str] = "door"
+    pattern: ClassVar[str] = "10*"  # type: ignore[misc]  # of a word it is an option
+
+
+@dataclass(frozen=True)
+class Word(SensedByBearing):
+    """A letter for each bearing of one dart of the start vertex v0, the same at each such vertex.
+
+    Sensed at v0: the letter of the bearing as marks, a digit; elsewhere no mark; the degree.
+    ``word:1`` tells as much as ``position``, ``word:10*`` as ``door``.
+    """
+
+    dart: base.StandsAt
+    pattern: Annotated[
+        str,
+        Meta(pattern=r"^[0-9]+\*?[0-9]*$"),
+        about("the letters for the bearings from 0 on, repeated to the degree; `x*` repeats one"),
+    ] = "12"
+
+    kind: ClassVar[str] = "word"
+
+    def check(self, map_: CombinatorialMap, start: Dart) -> None:
+        """Raise InvalidWorld unless its dart is one of the start's vertex, and it has a pattern."""
+        ensure_legal(self)
+        MarkedStart.check(self, map_, start)
 
 
 @dataclass(frozen=True)
@@ -129,19 +196,6 @@ class Cluster(TowardsNeighbour):
         for dart, v1 in beyond.items():
             if v1 != v0 and (edges[v1] == 1 or not cls.single):
                 yield cls(dart)
-
-    def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless the dart leads from the start's vertex to another one.
-
-        With ``single`` no other edge may lead there.
-        """
-        ensure_legal(self)
-        TowardsNeighbour.check(self, map_, start)
-        if self.single and self not in self.as_kind.places(map_, start):
-            raise InvalidWorld(
-                f"lighthouse.dart = {show(self.dart)} leads to a vertex that more than one edge "
-                "joins to the start's vertex; single = true asks for exactly one"
-            )
 
     @override
     def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:
@@ -175,18 +229,6 @@ class Natural(TowardsNeighbour):
                 met.add(degree)
                 yield cls(dart)
 
-    def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless the dart leads to another vertex, both of unique degree."""
-        TowardsNeighbour.check(self, map_, start)
-        vertices = Counter(map_.degrees)
-        for name, dart in (("start's vertex", start), ("other vertex", map_.alpha[self.dart])):
-            degree = map_.degree_at[dart]
-            if vertices[degree] > 1:
-                raise InvalidWorld(
-                    f"lighthouse.dart = {show(self.dart)}: the {name} has degree {degree}, and so "
-                    f"have {vertices[degree]} vertices; a natural lighthouse needs unique degrees"
-                )
-
     def told(self, map_: CombinatorialMap) -> int:
         """The degree of v1."""
         return map_.degree_at[map_.alpha[self.dart]]
@@ -205,19 +247,13 @@ class AtEveryVertex(base.ReferenceLighthouse):
         values: Any = self.darts
         if not isinstance(values, list | tuple):
             raise InvalidWorld(f"lighthouse.darts must be a list of darts, not {show(values)}")
-        for i, value in enumerate(values):
-            if the_integer(f"lighthouse.darts[{i}]", value) not in map_.darts:
-                raise InvalidWorld(
-                    f"lighthouse.darts names {show(value)}, which is no dart; "
-                    f"darts are 0..{len(map_.sigma) - 1}"
-                )
-        chosen = Counter(map_.vertex_of[dart] for dart in values)
-        for v, vertex in enumerate(map_.vertices):
-            if chosen[v] != 1:
-                raise InvalidWorld(
-                    f"lighthouse.darts = {show(list(values))} has {chosen[v]} darts of the vertex "
-                    f"{show(list(vertex))}; it must have one of each vertex"
-                )
+        owner = dict(enumerate(map_.vertex_of))
+        at = [owner.get(the_integer(f"lighthouse.darts[{i}]", d), -1) for i, d in enumerate(values)]
+        if sorted(at) != [*range(map_.vertex_count)]:
+            raise InvalidWorld(
+                f"lighthouse.darts = {show([*values])}; legal is one dart of each vertex, of "
+                f"{show([*map_.vertices])}"
+            )
 
 
 def _first_sensed(walk: base.WalkInAnswer) -> dict[int, tuple[Dart, int]]:
@@ -249,6 +285,10 @@ class Compass(AtEveryVertex):
     every_place_to: ClassVar[int | None] = 3
     beyond: ClassVar[str] = "the compass at the smallest dart of each vertex alone"
 
+    def __post_init__(self) -> None:
+        if isinstance(self.darts, list | tuple) and are_plain(self.darts):
+            object.__setattr__(self, "darts", tuple(sorted(self.darts)))
+
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Compass]:
         """Every choice of reference darts up to three edges; beyond, the first choice alone.
@@ -262,31 +302,15 @@ class Compass(AtEveryVertex):
         assert cls.every_place_to is not None
         wanted = None if map_.edge_count <= cls.every_place_to else 1
         for choice in islice(product(*around.values()), wanted):
-            yield cls(tuple(sorted(choice)))
+            yield cls(choice)
 
     @override
     def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:
         return dict.fromkeys(self.darts, 0)
 
-    def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless the reference darts are ascending, one of each vertex."""
-        AtEveryVertex.check(self, map_, start)
-        if list(self.darts) != sorted(self.darts):
-            raise InvalidWorld(f"lighthouse.darts = {show(list(self.darts))} must be ascending")
-
     def believed(self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer) -> Compass:  # noqa: ARG002  # sensed
         """The compass with the reference darts sensed at the first visit of each vertex."""
-        return Compass(tuple(sorted(dart for dart, _ in _first_sensed(walk).values())))
-
-    @override
-    def relabelled(self, names: Sequence[Dart]) -> Compass:
-        return Compass(tuple(sorted(names[dart] for dart in self.darts)))
-
-    @classmethod
-    def at(cls, darts: Any) -> Compass:  # type: ignore[override]  # its only field
-        """The compass with these reference darts, in any order."""
-        integers = isinstance(darts, list) and are_plain(darts)
-        return cls(tuple(sorted(darts)) if integers else darts)
+        return Compass(tuple(dart for dart, _ in _first_sensed(walk).values()))
 
     @classmethod
     def usual(cls, map_: CombinatorialMap, start: Dart) -> Compass:  # noqa: ARG003  # any start
@@ -325,14 +349,6 @@ class Labels(AtEveryVertex):
         for dart in numbering(map_.sigma, map_.alpha, start):
             first.setdefault(map_.vertex_of[dart], dart)
         yield cls(tuple(first.values()))
-
-    def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless the reference darts are one of each vertex, numbered from 1."""
-        AtEveryVertex.check(self, map_, start)
-        if self.numbers:
-            raise InvalidWorld(
-                f"the labels {show(list(self.numbers))} are not 1 to {len(self.darts)}"
-            )
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer) -> Labels:  # noqa: ARG002  # sensed
         """The labels sensed at the first visit of each vertex; 0 for vertices never visited."""
