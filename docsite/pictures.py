@@ -26,11 +26,12 @@ from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 
 import allworlds
+from allworlds import Estimate, Finding
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document import replace
 from allworlds.maps.combinatorial import CombinatorialMap, isomorphism
 from allworlds.reports.drawing.svg import picture
-from allworlds.reports.parts import Scene, scene_of
+from allworlds.reports.parts import Scene, scene_of, walk_in_answer, walk_in_world
 from allworlds.world import Directional, World, world_named
 from allworlds.world.named import own_corpus
 
@@ -41,6 +42,7 @@ GENUS_2 = World(
 
 FIGURE = re.compile(r"^<!-- figure ([a-z0-9-]+) -->$", re.MULTILINE)
 NOT_RUN = re.compile(r"^<!-- not run: ([^\n]*) -->\n(```.*?^```$)", re.MULTILINE | re.DOTALL)
+ROOT = Path(__file__).parents[1]
 _ids = count(1)
 
 
@@ -82,10 +84,15 @@ def _mirrored() -> list[Scene]:
     raise PluginError("every map with at most 4 edges is its own mirror image")
 
 
-def _crossed() -> Scene:
-    """v0 with one edge, to a vertex with two loops that cross."""
-    map_ = CombinatorialMap((0, 2, 3, 4, 5, 1), (1, 0, 4, 5, 2, 3))
-    return scene_of(World(map_, Directional(0)))
+def _star() -> list[Scene]:
+    """The world that refutes the explorer of the landing page, and its answer."""
+    page = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    (program,) = re.findall(r"^```python[^\n]*\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "star.py"
+        file.write_text(program, encoding="utf-8")
+        report = allworlds.check(f"{file}:explore", edges=2, workers=1)
+    return refutation(report.findings[0])
 
 
 def _walked() -> list[Scene]:
@@ -111,10 +118,10 @@ FIGURES = {
         "the torus).",
         _plain("two-loops-plane", "two-loops-torus"),
     ),
-    "crossed": Figure(
-        "A world with 3 edges and 2 vertices. The marker at v0, the lighthouse, points along dart "
-        "0; the robot starts there.",
-        lambda: [_crossed()],
+    "star": Figure(
+        "The smallest world that refutes it, a loop, and beside it the explorer's answer: it takes "
+        "the two ends of the loop for two more rooms.",
+        _star,
     ),
     "mirror": Figure(
         "A map and its mirror image, which is another map: no bijection of the darts keeps the "
@@ -163,6 +170,14 @@ def figure(name: str) -> str:
     if name not in FIGURES:
         raise PluginError(f"figure {name!r} is not one of {', '.join(FIGURES)}")
     return drawing(*FIGURES[name].scenes(), caption=FIGURES[name].caption)
+
+
+def refutation(finding: Finding) -> list[Scene]:
+    """The world of a finding, and the explorer's answer, if it is a map."""
+    scenes = [walk_in_world(finding.world, finding.transcript)]
+    if isinstance(finding.seen, Estimate):
+        scenes.append(walk_in_answer(finding.world, finding.seen, finding.transcript))
+    return scenes
 
 
 # ---------------------------------------------------------------- the gallery
@@ -308,13 +323,14 @@ def _card(live: Live, report: dict[str, Any]) -> Iterator[str]:
     command = f"allworlds {live.command} -o {live.name}.html"
     yield f"## {words}\n\n{live.told}\n\n```sh\n{command}\n```\n"
     said = f"Verdict: **{report['verdict']}**."
-    for finding in report["findings"][:1]:
-        world = World.from_json(finding["world"])
-        size = f"{world.map.edge_count} edges, {world.map.vertex_count} vertices"
-        said = f"Verdict: **{report['verdict']}**, law `{finding['law']}`."
-        yield (
-            drawing(scene_of(world), caption=f"The smallest world that refutes it: {size}.") + "\n"
-        )
+    for found in report["findings"][:1]:
+        finding = Finding.from_json(found)
+        size = f"{finding.world.map.edge_count} edges, {finding.world.map.vertex_count} vertices"
+        said = f"Verdict: **{report['verdict']}**, law `{finding.law}`."
+        scenes = refutation(finding)
+        beside = ", and beside it the answer" if len(scenes) > 1 else ""
+        caption = f"The smallest world that refutes it ({size}){beside}."
+        yield drawing(*scenes, caption=caption) + "\n"
     yield f"{said} [Open the page](live/{live.name}.html)"
 
 

@@ -428,7 +428,7 @@ class MadeBy(Document, kw_only=True):
     ]
     seconds: Annotated[Seconds, about("from the beginning until this document was written")]
     level_seconds: Annotated[
-        tuple[Seconds, ...] | UnsetType, about("of `search`: for each of its `levels`")
+        tuple[Seconds, ...] | UnsetType, about("for each level: of `search`, `check`, `fuzz`")
     ] = UNSET
     claim_seconds: Annotated[
         tuple[Seconds, ...] | UnsetType, about("of `claims`: for each of them")

@@ -10,7 +10,7 @@ from operator import attrgetter
 from typing import Any
 
 ROWS, CASES, FINDINGS = "rows or a walk", "cases", "findings"
-PAGE = "a page of its own"
+PAGE, CURVE = "a page of its own", "a curve"
 WORLD_FILE = "worlds, in a notation"
 """Parts that a report can have."""
 
@@ -152,6 +152,7 @@ VERBS = (
         "Compare explorers in the same worlds, or in worlds that grow.",
         panel=COSTS,
         swept=True,
+        has=(ROWS, CURVE),
         example="algorithm1 dudek91 --edges 4",
         help=(
             "Explorers side by side on the same worlds, each under its own lighthouse, or the one "

@@ -104,6 +104,52 @@ def test_a_refusal_says_what_would_be_legal(refused, words, said, tmp_path, monk
     assert said in refused(*words.split())
 
 
+OPEN = ("--dask", "--workers", "--graph")
+"""Options that take other words than those of their metavar, too."""
+
+FIXED = [(v, p) for v, p in OPTIONS if "|" in p.metavar and p.opts[0] not in OPEN]
+
+
+@pytest.mark.parametrize(("verb", "option"), one_a_type(FIXED), ids=str)
+def test_a_slip_in_a_word_of_a_fixed_set_is_told(refused, verb, option, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.json").write_text(EDGE)
+    (param,) = (param for of, param in FIXED if of == verb and option in param.opts)
+    word = max((word for word in param.metavar.split("|") if word.islower()), key=len)
+    beside = {"--order": ["--graph", "a.json"], "--embeddings": ["--graph", "k4"]}
+    given = beside.get(option, ["--worlds", "a.json"] if option == "--y" else [])
+    err = refused(*least(verb, str(tmp_path)), *given, option, word[:-1])
+    assert f"did you mean '{word}'?" in err
+
+
+@pytest.mark.parametrize(
+    ("words", "meant"),
+    [
+        ("check --class planer", "planar"),
+        ("check --where cubik", "cubic"),
+        ("check --where girt:4", "girth:4"),
+        ("check --laws mapp,pose", "map"),
+        ("check --policy randm:3", "random:3"),
+        ("check --bound papr", "paper"),
+        ("check --lighthouse labls", "labels"),
+        ("check --task hom", "home"),
+        ("check -o x.sarf", ".sarif"),
+        ("check -o junt:x", "junit"),
+        ("chek", "check"),
+        ("run grid:3x3", "lattice:3x3"),
+        ("run grid", "lattice:RxC"),
+        ("run weel:5", "wheel:5"),
+        ("run --family lattice:3", "lattice:RxC"),
+        ("compare algorithm1 --family gird --to 20", "lattice"),
+        ("init new --lang pyton", "python"),
+        ("init new --lang js", "javascript"),
+        ("ambiguity search --vertices 2 --edges 2 --lighthouse positon", "position"),
+    ],
+)
+def test_a_slip_in_a_name_is_told(refused, words, meant):
+    assert f"id you mean '{meant}'?" in refused(*words.split())
+
+
 @pytest.mark.no_cover
 @pytest.mark.parametrize(("verb", "option"), one_a_type(OPTIONS), ids=str)
 def test_an_empty_text_is_no_value_of_any_option(refused, verb, option, tmp_path, monkeypatch):

@@ -78,6 +78,18 @@ def test_a_reader_that_has_gone_is_no_error(cli, monkeypatch, words, columns):
     assert (code, err) == (0, "")
 
 
+@pytest.mark.parametrize("words", ["--version", "--help"])
+def test_a_text_without_a_verdict_needs_no_reader(words):
+    """A pipe whose reader has gone before, and a stdout that is closed."""
+    assert shell(f"{words} >&-") == (0, "", "")
+    reader, writer = os.pipe()
+    os.close(reader)
+    command = [sys.executable, "-m", "allworlds", words]
+    done = subprocess.run(command, stdout=writer, stderr=subprocess.PIPE, check=False)
+    os.close(writer)
+    assert (done.returncode, done.stderr) == (0, b"")
+
+
 def test_the_words_of_an_explorer_give_no_orders_to_a_terminal(cli, refused, tmp_path):
     file = tmp_path / "rude.py"
     file.write_text(

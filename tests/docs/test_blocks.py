@@ -25,6 +25,7 @@ SLOW = {
     "docs/how-to/ci.md",
     "docs/how-to/lighthouse.md",
     "docs/how-to/pytest.md",
+    "docs/how-to/refuted.md",
     "docs/how-to/rows.md",
     "docs/how-to/shield.md",
     "docs/python.md",
@@ -124,6 +125,7 @@ def test_what_is_not_run_says_why():
         "needs Coq",
         "installs a package",
         "is a gate",
+        "goes on until it is stopped",
     }
     assert reasons <= usual
     for page, text in pages.items():

@@ -14,7 +14,6 @@ from allworlds.explorers import program
 from allworlds.explorers.program import SAYINGS
 from allworlds.explorers.shared_library import INTERFACE_VERSION
 from allworlds.judging.laws.law_table import PRECEDENCE
-from allworlds.protocol import playing
 from allworlds.reports.web import sections as frame
 from enumerators import BROKEN_ENUMERATORS
 from errands import WEAK_TASK_JUDGES, WRONG_ERRANDS
@@ -55,7 +54,6 @@ def test_the_page_of_proofs_says_how_many_mutants_there_are():
         ("verdicts.md", r"step budgets \| up to ([\d,]+)", capabilities.MOST_BUDGET),
         ("verdicts.md", r"one line of at most (\d+) characters", output.LONGEST),
         ("verdicts.md", r"is smaller than (\d+) MB", frame.LARGEST // 1_000_000),
-        ("trust.md", r"at most ([\d,]+) darts of an answer", playing.MOST_DARTS),
         ("trust.md", r"`PYTHONHASHSEED` 0, the second (\d)", lane.SECOND),
         (
             "how-to/languages.md",

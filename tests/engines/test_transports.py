@@ -1,6 +1,7 @@
 """Work piece by piece: every transport brings what every engine makes of every unit."""
 
 import inspect
+import re
 import threading
 from collections import Counter
 from concurrent import futures
@@ -10,8 +11,11 @@ import pytest
 
 from allworlds.engines import dask, engine_table
 from allworlds.engines.engine_table import ThisThread, Threads
+from allworlds.engines.job_records import NO_RECORDS, Records
 from allworlds.engines.limits import NOBODY, TimeIsUp
 from allworlds.engines.sweep import gather
+from allworlds.engines.units import PartialResult
+from allworlds.maps.classes import Extent, MapClass
 from clusters import cluster_here
 
 pytestmark = [
@@ -113,6 +117,49 @@ def test_a_transport_brings_every_unit_once(name, units, made):
 def test_a_transport_ends_when_the_time_is_up(name, made):
     with made(name, deadline=0.0) as transport, pytest.raises(TimeIsUp):
         list(transport.map(Digits(), map(Number, range(9))))
+
+
+class Slow(Number):
+    """A unit of which so many worlds are to be tried."""
+
+    def weight(self, _extent):
+        return 1000
+
+
+class Ending:
+    """A transport that brings so many digits of its last unit before the time is up."""
+
+    def __init__(self, digits):
+        self.digits = digits
+
+    def map(self, engine, units):
+        for unit in units:
+            parts = [*engine.parts(unit)][: self.digits]
+            yield from (PartialResult(unit, part, last=False) for part in parts)
+        raise TimeIsUp
+
+
+@pytest.mark.parametrize(
+    ("records", "kept", "digits", "said"),
+    [
+        (
+            Records(),
+            0,
+            2,
+            "no unit was finished, .* comes no further: a unit takes about [0-9]+ s$",
+        ),
+        (Records(), 0, 0, "no unit was finished, so that the same again comes no further$"),
+        (Records(), 1, 2, "^$"),
+        (NO_RECORDS, 0, 2, "^$"),
+    ],
+)
+def test_a_time_limit_in_which_no_unit_can_be_kept_is_told(records, kept, digits, said):
+    if kept:
+        records.kept = kept
+    extent = Extent(MapClass.MAPS, 3)
+    with pytest.raises(TimeIsUp) as up:
+        gather(Ending(digits), Digits(), [Slow(3456)], Some(), NOBODY, records, extent)
+    assert re.search(said, str(up.value))
 
 
 class Wrong(Exception):

@@ -83,3 +83,15 @@ def test_every_language_has_its_folder_and_every_folder_its_language():
     there = {entry.name for entry in SKELETONS.iterdir() if entry.is_dir()} - {"__pycache__"}
     assert there == set(LANGUAGES)
     assert all(templates(SKELETONS / lang) for lang in LANGUAGES)
+
+
+@pytest.mark.parametrize(("lang", "name"), [("c", "blocking.h"), ("rust", "fiber.rs")])
+def test_a_blocking_interface_is_short(lang, name):
+    assert len(templates(SKELETONS / lang)[name].splitlines()) <= 150
+
+
+@pytest.mark.parametrize("lang", ["c", "rust"])
+def test_a_library_has_a_target_for_each_tool_that_looks_at_memory(lang):
+    makefile = templates(SKELETONS / lang)["Makefile"]
+    for target in ("all", "test", "asan", "valgrind"):
+        assert f"\n{target}:" in makefile

@@ -46,7 +46,8 @@ def test_the_line_of_a_python_explorer_is_that_of_its_definition(folder, module,
     place = place_of_explorer(f"{module}:{attribute}")
     assert (place.file, place.line) == ((folder / "placed.py").resolve(), line)
     assert place.named_from(folder.resolve()) == "placed.py"
-    assert place.named_from(folder.resolve() / "deeper") == place.file.as_posix()
+    assert place.is_in(folder.resolve())
+    assert not place.is_in(folder.resolve() / "deeper")
 
 
 def test_of_a_file_without_an_attribute_the_place_is_the_file(folder):
@@ -80,6 +81,31 @@ def test_of_another_language_the_file_is_found(folder, name, file):
         (folder / there).touch()
     place = place_of_explorer(name)
     assert (place.file, place.line) == ((folder / file).resolve(), 1)
+
+
+@pytest.mark.parametrize(
+    ("name", "source"),
+    [
+        ("native:./fast.so", "fast.rs"),
+        ("native:build/libfast.so", "build/fast.c"),
+        ("exec:./fast --all", "fast.rs"),
+        ("exec:build/fast", "build/fast.c"),
+    ],
+)
+def test_of_compiled_code_the_place_is_the_source_beside_it(folder, name, source):
+    (folder / "build").mkdir()
+    for binary in ("fast.so", "fast", "build/libfast.so", "build/fast"):
+        (folder / binary).write_bytes(b"\x7fELF\0")
+    for text in ("fast.rs", "fast.md", "fast.h", "faster.c", "build/fast.c", "build/fast.o"):
+        (folder / text).touch()
+    assert place_of_explorer(name).file == (folder / source).resolve()
+    (folder / source).unlink()
+    assert place_of_explorer(name) is None
+
+
+def test_of_a_python_module_as_a_program_the_place_is_its_file(folder):
+    assert place_of_explorer("exec:python3 -m placed").file == (folder / "placed.py").resolve()
+    assert files_of_explorer("exec:python3 -m this") == []
 
 
 @pytest.mark.parametrize(

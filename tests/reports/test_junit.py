@@ -21,8 +21,45 @@ def junit(report):
 
 
 MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}
-ROOT = {"name", "tests", "failures", "errors"}
-"""The attributes that the schema of Jenkins (junit-10.xsd) has for ``testsuites``, but times."""
+
+TEXT, SECONDS = "(?s).*", r"[0-9]+\.[0-9]{3}"
+COUNTS = {"tests": TEXT, "failures": TEXT, "errors": TEXT}
+RESULT = {"type": TEXT, "message": TEXT}
+JENKINS = {
+    "testsuites": ({"testsuite"}, {}, {"name": TEXT, "time": SECONDS, **COUNTS}),
+    "testsuite": (
+        {"testsuite", "properties", "testcase", "system-out", "system-err"},
+        {"name": TEXT, **COUNTS},
+        {
+            **dict.fromkeys(("group", "skipped", "timestamp", "hostname", "id", "package"), TEXT),
+            **dict.fromkeys(("file", "log", "url", "version"), TEXT),
+            "time": SECONDS,
+        },
+    ),
+    "testcase": (
+        {"skipped", "error", "failure", "system-out", "system-err"},
+        {"name": TEXT},
+        {"time": SECONDS, "classname": TEXT, "group": TEXT},
+    ),
+    **dict.fromkeys(("failure", "error", "skipped"), (set(), {}, RESULT)),
+}
+"""What Jenkins takes (junit-10.xsd of its xUnit plugin): children, required attributes, others."""
+
+
+def broken_rules(element):
+    """The rules of Jenkins that an element and those below it break."""
+    children, required, others = JENKINS[element.tag]
+    for name in required:
+        if name not in element.attrib:
+            yield f"{element.tag} has no {name}"
+    for name, value in element.attrib.items():
+        if not re.fullmatch({**required, **others}.get(name, "(?!)"), value):
+            yield f"{element.tag} has {name}={value!r}"
+    for child in element:
+        if child.tag in children:
+            yield from broken_rules(child)
+        else:
+            yield f"{child.tag} stands in {element.tag}"
 
 
 def suite_of(report):
@@ -33,13 +70,13 @@ def suite_of(report):
     assert root.tag == "testsuites"
     assert [child.tag for child in root] == ["testsuite"]
     suite = root[0]
-    assert set(root.attrib) == ROOT
-    assert set(suite.attrib) == {*ROOT, "skipped"}
+    assert [*broken_rules(root)] == []
+    assert root.get("time") == suite.get("time")
     cases = [*suite]
     assert {case.tag for case in cases} == {"testcase"}
     results = Counter()
     for case in cases:
-        assert set(case.attrib) == {"classname", "name"}
+        assert set(case.attrib) == {"classname", "name", "time"}
         assert all(case.attrib.values())
         assert len(case) <= 1
         for result in case:
@@ -78,6 +115,46 @@ def holds():
 @pytest.fixture
 def refuted():
     return check(MUTANTS["pose-lost"].explorer(), edges=4)
+
+
+def test_every_case_tells_its_seconds_and_the_suite_their_sum(holds, refuted):
+    def seconds(report):
+        suite = suite_of(report)
+        return [each.get("time") for each in (suite, *suite)]
+
+    assert len(holds.seconds) == 2
+    timed = replace(holds, seconds=(0.25, 1234.5))
+    assert seconds(timed) == ["1234.750", "0.250", "1234.500", "0.000"]
+    assert timed.seconds_by_part == {"level_seconds": [0.25, 1234.5]}
+    timed = replace(refuted, seconds=(0.25, 2))
+    assert seconds(timed) == ["2.250", "0.250", "2.000", "0.000", "0.000"]
+
+
+def test_a_failure_tells_the_file_and_line_of_the_explorer(tmp_path, monkeypatch, refuted):
+    assert "file" not in suite_of(refuted).attrib  # it is a closure
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.py").write_text("\n\ndef explore(first):\n    yield\n")
+    (tmp_path / "deeper").mkdir()
+    (tmp_path / ".git").mkdir()
+    monkeypatch.chdir(tmp_path / "deeper")
+    suite = suite_of(replace(refuted, explorer="../mine.py:explore"))
+    assert suite.get("file") == "mine.py"
+    text = suite.find(".//failure").text
+    assert text == f"mine.py:3\n{finding_text(refuted.findings[0], 100)}"
+
+
+def test_the_rules_of_jenkins_do_not_take_anything(refuted):
+    for spoil in (
+        lambda root: root.set("skipped", "0"),
+        lambda root: root[0][0].set("file", "mine.py"),
+        lambda root: root.set("time", "soon"),
+        lambda root: root[0].attrib.pop("tests"),
+        lambda root: root.append(root[0][0]),
+    ):
+        root = ET.fromstring(junit(refuted).encode())
+        assert [*broken_rules(root)] == []
+        spoil(root)
+        assert [*broken_rules(root)]
 
 
 def test_a_check_that_holds_has_one_case_a_level_and_the_witnesses(holds):

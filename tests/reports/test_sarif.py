@@ -3,7 +3,10 @@ out: that all that is named exists, and that the walk goes along edges of the gr
 
 import copy
 import json
+import os
+import re
 from pathlib import Path
+from urllib.parse import unquote
 
 import pytest
 from jsonschema import Draft7Validator
@@ -104,6 +107,167 @@ def test_a_verdict_without_a_finding_is_a_notification_unless_it_is_good(ending,
     assert run["results"] == []
 
 
+def broken_rules(run, root):
+    """What code scanning refuses or does not show: its rules, as its public pages tell them."""
+    rules = run["tool"]["driver"]["rules"]
+    for rule in rules:
+        for name in ("shortDescription", "fullDescription", "help"):
+            if not 0 < len(rule.get(name, {}).get("text", "")) <= 1024:
+                yield f"{name} of {rule['id']}"
+    if not run["results"]:
+        yield "no result"
+    for result in run["results"]:
+        if result["ruleId"] not in {rule["id"] for rule in rules}:
+            yield "a result of no rule"
+        if not result["message"]["text"] or not result["partialFingerprints"]:
+            yield "a result without a message or a fingerprint"
+        if not 1 <= len(result.get("locations", ())) <= 10:
+            yield "a result refuses the whole file: it has no location"
+            continue
+        place = result["locations"][0]["physicalLocation"]
+        uri = place["artifactLocation"]["uri"]
+        file = root / unquote(uri)
+        if re.match("[a-z]+:|/", uri) or ".." in uri or not file.is_file():
+            yield f"{uri} is no file of the repository"
+        elif file.is_symlink() or place["region"]["startLine"] > len(file.read_text().split("\n")):
+            yield f"{uri} cannot be shown"
+        if not {"startLine", "startColumn", "endLine", "endColumn"} <= {*place["region"]}:
+            yield "a region is not whole"
+
+
+WORKFLOW = "on: push\njobs:\n  one:\n    steps:\n      - run: allworlds check x\n"
+
+KINDS = {
+    "file": ("mine.py:explore", "sub/mine.py"),
+    "file elsewhere": ("../up.py:explore", "up.py"),
+    "module": ("alone_here:explore", "sub/alone_here.py"),
+    "shield": ("shield:mine.py:explore", "sub/mine.py"),
+    "script": ("exec:node 'a b.js'", "sub/a b.js"),
+    "command on the PATH": ("exec:true", ".github/workflows/ci.yml"),
+    "command of the repository on the PATH": ("exec:runner --fast", "bin/runner"),
+    "python -m": ("exec:python3 -m package", "sub/package/__main__.py"),
+    "python -m of a file": ("exec:python3 -u -m package.inner", "sub/package/inner.py"),
+    "python -m of Python": ("exec:python3 -m this", ".github/workflows/ci.yml"),
+    "built in": ("algorithm1", ".github/workflows/ci.yml"),
+    "of this process": ("__main__:explore", ".github/workflows/ci.yml"),
+    "library": ("native:./explorer.so", "sub/explorer.rs"),
+    "library of a lib": ("native:build/libother.so", "sub/build/other.c"),
+    "library without a source": ("native:build/lost.so", ".github/workflows/ci.yml"),
+    "installed": ("env/site-packages/other.py:explore", ".github/workflows/ci.yml"),
+}
+"""Explorers of each kind, and the file at which a finding stands."""
+
+
+@pytest.fixture(scope="module")
+def report():
+    return check(f"{EXPLORERS}:first_edge", edges=2, max_findings=2)
+
+
+@pytest.fixture
+def repository(report, tmp_path, monkeypatch):
+    """The report of an explorer, and its repository, in a folder of which it is checked."""
+    python = ("mine.py", "alone_here.py", "env/site-packages/other.py", "../up.py")
+    texts = {
+        **{f"sub/{name}": "\n\ndef explore(first):\n    yield\n" for name in python},
+        "sub/a b.js": "",
+        "sub/package/__main__.py": "",
+        "sub/package/inner.py": "",
+        "bin/runner": "#!/bin/sh\n",
+        "sub/explorer.rs": "",
+        "sub/explorer.h": "",
+        "sub/build/other.c": "",
+        **dict.fromkeys(("sub/explorer.so", "sub/build/libother.so", "sub/build/lost.so"), "\0"),
+        ".github/workflows/ci.yml": WORKFLOW,
+        ".github/workflows/a.yml": "on: push\n",
+        "README.md": "",
+        ".git/HEAD": "",
+    }
+    for name, text in texts.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    (tmp_path / "bin" / "runner").chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path / 'bin'}{os.pathsep}{os.environ['PATH']}")
+    monkeypatch.chdir(tmp_path / "sub")
+    return replace(report, explorer="mine.py:explore")
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_code_scanning_takes_the_findings_of_each_kind_of_explorer(kind, repository, tmp_path):
+    name, file = KINDS[kind]
+    run = run_of(replace(repository, explorer=name))
+    assert [*broken_rules(run, tmp_path)] == []
+    (place,) = {json.dumps(each["locations"]) for each in run["results"]}
+    where = json.loads(place)[0]["physicalLocation"]
+    assert unquote(where["artifactLocation"]["uri"]) == file
+    if file.endswith(".py") and "package" not in file:
+        assert where["region"]["startLine"] == 3
+    if file.endswith("ci.yml"):
+        assert where["region"]["startLine"] == 5
+        for result in run["results"]:
+            assert "no file of this repository" in result["message"]["text"].partition("\n")[0]
+
+
+def test_the_root_is_that_of_git_or_else_of_the_service(repository, tmp_path, monkeypatch):
+    def root():
+        return run_of(repository)["originalUriBaseIds"]["SRCROOT"]["uri"]
+
+    monkeypatch.setenv("GITHUB_WORKSPACE", str(tmp_path / "bin"))
+    assert root() == tmp_path.as_uri() + "/"
+    (tmp_path / ".git" / "HEAD").unlink()
+    (tmp_path / ".git").rmdir()
+    assert root().endswith("/bin/")
+    (tmp_path / ".git").write_text("gitdir: elsewhere")  # of a worktree
+    assert root() == tmp_path.as_uri() + "/"
+    monkeypatch.chdir("/")
+    at_the_file = replace(repository, explorer=f"{tmp_path}/up.py:explore")
+    assert [*broken_rules(run_of(at_the_file), tmp_path)] == []
+
+
+def test_the_workflow_that_runs_comes_first_and_options_before_any_file(
+    repository, tmp_path, monkeypatch
+):
+    def place():
+        (one, *_) = run_of(replace(repository, explorer="algorithm1"))["results"]
+        return one["locations"][0]["physicalLocation"]["artifactLocation"].get("uri")
+
+    flows = tmp_path / ".github" / "workflows"
+    (flows / "z.yml").write_text(WORKFLOW)
+    monkeypatch.setenv("GITHUB_WORKFLOW_REF", "me/mine/.github/workflows/z.yml@refs/heads/main")
+    assert place() == ".github/workflows/z.yml"
+    for file in flows.iterdir():
+        file.unlink()
+    assert place() == "README.md"
+    (tmp_path / "pyproject.toml").write_text("[project]\nname = 'x'\n\n[tool.allworlds]\n")
+    assert place() == "pyproject.toml"
+
+
+def test_where_there_is_no_file_at_all_the_location_says_so(refuted, tmp_path, monkeypatch):
+    monkeypatch.setenv("GITHUB_WORKSPACE", str(tmp_path / "empty"))
+    (tmp_path / "empty").mkdir()
+    (result, *_) = run_of(refuted)["results"]
+    place = result["locations"][0]["physicalLocation"]
+    assert place["artifactLocation"] == {"uri": "no%20file%20associated%20with%20this%20alert"}
+
+
+def test_the_rules_of_code_scanning_do_not_take_anything(repository, tmp_path):
+    good = run_of(repository)
+    assert [*broken_rules(good, tmp_path)] == []
+    for spoil in (
+        lambda run: run["results"][0].pop("locations"),
+        lambda run: run["tool"]["driver"]["rules"][3].pop("help"),
+        lambda run: run["tool"]["driver"]["rules"].clear(),
+        lambda run: artifact(run).update(uri="file:///x/mine.py"),
+        lambda run: artifact(run).update(uri="sub/lost.py"),
+    ):
+        spoilt = copy.deepcopy(good)
+        spoil(spoilt)
+        assert [*broken_rules(spoilt, tmp_path)]
+
+
+def artifact(run):
+    return run["results"][0]["locations"][0]["physicalLocation"]["artifactLocation"]
+
+
 def test_the_schema_is_not_one_that_takes_anything(refuted):
     document = json.loads(sarif(refuted))
     for spoil in (
@@ -115,13 +279,3 @@ def test_the_schema_is_not_one_that_takes_anything(refuted):
         spoilt = copy.deepcopy(document)
         spoil(spoilt["runs"][0])
         assert not VALIDATOR.is_valid(spoilt)
-
-
-def test_an_explorer_outside_the_project_is_named_by_its_whole_path(refuted, monkeypatch, tmp_path):
-    elsewhere = tmp_path / "elsewhere"
-    elsewhere.mkdir()
-    monkeypatch.setenv("GITHUB_WORKSPACE", str(elsewhere))
-    run = run_of(refuted)
-    assert run["originalUriBaseIds"]["SRCROOT"]["uri"].endswith("/elsewhere/")
-    place = run["results"][0]["locations"][0]["physicalLocation"]
-    assert place["artifactLocation"] == {"uri": (tmp_path / "mine.py").resolve().as_uri()}

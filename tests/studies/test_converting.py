@@ -64,8 +64,8 @@ def test_what_is_not_written_leaves_the_old_file(refused, tmp_path):
         (["-o", "x.pl", "-o", "x.ec"], "-o 'x.ec' is a second file of worlds; one is written"),
         (["-o", "x.graphml"], "worlds cannot be written as 'x.graphml'; legal are .json, "),
         (["-o", "x.odd"], "-o 'x.odd' is no file that convert writes: .json, "),
-        (["--order", "left"], "order 'left' is neither clockwise nor anticlockwise"),
-        (["--y", ""], "y '' is neither up nor down"),
+        (["--order", "left"], "order 'left' is not one of clockwise, anticlockwise"),
+        (["--y", ""], "y '' is not one of up, down"),
     ],
 )
 def test_options_without_a_meaning_are_refused(words, why, refused, tmp_path, monkeypatch):

@@ -346,7 +346,7 @@ def test_an_order_against_the_clock_is_the_mirror_image(tmp_path):
     (plain,), (turned,) = read(path), read(path, order="anticlockwise")
     assert plain == plan
     assert turned == Entry(NAMED.map.mirrored(), plan.labels)
-    with pytest.raises(InputError, match="order 'left' is neither clockwise nor anticlockwise"):
+    with pytest.raises(InputError, match="order 'left' is not one of clockwise, anticlockwise"):
         read(path, order="left")
     with pytest.raises(InputError, match="y down has no effect on rotation"):
         read(path, y="down")

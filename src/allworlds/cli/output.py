@@ -1,5 +1,6 @@
 """Output: results go to stdout and into files, everything else goes to stderr."""
 
+import errno
 import io
 import os
 import re
@@ -222,11 +223,13 @@ def emit(result: doc.Report, output: OutputGroup, workers: int | None = None) ->
 
 
 def say(text: Callable[[], str]) -> None:
-    """Print a text on which no verdict depends, whether or not it is read to its end."""
+    """Print a text on which no verdict depends, whether or not there is a reader to its end."""
     try:
         print(text(), flush=True)
-    except (BrokenPipeError, SystemExit):
+    except (OSError, SystemExit) as error:
         # rich prints help itself, and makes a broken pipe the end of the process.
+        if getattr(error, "errno", errno.EPIPE) not in (errno.EPIPE, errno.EBADF):
+            raise
         abandon_stdout()
 
 

@@ -115,7 +115,13 @@ ENDED = "complete"
 
 
 class Records:
-    """The records of a job; by default nothing is kept."""
+    """The records of a job; by default nothing is kept.
+
+    Attributes:
+        kept: how many units were taken in.
+    """
+
+    kept = 0
 
     def result(self, key: str) -> Any:
         """Return the JSON value of a finished unit; None for any other."""

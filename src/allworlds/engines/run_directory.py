@@ -292,6 +292,7 @@ class RunDirectory(Records):
 
     database: Database
     notice: Callable[[str], None]
+    kept: int = 0
     _full: bool = False
 
     @override
@@ -302,6 +303,7 @@ class RunDirectory(Records):
     def keep(self, key: str, result: Sum) -> None:
         kept = to_kept(result)
         self._write(lambda: self.database.keep(key, result.worlds, time.time(), kept))
+        self.kept += 1
 
     @override
     def recall(self, name: str) -> Any:

@@ -5,6 +5,7 @@ the use of a finished level.  The rest is here: kept units, listeners, endings b
 the report of all that was finished by then.
 """
 
+import time
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable
 from pathlib import Path
@@ -21,7 +22,7 @@ from typing import (
 
 from typing_extensions import override
 
-from allworlds import document as doc, outcome
+from allworlds import document as doc, outcome, words
 from allworlds.engines import limits, players, tally, units
 from allworlds.engines.engine_table import ReadyEngine, ThisThread
 from allworlds.engines.job_records import ENDED, NO_RECORDS, Identity, Records, from_kept
@@ -181,24 +182,36 @@ def gather(
     total: units.Sum,
     listener: limits.Listener,
     records: Records = NO_RECORDS,
+    extent: classes.Extent | None = None,
 ) -> None:
     """Add the results of all units to ``total``; the listener is told of each part.
 
     The records keep each unit when it is whole.
 
     Raises:
-        TimeIsUp: when the time limit has been reached; ``total`` holds the results till then.
+        TimeIsUp: when the time limit has been reached; ``total`` holds the results till then.  If
+            no unit could be kept, it says so, and how long one takes.
     """
     begun: dict[str, units.Sum] = {}
-    for part in transport.map(engine, undone):
-        key, result = part.unit.key, part.result
-        total.add(result)
-        listener.progress(result.worlds)
-        whole = begun.setdefault(key, result)
-        if whole is not result:
-            whole.add(result)
-        if part.last:
-            records.keep(key, begun.pop(key))
+    started, unit = time.monotonic(), None
+    try:
+        for part in transport.map(engine, undone):
+            unit, result = part.unit, part.result
+            total.add(result)
+            listener.progress(result.worlds)
+            whole = begun.setdefault(unit.key, result)
+            if whole is not result:
+                whole.add(result)
+            if part.last:
+                records.keep(unit.key, begun.pop(unit.key))
+    except limits.TimeIsUp:
+        if records is NO_RECORDS or records.kept:
+            raise
+        said = "; no unit was finished, so that the same again comes no further"
+        if unit and extent and hasattr(unit, "weight") and (done := begun[unit.key].worlds):
+            seconds = (time.monotonic() - started) * unit.weight(extent) / done
+            said += f": a unit takes about {words.duration(1 + seconds)}"
+        raise limits.TimeIsUp(said) from None
 
 
 class Sweep(ABC, Generic[Total, Answer]):
@@ -214,6 +227,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         asked: the class of its requests.
         result: the class of its results, where it needs nothing but what was kept.
         portion: the part of the units that is done.
+        seconds: those that each finished level took.
         deadline: on the monotonic clock, or None.
         records: of the job, while it goes on.
     """
@@ -228,6 +242,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         self.listener: limits.Listener = request.listener
         self.portion: units.Shard = getattr(request, "shard", units.WHOLE)
         self.deadline = limits.deadline_after(request.time_limit)
+        self.seconds: list[float] = []
 
     @classmethod
     def known(
@@ -364,8 +379,9 @@ class Sweep(ABC, Generic[Total, Answer]):
         """Return the ending of a part of the job, or of the interruption that has stopped it."""
         try:
             return job()
-        except limits.TimeIsUp:
-            return outcome.Stopped(f"the time limit of {self.request.time_limit:g} s was reached")
+        except limits.TimeIsUp as up:
+            limit = self.request.time_limit
+            return outcome.Stopped(f"the time limit of {limit:g} s was reached{up}")
         except tally.EnginesDisagree as error:
             return outcome.Disagreed(str(error))
         except limits.ClusterLost as error:
@@ -381,13 +397,16 @@ class Sweep(ABC, Generic[Total, Answer]):
                 units.tell_of_size(self.extent, self.listener, shards)
             for level in self.levels():
                 self.listener.level(level.edges, level.worlds // shards)
-                total = self.empty()
+                total, began = self.empty(), time.monotonic()
                 try:
                     undone = (unit for unit in level.units if not self._is_kept(unit, total))
-                    gather(there, made.engine, undone, total, self.listener, self.records)
+                    gather(
+                        there, made.engine, undone, total, self.listener, self.records, self.extent
+                    )
                 except BaseException:
                     self.leave(level, total)
                     raise
+                self.seconds.append(time.monotonic() - began)
                 if ending := self.finish(level, total):
                     return ending
         return None

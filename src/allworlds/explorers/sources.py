@@ -13,6 +13,7 @@ import shutil
 from collections.abc import Callable, Iterator, Sequence
 from difflib import get_close_matches
 from inspect import CO_GENERATOR
+from itertools import pairwise
 from pathlib import Path
 from types import CodeType
 from typing import Annotated, Any
@@ -156,6 +157,10 @@ def _ends(name: str) -> Iterator[str]:
 # ---------------------------------------------------------------- files
 
 
+COMPILED = (".c", ".cc", ".cpp", ".cxx", ".d", ".f90", ".go", ".hs", ".ml", ".nim", ".rs", ".zig")
+"""The ends of the names of sources that are compiled."""
+
+
 class SourceLine(Struct, frozen=True):
     """A place in a file.
 
@@ -167,11 +172,13 @@ class SourceLine(Struct, frozen=True):
     file: Path
     line: int = 1
 
+    def is_in(self, folder: Path) -> bool:
+        """Whether the file is one of that project, and no package that is installed below it."""
+        return self.file.is_relative_to(folder) and "site-packages" not in self.file.parts
+
     def named_from(self, folder: Path) -> str:
-        """The file relative to a folder, with ``/``; absolute if it is outside the folder."""
-        if self.file.is_relative_to(folder):
-            return self.file.relative_to(folder).as_posix()
-        return self.file.as_posix()
+        """The file relative to a folder above it, with ``/``."""
+        return self.file.relative_to(folder).as_posix()
 
 
 def files_of_explorer(name: str) -> list[Path]:
@@ -189,18 +196,32 @@ def place_of_explorer(name: str) -> SourceLine | None:
     """The place of an explorer's code; None for a built-in explorer, or if it is unknown.
 
     For a Python explorer the place is the line of its function, for a program the first line of
-    the last file that its command names, for a shared library that of the library.
+    the last file that its command names, or else of the command's own.  Of compiled code it is the
+    first line of the source beside it, as explorer.c of explorer.so.
     """
     files, name = files_of_explorer(name), innermost(name)
-    if not files:
-        return None
-    file = files[-1]
-    if is_program(name) or is_library(name):
-        return SourceLine(file.resolve())
     try:
+        if is_program(name) and not files:
+            files = [Path(shutil.which(shlex.split(command_or_path(name))[0]) or "")]
+        if not files:
+            return None
+        file = files[-1]
+        if is_program(name) or is_library(name):
+            source = _source(file.resolve())
+            return SourceLine(source) if source else None
         return SourceLine(file, _line(ast.parse(file.read_bytes()), _place(name)[1]))
-    except (OSError, ValueError, SyntaxError):
+    except (OSError, ValueError, SyntaxError, IndexError):
         return None
+
+
+def _source(file: Path) -> Path | None:
+    """The file, if it is a text; of compiled code the source of its name beside it, if any."""
+    with file.open("rb") as opened:
+        if b"\0" not in opened.read(4096):
+            return file
+    stems = {file.stem, file.stem.removeprefix("lib")}
+    beside = (each for each in sorted(file.parent.iterdir()) if each.stem in stems)
+    return next((each for each in beside if each.suffix in COMPILED), None)
 
 
 def _files_named(name: str) -> list[Path]:
@@ -213,7 +234,10 @@ def _files_named(name: str) -> list[Path]:
     if name in BUILT_IN:
         return []
     if is_program(name):
-        return [Path(word) for word in shlex.split(command_or_path(name))]
+        words = shlex.split(command_or_path(name))
+        modules = [module.replace(".", "/") for option, module in pairwise(words) if option == "-m"]
+        ends = (".py", "/__main__.py")  # of python -m
+        return [Path(word) for word in (*words, *(each + end for each in modules for end in ends))]
     if is_library(name):
         return [Path(command_or_path(name))]
     place, _ = _place(name)

@@ -12,7 +12,7 @@ import os
 import re
 import signal
 import sys
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from difflib import get_close_matches
 from importlib.util import find_spec
@@ -53,11 +53,34 @@ def show(value: object) -> str:
     return text if len(text) <= SHOWN else text[: SHOWN - 3] + "..."
 
 
-def did_you_mean(name: str, known: Iterable[str]) -> str:
-    """A hint such as ``; did you mean 'algorithm1'?``; empty if no name is similar."""
-    by_letters = {each.lower(): each for each in known}
-    close = get_close_matches(name.lower(), by_letters, n=1)
-    return f"; did you mean {show(by_letters[close[0]])}?" if close else ""
+def did_you_mean(name: str, known: Iterable[str], also: Mapping[str, str] | None = None) -> str:
+    """A hint such as ``; did you mean 'algorithm1'?``; empty if no name is similar.
+
+    Of a form such as ``wheel:N`` the part before the colon is compared, and what stands behind it
+    in the name is kept.  ``also`` has other words for names, such as ``grid`` for a lattice.
+    """
+    names = {re.sub(":[A-Z].*", "", each).lower(): each for each in known}
+    names |= {word: names[meant] for word, meant in (also or {}).items() if meant in names}
+    head, colon, argument = name.lower().partition(":")
+    words = (name.lower(), head)
+    close = (names[key] for word in words for key in get_close_matches(word, names, 1))
+    if (nearest := next(close, None)) is None:
+        return ""
+    whole = re.sub(":[A-Z].*", f":{argument}", nearest) if colon else nearest
+    return f"; did you mean {show(nearest if whole == name else whole)}?"
+
+
+def not_one_of(
+    what: str,
+    given: object,
+    known: Iterable[str],
+    more: str = "",
+    also: Mapping[str, str] | None = None,
+) -> InputError:
+    """The refusal of a value that is none of some names, with the one that may be meant."""
+    names = [str(each) for each in known]  # of an enumeration, too
+    hint = did_you_mean(given, names, also) if isinstance(given, str) else ""
+    return InputError(f"{what} {show(given)} is not one of {', '.join(names)}{more}{hint}")
 
 
 def integer(value: object) -> int:
@@ -96,7 +119,7 @@ def a_word(name: str, words: Sequence[str]) -> Callable[[object], Any]:
 
     def taken(given: object) -> object:
         if given not in words:
-            raise InputError(f"{name} {show(given)} is not one of {', '.join(words)}")
+            raise not_one_of(name, given, words)
         return given
 
     return taken
@@ -239,8 +262,8 @@ def read_text(path: str) -> str:
     """
     try:
         if path == "-":
-            return sys.stdin.read()
-        return a_path("file", path).read_text(encoding="utf-8")
+            return sys.stdin.read().removeprefix("\ufeff")
+        return a_path("file", path).read_text(encoding="utf-8-sig")
     except (OSError, UnicodeError) as error:
         reason = error.strerror if isinstance(error, OSError) else "it is no text"
         raise InputError(f"file {show(path)} cannot be read: {reason}") from None

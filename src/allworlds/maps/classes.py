@@ -22,6 +22,7 @@ from allworlds.inputs.checks import (
     an_integer,
     at_most,
     integer_of,
+    not_one_of,
     one_of,
     show,
 )
@@ -51,7 +52,7 @@ class MapClass(StrEnum):
             InputError: naming those that there are.
         """
         if not isinstance(text, str) or text not in list(cls):
-            raise InputError(f"class {show(text)} is not one of {', '.join(cls)}")
+            raise not_one_of("class", text, cls)
         return cls(text)
 
     @property

@@ -8,7 +8,7 @@ from typing import Any, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.checks import InputError, not_one_of, show
 from allworlds.maps.build import cycle, dense, from_cycles, lattice
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, automorphisms, rooted_code
 
@@ -349,7 +349,7 @@ def _parsed(text: str) -> tuple[Family, tuple[int, ...]]:
         match = re.fullmatch(re.sub(r"[A-Z]", r"(\\d+)", kind.form), text, re.ASCII)
         if match is not None:
             return kind, tuple(int(size[:7]) for size in match.groups())
-    raise InputError(f"family {show(text)} is not one of {FORMS}")
+    raise not_one_of("family", text, FORMS.split(", "), also=OTHER_WORDS)
 
 
 def random_map(edges: int, random: Random) -> CombinatorialMap:
@@ -436,5 +436,14 @@ FAMILIES = (
 
 FORMS: str = ", ".join(kind.form for kind in FAMILIES)
 """How their members are written."""
+
+OTHER_WORDS = {
+    "grid": "lattice",
+    "mesh": "lattice",
+    "ladder": "strip",
+    "ring": "cycle",
+    "complete": "dense",
+}
+"""Other words for families."""
 
 _WITH_HOLES = " and ".join(kind.form.partition(":")[0] for kind in FAMILIES if kind.has_holes)

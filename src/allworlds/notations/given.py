@@ -13,7 +13,7 @@ from typing import Annotated, Any, TypeAlias
 from msgspec import Struct
 
 from allworlds.document import IfAny, Text, about, replace
-from allworlds.inputs.checks import InputError, a_path, existing_file, show
+from allworlds.inputs.checks import InputError, a_path, existing_file, not_one_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, Request
 from allworlds.maps.build import named_map
 from allworlds.maps.combinatorial import (
@@ -216,7 +216,7 @@ def embeddings_of(
     """
     of_genus = re.fullmatch(r"genus:([0-9]{1,5})", which)
     if which != "all" and not of_genus:
-        raise InputError(f"embeddings {show(which)} is not one of all, genus:G, as in genus:1")
+        raise not_one_of("embeddings", which, ("all", "genus:G"), ", as in genus:1")
     entry = entry_named(graph, "", order, y) if codes else Entry(named_map(graph))
     genus = int(of_genus[1]) if of_genus else None
     labels = Labelling(entry.labels.name, entry.labels.vertices)

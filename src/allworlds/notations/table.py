@@ -8,7 +8,15 @@ from typing import IO, Literal, TypeAlias, get_args
 
 from msgspec import Struct
 
-from allworlds.inputs.checks import InputError, a_path, in_file, one_of, parse_json, show
+from allworlds.inputs.checks import (
+    InputError,
+    a_path,
+    in_file,
+    not_one_of,
+    one_of,
+    parse_json,
+    show,
+)
 from allworlds.notations.edge_list import read_edge_list, write_edge_list
 from allworlds.notations.entry import at
 from allworlds.notations.graphs import of_gml, of_graphml, of_yed, read_graph
@@ -156,7 +164,7 @@ def entries(
 def _check(notation: Notation, order: str | None, y: str | None) -> None:
     for name, given, known in (("order", order, Order), ("y", y, YAxis)):
         if given is not None and given not in get_args(known):
-            raise InputError(f"{name} {show(given)} is neither {' nor '.join(get_args(known))}")
+            raise not_one_of(name, given, get_args(known))
     if y and not notation.y:
         raise InputError(f"y {y} has no effect on {notation.name}, where positions decide nothing")
 

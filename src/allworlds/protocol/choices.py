@@ -11,7 +11,7 @@ from typing import Literal, Protocol, TypeAlias, TypeVar, get_args
 
 from typing_extensions import override
 
-from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.checks import not_one_of, show
 
 T = TypeVar("T")
 
@@ -97,8 +97,7 @@ def policy_named(name: str, run: str = "") -> Policy:
     if kind == "random" and seed.isascii() and seed.isdigit():
         return Seeded(f"{seed.lstrip('0') or '0'}/{run}")
     if name not in POLICIES:
-        legal = ", ".join([*POLICIES, SEEDED])
-        raise InputError(f"policy {show(name)} is not one of {legal} (SEED = 0, 1, 2, ...)")
+        raise not_one_of("policy", name, [*POLICIES, SEEDED], " (SEED = 0, 1, 2, ...)")
     return POLICIES[name]()
 
 

@@ -21,7 +21,7 @@ from msgspec import Struct
 
 from allworlds import verbs, words
 from allworlds.explorers.sources import SourceLine, place_of_explorer
-from allworlds.inputs.checks import InputError, ensure_installed, show
+from allworlds.inputs.checks import InputError, did_you_mean, ensure_installed, show
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import ASKED
 from allworlds.notations.table import by_suffix, legal, to_write
@@ -51,7 +51,7 @@ def _section(section: parts.Section) -> Iterator[str]:
         if isinstance(table, parts.Table) and table.rows:
             yield from [f"**{_plain(table.caption)}**"] if table.caption else []
             yield _table(table.header, table.texts, table.right)
-    others = [block for block in section.blocks if not isinstance(block, parts.Table)]
+    others = [b for b in section.blocks if not isinstance(b, parts.Table | parts.Curve)]
     if others:
         yield f"<details><summary>{_plain(section.title or 'More')}</summary>"
         for block in others:
@@ -86,28 +86,38 @@ _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 
 
 def junit(content: parts.ReportContent) -> str:
-    """A document with one suite."""
+    """A document with one suite, as Jenkins's xUnit schema has it.
+
+    The suite names the explorer's file, which that schema has at suites alone; a failure begins
+    with file and line.
+    """
     assert content.cases is not None
     cases, verb = content.cases(), content.done.removeprefix("allworlds ")
     results = Counter(case.result for case in cases)
+    root, place = _project(getattr(content.result, "explorer", ""))
+    name = place.named_from(root) if place else ""
     totals = {
         "tests": str(len(cases)),
         "failures": str(results["failure"]),
         "errors": str(results["error"]),
+        "time": f"{sum(case.seconds for case in cases):.3f}",
     }
-    root = ET.Element("testsuites", {"name": content.done, **totals})
-    # The schemas of services have this number at a suite, and not at the root.
-    skipped = {"skipped": str(results["skipped"])}
-    made = ET.SubElement(root, "testsuite", {"name": _legal(content.subject), **totals, **skipped})
+    made = ET.Element("testsuites", {"name": content.done, **totals})
+    # The schema has these at a suite, and not at the root.
+    more = {"skipped": str(results["skipped"]), **({"file": _legal(name)} if name else {})}
+    suite = ET.SubElement(made, "testsuite", {"name": _legal(content.subject), **totals, **more})
     for case in cases:
         named = {"classname": f"allworlds.{verb}", "name": _legal(case.name)}
-        element = ET.SubElement(made, "testcase", named)
+        element = ET.SubElement(suite, "testcase", {**named, "time": f"{case.seconds:.3f}"})
         if case.result != "passed":
             kind = {} if case.result == "skipped" else {"type": case.kind}
             why = ET.SubElement(element, case.result, {"message": _legal(case.message), **kind})
-            why.text = _legal(plain_text.text_of(case.sections, WIDTH)) or None
-    ET.indent(root)
-    return '<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(root, "unicode") + "\n"
+            said = plain_text.text_of(case.sections, WIDTH)
+            if place and case.result == "failure":
+                said = f"{name}:{place.line}\n{said}"
+            why.text = _legal(said) or None
+    ET.indent(made)
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(made, "unicode") + "\n"
 
 
 def _legal(text: str) -> str:
@@ -130,8 +140,8 @@ def runner_commands(content: parts.ReportContent) -> str:
     report: Any = content.result  # of a check
     head = content.headline
     assert head is not None
-    place = place_of_explorer(report.explorer)
-    at = {"file": place.named_from(project_folder()), "line": str(place.line)} if place else {}
+    root, place = _project(report.explorer)
+    at = {"file": place.named_from(root), "line": str(place.line)} if place else {}
     shown = [
         (headline_of(found), plain_text.finding_in_words(found, WIDTH, i))
         for i, found in enumerate(report.findings, 1)
@@ -155,32 +165,46 @@ SCHEMA = (
 )
 
 NO_FILE = "no file associated with this alert"
-"""The location of a result without a file, as other tools have it: GitHub refuses one without."""
+"""The location of a result where there is no file at all: GitHub refuses one without."""
+
+HELP = (
+    "\n\nThe message draws the smallest world in which the explorer breaks this law, and tells its "
+    "walk. Keep the report, with `allworlds check ... --json > report.json`: then `allworlds "
+    "explain report.json` says in words where belief and truth part, and `allworlds replay "
+    "report.json` runs the explorer there again, after a change too."
+)
+"""The help of each rule, after what the law asks."""
+
+
+def _rule(law: str, asked: str) -> dict[str, Any]:
+    """A law as a rule, with all that code scanning asks for."""
+    full = f"{asked} A result is the smallest world in which an explorer breaks this law."
+    return {
+        "id": law,
+        "shortDescription": {"text": asked},
+        "fullDescription": {"text": full},
+        "help": {"text": asked + HELP, "markdown": asked + HELP},
+        "defaultConfiguration": {"level": "error"},
+    }
 
 
 def sarif(content: parts.ReportContent) -> str:
     """The report as a SARIF log with one run.
 
-    Every law is a rule.  Every finding is a result at the file and line of the explorer, or at
-    ``NO_FILE`` if no file is known (built-in explorers, programs on the PATH): its message has the
-    picture and the walk.  A verdict without a finding that is no good news is a notification.
+    Every law is a rule.  Every finding is a result at the file and line of the explorer, or, if
+    that is no file of the repository, where the repository asks for the check (see
+    :func:`_place_of_check`): its message has the picture and the walk.  A verdict without a finding
+    that is no good news is a notification.
     """
     report: Any = content.result  # of a check
     head = content.headline
     assert head is not None
-    place = place_of_explorer(report.explorer)
-    rules = [
-        {
-            "id": law,
-            "shortDescription": {"text": asked},
-            "defaultConfiguration": {"level": "error"},
-        }
-        for law, asked in ASKED.items()
-    ]
+    rules = [_rule(law, asked) for law, asked in ASKED.items()]
     driver = {"name": "allworlds", "semanticVersion": __version__, "rules": rules}
     level = LEVELS.get(report.verdict)
     said = [(level, head.line)] if level else []
     said += [("note", remark) for remark in report.remarks]
+    root, place = _project(report.explorer)
     invocation = {
         "executionSuccessful": report.verdict is not Verdict.ERROR and not report.interrupted,
         "exitCode": int(report.exit_code),
@@ -191,26 +215,30 @@ def sarif(content: parts.ReportContent) -> str:
     run = {
         "tool": {"driver": driver},
         "invocations": [invocation],
-        "originalUriBaseIds": {"SRCROOT": {"uri": project_folder().as_uri() + "/"}},
-        "results": [_result(*found, place) for found in enumerate(report.findings, 1)],
+        "originalUriBaseIds": {"SRCROOT": {"uri": root.as_uri() + "/"}},
+        "results": [_result(*found, place, root) for found in enumerate(report.findings, 1)],
     }
     log = {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
     return words.harmless_json(json.dumps(log, indent=2)) + "\n"
 
 
-def _result(number: int, finding: Finding, place: SourceLine | None) -> dict[str, Any]:
+def _result(number: int, finding: Finding, place: SourceLine | None, root: Path) -> dict[str, Any]:
     from allworlds.reports.content.single_run import headline_of, wrong_line
     from allworlds.studies.explain import explain
 
     file, _, line = wrong_line(finding, explain(finding).step).rpartition(":")
-    if file:
-        place = SourceLine(Path(file).resolve(), int(line))
+    wrong = SourceLine(Path(file).resolve(), int(line)) if file else None
+    if wrong and wrong.is_in(root):
+        place = wrong
     text = plain_text.finding_in_words(finding, WIDTH, number)
     head = f"{headline_of(finding)}."
-    where = _artifact(place) if place else {"uri": quote(NO_FILE)}
-    if not place:
-        head += " No file with the explorer's code is known, so this stands at none."
-    region = {"startLine": place.line if place else 1}
+    if place is None:
+        head += " The explorer is no file of this repository, so this stands where it is checked."
+        place = _place_of_check(root)
+    at = place.line if place else 1
+    uri = quote(os.fsencode(place.named_from(root)) if place else NO_FILE)
+    where = {"uri": uri, **({"uriBaseId": "SRCROOT"} if place else {})}
+    region = {"startLine": at, "startColumn": 1, "endLine": at, "endColumn": 2}
     return {
         "ruleId": finding.law,
         "level": "error",
@@ -221,17 +249,35 @@ def _result(number: int, finding: Finding, place: SourceLine | None) -> dict[str
     }
 
 
-def _artifact(place: SourceLine) -> dict[str, Any]:
-    """The location of a file, relative to the project's folder where possible."""
-    name = place.named_from(project_folder())
-    if Path(name).is_absolute():
-        return {"uri": place.file.as_uri()}
-    return {"uri": quote(os.fsencode(name)), "uriBaseId": "SRCROOT"}
+def _place_of_check(root: Path) -> SourceLine | None:
+    """The line of the repository that asks for the check: of its workflow, or of its options.
+
+    If no file names this program it is the first line of any of them; None if there is none.
+    """
+    running = os.environ.get("GITHUB_WORKFLOW_REF", "").partition("@")[0].split("/", 2)[2:]
+    options = (root / "allworlds.toml", root / "pyproject.toml")
+    flows = (*(root / path for path in running), *sorted(root.glob(".github/workflows/*.y*ml")))
+    there = [file for file in (*flows, *options) if file.is_file()]
+    for file in there:
+        lines = file.read_text(encoding="utf-8", errors="replace").splitlines()
+        naming = (number for number, line in enumerate(lines, 1) if "allworlds" in line)
+        if line := next(naming, 0):
+            return SourceLine(file, line)
+    plain = (file for file in sorted(root.iterdir()) if file.name[0] != "." and file.is_file())
+    return next((SourceLine(file) for file in (*there, *plain)), None)
 
 
-def project_folder() -> Path:
-    """The project's folder in a CI service; elsewhere the current folder."""
-    return Path(os.environ.get("GITHUB_WORKSPACE") or Path.cwd()).resolve()
+def _project(explorer: str) -> tuple[Path, SourceLine | None]:
+    """The root of the repository, and the place of the explorer, if its file is one of it.
+
+    The root is that of git above the current folder, or above the explorer, or that of a CI
+    service; if there is none, the current folder.
+    """
+    here, place = Path.cwd().resolve(), place_of_explorer(explorer)
+    above = (here, *here.parents, *(place.file.parents if place else ()))
+    default = Path(os.environ.get("GITHUB_WORKSPACE") or here).resolve()
+    root = next((folder for folder in above if (folder / ".git").exists()), default)
+    return root, place if place and place.is_in(root) else None
 
 
 def content_of(result: Any) -> parts.ReportContent:
@@ -357,6 +403,36 @@ def csv_rows(content: parts.ReportContent) -> str:
     return out.getvalue()
 
 
+LATEX = {sign: f"\\{sign}" for sign in "&%$#_{}"}
+LATEX |= {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
+"""Characters that mean something to LaTeX, each as it is written."""
+
+
+def latex_rows(content: parts.ReportContent) -> str:
+    """The rows as a table of LaTeX that needs no package; empty if there is none."""
+    found = parts.rows_of(content)
+    if not found.columns:
+        return ""
+    shown = (("" if value is None else str(value) for value in row) for row in found.rows)
+    lines = (
+        " & ".join("".join(LATEX.get(sign, sign) for sign in cell) for cell in row) + r" \\"
+        for row in (found.columns, *shown)
+    )
+    head, *rest = (words.escaped(" ".join(line.split())) for line in lines)
+    sides = "".join("r" if kind in (int, float) else "l" for kind in found.columns.values())
+    begin = rf"\begin{{tabular}}{{{sides}}}"
+    return "\n".join([begin, r"\hline", head, r"\hline", *rest, r"\hline", r"\end{tabular}", ""])
+
+
+def curve_picture(content: parts.ReportContent) -> str:
+    """The curve as a picture by itself; an empty one where there are no two sizes."""
+    from allworlds.reports.drawing.curve import SVG, plot
+
+    blocks = (block for section in content.sections for block in section.blocks)
+    drawn = next((plot(block) for block in blocks if isinstance(block, parts.Curve)), None)
+    return ET.tostring(ET.Element("svg", xmlns=SVG) if drawn is None else drawn, "unicode") + "\n"
+
+
 def parquet_rows(content: parts.ReportContent) -> bytes:
     """A file of Parquet with these rows, a column for each name and of its type."""
     from pyarrow import BufferOutputStream, Table, bool_, float64, int64, schema, string
@@ -395,6 +471,8 @@ FORMATS = {
     "html": Format(html, ".html", (verbs.ROWS, verbs.PAGE)),
     "markdown": Format(markdown, ".md", summary="GITHUB_STEP_SUMMARY"),
     "csv": Format(csv_rows, ".csv"),
+    "latex": Format(latex_rows, ".tex"),
+    "svg": Format(curve_picture, ".svg", (verbs.CURVE,)),
     "json": Format(lambda content: document_text(content.result.to_json()), ".json", ()),
     "parquet": Format(parquet_rows, ".parquet", library=("pyarrow", "notebook", "a file .parquet")),
     "sarif": Format(sarif, ".sarif", (verbs.FINDINGS,)),
@@ -443,7 +521,9 @@ def form_and_path(verb: str, name: str) -> tuple[str, str]:
         named = (each for each, made in forms.items() if name.endswith(made.suffix or "\0"))
         form, path = next(named, ""), name
     if form not in forms:
-        raise InputError(f"-o {show(name)} is no file that {verb} writes: {legal_files(verb)}")
+        known = [*forms, *(each.suffix for each in forms.values())]
+        legal_ones = legal_files(verb) + did_you_mean(form or Path(name).suffix, known)
+        raise InputError(f"-o {show(name)} is no file that {verb} writes: {legal_ones}")
     if library := forms[form].library:
         ensure_installed(*library)
     return form, path

@@ -277,6 +277,20 @@ def _text(cell: Cell) -> str:
             return f"{cell:,.2f}"
 
 
+class Curve(Struct, frozen=True):
+    """Values by size, all positive; only pages and pictures show it.
+
+    Attributes:
+        title: of the values.
+        across: of the sizes.
+        lines: by its name each line's points: size, value, and the ends of its interval.
+    """
+
+    title: str
+    across: str
+    lines: Sequence[tuple[str, Sequence[tuple[float, float, float, float]]]]
+
+
 class MapPictures(Struct, frozen=True):
     """Pictures of maps, each with its caption, side by side."""
 
@@ -409,7 +423,9 @@ class DataRecord(Struct, frozen=True):
     log: str
 
 
-Block: TypeAlias = Paragraph | FactList | Table | MapPictures | ShownWalk | Quote | DataRecord
+Block: TypeAlias = (
+    Paragraph | FactList | Table | Curve | MapPictures | ShownWalk | Quote | DataRecord
+)
 """A part of a section."""
 
 
@@ -435,6 +451,7 @@ class SuiteCase(Struct, frozen=True):
     kind: str = ""
     message: str = ""
     sections: Sequence[Section] = ()
+    seconds: float = 0
 
 
 class ReportContent(Struct, frozen=True):

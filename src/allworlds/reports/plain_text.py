@@ -130,8 +130,8 @@ def _block(block: parts.Block, width: int) -> Iterator[str]:
             indent = block.prefix or ("  " if block.title else "")
             yield from [block.title] if block.title else []
             yield from (f"{indent}{line}".rstrip() for line in block.text.splitlines())
-        case parts.DataRecord():
-            return  # for pages; documents hold the same
+        case parts.DataRecord() | parts.Curve():
+            return  # for pages; documents and tables hold the same
 
 
 def _walk(walk: parts.ShownWalk, width: int) -> Iterator[str]:

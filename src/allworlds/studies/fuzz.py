@@ -177,6 +177,7 @@ class FuzzSweep(TallySweep[CheckReport]):
             asked=self.scope,
             tally=self._tally,
             levels=(),
+            seconds=tuple(self.seconds),
         )
 
 

@@ -9,7 +9,7 @@ from typing import Annotated
 from allworlds.document import Positive, Report, Text, about, computed, one_of
 from allworlds.explorers.languages import LANGUAGES, SKELETONS, Language, templates
 from allworlds.explorers.shared_library import INTERFACE_VERSION, header_text
-from allworlds.inputs.checks import InputError, a_path, one_of as one_of_these, show
+from allworlds.inputs.checks import InputError, a_path, not_one_of, one_of as one_of_these, show
 from allworlds.inputs.requests import OUTPUT, Argument, Option, Request, answers
 
 
@@ -126,7 +126,7 @@ def init(request: InitRequest) -> Skeleton | LedgerSkeleton | Header:
     if lang is None:
         lang = "python"
     if lang not in LANGUAGES:
-        raise InputError(f"lang {show(lang)} is not one of {', '.join(LANGUAGES)}")
+        raise not_one_of("lang", lang, LANGUAGES, also={"js": "javascript", "node": "javascript"})
     texts = templates(SKELETONS / lang)
     return Skeleton(directory=_written(directory, texts), lang=lang, files=tuple(texts))
 

@@ -18,6 +18,7 @@ from allworlds.inputs.checks import (
     did_you_mean,
     in_file,
     integer_of,
+    not_one_of,
     one_of,
     parse_json,
     show,
@@ -25,7 +26,7 @@ from allworlds.inputs.checks import (
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Converted, Option, Request
 from allworlds.maps.build import NoSuchMap, named_map, named_maps
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, rooted_code
-from allworlds.maps.families import FORMS, family
+from allworlds.maps.families import FORMS, OTHER_WORDS, family
 from allworlds.notations.objects import entry_of
 from allworlds.notations.table import entry_named
 from allworlds.world.lighthouses.kinds import (
@@ -214,8 +215,9 @@ def _world_of_corpus(name: str, kind: LighthouseKind, no_map: NoSuchMap) -> Worl
     if f"{name.rpartition('-')[0]}-N" in named_maps():
         raise no_map
     to_read = f"; to read a file write {show('@' + name)}"
+    known = [*named_maps(), *FORMS.split(", ")]
     is_file = Path(name).suffix == ".json"
-    hint = to_read if is_file else did_you_mean(name, [*named_maps(), *entries])
+    hint = to_read if is_file else did_you_mean(name, [*known, *entries], OTHER_WORDS)
     raise InputError(
         f"world {show(name)} is neither JSON, nor @file, nor a name that 'allworlds run --list' "
         f"tells{hint}"
@@ -291,6 +293,9 @@ def map_of_family(text: str, holes: str | None, seed: int) -> CombinatorialMap:
     names = {name.removesuffix("-N") for name in named_maps() if name.endswith("-N")}
     if holes is None and kind in names - _families():
         return named_map(f"{kind}-{number}")
+    if kind not in names | _families():
+        known = [*FORMS.split(", "), *sorted(f"{name}:N" for name in names - _families())]
+        raise not_one_of("family", text, known, also=OTHER_WORDS)
     return family(text, holes=0.0 if holes is None else _fraction(holes), seed=seed)
 
 

@@ -13,7 +13,7 @@ from typing import Annotated, Literal, TypeAlias
 from msgspec import Struct
 
 from allworlds.document import IfAny, Text, about
-from allworlds.inputs.checks import InputError, a_text, one_of, show
+from allworlds.inputs.checks import InputError, a_text, not_one_of, one_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, Request
 from allworlds.maps.classes import (
     AND,
@@ -59,7 +59,7 @@ PREDICATE = Role(
     "where",
     "allworlds.predicates",
     "def predicate(map), which returns True or False",
-    (LEGAL,),
+    tuple(LEGAL.split(", ")),
 )
 
 Predicate: TypeAlias = Callable[[CombinatorialMap], bool]
@@ -254,7 +254,7 @@ def worlds(
     extent = Extent(MapClass.named(map_class), edges, vertices, a_condition(where, local=True))
     kind = tried_kind(lighthouse).as_class
     if places not in ("all", "first"):
-        raise InputError(f"places {show(places)} is not one of all, first")
+        raise not_one_of("places", places, ("all", "first"))
     return _worlds(extent, kind, places)
 
 

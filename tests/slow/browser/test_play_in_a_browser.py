@@ -69,6 +69,43 @@ def test_what_cannot_be_is_told_and_can_be_taken_back(game):
     assert "4 darts are open" in told(game, "notes-words")
 
 
+DIRECTIONS = """
+() => {
+  const middle = (of) => {
+    const { x, y, width, height } = of.getBoundingClientRect();
+    return [x + width / 2, y + height / 2];
+  };
+  const angles = (darts, centre) => darts.map((dart) => {
+    const [x, y] = middle(dart.querySelector("circle"));
+    return Math.round((180 / Math.PI) * Math.atan2(y - centre[1], x - centre[0]));
+  });
+  const sensed = document.querySelector("#sensed svg");
+  const here = document.querySelector(".note-dart.robot-here").getAttribute("aria-label");
+  const [, place, back] = here.match(/place (\\d+), dart (\\d+)/).map(Number);
+  const mine = [...document.querySelectorAll(`.note-dart[aria-label^="place ${place},"]`)];
+  const disc = [...document.querySelectorAll("#notes .vertex")]
+    .find((one) => one.textContent === String(place));
+  const notes = angles(mine, middle(disc.querySelector("circle")));
+  const exits = [...sensed.querySelectorAll(".exit")];
+  const own = angles(exits, middle(sensed.querySelector(".vertex circle")));
+  return own.map((angle, k) => [angle, notes[(back + k) % notes.length]]);
+}
+"""
+"""Of each dart where the robot stands the direction in what is sensed, and that in the notes."""
+
+
+def test_both_panels_have_one_orientation(game):
+    def turned():
+        return [abs((one - other + 180) % 360 - 180) for one, other in game.evaluate(DIRECTIONS)]
+
+    assert max(turned()) <= 2
+    for key in "0121":
+        game.keyboard.press(key)
+        assert max(turned()) <= 2
+    conclude(game, (3, 0), (1, 3))
+    assert max(turned()) <= 2
+
+
 def walked_loops(game):
     for key in "011":
         game.keyboard.press(key)

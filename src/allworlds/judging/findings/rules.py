@@ -8,7 +8,15 @@ from typing import Annotated, Any, NamedTuple
 
 from allworlds import document as doc
 from allworlds.explorers.loading import Subject, is_library, own_bound
-from allworlds.inputs.checks import InputError, a_text, an_integer, integer_of, one_of, show
+from allworlds.inputs.checks import (
+    InputError,
+    a_text,
+    an_integer,
+    integer_of,
+    not_one_of,
+    one_of,
+    show,
+)
 from allworlds.inputs.requests import (
     RARE_RULES,
     RULES,
@@ -66,7 +74,7 @@ def _laws(given: object) -> tuple[str, ...] | None:
         if names.count(name) > 1:
             raise InputError(f"law {show(name)} is named twice")
         if name not in list(LAWS):  # a key would have to be hashable
-            raise InputError(f"law {show(name)} is not one of {', '.join(LAWS)}")
+            raise not_one_of("law", name, LAWS)
     if not names:
         raise InputError(f"laws = () names no law; legal are {', '.join(LAWS)}")
     return names

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache
 
-from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.checks import InputError, did_you_mean, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 
 VARIABLES = ("n", "m", "d0", "D", "d", "g")
@@ -192,7 +192,7 @@ def _compile(node: ast.expr, text: str) -> _Evaluate:
             part = ast.get_source_segment(text, node) or text
             raise InputError(
                 f"{show(part)} in bound {show(text)} is not one of integers, {', '.join(_NAMES)}, "
-                "+ - * // **, min(,), max(,) and parentheses"
+                f"+ - * // **, min(,), max(,) and parentheses{did_you_mean(part, BOUNDS)}"
             )
     parts = [_compile(part, text) for part in operands]
     return lambda names: apply(*[part(names) for part in parts])

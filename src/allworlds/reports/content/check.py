@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 
+from allworlds.document import replace
 from allworlds.engines import single, sweep, tally, units
 from allworlds.maps.count_source import source_of
 from allworlds.outcome import Disagreed, Verdict
@@ -260,13 +261,14 @@ def _cases(report: CheckReport) -> Iterator[parts.SuiteCase]:
     disagree; skipped, with the reason, where it was not finished.  A sample is one case.
     """
     if isinstance(report.asked.coverage, units.Sample):
-        yield _sample(report, report.asked.coverage)
+        yield replace(_sample(report, report.asked.coverage), seconds=sum(report.seconds))
         return
     past, new = list[int](), list[int]()
     for i, finding in enumerate(report.findings):
         (past if report.past and report.past.holds(finding) else new).append(i)
     if report.past:
         yield _failure(report, "past findings", past) if past else parts.SuiteCase("past findings")
+    seconds = dict(zip(report.levels, report.seconds, strict=False))
     every = "every world" if report.asked.extent.given is None else "every given world"
     for edges in report.asked.extent.levels:
         name = f"{every} with {plural(edges, 'edge')}"
@@ -279,14 +281,15 @@ def _cases(report: CheckReport) -> Iterator[parts.SuiteCase]:
                 parts.Section("gate", "", [parts.Paragraph("\n".join(wrong))]),
                 *_findings(report, found),
             ]
-            yield parts.SuiteCase(name, "error", "count-gate", wrong[0], said)
+            case = parts.SuiteCase(name, "error", "count-gate", wrong[0], said)
         elif found:
-            yield _failure(report, name, found)
+            case = _failure(report, name, found)
         elif edges in report.levels:
-            yield parts.SuiteCase(name)
+            case = parts.SuiteCase(name)
         else:
             why = report.ending.reason or "the level was not finished"
-            yield parts.SuiteCase(name, "skipped", message=why)
+            case = parts.SuiteCase(name, "skipped", message=why)
+        yield replace(case, seconds=seconds.get(edges, 0))
     if isinstance(report.ending, Disagreed) and all(cell.agrees for cell in report.cells):
         said = [parts.Section("engines", "", [parts.Paragraph(report.ending.reason)])]
         yield parts.SuiteCase("engines", "error", "engines-disagree", "two engines disagree", said)

@@ -29,11 +29,12 @@ def compare_content(report: comparison.Comparison | growth.Growth) -> parts.Repo
     blocks: list[parts.Block]
     if isinstance(report, growth.Growth):
         ratios = [_ratios(report)] if report.ratios else []
-        blocks = [_growth_table(report), *ratios, parts.FactList(_growth_facts(report))]
+        facts = parts.FactList(_growth_facts(report))
+        blocks = [*_curve(report), _growth_table(report), *ratios, facts]
     else:
         cells = _by_size(report, _short_names(report))
         table = parts.Table([*SIZES], cells, "Compared worlds", keys=4)
-        blocks = [_side_by_side(report), table, parts.FactList(_facts(report))]
+        blocks = [_side_by_side(report), *_curve(report), table, parts.FactList(_facts(report))]
     return parts.ReportContent(
         "allworlds compare",
         ", ".join(report.names),
@@ -44,6 +45,28 @@ def compare_content(report: comparison.Comparison | growth.Growth) -> parts.Repo
         rows=lambda: _growth_rows(report) if isinstance(report, growth.Growth) else _rows(report),
         apart=frozenset({"findings"}),
     )
+
+
+def _curve(report: comparison.Comparison | growth.Growth) -> Iterator[parts.Curve]:
+    """The mean cost by size, with a line for each explorer and family; none of a single size."""
+    lines: dict[str, list[tuple[float, float, float, float]]] = {}
+    shown = dict(zip(report.names, _short_names(report), strict=True))
+    if isinstance(report, growth.Growth):
+        for row in report.rows:
+            low, high = row.interval or (row.mean, row.mean)
+            points = lines.setdefault(f"{shown[row.explorer]}, {row.family}", [])
+            points.append((row.edges, row.mean, low, high))
+    else:
+        for edges in sorted({row.edges for row in report.rows}):
+            level = [row for row in report.rows if row.edges == edges]
+            worlds = sum(row.worlds for row in level)
+            for name in report.names:
+                mean = sum(row.mean[name] * row.worlds for row in level) / worlds
+                lines.setdefault(shown[name], []).append((edges, mean, mean, mean))
+    if all(
+        len({x for x, *_ in line}) > 1 and all(min(p) > 0 for p in line) for line in lines.values()
+    ):
+        yield parts.Curve("Mean cost, in traversals", "edges", [*lines.items()])
 
 
 def _short_names(report: entrants.ContestReport) -> list[str]:

@@ -5,6 +5,7 @@ from collections import Counter
 from collections.abc import Mapping
 
 from allworlds import outcome, words
+from allworlds.document import replace
 from allworlds.reports import parts
 from allworlds.studies.ledger import CheckedClaim, LedgerReport
 
@@ -44,7 +45,10 @@ def ledger_content(report: LedgerReport) -> parts.ReportContent:
         [parts.Section("ledger", "The ledger", ledger), *alone],
         more=lambda: [] if alone else sections,
         rows=lambda: _rows(report),
-        cases=lambda: [_case(one, required=one.id in report.missed) for one in report.claims],
+        cases=lambda: [
+            replace(_case(one, required=one.id in report.missed), seconds=one.seconds)
+            for one in report.claims
+        ],
     )
 
 

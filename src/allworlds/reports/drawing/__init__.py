@@ -14,5 +14,7 @@ picture asks a lighthouse what it is, for every scene is made of percepts.
 ``positions``
     the drawing where the vertices have positions, if these fit the map;
 ``regular``
-    lattices, also on a torus, wheels, stars, rings and paths, which are drawn as what they are.
+    lattices, also on a torus, wheels, stars, rings and paths, which are drawn as what they are;
+``curve``
+    values by size.
 """

@@ -12,11 +12,13 @@ from xml.etree import ElementTree as ET
 
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Move
+from allworlds.reports.drawing.curve import plot
 from allworlds.reports.drawing.layout import Layout, drawn_beside
 from allworlds.reports.drawing.positions import laid_out
 from allworlds.reports.drawing.svg import document, picture, raw, record, tag
 from allworlds.reports.parts import (
     Block,
+    Curve,
     DataRecord,
     FactList,
     MapPictures,
@@ -264,6 +266,8 @@ def _block(block: Block, name: str) -> Iterator[ET.Element]:
                 said = block.caption or "Counts"
                 shown = table_element(block)
                 yield tag("div", shown, class_="frame", tabindex="0", role="group", aria_label=said)
+        case Curve():
+            yield tag("figure", tag("figcaption", tag("b", block.title)), plot(block))
         case MapPictures():
             entries = enumerate(block.entries, 1)
             drawn = (figure(title, scene, f"{name}-{i}", "") for i, (title, scene) in entries)

@@ -51,11 +51,11 @@ function acting(made, label, act) {
 
 const now = () => sensed(world, states[states.length - 1]);
 
-// The place where the robot stands, as the robot sees it: dart 0 is behind it, below.
-function drawSensed() {
+// The place where the robot stands; dart 0 is behind it, in the direction that it has in the notes.
+function drawSensed(behind) {
   const { degree, marks, bearing } = now();
   const [cx, cy, reach] = [150, 150, 100];
-  const way = (k) => Math.PI / 2 + (2 * Math.PI * k) / degree;
+  const way = (k) => behind + (2 * Math.PI * k) / degree;
   const parts = [];
   for (let k = 0; k < degree; k += 1) {
     const [x, y] = polar(cx, cy, reach, way(k));
@@ -121,6 +121,7 @@ function edgePath(a, b) {
 function drawNotes() {
   const map = known();
   const seats = seated(map);
+  drawSensed(seats.get(map.here).angle);
   const parts = [];
   for (const { darts } of map.places) {
     for (const { name, end } of darts) {
@@ -286,7 +287,6 @@ function act(action) {
 }
 
 function draw() {
-  drawSensed();
   drawNotes();
   drawLog();
   drawWorld();

@@ -15,6 +15,7 @@ from allworlds.inputs.checks import (
     an_integer,
     at_most,
     integer_of,
+    not_one_of,
     show,
 )
 from allworlds.inputs.requests import EFFORT, OUTPUT, SCOPE, Option
@@ -235,12 +236,11 @@ def question_of(request: SearchRequest) -> Question:
     """
     lettered = a_text("lighthouse", request.lighthouse).partition(":")[0] in LETTERS
     if request.lighthouse not in SEARCHED and not lettered:
-        legal = ", ".join((*SEARCHED, *LETTERS))
-        raise InputError(
-            f"lighthouse {show(request.lighthouse)} is not one of {legal}, of which "
-            "there are formulas; 'ambiguity census' takes every lighthouse, and makes all small "
-            "worlds"
+        more = (
+            ", of which there are formulas; 'ambiguity census' takes every lighthouse, and makes "
+            "all small worlds"
         )
+        raise not_one_of("lighthouse", request.lighthouse, (*SEARCHED, *LETTERS), more)
     asked = Question(
         request.lighthouse,
         request.map_class,

@@ -204,6 +204,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
             cells=tuple(self._gate),
             past=self._corpus,
             symmetry=self._engine.symmetry(self.scope, self.job.subject),
+            seconds=tuple(self.seconds),
         )
         if report.runs and not self._tally.traversals and report.verdict is outcome.Verdict.HOLDS:
             self.listener.notice("every run holds, and none of them has walked an edge")

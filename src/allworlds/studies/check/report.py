@@ -291,6 +291,7 @@ class CheckReport(sweep.PortionReport):
     cells: NotInDocument[tuple[GateCell, ...]] = ()
     past: NotInDocument[tally_sweep.UserCorpus | None] = None
     symmetry: NotInDocument[str] = ""
+    seconds: NotInDocument[tuple[float, ...]] = ()
 
     @computed
     def verdict(self) -> Verdict:
@@ -382,6 +383,11 @@ class CheckReport(sweep.PortionReport):
     def findings(self) -> tuple[Finding, ...]:
         """Ascending by (edges, vertices, canonical code, place, choices)."""
         return tuple(self.tally.findings)
+
+    @property
+    @override
+    def seconds_by_part(self) -> dict[str, list[float]]:
+        return {"level_seconds": [*self.seconds]}
 
     @property
     def complete(self) -> bool:

@@ -182,7 +182,7 @@ class UserCorpus(Struct):
         for file in sorted(self.directory.glob("*.json")):
             said = f"corpus file {checks.show(file.name)}"
             try:
-                text = file.read_text(encoding="utf-8")
+                text = file.read_text(encoding="utf-8-sig")
             except (OSError, UnicodeDecodeError) as error:
                 reason = error.strerror if isinstance(error, OSError) else "it is no text"
                 raise checks.InputError(f"{said} cannot be read: {reason}") from None

@@ -13,7 +13,7 @@ from typing_extensions import override
 
 from allworlds import document as doc, outcome
 from allworlds.engines.units import GivenWorlds, SweptLevel, dealt
-from allworlds.inputs.checks import InputError, an_integer, show
+from allworlds.inputs.checks import InputError, an_integer, not_one_of, show
 from allworlds.maps import classes, families
 from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
 from allworlds.studies.compare import entrants, intervals
@@ -125,7 +125,7 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
     """
     known = form_of(family)
     if known is None:
-        raise InputError(f"family {show(family)} is not one of {FORMS}")
+        raise not_one_of("family", family, FORMS.split(", "), also=families.OTHER_WORDS)
     growing, number = known
     largest = dict.fromkeys(_largest(growing, number, to >> k) for k in reversed(range(SIZES)))
     sizes = [

@@ -9,7 +9,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias, get_args, get_origin, ge
 from msgspec import Meta
 
 from allworlds.document import IF_ANY, NOT_IN_DOCUMENT
-from allworlds.inputs.checks import InputError, integer, show
+from allworlds.inputs.checks import InputError, did_you_mean, integer, show
 from allworlds.protocol.importing import pairs_in
 
 
@@ -203,7 +203,8 @@ def _legal(kind: Any, name: str, key: str) -> FieldOption:
     if key in of:
         return of[key]
     legal = f"legal: {', '.join(of)}" if of else "it has none"
-    raise InvalidWorld(f"the lighthouse {show(name)} has no option {show(key)}; {legal}")
+    hint = did_you_mean(key, of)
+    raise InvalidWorld(f"the lighthouse {show(name)} has no option {show(key)}; {legal}{hint}")
 
 
 def values_in(place: Any) -> dict[str, OptionValue]:
