@@ -21,7 +21,7 @@ from allworlds.engines.judge import Due
 from allworlds.engines.limits import Limits, TimeIsUp
 from allworlds.engines.single import Plays
 from allworlds.engines.tally import RunCounter
-from allworlds.engines.units import WHOLE, GivenWorlds, Scope, numbered_runs
+from allworlds.engines.units import GivenWorlds, Scope, numbered_runs, units_of_level
 from allworlds.explorers.loading import Subject, is_library, is_program
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import CodeLines, Finding, place_of
@@ -107,7 +107,7 @@ def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Sco
 
 def _runs(scope: Scope, edges: int) -> Iterator[Placed]:
     """The runs of a level, whatever part of it the check itself has tried."""
-    for unit in replace(scope, coverage=WHOLE).units(edges):
+    for unit in units_of_level(scope.extent, edges):
         for run in numbered_runs(unit, scope.extent, scope.rules.kind):
             if run.lighthouse is not None:
                 yield World(run.map, run.lighthouse, 0), run.place
