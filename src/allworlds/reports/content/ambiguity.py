@@ -184,7 +184,7 @@ def _quotient(quotient: Quotient) -> tuple[parts.Paragraph, parts.Table]:
             for q, other in leads
         )
         labels = [quotient.labels[q] for q in vertex]
-        uneven = len({label.marks for label in labels}) > 1
+        uneven = len({getattr(label, "marks", 0) for label in labels}) > 1
         rows.append([around, "; ".join(map(str, labels if uneven else labels[:1])), cone])
     header = ["classes clockwise", "sensed there", "times round"]
     said = "The quotient (a→b: alpha takes class a to class b; a↺: to itself, a semi-edge)."
