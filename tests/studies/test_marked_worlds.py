@@ -1,3 +1,5 @@
+from itertools import permutations
+
 import pytest
 
 from allworlds.document import replace
@@ -6,6 +8,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps
 from allworlds.outcome import Disagreement
 from allworlds.studies.ambiguity import census
+from allworlds.studies.ambiguity.marked_worlds import SensedParts
 from allworlds.studies.ambiguity.members import least_rooting
 
 
@@ -119,3 +122,13 @@ def test_a_forgotten_world_is_noticed(monkeypatch):
 def test_bad_options_are_named(options, named):
     with pytest.raises(InputError, match=named):
         census(**options)
+
+
+def test_the_two_smallest_worlds_of_a_look_are_a_pair_in_whatever_order_they_come():
+    sizes = {"large": (4, 1), "small": (2, 1), "middle": (3, 1)}
+    for order in permutations(sizes):
+        met = SensedParts(sizes=sizes)
+        for name in order:
+            met.add(SensedParts(looks={"look": name}))
+        assert met.smallest_pair() == ("small", "middle")
+        assert [sorted(found) for found in met.classes()] == [sorted(sizes)]

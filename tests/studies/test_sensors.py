@@ -187,3 +187,14 @@ def test_a_wrong_rule_for_words_is_noticed(rule, degree, edges):
 def test_bad_requests_are_refused_in_a_line(verb, asked, said):
     with pytest.raises(InputError, match=said):
         verb(**asked)
+
+
+def test_sensors_that_show_the_same_are_both_minimal():
+    report = sensors("door", "word:10*", "directional", edges=2)
+    assert report.minimal == ("door", "word:10*")
+
+
+def test_twins_of_earlier_coarsenings_are_tried_first():
+    report = weakest(f"{HERE.parents[1]}/papers/minimal_information/sensors.py:Features", edges=2)
+    insufficient = report.coarsenings - report.sufficient
+    assert report.tried < (insufficient + len(report.minimal)) / 2

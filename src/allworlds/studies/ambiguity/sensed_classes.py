@@ -57,7 +57,11 @@ def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
             raise InputError(f"marks = {show(percept.marks)} is not below {MOST_MARKS}")
         return (percept.marks << BITS | bearing) << BITS | percept.degree
 
-    sensed = [[number(percept) for percept in place.percepts(map_)] for map_, place in worlds]
+    every = [place.percepts(map_) for map_, place in worlds]
+    # Equal percepts are mostly one object.
+    different = {id(percept): percept for percepts in every for percept in percepts}
+    numbers = {key: number(percept) for key, percept in different.items()}
+    sensed = [[numbers[id(percept)] for percept in percepts] for percepts in every]
     permutations = ([map_.sigma for map_, _ in worlds], [map_.alpha for map_, _ in worlds])
     shape = len(worlds), len(worlds[0][0].sigma) if worlds else 0
     made = (np.array(rows, np.int64).reshape(shape) for rows in (*permutations, sensed))

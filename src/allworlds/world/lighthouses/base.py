@@ -307,11 +307,12 @@ class ReferenceLighthouse(Lighthouse):
         sensed = [_percept(degree) for degree in map_.degree_at]
         # The first comes last: where a wrong answer takes v1 for v0, what is sensed is v0.
         for reference, marks in reversed([*self.references(map_).items()]):
-            degree = map_.degree_at[reference]
-            for back in range(degree):
-                # sigma^back(d) is the reference dart for the dart d that lies back places before.
-                bearing = back if self.sensing.bearing else None
-                sensed[map_.turn(reference, -back)] = _percept(degree, marks, bearing)
+            around = map_.vertices[map_.vertex_of[reference]]
+            at, pointed = around.index(reference), self.sensing.bearing
+            # sigma^back(d) is the reference dart for the dart d that lies back places before.
+            for back in range(len(around)):
+                bearing = back if pointed else None
+                sensed[around[at - back]] = _percept(len(around), marks, bearing)
         return tuple(sensed)
 
 
