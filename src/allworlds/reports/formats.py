@@ -199,8 +199,12 @@ def sarif(content: parts.ReportContent) -> str:
 
 
 def _result(number: int, finding: Finding, place: SourceLine | None) -> dict[str, Any]:
-    from allworlds.reports.content.single_run import headline_of
+    from allworlds.reports.content.single_run import headline_of, wrong_line
+    from allworlds.studies.explain import explain
 
+    file, _, line = wrong_line(finding, explain(finding).step).rpartition(":")
+    if file:
+        place = SourceLine(Path(file).resolve(), int(line))
     text = plain_text.finding_in_words(finding, WIDTH, number)
     head = f"{headline_of(finding)}."
     where = _artifact(place) if place else {"uri": quote(NO_FILE)}
