@@ -53,7 +53,7 @@ from correctness import (
 from decided import certificate, theorem
 from measured import (
     below_bound,
-    transit_explains,
+    gap_parts,
 )
 from position import (
     cycles,

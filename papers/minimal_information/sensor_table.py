@@ -68,14 +68,12 @@ def table(report: AmbiguitySensors) -> str:
 
 def pictures(report: AmbiguitySensors) -> str:
     """The smallest twins of some sensors, each in a block."""
-    sections = str(report).replace(f"{HERE}/", "").split("\nAlike under ")[1:]
+    found = str(report).replace(f"{HERE}/", "").split("\nAlike under ")[1:]
+    sections = [section.partition("\n\n") for section in found]
     drawn = []
     for name in SHOWN:
-        (section,) = (
-            s for s in sections if name in " ".join(s.partition("\n\n")[0].split()).split("; ")
-        )
-        body = section.partition("\n\n")[2].rstrip()
-        drawn.append(f"`{name}`:\n\n```text\n{body}\n```")
+        (body,) = (body for head, _, body in sections if name in " ".join(head.split()).split("; "))
+        drawn.append(f"`{name}`:\n\n```text\n{body.rstrip()}\n```")
     return "\n\n".join(drawn)
 
 

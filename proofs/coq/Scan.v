@@ -52,18 +52,6 @@ Definition scanning n : lighthouse (nat * nat) [eqType of nat] :=
 Definition scanning_algorithm pol : explorer (nat * nat) numbered_map :=
   fun seen => explorer_by (scanning (head (0, 0) seen).1) pol seen.
 
-(* an explorer that looks at its first percept to choose another one is, from then on, that one *)
-Lemma scanning_episode pol (M : rooted_map) (senses : carrier M -> nat * nat) budget :
-  episode (scanning_algorithm pol) M senses budget
-  = episode (explorer_by (scanning (senses (root M)).1) pol) M senses budget.
-Proof.
-rewrite /episode; set a := senses (root M).
-suff H (X Y : explorer (nat * nat) numbered_map) seen d : (forall s, X (a :: s) = Y (a :: s)) ->
-  explore X M senses budget (a :: seen) d = explore Y M senses budget (a :: seen) d by exact: H.
-move=> XY; elim: budget seen d => [|n IH] seen d /=; rewrite XY //.
-by case: (Y _) => // k; rewrite IH.
-Qed.
-
 (* the letters of a primitive word tell where the door is *)
 Lemma letters_from_inj n q q' : primitive (word w n) -> q < n -> q' < n ->
   letters_from n q = letters_from n q' -> q = q'.
@@ -191,7 +179,7 @@ Theorem scanning_correct pol budget : scanning_bound <= budget -> exists transcr
   [/\ episode (scanning_algorithm w pol) (rooted v0) senses budget = (transcript, Some answer, z),
       size transcript <= scanning_bound, valid answer & isomorphic (denote answer) (rooted z)].
 Proof.
-rewrite scanning_episode; move: budget.
+rewrite (chosen_episode (fun o => explorer_by (scanning w o.1) pol)); move: budget.
 exact: (@explorer_by_correct W _ _ L pol senses scanned (2 * n) seen_by_percept (fun=> erefl) asks_letters
   scanned_iff (2 * n) scanning_sets_out).
 Qed.

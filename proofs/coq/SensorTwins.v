@@ -49,15 +49,6 @@ exists (n.+1 - i + j); apply: val_inj; rewrite /= iter_onward addnA subnKC ?(ltn
 by rewrite modnDl modn_small.
 Qed.
 
-(* darts that the same turns bring back have one degree *)
-Lemma degree_alike (G H : combinatorial_map) (x : G) (y : H) :
-  (forall j, (iter j sigma x == x) = (iter j sigma y == y)) -> degree x = degree y.
-Proof.
-move=> E; apply: order_least; [exact: sigma_inj | exact: degree_gt0 | by apply/eqP; rewrite E iter_degree |].
-move=> j /andP[j0 lj]; apply/eqP; rewrite E; apply/eqP=> F.
-by have := findex_iter lj; rewrite F findex0 => e0; rewrite -e0 in j0.
-Qed.
-
 (* ---- Flowers ---- *)
 Record sheets := Sheets {
   sheet :> finType;
@@ -135,6 +126,23 @@ Qed.
 Lemma flower_alpha_neq x : flower_alpha x != x.
 Proof. by case: x => [i [[j []]|[]]]; apply/eqP; case. Qed.
 
+(* round v0: from the first stem of a sheet to the others, and to the next sheet *)
+Lemma stem_reached i j : fconnect flower_sigma (i, stem ord0 false) (i, stem j false).
+Proof.
+case: j => j; elim: j => [|j IH] lt.
+  have -> : Ordinal lt = ord0 by exact: val_inj.
+  exact: connect0.
+apply: connect_trans (IH (ltnW lt)) (connect1 _); apply/eqP; rewrite /= /flower_sigma /=.
+case: eqP => [[E]|_]; first by exfalso; move: (lt); rewrite E ltnn.
+by congr (_, inl (_, _)); apply: val_inj; rewrite /= onward_val /= modn_small.
+Qed.
+
+Lemma stem_last i : flower_sigma (i, stem ord_max false) = (around i, stem ord0 false).
+Proof.
+rewrite /flower_sigma /= eqxx; congr (_, inl (_, _)); apply: val_inj.
+by rewrite /= onward_val /= modnn.
+Qed.
+
 Local Notation joined := (connect (adjacent flower_sigma flower_alpha)).
 
 Lemma flower_connected x y : joined x y.
@@ -144,12 +152,7 @@ have byS z u : flower_sigma z = u -> joined z u by move<-; apply: connect1; rewr
 have byA z u : flower_alpha z = u -> joined z u by move<-; apply: connect1; rewrite /adjacent eqxx orbT.
 pose base i : flower_dart := (i, stem ord0 false).
 have stems i (j : 'I_p) : joined (base i) (i, stem j false).
-  case: j => j; elim: j => [|j IH] lt.
-    have -> : Ordinal lt = ord0 by exact: val_inj.
-    exact: connect0.
-  apply: connect_trans (IH (ltnW lt)) (byS _ _ _); rewrite /flower_sigma /=.
-  case: eqP => [[E]|_]; first by exfalso; move: (lt); rewrite E ltnn.
-  by congr (_, inl (_, _)); apply: val_inj; rewrite /= onward_val /= modn_small.
+  by apply: connect_sub (stem_reached i j) => z u /eqP; exact: byS.
 have ends i (j : 'I_p) : joined (base i) (i, stem j true).
   by apply: connect_trans (stems i j) (byA _ _ _).
 have bud0 i : joined (base i) (i, bud false).
@@ -158,8 +161,7 @@ have bud1 i : joined (base i) (i, bud true) by apply: connect_trans (bud0 i) (by
 have all i t : joined (base i) (i, t).
   by case: t => [[j []]|[]]; [exact: ends | exact: stems | exact: bud1 | exact: bud0].
 have turn i : joined (base i) (base (around i)).
-  apply: connect_trans (stems i ord_max) (byS _ _ _); rewrite /flower_sigma /= eqxx.
-  by congr (_, inl (_, _)); apply: val_inj; rewrite /= onward_val /= modnn.
+  by apply: connect_trans (stems i ord_max) (byS _ _ _); exact: stem_last.
 have cross i : joined (base i) (base (across i)).
   apply: connect_trans (bud1 i) _; rewrite sym; apply: connect_trans (bud0 (across i)) _; rewrite sym.
   exact: byA.
@@ -218,18 +220,11 @@ Hypothesis around_reaches : forall i j : X, exists b, iter b around i = j.
 Lemma stems_together (x y : flower_map) : at_stem x.2 -> at_stem y.2 -> at_same_vertex x y.
 Proof.
 pose base i : flower_map := (i, stem ord0 false).
-have stems i (j : 'I_p) : at_same_vertex (base i) (i, stem j false).
-  case: j => j; elim: j => [|j IH] lt.
-    have -> : Ordinal lt = ord0 by exact: val_inj.
-    exact: connect0.
-  apply: connect_trans (IH (ltnW lt)) _; apply: connect1; apply/eqP; rewrite /= /flower_sigma /=.
-  case: eqP => [[E]|_]; first by exfalso; move: (lt); rewrite E ltnn.
-  by congr (_, inl (_, _)); apply: val_inj; rewrite /= onward_val /= modn_small.
+have stems i (j : 'I_p) : at_same_vertex (base i) (i, stem j false) by exact: stem_reached.
 have bases i j : at_same_vertex (base i) (base j).
   have [b <-] := around_reaches i j; elim: b => [|b IH] /=; first exact: connect0.
-  apply: connect_trans IH _; apply: connect_trans (stems _ ord_max) _; apply: connect1; apply/eqP.
-  rewrite /= /flower_sigma /= eqxx.
-  by congr (_, inl (_, _)); apply: val_inj; rewrite /= onward_val /= modnn.
+  apply: connect_trans IH (connect_trans (stems _ ord_max) (connect1 _)).
+  by apply/eqP; exact: stem_last.
 case: x y => [i [[j []]|b]] [i' [[j' []]|b']] //= _ _; apply: connect_trans (stems i' j').
 by apply: connect_trans (bases i i'); rewrite -/(at_same_vertex _ _) at_same_vertex_sym; exact: stems.
 Qed.
@@ -258,7 +253,7 @@ case: (boolP (at_stem t)) => St; last first.
   congr (_, _); last first.
     rewrite /at_v0; case: ifP => [/same_vertex_part|_]; first by rewrite /= (negbTE St).
     by case: ifP => // /same_vertex_part; rewrite /= (negbTE St).
-  apply: degree_alike => j; rewrite !iter_off_stem // !xpair_eqE !eqxx //.
+  apply: degree_transfer => j; rewrite !iter_off_stem // !xpair_eqE !eqxx //.
 rewrite !stem_degree //; congr (_, _); rewrite /at_v0 !stems_together // !stem_degree //.
 case: t St => [[j []]|b] // _.
 have low k : let b := findex sigma ((k, stem j false) : flower_map) r in
@@ -369,7 +364,7 @@ have mW : edges W = 2 by rewrite flower_edges card_unit.
 have mW' : edges W' = 4 by rewrite flower_edges card_bool.
 exists W, W'; split=> //; first exact: first.
   exists (fun x y => x.2 = y.2); split=> // [[i t] [i' t'] /= <-|[i t] [i' t'] /= ->|[i t] [i' t'] /= ->] //.
-  rewrite /percept_by !zero //; congr (_, _); apply: degree_alike => j.
+  rewrite /percept_by !zero //; congr (_, _); apply: degree_transfer => j.
   by rewrite !iter_alone // !xpair_eqE !eqxx.
 by move/same_map_edges; rewrite mW mW'.
 Qed.

@@ -67,11 +67,12 @@ HOMES = {
     ],
     "networkx": ["maps.build", "maps.networks", "notations.graphs"],
     "numba": ["engines.kernel"],
-    "numpy": ["engines.kernel", "studies.ambiguity", "studies.compare"],
+    "numpy": ["engines.kernel", "studies.ambiguity"],
     "psutil": ["engines.dask"],
     "pyarrow": ["reports.formats"],
     "pysat": ["studies.ambiguity.solvers"],
     "rich": ["cli", "reports"],
+    "scipy": ["studies.compare"],
     "typer": ["cli", "reports"],
     "z3": ["studies.ambiguity.solvers"],
 }

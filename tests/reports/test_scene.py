@@ -64,9 +64,11 @@ def test_what_is_sensed_can_be_read_from_the_scene_and_from_its_text(kind):
     met = worlds(kind)
     assert met
     for world in met:
-        scene = replace(scene_of(world), robot=0)
-        assert read(world.map, scene.marks, scene.letters, scene.pointed) == world.percepts
-        assert read(world.map, *read_text(world.map, draw(scene, 200))) == world.percepts
+        scene, shown = replace(scene_of(world), robot=0), world.percepts
+        if world.lighthouse.labels_vertices:  # which are no markers
+            shown = tuple(replace(percept, marks=0) for percept in shown)
+        assert read(world.map, scene.marks, scene.letters, scene.pointed) == shown
+        assert read(world.map, *read_text(world.map, draw(scene, 200))) == shown
 
 
 def test_two_worlds_that_differ_in_their_norths_have_two_pictures():

@@ -78,6 +78,7 @@ def test_no_two_worlds_of_a_size_are_isomorphic_and_every_seed_is_isomorphic_to_
     ("seeds", "places", "exact"), [(30, 4, True), (3, 4, False), (30, 2, False)]
 )
 def test_a_sample_is_exact_if_it_is_the_whole_family_in_every_place(seeds, places, exact):
+    pytest.importorskip("scipy")
     asked = {"family": "lattice", "to": 12, "draws": seeds, "places": places}
     report = compare("algorithm1", "folding-oldest", **asked)
     one, other = report.rows
@@ -162,12 +163,22 @@ def grown(costs, explorers=("who",)):
 
 
 def test_the_ratio_is_that_of_each_world_and_has_an_interval():
+    pytest.importorskip("scipy")
     first = {10: [10, 20, 40, 80, 160, 320]}
     told = grown({"a": first, "b": {10: [2 * c for c in first[10]]}}, ("a", "b"))
     (ratio,) = told.ratios
     # The costs scatter, their ratios do not.
     assert (ratio.explorer, ratio.worlds, ratio.ratio, ratio.interval) == ("b", 6, 2, (2, 2))
     assert told.rows[0].interval[1] > 2 * told.rows[0].interval[0]
+
+
+def test_without_scipy_no_interval_is_shown_and_the_report_says_why(monkeypatch):
+    costs = {"a": {10: [10, 20, 40, 80, 160, 320]}, "b": {10: [20, 20, 20, 20, 20, 20]}}
+    told = grown(costs, ("a", "b"))
+    monkeypatch.setattr("allworlds.inputs.checks.find_spec", lambda _: None)
+    (ratio,) = told.ratios
+    assert {row.interval for row in (*told.rows, ratio)} == {None}
+    assert "interval needs scipy: in a clone" in " ".join(text_of(told, 200).split())
 
 
 def stops_at_once(first):
@@ -269,7 +280,8 @@ def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):
         *("compare", "folding-oldest", "--family", "strip", "--to", 20, "--json", "-o", file)
     )
     assert code == 0
-    assert json.loads(out)["verdict"] == "not-refuted"
+    told = json.loads(out)
+    assert (told["verdict"], told["rows"][0]["seeds"]) == ("not-refuted", 30)
     assert file.read_text().startswith("code,family,holes,seed,edges")
 
 

@@ -19,7 +19,6 @@ from allworlds.maps import rooted_maps
 from allworlds.outcome import Interrupted
 from allworlds.protocol.actions import Estimate
 from allworlds.reports.formats import file_of, text as text_of
-from allworlds.studies.compare import intervals
 from allworlds.studies.compare.comparison import SameWorlds
 from allworlds.world import Directional, World
 from kept_jobs import EXPLORERS
@@ -68,12 +67,6 @@ def test_means_and_comparisons_are_those_of_single_runs(report):
     vertices, least = min(most_expensive, key=lambda key: (key[0], key[1].sigma, key[1].alpha))
     assert report.differ_most.world.map == least
     assert report.differ_most.world.map.vertex_count == vertices
-
-
-def test_all_worlds_of_a_class_are_no_sample_of_which_others_are_drawn():
-    before = intervals._draws.cache_info()
-    compare("algorithm1", "folding", edges=2)
-    assert intervals._draws.cache_info() == before
 
 
 def test_the_rows_agree_with_a_check(report):

@@ -1,63 +1,76 @@
-"""Intervals: against tables, against every resample, and in samples whose mean is known."""
+"""Intervals: against a table of Student's distribution, and in samples whose mean is known."""
 
-from itertools import product
-from statistics import NormalDist, mean
+from math import exp, sqrt
+from random import Random
+from statistics import fmean, geometric_mean, mean, quantiles
 
 import pytest
 
-from allworlds.studies.compare.intervals import (
-    geometric_mean,
-    mean_interval,
-    student_quantile,
-)
+from allworlds.studies.compare.intervals import lack, mean_interval, ratio_interval
+
+pytest.importorskip("scipy", reason="the extra figures is not installed")
 
 
-@pytest.mark.parametrize(
-    ("freedom", "value"),
-    # E. S. Pearson, H. O. Hartley, Biometrika Tables for Statisticians I, table 12.
-    [(1, 12.706), (2, 4.303), (3, 3.182), (4, 2.776), (9, 2.262), (10, 2.228), (120, 1.980)],
-)
-def test_student_is_that_of_the_tables(freedom, value):
-    assert student_quantile(0.975, freedom) == pytest.approx(value, abs=5e-4)
+def covered(interval, true, size, trials, deviation=0.3):
+    """The share of lognormal samples of that size whose interval holds the true value."""
+    random = Random(1)
+    samples = ([random.lognormvariate(0, deviation) for _ in range(size)] for _ in range(trials))
+    return sum(low <= true <= high for low, high in map(interval, samples)) / trials
 
 
-def test_student_with_one_and_two_degrees_has_its_closed_form():
-    # Of Cauchy's distribution, and 2 a / sqrt(2 - (2a)^2 ...) of two degrees.
-    assert student_quantile(0.75, 1) == pytest.approx(1)
-    share = 0.9
-    closed = (2 * share - 1) * (2 / (4 * share * (1 - share))) ** 0.5
-    assert student_quantile(share, 2) == pytest.approx(closed)
+def percentile(values):
+    """Mutant: the interval of a plain bootstrap."""
+    random = Random(1)
+    drawn = [fmean(random.choices(values, k=len(values))) for _ in range(100)]
+    ends = quantiles(drawn, n=40)
+    return ends[0], ends[-1]
 
 
-def test_the_draws_have_the_quantiles_of_all_resamples():
-    values = [1.0, 2.0, 4.0, 8.0, 16.0]
-    every = sorted(mean(drawn) for drawn in product(values, repeat=5))
-    tail = NormalDist().cdf(-student_quantile(0.975, 4) * (5 / 4) ** 0.5)
-    low, high = mean_interval(values)
-    below = sum(value <= low for value in every) / len(every)
-    above = sum(value >= high for value in every) / len(every)
-    assert below == pytest.approx(tail, abs=0.003)
-    assert above == pytest.approx(tail, abs=0.003)
+def test_the_factor_of_five_worlds_is_that_of_the_table():
+    # E. S. Pearson, H. O. Hartley, Biometrika Tables for Statisticians I, table 12: 4 degrees.
+    student = 2.776
+    values = [exp(v) for v in (-2, -1, 0, 1, 2)]  # the deviation of the logarithms: sqrt(10 / 4)
+    low, high = ratio_interval(values)
+    assert high == pytest.approx(exp(student * sqrt(2.5 / 5)), rel=1e-3)
+    assert low == pytest.approx(1 / high)
+    low, high = mean_interval([8, 9, 10, 11, 12])
+    assert high == pytest.approx(10 * exp(student * sqrt(2.5 / 5) / 10), rel=1e-4)
+    assert low == pytest.approx(100 / high)
 
 
-def test_an_interval_is_the_same_every_time_and_moves_with_its_sample():
+@pytest.mark.parametrize(("interval", "true"), [(mean_interval, exp(0.045)), (ratio_interval, 1)])
+def test_an_interval_holds_the_true_value_as_often_as_it_says(interval, true):
+    assert 0.92 < covered(interval, true, 5, 300) < 0.98
+
+
+def test_the_bounds_of_that_test_refuse_a_plain_bootstrap():
+    assert covered(percentile, exp(0.045), 5, 100) < 0.9
+
+
+def test_an_interval_grows_with_its_sample():
     values = [3.0, 1.0, 4.0, 1.0, 5.0, 9.0]
     low, high = mean_interval(values)
-    assert mean_interval(values) == (low, high)
     assert low < mean(values) < high
-    assert mean_interval([10 + 2 * v for v in values]) == pytest.approx(
-        (10 + 2 * low, 10 + 2 * high)
-    )
+    assert mean_interval([2 * v for v in values]) == pytest.approx((2 * low, 2 * high))
+    assert mean_interval(values * 4)[1] < high
 
 
-def test_few_worlds_have_no_interval():
-    assert mean_interval([1.0, 2.0, 3.0, 4.0]) is None
+@pytest.mark.parametrize("interval", [mean_interval, ratio_interval])
+def test_few_worlds_and_a_cost_of_0_have_no_interval(interval):
+    assert interval([1.0, 2.0, 3.0, 4.0]) is None
+    assert interval([1.0, 2.0, 3.0, 4.0, 0.0]) is None
+    assert interval([1.0, 2.0, 3.0, 4.0, 5.0])
 
 
-def test_a_geometric_mean_does_not_mind_which_explorer_is_first():
+def test_a_ratio_does_not_mind_which_explorer_is_first():
     ratios = [0.5, 0.7, 0.2, 0.9, 1.4, 0.8]
-    found, (low, high) = geometric_mean(ratios)
-    other, (least, most) = geometric_mean([1 / ratio for ratio in ratios])
-    assert found == pytest.approx(1 / other)
-    assert (low, high) == pytest.approx((1 / most, 1 / least), rel=0.02)
-    assert geometric_mean([1.0, 0.0]) is None
+    low, high = ratio_interval(ratios)
+    assert low < geometric_mean(ratios) < high
+    assert ratio_interval([1 / ratio for ratio in ratios]) == pytest.approx((1 / high, 1 / low))
+
+
+@pytest.mark.parametrize("interval", [mean_interval, ratio_interval])
+def test_without_scipy_there_is_no_interval_and_a_word_why(interval, monkeypatch):
+    monkeypatch.setattr("allworlds.inputs.checks.find_spec", lambda _: None)
+    assert interval([1.0, 2.0, 3.0, 4.0, 5.0]) is None
+    assert lack() == "needs scipy: in a clone of allworlds, pip install '.[figures]'"

@@ -180,7 +180,7 @@ def test_a_wrong_rule_for_words_is_noticed(rule, degree, edges):
     [
         (sensors, {"edges": 2}, "names none; legal are none"),
         (lambda **asked: sensors("movable", **asked), {"edges": 2}, "leaves marks itself"),
-        (lambda **asked: sensors("door", **asked), {}, "a class needs a bound"),
+        (lambda **asked: sensors("door", **asked), {}, "needs a bound"),
         (lambda **asked: weakest("door", **asked), {"edges": 2}, "has features = None; legal is"),
     ],
 )

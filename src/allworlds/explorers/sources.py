@@ -56,7 +56,7 @@ MOST_OF_A_COMMAND = 20
 def names_explorer(text: str) -> bool:
     """Whether a text has the form of an explorer's name; whether there is one is not checked."""
     plain = text.partition("?")[0]
-    if has_shield(text) or plain in BUILT_IN or entry_point(plain):
+    if has_shield(text) or plain in BUILT_IN or entry_point(plain) or plain.endswith(".py"):
         return True
     return bool(re.fullmatch(r"(.+\.py|[^\W\d]\w*(\.[^\W\d]\w*)*):[^\W\d][\w.]*", plain))
 

@@ -223,8 +223,13 @@ def sarif(content: parts.ReportContent) -> str:
 
 
 def _result(number: int, finding: Finding, place: SourceLine | None, root: Path) -> dict[str, Any]:
-    from allworlds.reports.content.single_run import headline_of
+    from allworlds.reports.content.single_run import headline_of, wrong_line
+    from allworlds.studies.explain import explain
 
+    file, _, number_of_line = wrong_line(finding, explain(finding).step).rpartition(":")
+    if file and (there := Path(file).resolve()).is_file():
+        wrong = SourceLine(there, int(number_of_line))
+        place = wrong if wrong.is_in(root) else place
     text = plain_text.finding_in_words(finding, WIDTH, number)
     head = f"{headline_of(finding)}."
     if place is None:

@@ -34,7 +34,7 @@ class Scene(Struct, frozen=True):
 
     Attributes:
         map: the map.
-        start: the dart that the robot faced at the start; a picture begins there.
+        start: the dart that the robot faced at the start; None where that is not known.
         robot: the dart where the robot is at the end of its walk; None where nobody walks.
         marks: the number of markers at each vertex that has any, by the vertex's index in
             ``map.vertices``.
@@ -49,7 +49,7 @@ class Scene(Struct, frozen=True):
     """
 
     map: CombinatorialMap
-    start: Dart = 0
+    start: Dart | None = 0
     robot: Dart | None = None
     marks: Mapping[int, int] = field(default_factory=dict)
     pointed: Collection[Dart] = ()
@@ -60,6 +60,11 @@ class Scene(Struct, frozen=True):
     vertices: Sequence[str] = ()
     positions: tuple[Position, ...] = ()
     letters: Mapping[Dart, int] = field(default_factory=dict)
+
+    @property
+    def root(self) -> Dart:
+        """The dart where a picture begins: the start, else the robot's."""
+        return (self.robot or 0) if self.start is None else self.start
 
     @property
     def dart_names(self) -> Sequence[str]:
@@ -122,7 +127,13 @@ def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
     map_, lying = world.map, Counter(dropped)
     percepts = ((d, p.marked(lying[map_.vertex_of[d]])) for d, p in enumerate(world.percepts))
     scene, labels = Scene.sensed(map_, world.start, percepts, lasting=True), world.labels
-    return doc.replace(scene, vertices=labels.vertices, positions=labels.positions)
+    scene = doc.replace(scene, vertices=labels.vertices, positions=labels.positions)
+    return _without_labels(scene, world)
+
+
+def _without_labels(scene: Scene, world: World) -> Scene:
+    """The scene without marks, where these are labels of vertices and no markers."""
+    return doc.replace(scene, marks={}) if world.lighthouse.labels_vertices else scene
 
 
 def walk_in_world(world: World, transcript: Transcript) -> Scene:
@@ -140,6 +151,7 @@ def walk_in_answer(world: World, answer: Estimate, transcript: Transcript) -> Sc
     percepts = zip(walk.trail, walk.percepts or [], strict=False)
     lasting = not world.lighthouse.as_kind.leaves_marks
     scene = Scene.sensed(answer.map, walk.trail[0], percepts, lasting=lasting)
+    scene = _without_labels(scene, world)
     return doc.replace(scene, robot=answer.here, walked=_arrivals(walk.trail, transcript))
 
 
@@ -344,6 +356,7 @@ class ShownWalk(Struct, frozen=True):
             same, which are then drawn alike; None where each is drawn by itself.
         parting: the step at which belief and truth part.
         tour: it only leads along every edge: its steps say nothing by themselves.
+        lines: the place in the user's code of each step, as ``FILE:LINE``.
     """
 
     title: str
@@ -354,21 +367,27 @@ class ShownWalk(Struct, frozen=True):
     agreement: int | None = None
     parting: int | None = None
     tour: bool = False
+    lines: Sequence[str] = ()
 
     @property
     def table(self) -> Table:
-        """A row for each step."""
+        """A row for each step; the lines of one file by their numbers alone."""
         walked, elsewhere = self.walked, self.elsewhere
         header = ["step", "motion", "arrives at", "sensed"]
         motions = ["start", *map(str, walked.transcript.actions)]
         rows: list[list[Cell]] = [
-            [i, motion, walked.arrival(i), str(percept)]
+            [i, motion, walked.arrival(i), walked.in_words(percept)]
             for i, (motion, percept) in enumerate(zip(motions, walked.sensed, strict=True))
         ]
         if elsewhere:
             header += ["", elsewhere.where]
             for row, here, there in zip(rows, walked.sensed, elsewhere.percepts, strict=True):
-                row += ["=" if here == there else "≠", str(there)]
+                row += ["=" if here == there else "≠", walked.in_words(there)]
+        if any(self.lines):
+            files = {line.rpartition(":")[0] for line in self.lines}
+            header.append("line")
+            for row, line in zip(rows, ["", *self.lines], strict=False):
+                row.append(line.rpartition(":")[2] if len(files) == 1 else line)
         return Table(header, rows)
 
 

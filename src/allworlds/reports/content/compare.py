@@ -14,8 +14,7 @@ from allworlds.reports.content.scope import (
     option_facts,
 )
 from allworlds.reports.content.single_run import finding_section, run_section
-from allworlds.studies.compare import comparison, entrants, growth
-from allworlds.studies.compare.intervals import LEVEL
+from allworlds.studies.compare import comparison, entrants, growth, intervals
 from allworlds.words import number, plural
 from allworlds.world.named import code_of
 
@@ -147,11 +146,13 @@ def _growth_facts(report: growth.Growth) -> list[tuple[str, str]]:
     words = [*explorer_facts(report), ("scope", scope), *option_facts(report, GROWTH_SAID)]
     if report.rows:
         drawn = max(row.seeds for row in report.rows)
+        level = f"{intervals.LEVEL:.0%}, by Student's t on logarithms"
+        few = f"-: fewer than {intervals.LEAST_WORLDS} worlds"
         words += [
             ("worlds", f"different rooted maps of {plural(drawn, 'seed')}; isomorphic ones once"),
             ("runs", "of all places of the lighthouse in them; worst: of these runs"),
             ("mean", "over the worlds, in each over its runs; ratios: geometric mean"),
-            ("interval", f"{LEVEL:.0%}, by a bootstrap over the worlds; -: too few worlds"),
+            ("interval", intervals.lack() or f"{level}; {few}"),
         ]
         if any(row.exact for row in report.rows):
             words.append(("exact", "every world that seeds draw was run, in every place"))

@@ -37,8 +37,12 @@ def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
         "so under the lower one. Sensors in one line tell the same in the end, but perhaps not at "
         "once."
     )
-    blocks = [parts.Table(header, rows, "Sensors"), parts.fact("scope", _scope(found.extent))]
-    ordered = [parts.Paragraph(said), parts.Quote("order", "The order", order)]
+    blocks: list[parts.Block] = [
+        parts.Table(header, rows, "Sensors"),
+        parts.fact("scope", _scope(found.extent)),
+        parts.FactList([(row.lighthouse, row.tried or "") for row in found.rows]),
+    ]
+    ordered: list[parts.Block] = [parts.Paragraph(said), parts.Quote("order", "The order", order)]
     sections = [parts.Section("seen", "", blocks)]
     sections += [parts.Section("order", "Which tells more", ordered)] if order else []
     named = [(row.lighthouse, row.twins) for row in found.rows if row.twins]

@@ -181,7 +181,8 @@ def in_words(scene: Scene) -> str:
     if scene.ringed is not None:
         sentences.append(f"Ringed is dart {darts[scene.ringed]}.")
     end = "" if scene.robot is None else f", the robot is in the end at {darts[scene.robot]}"
-    sentences.append(f"The start is dart {darts[scene.start]}{end}.")
+    if scene.start is not None:
+        sentences.append(f"The start is dart {darts[scene.start]}{end}.")
     return " ".join(sentences)
 
 

@@ -158,11 +158,9 @@ class SensedParts(Struct):
                 found[each].add_class(some, of=len(members))
         return found
 
-    def smallest_pair(self) -> tuple[str, str] | None:
-        """The names of two worlds that look alike from some start."""
-        pairs = (sorted(pair, key=self._order, reverse=True) for pair in self.alike)
-        least = min(pairs, key=lambda pair: [*map(self._order, pair)], default=None)
-        return least and (least[1], least[0])
+    def smallest_pair(self) -> tuple[str, ...]:
+        """The names of the smallest two worlds that look alike from some start, if any do."""
+        return min(self.alike, key=lambda pair: [*map(self._order, reversed(pair))], default=())
 
     def ensure_counted(self) -> None:
         """Raise Disagreement unless each look has as many worlds as Burnside's count says.
@@ -384,10 +382,10 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
             bisimulation=(pair and pair.bisimulation) or (),
         )
 
-    def _compared(self, names: tuple[str, str] | None) -> ComparedWorlds | None:
+    def _compared(self, names: tuple[str, ...]) -> ComparedWorlds | None:
         """Two worlds of these names, with the proof that no motion tells them apart."""
         found: dict[str, dict[str, World]] = {}
-        for edges in sorted({self._met.sizes[name][0] for name in names or ()}):
+        for edges in sorted({self._met.sizes[name][0] for name in names}):
             for unit in units.units_of_level(self.extent, edges):
                 for _, worlds in batches(unit, self.extent, self.kind):
                     several = named(worlds, matrices(worlds))

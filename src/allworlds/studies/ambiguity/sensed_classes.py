@@ -173,5 +173,5 @@ def named(worlds: Sequence[Placed], arrays: SensedWorlds) -> Iterator[NamedWorld
             name = digest(code, told[row])
             least[row] = min(least[row], name) if least[row] else name
     sheets = (of == 0).sum(axis=1).tolist()
-    for look, name, each, number in zip(looks, least, told, sheets, strict=True):
-        yield NamedWorld(digest(look, each), name, number)
+    for look, name, said, number in zip(looks, least, told, sheets, strict=True):
+        yield NamedWorld(digest(look, said), name, number)

@@ -1,6 +1,6 @@
 """Sensors side by side: where each fails first, and which tells more than which."""
 
-from collections.abc import Hashable, Iterable, Sequence
+from collections.abc import Hashable, Sequence
 from itertools import permutations
 from typing import Annotated, Any
 
@@ -17,7 +17,7 @@ from allworlds.notations.given import GivenOptions
 from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity.marked_worlds import batches
 from allworlds.studies.ambiguity.members import ensure_motions_decide
-from allworlds.studies.ambiguity.sensed_classes import NamedWorld, Placed, matrices, named
+from allworlds.studies.ambiguity.sensed_classes import Placed, matrices, named
 from allworlds.world.bisimulation import flaw
 from allworlds.world.lighthouses import kinds, options
 from allworlds.world.selection import WhereOptions, tried_kind
@@ -97,6 +97,7 @@ class SensorRow(doc.Document):
     places: Annotated[
         doc.Natural, doc.about("the number of the first sensor that has the same places")
     ]
+    tried: sweep.TriedPlaces
 
 
 @doc.with_options(ManyWorldsOptions)
@@ -140,66 +141,66 @@ class AmbiguitySensors(doc.Report, kw_only=True):
 
 
 class Sensor(Struct):
-    """What a sensor shows in every world.
+    """A sensor, with all that it shows in every world.
 
     Attributes:
         kind: the lighthouse.
         worlds: the rooted maps, each with every place.
         roots: for each of them the number of its rooted map.
-        found: for each of them its names.
-        sensed: for each dart of each of them a number for what is sensed there.
+        places: the same with where the lighthouse stands.
+        looks, names: for each of them its names.
+        sensed: for each dart of each of them what is sensed there, and what is told.
     """
 
     kind: kinds.LighthouseKind
     worlds: list[Placed] = field(default_factory=list)
     roots: list[int] = field(default_factory=list)
-    found: list[NamedWorld] = field(default_factory=list)
-    sensed: list[int] = field(default_factory=list)
+    places: list[Any] = field(default_factory=list)
+    looks: list[str] = field(default_factory=list)
+    names: list[str] = field(default_factory=list)
+    sensed: list[Hashable] = field(default_factory=list)
 
     def meet(self, worlds: Sequence[Placed], number: dict[CombinatorialMap, int]) -> None:
         """Take in more worlds, in the order of their sizes."""
-        self.worlds += worlds
-        self.roots += (number.setdefault(map_, len(number)) for map_, _ in worlds)
         arrays = matrices(worlds)
-        self.found += named(worlds, arrays)
-        self.sensed += arrays.sensed.ravel().tolist()
+        rows = zip(worlds, named(worlds, arrays), arrays.sensed.tolist(), strict=True)
+        for (map_, place), found, sensed in rows:
+            root, told = number.setdefault(map_, len(number)), place.told(map_)
+            self.worlds.append((map_, place))
+            self.roots.append(root)
+            self.places.append((root, _place(place)))
+            self.looks.append(found.look)
+            self.names.append(found.name)
+            self.sensed += sensed if told is None else ((each, str(told)) for each in sensed)
 
-    @property
-    def places(self) -> list[Any]:
-        """Where it stands, in an order that sensors share."""
-        return [
-            (root, _place(place)) for root, (_, place) in zip(self.roots, self.worlds, strict=True)
-        ]
+    def row(self, edges: int, places: int) -> SensorRow:
+        """The row of the sensor.
 
-    @property
-    def looks(self) -> list[str]:
-        """For each world all that a robot can find out there, by name."""
-        return [found.look for found in self.found]
-
-    def row(self, places: int) -> SensorRow:
-        """The row of the sensor; ``places`` is the number of a sensor with equal ones."""
+        Args:
+            edges: of the largest maps.
+            places: the number of a sensor with equal ones.
+        """
         first: dict[str, int] = {}
-        edges, alike, roots = None, list[tuple[int, int]](), set[int]()
+        fails, alike, roots = None, list[tuple[int, int]](), set[int]()
         for number, (map_, _) in enumerate(self.worlds):
-            if edges is not None and map_.edge_count > edges:
+            if fails is not None and map_.edge_count > fails:
                 break
-            one = first.setdefault(self.found[number].look, number)
+            one = first.setdefault(self.looks[number], number)
             if self.roots[one] != self.roots[number]:
-                edges = map_.edge_count
+                fails = map_.edge_count
                 alike.append((one, number))
                 roots |= {self.roots[one], self.roots[number]}
         # Two different maps are shown, if there are some, and not one from two starts.
-        pair = min(
-            alike, default=None, key=lambda two: len({self.found[each].name for each in two}) < 2
-        )
+        pair = min(alike, default=None, key=lambda two: len({self.names[i] for i in two}) < 2)
         return SensorRow(
             lighthouse=self.kind.name,
             sufficient=not alike if self.worlds else None,
-            first=edges,
+            first=fails,
             ambiguous=len(roots),
             twins=AlikePair.of([World(*self.worlds[each], 0) for each in pair]) if pair else None,
             worlds=len(self.worlds),
             places=places,
+            tried=self.kind.as_class.tried_in_maps_of(edges),
         )
 
 
@@ -223,18 +224,18 @@ def compared(request: SensorsRequest) -> AmbiguitySensors:
         for sensor in found:
             for some in worlds_of_level(request, extent, edges, sensor.kind):
                 sensor.meet(some, number)
-    names, places = [sensor.kind.name for sensor in found], [sensor.places for sensor in found]
-    rows = tuple(sensor.row(places.index(places[i])) for i, sensor in enumerate(found))
-    comparable = [
-        (i, j) for i, j in permutations(range(len(found)), 2) if rows[i].places == rows[j].places
-    ]
-
-    def pairs(which: Iterable[tuple[int, int]]) -> tuple[tuple[str, str], ...]:
-        return tuple((names[i], names[j]) for i, j in which)
-
-    looks, sensed = [sensor.looks for sensor in found], [sensor.sensed for sensor in found]
-    dominates = pairs((i, j) for i, j in comparable if _follows(looks[j], looks[i]))
-    coarser = pairs((i, j) for i, j in comparable if _follows(sensed[i], sensed[j]))
+    places = [sensor.places for sensor in found]
+    rows = tuple(
+        sensor.row(extent.levels[-1], places.index(places[i])) for i, sensor in enumerate(found)
+    )
+    beside = [(a, b) for a, b in permutations(found, 2) if a.places == b.places]
+    dominates, coarser = (
+        tuple((a.kind.name, b.kind.name) for a, b in pairs)
+        for pairs in (
+            [(a, b) for a, b in beside if _follows(b.looks, a.looks)],
+            [(a, b) for a, b in beside if _follows(a.sensed, b.sensed)],
+        )
+    )
     enough = {row.lighthouse for row in rows if row.sufficient}
     finer = {b for a, b in coarser if a in enough and (b, a) not in coarser}
     return AmbiguitySensors(
@@ -242,7 +243,7 @@ def compared(request: SensorsRequest) -> AmbiguitySensors:
         rows=rows,
         dominates=dominates,
         coarser=coarser,
-        minimal=tuple(name for name in names if name in enough - finer),
+        minimal=tuple(row.lighthouse for row in rows if row.lighthouse in enough - finer),
         extent=extent,
     )
 

@@ -13,5 +13,5 @@ drawn from seeds, and isomorphic ones count once; every member has a name that g
 ``growth``
     families that grow and their members, the runs in them, and cost by size;
 ``intervals``
-    intervals of means and ratios, by a bootstrap over the worlds.
+    intervals of means and ratios, by Student's t on logarithms.
 """

@@ -115,7 +115,7 @@ class ContestWorldsOptions(selection.WhereOptions, GivenOptions, classes.ExtentO
         Option(
             RARE_SCOPE,
             "K",
-            "With --to: seeds of each size; isomorphic worlds count once [default: 10].",
+            "With --to: seeds of each size; isomorphic worlds count once [default: 30].",
             parse=integer_of,
             document_type=Annotated[
                 doc.Positive | None, doc.about("seeds of each size; null: worlds that do not grow")

@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from math import fsum
 from random import Random
+from statistics import geometric_mean
 from typing import Annotated, TypeAlias
 
 from msgspec import Struct
@@ -20,7 +21,7 @@ from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.named import map_of_family
 from allworlds.world.world import World
 
-WORLDS, PLACES, SEED = 10, 8, 1
+WORLDS, PLACES, SEED = 30, 8, 1
 """Defaults: seeds of a size, places in a world, and the first seed."""
 
 LEAST, SIZES = 12, 6
@@ -147,8 +148,8 @@ def _largest(growing: Growing, degree: int, edges: int) -> str:
 Range: TypeAlias = Annotated[
     doc.Pair[doc.Figure] | None,
     doc.about(
-        f"by a bootstrap over the worlds, at {intervals.LEVEL:.0%}; null: exact, or fewer than "
-        f"{intervals.LEAST_WORLDS} worlds"
+        f"at {intervals.LEVEL:.0%}, by Student's t on logarithms; null: exact, fewer than "
+        f"{intervals.LEAST_WORLDS} worlds, or no scipy"
     ),
 ]
 """An interval of a row."""
@@ -289,16 +290,16 @@ def _ratios(report: Growth) -> Iterator[CostRatio]:
             continue
         costs = {one.name: one.mean for one in beside.members}
         ratios = [one.mean / costs[one.name] for one in row.members if costs.get(one.name)]
-        if ratios and (mean := intervals.geometric_mean(ratios)) is not None:
+        if ratios and min(ratios) > 0:
             exact = row.exact and beside.exact and len(ratios) == len(row.members) == len(costs)
             yield CostRatio(
                 family=row.family,
                 edges=row.edges,
                 explorer=row.explorer,
                 worlds=len(ratios),
-                ratio=round(mean[0], 6),
+                ratio=round(geometric_mean(ratios), 6),
                 exact=exact,
-                interval=None if exact else _rounded(mean[1]),
+                interval=None if exact else _rounded(intervals.ratio_interval(ratios)),
             )
 
 

@@ -132,6 +132,7 @@ class Lighthouse(ABC):
         gives_marks, gives_bearings: whether it can make a percept have them; of two that are put
             together only one may.
         leaves_marks: whether the robot can leave marks itself.
+        labels_vertices: whether its marks are the labels of vertices, and no markers.
         code: where the class comes from, if it is the user's.
         chosen: the options that were given to the kind.
         every_place_to: the largest number of edges of the maps in which :meth:`places` yields every
@@ -146,6 +147,7 @@ class Lighthouse(ABC):
     gives_marks: ClassVar[bool] = True
     gives_bearings: ClassVar[bool] = True
     leaves_marks: ClassVar[bool] = False
+    labels_vertices: ClassVar[bool] = False
     code: ClassVar[user_code.UserCode | None] = None
     chosen: ClassVar[Mapping[str, OptionValue]] = MappingProxyType({})
     every_place_to: ClassVar[int | None] = None

@@ -336,6 +336,7 @@ class Labels(AtEveryVertex):
     numbers: NotInDocument[tuple[int, ...]] = ()
 
     kind: ClassVar[str] = "labels"
+    labels_vertices: ClassVar[bool] = True
     sensing: ClassVar[base.Sensing] = base.Sensing(base.Where.EVERYWHERE_NUMBERED, bearing=True)
 
     @override

@@ -208,10 +208,14 @@ def _legal(kind: Any, name: str, key: str) -> FieldOption:
 
 
 def values_in(place: Any) -> dict[str, OptionValue]:
-    """The options of a place that have another value than the default."""
+    """The options of a place that have another value than the default, and a pattern."""
     kind: Any = type(place)
-    of = options_of(kind)
-    return {key: value for key in of if (value := getattr(place, key)) != of[key].default}
+    values = {key: (getattr(place, key), option) for key, option in options_of(kind).items()}
+    return {
+        key: value
+        for key, (value, option) in values.items()
+        if value != option.default or (option.alone and type(value) is str)
+    }
 
 
 def ensure_legal(place: Any) -> None:
