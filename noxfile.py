@@ -122,8 +122,10 @@ def proofs(session: nox.Session) -> None:
         ("make", "-C", "proofs/coq", "enumeration", f"PYTHON={session.bin}/python"),
         ("python", "proofs/coq/certificates.py"),
         ("python", "proofs/certified.py"),
+        ("python", "proofs/certified.py", "--sample"),
         ("python", "proofs/certified.py", "--certificate", certificate, "algorithm1"),
         ("python", "proofs/certified.py", "--check", certificate, "algorithm1"),
+        ("python", "proofs/certified.py", "--verify", certificate, "algorithm1"),
         ("python", "proofs/certified_trees.py"),
     )
     for step in steps:
@@ -141,5 +143,6 @@ def full(session: nox.Session) -> None:
     further = ("walked", "judged", "checked", "folded", "shielded")
     limits = [word for name in further for word in (f"--{name}-edges", "4")]
     session.run("python", "proofs/certified.py", "--edges", "5", *limits)
+    session.run("python", "proofs/certified.py", "--sample", "20000", "--seed", "1")
     session.run("proofs/coq/minimality", external=True)
     session.run("python", "tests/support/mutants/matrix.py")

@@ -34,6 +34,7 @@ import venv
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import accumulate
 from pathlib import Path
 from typing import Any
 
@@ -65,6 +66,7 @@ class Mutant:
         name: of the function, or of what gets a value, where it is met before any test.
         tests: those that meet it.
         tried: how many tests were run with it.
+        text: the line that ``line`` is the number of.
         killed_by: a test or the deadline; empty: it survives.
     """
 
@@ -76,14 +78,15 @@ class Mutant:
     after: str
     name: str
     early: bool
+    text: str
     tests: set[str] = field(default_factory=set)
     tried: int = 0
     killed_by: str = ""
 
-    @property
-    def change(self) -> tuple[str, str, str]:
-        """The name by which the list of equivalent mutants knows it."""
-        return self.file, self.before, self.after
+    def among(self, known: Sequence[dict[str, str]]) -> bool:
+        """Whether the list of equivalent mutants has it, with its line where others are none."""
+        own = {**vars(self), "line": self.text}
+        return any(all(own.get(key, each[key]) == each[key] for key in each) for each in known)
 
     @property
     def wing(self) -> str:
@@ -158,9 +161,8 @@ def _compiled(node: ast.AST, file: str) -> bool:
 
 def mutants_of(file: str, text: bytes) -> Iterator[Mutant]:
     """Yield all mutants of a file."""
-    starts = [0]
-    for line in text.splitlines(keepends=True):
-        starts.append(starts[-1] + len(line))
+    lines = text.splitlines(keepends=True)
+    starts = [0, *accumulate(map(len, lines))]
 
     def below(node: Any, name: str, *, early: bool) -> Iterator[Mutant]:
         if isinstance(node, ast.stmt) and early:
@@ -171,7 +173,8 @@ def mutants_of(file: str, text: bytes) -> Iterator[Mutant]:
             start = starts[part.lineno - 1] + part.col_offset
             end = starts[part.end_lineno - 1] + part.end_col_offset
             before = ast.unparse(part)
-            yield Mutant(file, part.lineno, start, end, before, after, name, early)
+            line = lines[part.lineno - 1].decode().strip()
+            yield Mutant(file, part.lineno, start, end, before, after, name, early, line)
         for part in inner(node):
             if not _compiled(part, file):
                 function = isinstance(node, ast.FunctionDef) and isinstance(part, ast.stmt)
@@ -349,13 +352,13 @@ class Copy:
             print(f"{name}: {killer or 'SURVIVES'}", flush=True)
 
 
-def table(mutants: Sequence[Mutant], known: dict[tuple[str, str, str], str]) -> str:
+def table(mutants: Sequence[Mutant], known: Sequence[dict[str, str]]) -> str:
     """The numbers of each wing and of all."""
     text = f"{'':12}{'mutants':>9}{'killed':>9}{'survive':>9}{'equivalent':>12}\n"
     for wing in (*sorted({each.wing for each in mutants}), "all"):
         of_wing = [each for each in mutants if wing in (each.wing, "all")]
         killed = sum(bool(each.killed_by) for each in of_wing)
-        equivalent = sum(not each.killed_by and each.change in known for each in of_wing)
+        equivalent = sum(not each.killed_by and each.among(known) for each in of_wing)
         survive = len(of_wing) - killed - equivalent
         share = killed / max(killed + survive, 1)
         text += f"{wing:12}{len(of_wing):9}{killed:9}{survive:9}{equivalent:12}{share:9.1%}\n"
@@ -373,10 +376,7 @@ def main() -> int:
     parser.add_argument("--seconds", type=float, default=60, help="tests of one mutant at most")
     parser.add_argument("pytest", nargs="*", help="for the run without a mutant, as -- -n auto")
     options = parser.parse_args()
-    known = {
-        (each["file"], each["before"], each["after"]): each["reason"]
-        for each in tomllib.loads(EQUIVALENT.read_text()).get("mutant", ())
-    }
+    known = tomllib.loads(EQUIVALENT.read_text())["mutant"]
     paths = sorted((ROOT / SOURCE).rglob("*.py"))
     texts = {str(each.relative_to(ROOT)): each.read_bytes() for each in paths}
     order = drawn(texts, options.wing, options.seed)[: options.number * 3 // 2]
@@ -391,7 +391,7 @@ def main() -> int:
     idle = [
         each for number, each in mutants.items() if number < max(chosen) and number not in chosen
     ]
-    alive = [each for each in chosen.values() if not each.killed_by and each.change not in known]
+    alive = [each for each in chosen.values() if not each.killed_by and not each.among(known)]
     for each in alive:
         print(f"\n{each.file}:{each.line} ({each.tried} tests)\n- {each.before}\n+ {each.after}")
     for each in idle:

@@ -36,12 +36,15 @@ from allworlds.corpus.explorers import (
     WrongExplorer,
 )
 from allworlds.inputs.checks import InputError
+from allworlds.judging.episode import Ending, Fault
+from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.bounds import bound_named
 from allworlds.maps import rooted_code
 from allworlds.outcome import Verdict
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckReport
 from allworlds.words import plural
+from certificate_file import NoVerdict
 
 HERE = Path(__file__).resolve().parent
 CHECKER = HERE / "coq" / "checker"
@@ -55,10 +58,6 @@ REFUSED = 2
 
 Key = tuple[int, tuple[int, ...], tuple[int, ...], int]
 """The order of findings with equal numbers of edges: vertices, sigma, alpha, place."""
-
-
-class NoVerdict(Exception):
-    """A program has come to none; the message says why."""
 
 
 def asked(
@@ -228,9 +227,13 @@ def outcome(*comparisons: Callable[[], bool]) -> int:
     for compare in comparisons:
         try:
             agree = compare() and agree
-        except Exception:  # noqa: BLE001  # whatever ends it, nothing has been compared
+        except NoVerdict as error:
+            undecided = True
+            print(f"could not be decided: {error}")
+        except Exception as error:  # noqa: BLE001  # whatever ends it, nothing has been compared
             undecided = True
             traceback.print_exc()
+            print(f"could not be decided: {type(error).__name__}: {error}")
     code = 1 if not agree else 3 if undecided else 0
     print({0: "AGREE", 1: "DISAGREE", 3: "UNDECIDED"}[code])
     return code
@@ -255,7 +258,40 @@ def finished(report: CheckReport) -> CheckReport:
     """
     if report.verdict in (Verdict.INCONCLUSIVE, Verdict.ERROR):
         raise NoVerdict(f"allworlds check {report.explorer}: {report.verdict}")
+    for found in report.findings:
+        if found.law in ("crash", "timeout") and found.machine:
+            raise NoVerdict(f"{report.explorer}: {found.law}: {found.seen}")
     return report
+
+
+def answered_by(program: Path, lines: Sequence[str], *arguments: str) -> list[str]:
+    """The lines with which an extracted program answers each of these.
+
+    Raises:
+        NoVerdict: if it does not; the message says what came, and what it has said on stderr.
+    """
+    command = [str(program), *arguments]
+    try:
+        run = subprocess.run(
+            command, input="".join(lines), capture_output=True, text=True, check=False, timeout=600
+        )
+    except (OSError, subprocess.TimeoutExpired) as error:
+        raise NoVerdict(f"{program.name}: {error}") from None
+    answers = run.stdout.splitlines()
+    if run.returncode or len(answers) != len(lines):
+        what = f"{len(answers)} answers to {len(lines)} lines, exit code {run.returncode}"
+        raise NoVerdict(f"{program.name}: {what}; {run.stderr.strip()}")
+    return answers
+
+
+def not_lost(name: str, ending: Ending | Finding) -> None:
+    """See that a run has not ended because a program is lost or silent.
+
+    Raises:
+        NoVerdict: if so: it has not answered otherwise, for it has not answered.
+    """
+    if isinstance(ending, Fault | Finding) and ending.law in ("crash", "timeout"):
+        raise NoVerdict(f"{name}: {ending.law}: {ending.seen}")
 
 
 @dataclass(frozen=True, slots=True)

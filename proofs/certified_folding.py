@@ -9,7 +9,6 @@ say the same of whether one is open.
 from __future__ import annotations
 
 import json
-import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -32,7 +31,7 @@ from allworlds.judging.laws.folding import fold
 from allworlds.protocol.actions import Move, Percept, Transcript
 from allworlds.protocol.choices import Choices, policy_named
 from allworlds.world import World, worlds
-from certified_checker import agreement
+from certified_checker import agreement, answered_by
 
 FOLDING = Path(__file__).resolve().parent / "coq" / "folding"
 POLICIES = ("fifo", "lifo", "nearest")
@@ -108,10 +107,7 @@ def foldings_agree(edges: int) -> bool:
     """Whether all three fold every log to the same."""
     # An explorer walks in many worlds the same way: each log once.
     found = {line_of(log): (name, world, log) for name, world, log in logs(edges)}
-    answered = subprocess.run(
-        [str(FOLDING)], input="\n".join(found) + "\n", capture_output=True, text=True, check=True
-    )
-    answers = [json.loads(line) for line in answered.stdout.splitlines()]
+    answers = [json.loads(line) for line in answered_by(FOLDING, [f"{log}\n" for log in found])]
     differ, open_logs = [], 0
     for (name, world, log), certified in zip(found.values(), answers, strict=True):
         open_logs += not certified["folds"]

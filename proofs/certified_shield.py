@@ -25,7 +25,7 @@ from allworlds.maps.combinatorial import Code
 from allworlds.protocol.actions import Checkpoint, Estimate, Move, Percept, Player
 from allworlds.protocol.choices import Choices, policy_named
 from allworlds.world import worlds
-from certified_checker import agreement
+from certified_checker import agreement, not_lost
 
 EXPLORER = Path(__file__).resolve().parent / "coq" / "explorer"
 
@@ -122,6 +122,7 @@ def shields_agree(edges: int) -> bool:
                 bound = 9 * paper_bound(world.map.vertex_count, world.map.edge_count)
                 proved, same, ours = (play(world, p, Choices(), bound) for p in players)
                 runs += 1
+                not_lost(f"the certified shield of {name}", proved.ending)
                 code = _code(proved.ending)
                 differ += (
                     code is None

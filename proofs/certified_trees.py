@@ -32,18 +32,13 @@ from __future__ import annotations
 
 import argparse
 import re
-import shutil
-import subprocess
 import sys
 import tempfile
 import time
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
 from functools import partial
-from itertools import zip_longest
 from pathlib import Path
-from typing import Literal, TypeAlias
 
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.engines.limits import Limits
@@ -51,53 +46,34 @@ from allworlds.engines.players import Unsettled
 from allworlds.engines.single import subject_of
 from allworlds.explorers.loading import Subject, built_in, in_process_subject
 from allworlds.inputs.checks import InputError
-from allworlds.judging.episode import Answered, Fault, default_step_budget
+from allworlds.judging.episode import Answered, Fault, default_step_budget, ending_of, fault_of
 from allworlds.judging.laws.bounds import bound_named, paper_bound
+from allworlds.log import Log
 from allworlds.protocol.actions import Estimate, Move, Percept
 from allworlds.words import plural
 from allworlds.world import worlds
-from certified_checker import NoVerdict, agreement, outcome, package_outcome, tell
-from certified_runs import NoAnswer, episodes
+from certificate_file import (
+    COQ,
+    LARGEST,
+    Branches,
+    Leaf,
+    Node,
+    Nothing,
+    NoVerdict,
+    Sensed,
+    asked_of_coq,
+    is_built,
+    judged,
+    percept_in_words,
+    ways,
+    written,
+)
+from certified_checker import agreement, outcome, package_outcome, tell
+from certified_runs import NoAnswer, episodes, logs_along
 
-HERE = Path(__file__).resolve().parent
-COQ = HERE / "coq"
-LARGEST = 5000
-"""Coq writes a number n as n signs, and its parser warns of larger ones."""
-REFUSAL = 'Unable to unify "true" with "false"'
-"""What coqc says where it has computed that a tree is not right."""
 OF_THE_PACKAGE = {"holds": "accepted", "refuted": "refused", "no function": "no function"}
 """What coqc says where ``allworlds check`` says this."""
 WRONG = ("mirror-image", "pose-lost", "walks-too-much", "wrong-in-one-world")
-
-Sensed: TypeAlias = tuple[int, int]
-"""A percept: the degree and the bearing, -1 for none, so that percepts have an order."""
-
-
-@dataclass(frozen=True, slots=True)
-class Leaf:
-    """An answer: a rooted map."""
-
-    sigma: tuple[int, ...]
-    alpha: tuple[int, ...]
-    here: int
-
-
-@dataclass(slots=True)
-class Node:
-    """A motion, and what is done after each percept that may follow."""
-
-    k: int
-    after: Branches = field(default_factory=dict)
-
-
-@dataclass(frozen=True, slots=True)
-class Nothing:
-    """Neither a motion nor an answer: the law that the run has broken."""
-
-    law: str
-
-
-Branches: TypeAlias = "dict[Sensed, Leaf | Node | Nothing]"
 
 
 class NoFunction(Exception):
@@ -157,7 +133,7 @@ def apart(seen: Sequence[Sensed], before: object, now: object) -> str:
     def words(done: object) -> str:
         return f"motion {done.k}" if isinstance(done, Node) else str(done)
 
-    percepts = " ".join(_percept(o) for o in seen)
+    percepts = " ".join(percept_in_words(o) for o in seen)
     return f"after {percepts}: {words(before)}, and another time: {words(now)}"
 
 
@@ -186,32 +162,6 @@ def size_of(tree: Branches) -> int:
 
 # ---- The file ----
 
-HEAD = """(* A certificate (proofs/coq/DecisionTrees.v): what {who} does
-   in every world with at most {edges} edges.  Written by proofs/certified.py; coqc checks it.
-   If it cannot unify true with false, it has computed that in some of these worlds the explorer
-   gives no answer, or a wrong one, or makes more motions than the limit. *)
-Set Warnings "-notation-overridden".
-From mathcomp Require Import all_ssreflect.
-From Allworlds Require Import Model DecisionTrees.
-
-Definition tree : branches :=
-"""
-
-TAIL = """
-{definition}Lemma computed : certified tree {name} {universe} {edges} = true.
-Proof. vm_compute. reflexivity. Qed.
-
-Theorem right_in_every_world :
-  forall X : explorer percept numbered_map, answers_as X tree ->
-  forall W : lighthouse_world, {promise}edges W <= {edges} ->
-  exists transcript answer z,
-  [/\\ episode X (rooted start) (@percept_of W) ({limit})
-        = (transcript, Some answer, z),
-      valid answer & isomorphic (denote answer) (rooted z)].
-Proof. exact: ({lemma} computed). Qed.
-Print Assumptions right_in_every_world.
-"""
-
 
 def certificate(
     tree: Branches, edges: int, who: str, limit: str = "paper", universe: str = "all"
@@ -221,57 +171,11 @@ def certificate(
     Raises:
         InputError: if the limit is no bound, or needs more of a world than n, m and d0.
     """
-    definition, name, term = "", "paper", "paper_bound (vertices W) (edges W)"
-    if limit != "paper":
-        definition, name = f"Definition limit := {_limit(limit, edges, tree)}.\n", "limit"
-        term = "limit (vertices W) (edges W) (degree (@start W))"
-    simple = universe == "simple"
-    lemma = "certified_paper" if limit == "paper" else "certified_limit"
-    return (
-        # a comment is read for its end, and for quotation marks
-        HEAD.format(who=re.sub(r"[^A-Za-z0-9 ./:=_-]", "_", who), edges=edges)
-        + "".join(_branches(tree, 0))
-        + ".\n"
-        + TAIL.format(
-            definition=definition,
-            name=name,
-            universe="SimpleWorlds" if simple else "AllWorlds",
-            edges=edges,
-            promise="simple_world W -> " if simple else "",
-            limit=term,
-            lemma=f"{lemma}_simple" if simple else lemma,
-        )
-    )
+    in_coq = None if limit == "paper" else limit_in_coq(limit, edges, tree)
+    return written(tree, edges, who, universe, in_coq)
 
 
-def _branches(branches: Branches, depth: int) -> Iterator[str]:
-    """A line for each motion and each answer; branches in the order of their percepts."""
-    separator = "[::"
-    for percept, branch in sorted(branches.items(), key=lambda item: item[0]):
-        if isinstance(branch, Nothing):
-            continue
-        yield f"{separator}\n{' ' * depth}({_percept(percept)}, "
-        if isinstance(branch, Node):
-            yield f"Node {branch.k} "
-            yield from _branches(branch.after, depth + 1)
-            yield ")"
-        else:
-            numbers = f"{_numbers(branch.sigma)} {_numbers(branch.alpha)} {branch.here}"
-            yield f"Leaf (NumberedMap {numbers}))"
-        separator = ";"
-    yield "[::]" if separator == "[::" else "]"
-
-
-def _percept(percept: Sensed) -> str:
-    degree, bearing = percept
-    return f"({degree}, {'None' if bearing < 0 else f'Some {bearing}'})"
-
-
-def _numbers(numbers: Sequence[int]) -> str:
-    return f"[:: {'; '.join(map(str, numbers))}]" if numbers else "[::]"
-
-
-def _limit(text: str, edges: int, tree: Branches) -> str:
+def limit_in_coq(text: str, edges: int, tree: Branches) -> str:
     """A limit as Coq has it: a function of n, m and d0."""
     bound = bound_named(text)
     if text == "none":  # the tree is finite: no walk is longer than its longest
@@ -289,49 +193,59 @@ def _limit(text: str, edges: int, tree: Branches) -> str:
     return f"limit_from [:: {'; '.join(rows)}]"
 
 
-# ---- Coq ----
+# ---- Along a tree ----
 
 
-def asked_of_coq(file: Path) -> Literal["accepted", "refused"]:
-    """Whether coqc accepts a certificate, or has computed that its tree is not right.
+def apart_from(name: str, tree: Branches, edges: int, answer_timeout: float) -> str:
+    """Where an explorer does something else than the tree says, in words; '' if nowhere.
 
     Raises:
-        NoVerdict: if it refuses the file for another reason, or finds an assumption.
+        InputError: if there is no such explorer.
+        NoVerdict: if its processes are lost again and again.
     """
-    command = ["coqc", "-Q", str(COQ), "Allworlds", str(file)]
-    run = subprocess.run(command, capture_output=True, text=True, check=False)
-    if run.returncode == 0 and run.stdout == "Closed under the global context\n":
-        return "accepted"
-    if run.returncode == 1 and REFUSAL in run.stderr:
-        return "refused"
-    raise NoVerdict(f"coqc {file}: {run.returncode} {run.stdout}{run.stderr}")
-
-
-def is_built() -> bool:
-    """Whether there is Coq, and the theorems are compiled; if not, stderr says so."""
-    there = shutil.which("coqc") is not None and (COQ / "DecisionTrees.vo").exists()
-    if not there:
-        print("not built: make -C proofs/coq", file=sys.stderr)
-    return there
-
-
-def judge_certificate(file: Path, claimed: bytes) -> int:
-    """The exit code: whether coqc accepts a certificate, if the file is the one that is claimed."""
-    lines = zip_longest(file.read_bytes().split(b"\n"), claimed.split(b"\n"), fillvalue=b"")
-    for number, (found, wanted) in enumerate(lines, 1):
-        if found != wanted:
-            said, due = (line[:100].decode("ascii", "backslashreplace") for line in (found, wanted))
-            tell(f"DIFFERS    {file}, line {number}: {said!r}; claimed is {due!r}")
-            return 1
-    if not is_built():
-        return 2
+    limits = Limits(answer_timeout=answer_timeout)
+    subject = subject_of(name, limits)
+    every = list(ways(tree))
+    percepts = ([percept_of(o) for o in seen] for seen, _, _ in every)
+    budget = default_step_budget(max(map(len, (motions for _, motions, _ in every)), default=0))
     try:
-        said = asked_of_coq(file)
-    except NoVerdict as error:
-        tell(f"UNDECIDED  {error}")
-        return 3
-    tell(f"{said.upper():10} {file}, by coqc")
-    return 0 if said == "accepted" else 1
+        for (seen, motions, due), log in zip(
+            every, logs_along(subject, percepts, edges, budget, limits), strict=True
+        ):
+            fault = fault_of(log, budget)
+            if fault and fault.machine:
+                raise NoVerdict(f"{name} ends with {fault.law}: {fault.seen}")
+            ends = f"ends with {fault.law}: {fault.seen}" if fault else f"answers {_answer_of(log)}"
+            done = [*log.actions] if due is not None else [*log.actions][: len(motions)]
+            if done != motions:
+                pairs = zip(done, motions, strict=False)
+                at = next((i for i, (k, other) in enumerate(pairs) if k != other), None)
+                at = min(len(done), len(motions)) if at is None else at
+                does = f"makes motion {done[at]}" if at < len(done) else ends
+                has = f"motion {motions[at]}" if at < len(motions) else due
+                return f"{_after(seen[: at + 1])} {has}; {name} {does}"
+            if due is not None and due != _answer_of(log):
+                return f"{_after(seen)} {due}; {name} {ends}"
+    except (NoAnswer, Unsettled) as error:
+        raise NoVerdict(f"{name}: {error}") from None
+    return ""
+
+
+def percept_of(sensed_: Sensed) -> Percept:
+    """The percept that is written so."""
+    degree, bearing = sensed_
+    return Percept(degree, int(bearing >= 0), bearing if bearing >= 0 else None)
+
+
+def _answer_of(log: Log) -> Leaf | None:
+    match ending_of(log):
+        case Answered(Estimate() as e):
+            return Leaf(tuple(e.map.sigma), tuple(e.map.alpha), e.here)
+    return None
+
+
+def _after(seen: Sequence[Sensed]) -> str:
+    return f"after {' '.join(map(percept_in_words, seen))} it has"
 
 
 # ---- Programs ----
@@ -366,7 +280,7 @@ def write_certificate(arguments: Sequence[str]) -> int:
         tree, runs, unanswered = tree_of(subject, options.edges, map_class, limits)
         text = certificate(tree, options.edges, name, options.limit, options.universe)
         if options.check:
-            return judge_certificate(file, text.encode("ascii", "replace"))
+            return judged(file, text)
         file.write_text(text, encoding="ascii", errors="replace")
     except (NoFunction, NoAnswer) as error:
         word = "NO FUNCTION" if isinstance(error, NoFunction) else "NO ANSWER"

@@ -28,7 +28,7 @@ def read_json(path: Path) -> Any:
     text = lrat.read(path)
     try:
         return json.loads(
-            text, object_pairs_hook=_once, parse_float=_integer, parse_constant=_integer
+            text, object_pairs_hook=once, parse_float=_integer, parse_constant=_integer
         )
     except RecursionError:
         raise Refused(f"{path.name} is nested too deeply to be read") from None
@@ -38,7 +38,8 @@ def read_json(path: Path) -> Any:
         raise Refused(f"{path.name}: {error}") from None
 
 
-def _once(items: list[tuple[str, Any]]) -> dict[str, Any]:
+def once(items: list[tuple[str, Any]]) -> dict[str, Any]:
+    """The object of these names and values, if each name stands there once."""
     names = [name for name, _ in items]
     for name in names:
         if names.count(name) > 1:
@@ -69,7 +70,7 @@ def pair_of(value: Any, lighthouse: str) -> Pair:
     worlds = [world_of(world, lighthouse) for world in entry["pair"]]
     if not isinstance(entry["bisimulation"], list) or len(entry["bisimulation"]) != 2:
         raise Refused("a bisimulation has not classes of two worlds")
-    return worlds, [_integers(classes, "the classes") for classes in entry["bisimulation"]]
+    return worlds, [integers(classes, "the classes") for classes in entry["bisimulation"]]
 
 
 def world_of(value: Any, lighthouse: str) -> World:
@@ -79,7 +80,7 @@ def world_of(value: Any, lighthouse: str) -> World:
         Refused: saying what is amiss.
     """
     world = members(value, {"sigma", "alpha", "start", "lighthouse"}, "a world")
-    sigma, alpha = _integers(world["sigma"], "sigma"), _integers(world["alpha"], "alpha")
+    sigma, alpha = integers(world["sigma"], "sigma"), integers(world["alpha"], "alpha")
     require_map(sigma, alpha)
     start = _dart(world["start"], sigma, "start")
     has = {"none": set(), "compass": {"darts"}}.get(lighthouse, {"dart"})
@@ -87,7 +88,7 @@ def world_of(value: Any, lighthouse: str) -> World:
     if shown["kind"] != lighthouse:
         raise Refused(f"the lighthouse is {shown['kind']!r}, not {lighthouse!r}")
     named = [shown["dart"]] if "dart" in shown else shown.get("darts", [])
-    darts = [_dart(dart, sigma, "a reference dart") for dart in _integers(named, "darts")]
+    darts = [_dart(dart, sigma, "a reference dart") for dart in integers(named, "darts")]
     if "dart" in has and darts[0] not in orbit(sigma, start):
         raise Refused(f"the reference dart {darts[0]} is not at the start's vertex")
     if "darts" in has:
@@ -97,7 +98,8 @@ def world_of(value: Any, lighthouse: str) -> World:
     return World(sigma, alpha, start, lighthouse, tuple(darts))
 
 
-def _integers(value: Any, what: str) -> list[int]:
+def integers(value: Any, what: str) -> list[int]:
+    """The list, if it is one of integers."""
     if not isinstance(value, list) or any(type(number) is not int for number in value):
         raise Refused(f"{what}: not a list of integers")
     return value

@@ -15,6 +15,14 @@ from algorithm import (
     tests_decide,
     three_cases,
 )
+from beyond import (
+    directional_not_minimal,
+    door_minimal,
+    door_suffices,
+    powers_have_twins,
+    primitive_words,
+    weakest_sensors,
+)
 from complexity import (
     bound,
     bound_order,
@@ -45,7 +53,7 @@ from correctness import (
 from decided import certificate, theorem
 from measured import (
     below_bound,
-    transit_explains,
+    gap_parts,
 )
 from position import (
     cycles,

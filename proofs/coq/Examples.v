@@ -5,7 +5,7 @@
                                edge with a loop at its end.
      run, run_machine          Algorithm 1 from the root, as explorer and step by step: the number of
                                traversals, and whether it is right.
-     cluster_run, natural_run  the same with the lighthouses without a direction.
+     cluster_run, natural_run, door_run   the same with the lighthouses without a direction; with a door.
      theta_world               a lighthouse_world; theta_is_met: the theorem of Refinement.v about
                                it.
      loop_on_cycle             a loop lies on a cycle, so DoubleCover.v speaks of worlds that
@@ -14,7 +14,7 @@
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Codes Explorers Cost Algorithm.
 From Allworlds Require Import Refinement Policies NumberedWorlds Judge DoubleCover Enumeration.
-From Allworlds Require Import Cluster NaturalLighthouse.
+From Allworlds Require Import Cluster NaturalLighthouse SameWorld Checker Door.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -97,6 +97,19 @@ Proof. by vm_compute. Qed.
 Definition between := NumberedMap [:: 1; 0; 3; 4; 2; 5] [:: 2; 5; 0; 4; 3; 1] 1.
 Example natural_searches : [seq natural_run pol 3 between | pol <- policies]
   = [:: (11, true); (10, true); (11, true); (11, true)].
+Proof. by vm_compute. Qed.
+
+(* ---- The door, k darts clockwise from the root ---- *)
+Definition door_run k pol M := let pt := iter k (nth 0 (sigma_list M)) (root_number M) in
+  judged door pol (fun M d => seen_of (sensed M pt d)) M.
+Definition door_limit k M := 2 * k + paper_limit (vertices_in M) (edges_in M) + 2 * edges_in M ^ 2.
+Example door_runs : all (fun pol => all (fun M => all (fun k =>
+    let: (cost, right) := door_run k pol M in right && (cost <= door_limit k M))
+  (iota 0 (degree_at M (root_number M)))) (flatten [seq rooted_maps m | m <- iota 1 3])) policies.
+Proof. by vm_compute. Qed.
+(* the limit is met *)
+Definition three_loops := NumberedMap [:: 1; 2; 3; 4; 5; 0] [:: 1; 0; 3; 2; 5; 4] 0.
+Example door_limit_is_met : door_run 5 lifo three_loops = (31, true) /\ door_limit 5 three_loops = 31.
 Proof. by vm_compute. Qed.
 
 Definition theta_world := world_of_numbers theta_valid (elimT (connectedP theta_valid) theta_order) 1.

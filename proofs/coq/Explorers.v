@@ -2,6 +2,7 @@
    Explorers and programs.
 
      explore_walk       the robot is where its motions lead.
+     chosen_episode     an explorer may be chosen by the first percept.
      explore_more       once an explorer has stopped a larger budget changes nothing.
      right_finds_map    an explorer that is right finds the map.
 
@@ -44,6 +45,16 @@ Lemma explore_once n n' seen d t t' e e' z z' : explore n seen d = (t, Some e, z
   explore n' seen d = (t', Some e', z') -> [/\ t = t', e = e' & z = z'].
 Proof. by move/(explore_more n')=> R /(explore_more n); rewrite addnC R => -[-> -> ->]. Qed.
 End Episodes.
+
+(* an explorer that looks at its first percept to choose another one is, from then on, that one *)
+Lemma chosen_episode P E (F : P -> explorer P E) o (M : rooted_map) (obs : carrier M -> P) budget :
+  episode (fun seen => F (head o seen) seen) M obs budget = episode (F (obs (root M))) M obs budget.
+Proof.
+rewrite /episode; set a := obs (root M).
+suff H seen d : explore (fun seen => F (head o seen) seen) M obs budget (a :: seen) d
+    = explore (F a) M obs budget (a :: seen) d by exact: H.
+by elim: budget seen d => [|n IH] seen d /=; case: (F a _) => // k; rewrite IH.
+Qed.
 
 (* who knows the place knows the map *)
 Lemma right_finds_map P E (meaning : E -> rooted_map) (X : explorer P E) M (obs : carrier M -> P) :

@@ -2,9 +2,9 @@
    Extraction to OCaml: the explorers, step by step, their policies, the judge; the checker; folding; the
    search for pairs that look alike.
 
-     algorithm1_starts, cluster_starts, natural_starts   what the explorer with each lighthouse does
-                          from its first percept on.
-     algorithm1_next, cluster_next, natural_next   its next motion, or the end.
+     algorithm1_starts, cluster_starts, natural_starts, door_starts   what the explorer with each
+                          lighthouse does from its first percept on.
+     algorithm1_next, cluster_next, natural_next, door_next   its next motion, or the end.
      algorithm1_machine   a whole run.
      check, refutations   Checker.v; directional_check is check with directional_senses and
                           in_universe_in u, and so on (TwoVerticesChecker.v).
@@ -22,6 +22,7 @@ From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Percepts RootedMaps Codes Explorers Algorithm Policies.
 From Allworlds Require Import NumberedWorlds Judge Cluster NaturalLighthouse Log FoldingProgram SameWorld.
 From Allworlds Require Import Checker TwoVerticesChecker Shield SimpleMaps Minimality PlanarMinimality.
+From Allworlds Require Import Door.
 Require Extraction.
 Require Import ExtrOcamlBasic ExtrOcamlNatInt.
 
@@ -45,6 +46,8 @@ Definition cluster_next := next cluster.
 (* a, b: the degrees of v0, the first percept, and of v1, which is told *)
 Definition natural_starts (a b : nat) := set_out (natural a b).
 Definition natural_next (a b : nat) := next (natural a b).
+Definition door_starts := set_out door.
+Definition door_next := next door.
 
 Definition algorithm1_explorer pol := algorithm1 pol.
 Definition shield_of E (X : explorer percept E) pol := shield X (algorithm1 pol).
@@ -56,7 +59,7 @@ Set Warnings
   "-extraction-default-directory,-extraction-opaque-accessed,-extraction-reserved-identifier".
 Extraction "ocaml/certified.ml"
   algorithm1_starts algorithm1_next algorithm1_machine cluster_starts cluster_next
-  natural_starts natural_next fifo lifo nearest valid dart_order same_code judge sensed
+  natural_starts natural_next door_starts door_next fifo lifo nearest valid dart_order same_code judge sensed
   check refutations worlds examine run_in paper_limit two_vertices_limit vertices_in edges_in
   directional_senses in_universe_in cluster_senses one_edge_in natural_senses natural_in
   algorithm1_resumption cluster_resumption natural_resumption folded_log

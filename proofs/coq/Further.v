@@ -11,8 +11,9 @@ From Allworlds Require Import Ambiguity Regluing RegluingCount MassFormula Twins
   Folding OpenDarts.
 From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVertices Cluster Laying.
 From Allworlds Require Import NaturalLighthouse FoldingProgram SameWorld Checker TwoVerticesChecker.
-From Allworlds Require Import Shield DecisionTrees.
+From Allworlds Require Import Shield DecisionTrees Words Sensors OneBit Door Scan.
 From Allworlds Require Import Minimality PlanarMinimality.
+From Allworlds Require SensorTwins.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -566,3 +567,105 @@ Theorem kinds_of_lighthouse_exist : (forall W, one_edge (longer W)) /\
   forall k, [/\ unique (@start (longer (bouquet k))), unique (alpha (@pointed (longer (bouquet k))))
               & one_edge (longer (bouquet k))].
 Proof. exact: conj cluster_hypotheses_met natural_hypotheses_met. Qed.
+
+(* ==== Sensors (the first theorems on them are in Main.v) ==== *)
+
+(* If, for one degree: two indistinguishable worlds are isomorphic with their starts, and the door is where it
+   was, as many darts from the start. *)
+Theorem primitive_words_leave_no_twins w (W W' : lighthouse_world) :
+  primitive (word w (degree (@start W))) -> ~~ blank (word w (degree (@start W))) ->
+  indistinguishable (at_v0 w) W W' ->
+  isomorphic (rooted (@start W)) (rooted (@start W')) /\ first_bearing W = first_bearing W'.
+Proof. by move=> P B; exact: adequate_suffices. Qed.
+
+(* Only if, for one degree: two worlds that are indistinguishable, and different maps wherever the start is;
+   no explorer finds both. *)
+Theorem other_words_leave_twins w d : 0 < d -> proper_power (word w d) \/ blank (word w d) ->
+  exists W W' : lighthouse_world,
+  [/\ degree (@start W) = d, indistinguishable (at_v0 w) W W',
+      ~ same_map (rooted (@start W)) (rooted (@start W'))
+    & no_explorer_finds_both (M := rooted (@start W)) (N := rooted (@start W'))
+        (percept_by (at_v0 w) (W := W)) (percept_by (at_v0 w) (W := W'))].
+Proof. exact: inadequate_twins. Qed.
+
+(* Both, for one degree: sufficient_at lambda d is sufficient lambda for worlds in which v0 has degree d. *)
+Theorem each_degree_by_itself w d : 0 < d ->
+  sufficient_at (at_v0 w) d <-> primitive (word w d) /\ ~~ blank (word w d).
+Proof. exact: degree_iff. Qed.
+
+(* The tool for 'if', which serves for other sensors too: a world is rigid if no two of its darts look alike. *)
+Theorem rigid_worlds_have_no_twins (A : eqType) (lambda : sensor A) (W W' : lighthouse_world) :
+  rigid lambda W -> rigid lambda W' -> indistinguishable lambda W W' ->
+  isomorphic (rooted (@start W)) (rooted (@start W')).
+Proof. exact: rigid_isomorphic. Qed.
+
+(* How large they are: d + k edges each if the word is u^k, 2 and 4 if the word for degree 1 is blank. *)
+Theorem sizes_of_these_twins w :
+  (forall d k v, 0 < d -> 1 < k -> word w d = flatten (nseq k v) -> exists W W' : lighthouse_world,
+   [/\ degree (@start W) = d, edges W = d + k, edges W' = d + k,
+       indistinguishable (at_v0 w) W W' & ~ same_map (rooted (@start W)) (rooted (@start W'))]) /\
+  (blank (word w 1) -> exists W W' : lighthouse_world,
+   [/\ degree (@start W) = 1, edges W = 2, edges W' = 4,
+       indistinguishable (at_v0 w) W W' & ~ same_map (rooted (@start W)) (rooted (@start W'))]).
+Proof. by split=> [d k v|]; [exact: SensorTwins.power_twins | exact: SensorTwins.blank_twins]. Qed.
+
+(* An isomorphism changes no letter of a sensor at v0; the letter is a function of the degree and the bearing
+   of Model.v. *)
+Theorem letters_are_invariant w : invariant (at_v0 w) /\ forall (W : lighthouse_world) (d : W),
+  at_v0 w pointed d = if bearing d is Some b then w (degree d) b else 0.
+Proof. exact: conj (at_v0_invariant w) (@letter_of_bearing w). Qed.
+
+(* The directional lighthouse is sufficient, and the door is strictly coarser; the position is not sufficient;
+   what is finer than a sufficient sensor is sufficient. *)
+Theorem order_of_sensors :
+  [/\ sufficient (at_v0 directional_word), strictly_coarser (at_v0 door_word) (at_v0 directional_word),
+      ~ sufficient (at_v0 position_word) &
+      forall A B (lambda : sensor A) (mu : sensor B),
+      coarser lambda mu -> sufficient lambda -> sufficient mu].
+Proof.
+exact: And4 directional_suffices door_strictly_coarser position_fails (@sufficient_finer).
+Qed.
+
+(* In which half the door is is enough, and so is how far it is, the side not told.  The bearing modulo q is
+   enough at degree d unless q divides d and is less: parity (q = 2) fails first at degree 4, and is enough
+   at all odd degrees. *)
+Theorem other_sensors_at_v0 :
+  [/\ sufficient (at_v0 half_word), sufficient (at_v0 distance_word) &
+      forall q d, 0 < q -> 0 < d ->
+      sufficient_at (at_v0 (remainder_word q)) d <-> ~~ ((q %| d) && (q < d))].
+Proof. exact: And3 half_suffices distance_suffices remainder_suffices. Qed.
+
+(* An explorer for each of them: at the end of each test, and once at the start, the robot scans the vertex
+   where it is, out and back by each dart, and compares the letters.  Only the word for the degree of v0
+   matters. *)
+Theorem scanning_is_right w (W : lighthouse_world) : let d := degree (@start W) in
+  primitive (word w d) -> ~~ blank (word w d) -> forall (pol : policy) budget,
+  let bound := 2 * d + (paper_bound (vertices W) (edges W) + 2 * d * edges W ^ 2) in
+  bound <= budget -> exists transcript answer z,
+  [/\ episode (scanning_algorithm w pol) (rooted (@start W)) (percept_by (at_v0 w) (W := W)) budget
+        = (transcript, Some answer, z),
+      size transcript <= bound, valid answer & isomorphic (denote answer) (rooted z)].
+Proof. by move=> d P B pol budget; exact: scanning_correct. Qed.
+
+(* So for sensors at v0 to suffice is to be enough for one explorer, without any bound on the worlds. *)
+Theorem one_explorer_for_all_worlds w : sufficient (at_v0 w) <->
+  exists X : explorer (nat * nat) numbered_map, forall W : lighthouse_world,
+  right denote X (rooted (@start W)) (percept_by (at_v0 w) (W := W)).
+Proof. exact: sufficient_iff_explored. Qed.
+
+(* The explorer for the door, for every schedule: a run can be finished, and a finished run has made m
+   passes. *)
+Theorem door_right_for_every_schedule (W : lighthouse_world) :
+  let reached := reached_by seen_of (@rung W) 2 in
+  forall q C c, reached q C c ->
+  (exists C' c', reached (edges W) C' c' /\ nothing_open c') /\
+  (nothing_open c -> [/\ q = edges W, C <= door_bound W & robot_knows c]).
+Proof. by move=> reached q C c; exact: door_runs. Qed.
+
+(* What the search for the door and the tests cost: the search at most 2 (deg(v0) - 1) traversals; the rest 2m
+   less than (1) + (2) with n_s in place of n_s - 1, and n in place of n - 1, in the second factors. *)
+Theorem cost_of_the_door (W : lighthouse_world) : let n := vertices W in let m := edges W in
+  first_bearing W < degree (@start W) /\
+  door_bound W + 2 * m = \sum_(1 <= s < n) (s + 2 * s * (2 * m - 2 * (s - 1))) +
+    \sum_(1 <= i < (m - (n - 1)).+1) (n + 2 * n * (2 * m - 2 * (n - 1) - 2 * (i - 1))).
+Proof. exact: conj (first_bearing_lt W) (door_bound_sum W). Qed.

@@ -25,12 +25,19 @@
    Leaf e: answer e); answers_as X tree: the explorer X does so, wherever the tree says what is done.
    certified: the checker, for the tree.  Both in DecisionTrees.v.
 
+   sensor A: what a robot with a marked dart, the door, may sense: for each map, door and dart a letter of
+   type A.  percept_by lambda: the degree and the letter of the sensor lambda.  at_v0 w: the sensor that shows
+   w d b where the degree is d and the door b darts further clockwise, and 0 elsewhere; word w d is the word
+   w d 0 ... w d (d-1).  invariant lambda: isomorphisms change no letter, as letters_are_invariant in
+   Further.v says of at_v0 w.  All in Sensors.v.  A word is primitive if it is no proper power, blank if all its
+   letters are 0 (Words.v).
+
    Further.v has the other theorems.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Explorers PartialMaps Pass Cost.
 From Allworlds Require Import Correctness Algorithm Refinement Impossibility Twins Log OpenDarts.
-From Allworlds Require Import LowerBounds Cluster Checker DecisionTrees.
+From Allworlds Require Import LowerBounds Cluster Checker DecisionTrees Words Sensors OneBit Door Mapping.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -161,3 +168,39 @@ Theorem cluster_is_right (W : lighthouse_world) : one_edge W -> forall (pol : po
       size transcript <= 2 * degree (@start W) + cluster_bound W,
       valid answer & isomorphic (denote answer) (rooted z)].
 Proof. by move=> H pol budget; exact: cluster_correct. Qed.
+
+(* ==== What a marker has to tell (Section III) ==== *)
+
+(* sufficient lambda: any two worlds that a bisimulation relates, under which degrees and letters agree, are
+   the same map with the same start (Sensors.v).  A sensor is sufficient if and only if a robot that has it can
+   map every world, once it knows a bound on the number of edges. *)
+Theorem to_suffice_is_to_be_enough (A : eqType) (lambda : sensor A) : invariant lambda ->
+  sufficient lambda <-> forall m, exists X : explorer (nat * A) numbered_map,
+  forall W : lighthouse_world, edges W <= m ->
+  right denote X (rooted (@start W)) (percept_by lambda (W := W)).
+Proof. exact: sufficient_iff_mapped. Qed.
+
+(* A sensor that looks at v0 alone is sufficient if and only if its word for each degree is primitive and not
+   blank. *)
+Theorem sensors_that_suffice w : sufficient (at_v0 w) <->
+  forall d, 0 < d -> primitive (word w d) /\ ~~ blank (word w d).
+Proof. exact: sensor_iff. Qed.
+
+(* One bit is enough: the door, sensed only by who comes in by it, with the words 1 0 ... 0.  It is minimal:
+   nothing that is strictly coarser is sufficient.  The directional lighthouse, with the words 1 2 ... d, is not
+   minimal. *)
+Theorem one_bit_is_enough :
+  [/\ sufficient (at_v0 door_word), minimal (at_v0 door_word) & ~ minimal (at_v0 directional_word)].
+Proof. exact: And3 door_suffices door_minimal directional_not_minimal. Qed.
+
+(* And with this bit Algorithm 1 is right.  The robot looks for the door first, two traversals for each dart
+   of v0 up to it; at the end of each test it leaves by the dart that should be the door and comes back: the
+   bit is 1 if and only if the hypothesis is true.  door_bound W: (1) + (2) + 2 m^2, which is two traversals
+   for each test. *)
+Theorem door_is_right (pol : policy) (W : lighthouse_world) budget :
+  2 * first_bearing W + door_bound W <= budget -> exists transcript answer z,
+  [/\ episode (door_algorithm pol) (rooted (@start W)) (percept_by (at_v0 door_word) (W := W)) budget
+        = (transcript, Some answer, z),
+      size transcript <= 2 * first_bearing W + door_bound W,
+      valid answer & isomorphic (denote answer) (rooted z)].
+Proof. exact: door_correct. Qed.

@@ -28,18 +28,6 @@ Definition natural (a b : nat) : lighthouse nat [eqType of bool] :=
 Definition natural_algorithm b pol : explorer nat numbered_map :=
   fun seen => explorer_by (natural (head 0 seen) b) pol seen.
 
-(* an explorer that looks at its first percept to choose another one is, from then on, that one *)
-Lemma natural_episode b pol (M : rooted_map) (senses : carrier M -> nat) budget :
-  episode (natural_algorithm b pol) M senses budget
-  = episode (explorer_by (natural (senses (root M)) b) pol) M senses budget.
-Proof.
-rewrite /episode; set a := senses (root M).
-suff H (X Y : explorer nat numbered_map) seen d : (forall s, X (a :: s) = Y (a :: s)) ->
-  explore X M senses budget (a :: seen) d = explore Y M senses budget (a :: seen) d by exact: H.
-move=> XY; elim: budget seen d => [|n IH] seen d /=; rewrite XY //.
-by case: (Y _) => // k; rewrite IH.
-Qed.
-
 Section Natural.
 Variable W : lighthouse_world.
 Local Notation v0 := (@start W).
@@ -59,7 +47,7 @@ Theorem natural_correct pol budget : 2 * degree v0 + cluster_bound W <= budget -
       size transcript <= 2 * degree v0 + cluster_bound W,
       valid answer & isomorphic (denote answer) (rooted z)].
 Proof.
-rewrite natural_episode /=; move: pol budget.
+rewrite (chosen_episode (fun a => explorer_by (natural a _) pol)) /=; move: pol budget.
 exact: (@two_vertices_correct W _ (@degree W) id (has_degree (degree v0)) (has_degree (degree v1))
   (fun=> erefl) (degree_of unique_v0) (degree_of unique_v1) one).
 Qed.

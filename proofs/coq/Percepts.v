@@ -40,16 +40,21 @@ move=> fi n0 E H; apply/eqP; rewrite eqn_leq; apply/andP; split; rewrite leqNgt;
 by apply: (H (order f x)); rewrite ?order_gt0 // iter_order.
 Qed.
 
+(* darts that the same turns bring back have one degree *)
+Lemma degree_transfer (G H : combinatorial_map) (x : G) (y : H) :
+  (forall j, (iter j sigma x == x) = (iter j sigma y == y)) -> degree x = degree y.
+Proof.
+move=> E; apply: order_least; [exact: sigma_inj | exact: degree_gt0 | by apply/eqP; rewrite E iter_degree |].
+move=> j /andP[j0 lj]; apply/eqP; rewrite E; apply/eqP=> F.
+by have := findex_iter lj; rewrite F findex0 => e0; rewrite -e0 in j0.
+Qed.
+
 Lemma percept_transfer (W W' : lighthouse_world) (d : W) (d' : W') :
   (forall j, (iter j sigma d' == d') = (iter j sigma d == d)) ->
   (forall j, (iter j sigma d' == pointed) = (iter j sigma d == pointed)) ->
   percept_of d' = percept_of d.
 Proof.
-move=> H P; have E : degree d' = degree d.
-  apply: order_least; [exact: sigma_inj | exact: degree_gt0 | |].
-    by apply/eqP; rewrite H iter_degree.
-  move=> j /andP[j0 lj]; apply/eqP; rewrite H; apply/eqP=> F.
-  by have := findex_iter lj; rewrite F findex0 => e0; rewrite -e0 in j0.
+move=> H P; have E : degree d' = degree d by exact: degree_transfer.
 rewrite /percept_of E /bearing; congr (_, _).
 have C : at_same_vertex d' pointed = at_same_vertex d pointed.
   by apply/idP/idP=> /iter_findex /eqP; [rewrite P|rewrite -P] => /eqP <-; exact: fconnect_iter.

@@ -17,7 +17,7 @@ Set Warnings "-abstract-large-number".
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Explorers PartialMaps Pass Cost.
 From Allworlds Require Import Correctness Algorithm Refinement Impossibility Twins Log OpenDarts.
-From Allworlds Require Import LowerBounds Cluster Checker DecisionTrees.
+From Allworlds Require Import LowerBounds Cluster Checker DecisionTrees Words Sensors OneBit Door Mapping.
 From Allworlds Require Import Main.
 
 Check (@no_information_is_not_enough :
@@ -107,6 +107,29 @@ Check (@cluster_is_right :
       size transcript <= 2 * degree (@start W) + cluster_bound W,
       valid answer & isomorphic (denote answer) (rooted z)]).
 
+Check (@to_suffice_is_to_be_enough :
+  forall (A : eqType) (lambda : sensor A),
+  invariant lambda ->
+  sufficient lambda <-> forall m, exists X : explorer (nat * A) numbered_map,
+  forall W : lighthouse_world, edges W <= m ->
+  right denote X (rooted (@start W)) (percept_by lambda (W := W))).
+
+Check (@sensors_that_suffice :
+  forall w,
+  sufficient (at_v0 w) <->
+  forall d, 0 < d -> primitive (word w d) /\ ~~ blank (word w d)).
+
+Check (@one_bit_is_enough :
+  [/\ sufficient (at_v0 door_word), minimal (at_v0 door_word) & ~ minimal (at_v0 directional_word)]).
+
+Check (@door_is_right :
+  forall (pol : policy) (W : lighthouse_world) budget,
+  2 * first_bearing W + door_bound W <= budget -> exists transcript answer z,
+  [/\ episode (door_algorithm pol) (rooted (@start W)) (percept_by (at_v0 door_word) (W := W)) budget
+        = (transcript, Some answer, z),
+      size transcript <= 2 * first_bearing W + door_bound W,
+      valid answer & isomorphic (denote answer) (rooted z)]).
+
 (* ==== Further.v ==== *)
 
 From mathcomp Require Import all_ssreflect.
@@ -118,7 +141,7 @@ From Allworlds Require Import Ambiguity Regluing RegluingCount MassFormula Twins
   Folding OpenDarts.
 From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVertices Cluster Laying.
 From Allworlds Require Import NaturalLighthouse FoldingProgram SameWorld Checker TwoVerticesChecker.
-From Allworlds Require Import Shield DecisionTrees.
+From Allworlds Require Import Shield DecisionTrees Words Sensors OneBit Door Scan.
 From Allworlds Require Import Minimality PlanarMinimality.
 From Allworlds Require Import Further.
 
@@ -510,3 +533,83 @@ Check (@kinds_of_lighthouse_exist :
   (forall W, one_edge (longer W)) /\
   forall k, [/\ unique (@start (longer (bouquet k))), unique (alpha (@pointed (longer (bouquet k))))
               & one_edge (longer (bouquet k))]).
+
+Check (@primitive_words_leave_no_twins :
+  forall w (W W' : lighthouse_world),
+  primitive (word w (degree (@start W))) -> ~~ blank (word w (degree (@start W))) ->
+  indistinguishable (at_v0 w) W W' ->
+  isomorphic (rooted (@start W)) (rooted (@start W')) /\ first_bearing W = first_bearing W').
+
+Check (@other_words_leave_twins :
+  forall w d,
+  0 < d -> proper_power (word w d) \/ blank (word w d) ->
+  exists W W' : lighthouse_world,
+  [/\ degree (@start W) = d, indistinguishable (at_v0 w) W W',
+      ~ same_map (rooted (@start W)) (rooted (@start W'))
+    & no_explorer_finds_both (M := rooted (@start W)) (N := rooted (@start W'))
+        (percept_by (at_v0 w) (W := W)) (percept_by (at_v0 w) (W := W'))]).
+
+Check (@each_degree_by_itself :
+  forall w d,
+  0 < d ->
+  sufficient_at (at_v0 w) d <-> primitive (word w d) /\ ~~ blank (word w d)).
+
+Check (@rigid_worlds_have_no_twins :
+  forall (A : eqType) (lambda : sensor A) (W W' : lighthouse_world),
+  rigid lambda W -> rigid lambda W' -> indistinguishable lambda W W' ->
+  isomorphic (rooted (@start W)) (rooted (@start W'))).
+
+Check (@sizes_of_these_twins :
+  forall w,
+  (forall d k v, 0 < d -> 1 < k -> word w d = flatten (nseq k v) -> exists W W' : lighthouse_world,
+   [/\ degree (@start W) = d, edges W = d + k, edges W' = d + k,
+       indistinguishable (at_v0 w) W W' & ~ same_map (rooted (@start W)) (rooted (@start W'))]) /\
+  (blank (word w 1) -> exists W W' : lighthouse_world,
+   [/\ degree (@start W) = 1, edges W = 2, edges W' = 4,
+       indistinguishable (at_v0 w) W W' & ~ same_map (rooted (@start W)) (rooted (@start W'))])).
+
+Check (@letters_are_invariant :
+  forall w,
+  invariant (at_v0 w) /\ forall (W : lighthouse_world) (d : W),
+  at_v0 w pointed d = if bearing d is Some b then w (degree d) b else 0).
+
+Check (@order_of_sensors :
+  [/\ sufficient (at_v0 directional_word), strictly_coarser (at_v0 door_word) (at_v0 directional_word),
+      ~ sufficient (at_v0 position_word) &
+      forall A B (lambda : sensor A) (mu : sensor B),
+      coarser lambda mu -> sufficient lambda -> sufficient mu]).
+
+Check (@other_sensors_at_v0 :
+  [/\ sufficient (at_v0 half_word), sufficient (at_v0 distance_word) &
+      forall q d, 0 < q -> 0 < d ->
+      sufficient_at (at_v0 (remainder_word q)) d <-> ~~ ((q %| d) && (q < d))]).
+
+Check (@scanning_is_right :
+  forall w (W : lighthouse_world),
+  let d := degree (@start W) in
+  primitive (word w d) -> ~~ blank (word w d) -> forall (pol : policy) budget,
+  let bound := 2 * d + (paper_bound (vertices W) (edges W) + 2 * d * edges W ^ 2) in
+  bound <= budget -> exists transcript answer z,
+  [/\ episode (scanning_algorithm w pol) (rooted (@start W)) (percept_by (at_v0 w) (W := W)) budget
+        = (transcript, Some answer, z),
+      size transcript <= bound, valid answer & isomorphic (denote answer) (rooted z)]).
+
+Check (@one_explorer_for_all_worlds :
+  forall w,
+  sufficient (at_v0 w) <->
+  exists X : explorer (nat * nat) numbered_map, forall W : lighthouse_world,
+  right denote X (rooted (@start W)) (percept_by (at_v0 w) (W := W))).
+
+Check (@door_right_for_every_schedule :
+  forall (W : lighthouse_world),
+  let reached := reached_by seen_of (@rung W) 2 in
+  forall q C c, reached q C c ->
+  (exists C' c', reached (edges W) C' c' /\ nothing_open c') /\
+  (nothing_open c -> [/\ q = edges W, C <= door_bound W & robot_knows c])).
+
+Check (@cost_of_the_door :
+  forall (W : lighthouse_world),
+  let n := vertices W in let m := edges W in
+  first_bearing W < degree (@start W) /\
+  door_bound W + 2 * m = \sum_(1 <= s < n) (s + 2 * s * (2 * m - 2 * (s - 1))) +
+    \sum_(1 <= i < (m - (n - 1)).+1) (n + 2 * n * (2 * m - 2 * (n - 1) - 2 * (i - 1)))).

@@ -367,6 +367,12 @@ class Paged:
 
         return text_of(self)  # type: ignore[arg-type]  # a report, or a part of one
 
+    def __repr__(self) -> str:
+        """The text in at most 20 lines, as a plain Python shows it."""
+        from allworlds.reports.notebook import short_text_of
+
+        return short_text_of(self)  # type: ignore[arg-type]  # as above
+
     def __init_subclass__(cls, **keywords: Any) -> None:
         super().__init_subclass__(**keywords)
         # IPython takes the first class in line that has this, or a repr as dataclasses have.

@@ -144,8 +144,8 @@ class AtLevel:
         if smaller:
             edges = smaller[0].key[0]
             raise AssertionError(
-                f"refuted already in a world with {words.plural(edges, 'edge')}, by the law "
-                f"'{smaller[0].law}': see the test edges-{edges}"
+                f"REFUTED: law {smaller[0].law} is broken already in a world with "
+                f"{words.plural(edges, 'edge')}: see the test edges-{edges}"
             )
         _assert_holds(report)
         return report
@@ -297,7 +297,8 @@ def _of_maps(options: Mapping[str, Any]) -> dict[str, Any]:
 def _assert_no(finding: Finding | None) -> None:
     __tracebackhide__ = True
     if finding is not None:
-        raise AssertionError("\n" + plain_text.finding_in_words(finding, WIDTH))
+        text = plain_text.finding_in_words(finding, WIDTH)
+        raise AssertionError(f"REFUTED: law {finding.law} is broken\n\n{text}")
 
 
 def _assert_holds(report: CheckReport) -> None:
@@ -330,4 +331,4 @@ def _said(report: CheckReport) -> str:
     """The text about a report whose verdict is not that the laws hold."""
     verdict = formats.brief(report, WIDTH)
     findings = [plain_text.finding_in_words(finding, WIDTH) for finding in report.findings]
-    return "\n" + "\n\n".join([*findings, verdict])
+    return "\n\n".join([verdict, *findings])

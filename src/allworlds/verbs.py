@@ -154,9 +154,10 @@ VERBS = (
         swept=True,
         example="algorithm1 dudek91 --edges 4",
         help=(
-            "Explorers side by side on the same worlds, each under its own lighthouse; the first "
-            "is compared with each other one, in each rooted map by the mean over the lighthouse's "
-            "places. With --to one or more explorers in worlds that grow: cost by size, as in "
+            "Explorers side by side on the same worlds, each under its own lighthouse, or the one "
+            "behind its name, as in algorithm1-word@word:12*; the first is compared with each "
+            "other one, in each rooted map by the mean over the lighthouse's places. With --to one "
+            "or more explorers in worlds that grow: cost by size, as in "
             "allworlds compare algorithm1 dudek91 --family lattice,torus --to 100. "
             "Every run is judged. Exit code 0: no law is broken, 1: one is."
         ),
@@ -231,6 +232,27 @@ VERBS = (
         help=(
             "Find two different worlds that no motion tells apart, or show that there are none. "
             "Exit code 0: answered, 3: the time was over, 4: no world exists within the bounds."
+        ),
+    ),
+    Verb(
+        "ambiguity sensors",
+        "ambiguity-sensors",
+        "Compare sensors: where each fails first, which tells more.",
+        example="position door directional --edges 4",
+        help=(
+            "Lighthouses side by side: which of them suffice in every small world? A sensor "
+            "suffices if no two worlds look alike: two maps, or one map from two starts. The "
+            "report has the smallest two, and of sensors with equal places which tells more."
+        ),
+    ),
+    Verb(
+        "ambiguity weakest",
+        "ambiguity-weakest",
+        "Find the weakest sensors that suffice, of all coarsenings.",
+        example="papers/minimal_information/sensors.py:Features --edges 4",
+        help=(
+            "Go through every coarsening of a sensor that tells several features apart: which "
+            "suffice in every small world, and which of these are minimal?"
         ),
     ),
     Verb(

@@ -16,6 +16,12 @@ def test_worst_prints_one_document(cli):
     assert all(row["replayed"] == row["worst"] for row in document["rows"])
 
 
+def test_the_text_of_worst_has_its_gate(cli):
+    _, out, _ = cli("worst", "--edges", 1)
+    assert "gate " in out
+    assert "their number equals an independent count" in out
+
+
 @pytest.mark.parametrize(
     ("option", "value"),
     [("--transit", "fast"), ("--class", "round"), ("--edges", "0"), ("--workers", "none")],

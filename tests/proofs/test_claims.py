@@ -14,7 +14,11 @@ DEEP = "[" * 100_000
 OF_THE_PACKAGE = {"produce.py", "decided.py", "explorer_server.py"}
 OF_THE_PACKAGE |= {"certified.py", "certified_checker.py", "certified_folding.py"}
 OF_THE_PACKAGE |= {"certified_lines.py", "certified_shield.py", "certified_trees.py"}
-OF_THE_PACKAGE |= {"certified_runs.py", "odd_program.py"}
+OF_THE_PACKAGE |= {"certified_runs.py", "certified_programs.py", "certified_sample.py"}
+OF_THE_PACKAGE |= {
+    "odd_program.py",
+    "certificate_file.py",
+}  # by an option alone: see test_certificate_file.py
 
 
 def check(folder, *claims):

@@ -5,6 +5,9 @@ That it excludes no worlds is in test_meaning.py.
 
 import pytest
 
+from allworlds.studies.ambiguity.formulas import forbid_other_start, pair_formula
+from searches import question
+
 solvers = pytest.importorskip("pysat.solvers", reason="python-sat is not installed")
 
 
@@ -84,6 +87,47 @@ def test_degrees_that_are_asked_for_leave_exactly_the_maps_that_have_them(checke
         if marked in {None, len(home)} and (others is None or elsewhere <= {others}):
             wanted.append((sigma, alpha))
     assert sorted(models) == sorted(wanted)
+
+
+def producer_says(asked, level, starts):
+    """The package's formula, in which ``starts`` are excluded."""
+    formula, pair = pair_formula(asked, level)
+    for start in starts:
+        forbid_other_start(formula, pair, start)
+    return formula
+
+
+@pytest.mark.parametrize(
+    ("map_class", "edges"), [("maps", 1), ("planar", 2), ("simple", 3), ("planar-simple", 3)]
+)
+def test_two_encoders_write_the_same_clauses_about_small_worlds(world, twins, map_class, edges):
+    """Also those that follow from others, by which no model is lost and none is won."""
+    asked = question("directional", map_class, edges + 1, edges)
+    for level in asked.sizes():
+        mine = world.Asked("directional", map_class)
+        sizes = tuple(world.size_of(mine, size.edges) for size in level)
+        clauses = twins.twin_clauses(mine, sizes)
+        formula = producer_says(asked, level, [])
+        assert set(clauses.sentences) == set(map(frozenset, formula.clauses))
+
+
+# The fewest vertices by edges: complete graphs, and in the plane triangulations.
+FEWEST = {
+    "simple": [2, 3, 3, 4, 4, 4, 5, 5, 5, 5, 6, 6, 6, 6, 6, 7],
+    "planar-simple": [2, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6, 7, 7, 7, 8],
+}
+
+
+@pytest.mark.parametrize("map_class", FEWEST)
+def test_no_world_has_fewer_vertices_than_its_edges_need(world, map_class):
+    for edges, fewest in enumerate(FEWEST[map_class], 1):
+        assert world.size_of(world.Asked("none", map_class), edges).fewest == fewest
+        (level,) = (
+            level
+            for level in question("position", map_class, edges + 1, edges).sizes()
+            if level.one.edges == edges
+        )
+        assert (level.one.fewest, level.two.fewest) == (fewest, fewest)
 
 
 @pytest.fixture

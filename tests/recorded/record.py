@@ -47,6 +47,8 @@ LEAST = {
     "ambiguity class": "k4",
     "ambiguity census": "--edges 1",
     "ambiguity search": "--lighthouse position --vertices 1 --edges 1 --out {tmp}/least",
+    "ambiguity sensors": "door --edges 1",
+    "ambiguity weakest": "{recorded}/features.py:Ends --edges 1",
     "ledger": "{paper} --only fig1",
 }
 
@@ -119,6 +121,10 @@ COMMANDS = {
     "explain-crash": "explain crash.json --json",
     "ambiguity-census": "ambiguity census --edges 4 --json",
     "ambiguity-census-text": "ambiguity census --class simple --vertices 4",
+    "ambiguity-sensors": "ambiguity sensors position door directional none --edges 3 --json",
+    "ambiguity-sensors-text": "ambiguity sensors position door word:1 word:12 --edges 3",
+    "ambiguity-weakest": "ambiguity weakest features.py:Ends --edges 3 --json",
+    "ambiguity-weakest-text": "ambiguity weakest features.py:Ends --edges 3",
     "ambiguity-class": "ambiguity class wheel-4 --json",
     "ambiguity-class-text": "ambiguity class k4 --class simple --limit 2",
     "twins-apart": "ambiguity twins k4 wheel-4",
@@ -139,7 +145,7 @@ COMMANDS = {
 }
 
 # What must be there before a command: explorers, and reports of other commands, in files.
-EXPLORERS = ("explorers.py", "program.py")
+EXPLORERS = ("explorers.py", "features.py", "program.py")
 FILES = {
     "finding.json": "check explorers.py:first_edge --edges 3 --json",
     "crash.json": "check explorers.py:crashes --edges 3 --json",
@@ -154,6 +160,7 @@ def least(verb: str, tmp: str) -> list[str]:
 def words(command: str | list[str], tmp: str) -> list[str]:
     names = {"tmp": tmp, "python": sys.executable}
     names |= {"findings": str(FINDINGS), "paper": str(PAPER), "plantri": str(PLANTRI)}
+    names["recorded"] = str(HERE)
     given = command if isinstance(command, list) else command.split()
     if any("{run}" in word for word in given):
         names["run"] = str(run_directory(Path(tmp) / "run"))

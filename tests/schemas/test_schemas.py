@@ -14,7 +14,7 @@ from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document import replace
 from allworlds.maps import named_map
 from allworlds.outcome import Interrupted
-from allworlds.studies.ambiguity import census, class_of, search, twins
+from allworlds.studies.ambiguity import census, class_of, search, sensors, twins, weakest
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.compare.comparison import compare
 from allworlds.studies.convert import convert
@@ -37,6 +37,7 @@ pytestmark = pytest.mark.usefixtures("compiled")
 
 WRONG = {mutant.name: mutant for mutant in WRONG_EXPLORERS if mutant.name != "confirmed-too-early"}
 PLANTRI = Path(__file__).parents[1] / "support" / "data" / "plantri"
+RECORDED = Path(__file__).parents[1] / "recorded"
 PAPER = Path(__file__).parents[2] / "papers" / "minimal_information"
 THETA = named_map("theta")
 
@@ -208,6 +209,14 @@ DOCUMENTS = {
         lambda: class_of(marked("cycle-3")).to_json(),
     ),
     "ambiguity census": (whole("ambiguity-census"), lambda: census(edges=3).to_json()),
+    "ambiguity sensors": (
+        whole("ambiguity-sensors"),
+        lambda: sensors("position", "door", "word:12", edges=3).to_json(),
+    ),
+    "ambiguity weakest": (
+        whole("ambiguity-weakest"),
+        lambda: weakest(f"{RECORDED}/features.py:Ends", edges=3).to_json(),
+    ),
     "search sat": (whole("search"), lambda: searched(vertices=2, edges=2)),
     "search unsat": (whole("search"), lambda: searched(vertices=2, edges=1)),
     "search vacuous": (

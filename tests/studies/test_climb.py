@@ -285,6 +285,11 @@ def test_the_command_writes_what_it_is_asked_for(cli, tmp_path):
     assert file.read_text().startswith("code,family,holes,seed,edges")
 
 
+def test_the_text_runs_the_last_member_again():
+    report = compare("algorithm1", "folding", family=["random"], to=12, draws=2, workers=1)
+    assert "allworlds run algorithm1 --family random:6x12 --seed 2" in text_of(report, 100)
+
+
 @pytest.mark.parametrize(
     ("options", "said"),
     [

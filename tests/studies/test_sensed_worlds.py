@@ -6,6 +6,7 @@ import allworlds
 from allworlds.inputs.checks import InputError
 from allworlds.reports.formats import text
 from allworlds.world import worlds
+from bruteforce import rooted_maps_by_permutations
 from models import HEARD, PARITY
 
 census, twins = allworlds.ambiguity.census, allworlds.twins
@@ -96,6 +97,63 @@ def test_parts_are_those_that_comparing_every_two_worlds_gives(folder, kind, edg
         assert cell.largest_class == max(map(len, shared), default=0)
 
 
+def code_from(map_, dart):
+    order = [dart]
+    for x in order:
+        order += [y for y in (map_.sigma[x], map_.alpha[x]) if y not in order]
+    return [order.index(to[x]) for to in (map_.sigma, map_.alpha) for x in order]
+
+
+def numbers_by_hand(edges, told):
+    """The numbers of worlds, and of ambiguous ones, with so many edges; nothing here is allworlds'.
+
+    Maps come from all permutations, and what can be sensed from all words of motions. Only degrees
+    are sensed; ``told(map_)`` gives all that can be told at the start 0.
+    """
+    maps = [m for e in range(1, edges + 1) for m in rooted_maps_by_permutations(e, "maps")]
+    colours = {(i, d): map_.degree_at[d] for i, map_ in enumerate(maps) for d in map_.darts}
+    around = {
+        (i, d): [(i, map_.alpha[map_.turn(d, k)]) for k in range(map_.degree_at[d])]
+        for i, map_ in enumerate(maps)
+        for d in map_.darts
+    }
+    for _ in range(4 * edges):
+        names = {}
+        colours = {
+            at: names.setdefault((colour, *(colours[to] for to in around[at])), len(names))
+            for at, colour in colours.items()
+        }
+    worlds, looks = {}, {}
+    for i, map_ in enumerate(maps):
+        for said in told(map_):
+            name = f"{min(code_from(map_, dart) for dart in map_.darts)} {said}"
+            worlds[name] = map_.edge_count
+            looks.setdefault((colours[i, 0], said), set()).add(name)
+    ambiguous = {name for names in looks.values() if len(names) > 1 for name in names}
+    return [
+        ([*worlds.values()].count(e), sum(worlds[name] == e for name in ambiguous))
+        for e in range(1, edges + 1)
+    ]
+
+
+def degrees_of_natural(map_):
+    """The degrees of neighbours of v0, where no other vertex has the same, nor that of v0."""
+    v0 = map_.vertex_of[0]
+    beyond = {map_.vertex_of[map_.alpha[d]] for d in map_.vertices[v0]} - {v0}
+    found = {map_.degrees[v] for v in beyond if map_.degrees.count(map_.degrees[v]) == 1}
+    return found if map_.degrees.count(map_.degrees[v0]) == 1 else set()
+
+
+@pytest.mark.parametrize(
+    ("kind", "told"), [("natural", degrees_of_natural), ("heard.py:Told", lambda _: [0, 1])]
+)
+@pytest.mark.parametrize("edges", [3])
+def test_what_is_told_is_a_part_of_a_world(folder, kind, told, edges):
+    rows = census(edges=edges, lighthouse=kind).rows
+    found = [(row.marked_worlds, row.ambiguous_worlds) for row in rows]
+    assert found == numbers_by_hand(edges, told)
+
+
 @pytest.mark.parametrize(
     ("kind", "edges"), [("natural", 4), ("heard.py:Words", 2), ("heard.py:Six", 4)]
 )
@@ -159,3 +217,10 @@ def test_a_census_of_a_narrower_class_is_compared_with_its_own_source():
     assert report.to_json()["gate"] == {"source": "Catalan numbers", "agrees": True}
     assert report.exit_code == 0
     assert report.rows[-1].marked_worlds < census(edges=3).rows[-1].marked_worlds
+
+
+def test_verbs_of_ambiguity_are_imported_from_a_package_of_that_name():
+    from allworlds.ambiguity import census as imported
+
+    assert imported is census
+    assert allworlds.ambiguity.census is census

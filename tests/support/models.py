@@ -76,6 +76,21 @@ class Words(Lighthouse):
 
 
 @dataclass(frozen=True)
+class Told(Lighthouse):
+    """Nothing is marked; places differ in what is told alone."""
+
+    word: int
+
+    @classmethod
+    def places(cls, map_, start):
+        yield cls(0)
+        yield cls(1)
+
+    def told(self, map_):
+        return self.word
+
+
+@dataclass(frozen=True)
 class Neighbour(Lighthouse):
     """Nothing is marked; the degree of a neighbour of the start is told."""
 

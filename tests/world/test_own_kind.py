@@ -351,3 +351,15 @@ def test_a_copy_of_ours_senses_what_ours_does(folder):
     theirs = worlds(edges=4, lighthouse="parity.py:Copy", places="all")
     ours = worlds(edges=4, lighthouse="position", places="all")
     assert [(w.map, w.percepts) for w in theirs] == [(w.map, w.percepts) for w in ours]
+
+
+def test_places_sees_an_option_by_its_name_and_not_among_the_fields(folder):
+    (folder / "seen.py").write_text(
+        "from dataclasses import dataclass, fields\n\nfrom allworlds import Lighthouse\n\n\n"
+        "@dataclass(frozen=True)\nclass Seen(Lighthouse):\n    dart: int\n    of: int = 2\n\n"
+        "    @classmethod\n    def places(cls, map_, start):\n"
+        "        assert cls.of == cls(start).of\n"
+        "        assert fields(cls)[1].default == 2\n        yield cls(start)\n"
+    )
+    kind = lighthouse_kind("seen.py:Seen:of=5").as_class
+    assert [place.of for place in kind.places(PLANE, 0)] == [5]

@@ -11,6 +11,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import algorithm
+import beyond
 import complexity
 import correctness
 import measured  # noqa: F401  # it looks at what is changed in passes
@@ -216,6 +217,27 @@ def less(n: int, m: int) -> int:
 
 ONE_POLICY = {"edges": 3, "policies": ["fifo"]}
 
+beyond_of_power, own_sensor, side_by_side = beyond.of_power, beyond.own, beyond.sensors
+
+
+def primitive_by_halves(word: str) -> bool:
+    """Whether it is not blank, and no square."""
+    half_of = len(word) // 2
+    return word != word[:half_of] * 2 and set(word) != {"0"}
+
+
+def without_blanks(word: str) -> bool:
+    """Whether it is no power, or blank."""
+    return set(word) == {"0"} or not any(
+        word == word[:p] * (len(word) // p) for p in range(1, len(word))
+    )
+
+
+def in_place_of(**others: str) -> Any:
+    """``sensors`` with other lighthouses in place of some."""
+    return lambda *names, **asked: side_by_side(*(others.get(n, n) for n in names), **asked)
+
+
 MUTANTS = (
     # II
     Mutant("motions-undone", "turning back is turning on",
@@ -343,8 +365,8 @@ MUTANTS = (
     Mutant("below-bound", "goes back and forth in each pass",
            ((passes, "Watched", WatchedLingering),),
            {"families": ["lattice:3x3"], "seeds": 1, "share": 0.25}),
-    Mutant("transit-explains", "a share of half a per cent is an explanation",
-           changed={"share": 0.005}),
+    Mutant("gap-parts", "nearly all of the gap is tests never made",
+           changed={"share": 0.95}),
     # VIII
     Mutant("cluster", "the answer is mirrored",
            ((two_vertices, "check", checked(mirrored("algorithm1-cluster"))),)),
@@ -360,6 +382,23 @@ MUTANTS = (
            ((two_vertices, "worlds", given(map_class="simple")),)),
     Mutant("two-vertices-order", "a bound of another order",
            ((two_vertices, "two_vertices_bound", lambda n, m, _: 5 * m * m * n),)),
+    # beyond the paper
+    Mutant("primitive-words", "a power of three is taken for primitive",
+           ((beyond, "suffices", primitive_by_halves),), {"degree": 3, "edges": 3},
+           slow=True),
+    Mutant("primitive-words", "a blank word is taken to suffice",
+           ((beyond, "suffices", without_blanks),), {"degree": 1, "edges": 4}),
+    Mutant("powers-have-twins", "one vertex is joined to itself in both",
+           ((beyond, "of_power", lambda k, p, joined: beyond_of_power(k, p, joined=False)),),
+           {"powers": [[2, 1]]}),
+    Mutant("door-suffices", "every door but the marked one is sensed",
+           ((beyond, "sensors", in_place_of(door="word:01*")),), {"edges": 4}),
+    Mutant("directional-not-minimal", "the whole vertex is sensed in place of the door",
+           ((beyond, "sensors", in_place_of(door="word:1")),), {"edges": 2}),
+    Mutant("door-minimal", "twins of the degree are larger",
+           (), {"edges": 2, "degrees": [2]}, changed={"degrees": [2, 3]}),
+    Mutant("weakest-sensors", "vertices are sensed, and no doors",
+           ((beyond, "own", lambda _: own_sensor("Rooms")),), {"edges": 3}),
     # certificates and proofs
     Mutant("cert-fig1", "two numbers of a bisimulation have changed places",
            damage=damaged("fig1/pairs.json", exchanged), slow=True),

@@ -1,12 +1,12 @@
 (* The extracted explorers behind JSON lines: read percepts, write motions and the estimate.
    Usage: explorer [POLICY] [LIGHTHOUSE]
-   POLICY: fifo (default), lifo, nearest.  LIGHTHOUSE: directional (default), cluster, natural; or
+   POLICY: fifo (default), lifo, nearest.  LIGHTHOUSE: directional (default), cluster, natural, door; or
    shield:X, the shield of an explorer X with Algorithm 1, under the directional lighthouse.
    X: stop (at once), spin (move 1 for ever), zigzag (1, 4, 9, ... modulo 7), algorithm1 (lifo). *)
 open Certified
 
 let usage () =
-  prerr_endline "usage: explorer [fifo|lifo|nearest] [directional|cluster|natural|shield:X]"; exit 2
+  prerr_endline "usage: explorer [fifo|lifo|nearest] [directional|cluster|natural|door|shield:X]"; exit 2
 
 let argument i default = if Array.length Sys.argv > i then Sys.argv.(i) else default
 
@@ -55,6 +55,9 @@ let () = match argument 2 "directional" with
   | "cluster" ->
       serve (fun p -> (degree p, Json.int (Json.field "marks" p)))
         (fun _ o -> (cluster_next policy, cluster_starts o))
+  | "door" ->
+      serve (fun p -> (degree p, Json.int (Json.field "marks" p)))
+        (fun _ o -> (door_next policy, door_starts o))
   | "natural" ->
       serve degree
         (fun told o ->

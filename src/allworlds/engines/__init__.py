@@ -41,6 +41,8 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
     **the** loop over units, and through the levels of a study; its reports;
 ``single``
     single runs, and findings that are played again, by the same players;
+``hints``
+    a finding with what more plays show: options that help, and lines of the user's code;
 ``prints``, ``linux``
     prints of explorers, escaped and limited, and a stderr that may be lost; what is Linux's alone.
 """

@@ -386,6 +386,7 @@ class PythonJudge:
             "every": self.every,
             "any_answer": not self.rules.task.is_map,
             "hear": False,
+            "lines": False,
         }
 
 

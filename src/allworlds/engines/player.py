@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from allworlds.explorers.loading import Subject
     from allworlds.explorers.program import Program
     from allworlds.protocol.actions import Player
+    from allworlds.protocol.code_lines import TracedPlay
 
 LINK, BEAT = 3, 4
 """The descriptors of a player."""
@@ -164,19 +165,30 @@ def played(
     beat: Any,
     hear: Callable[[bytearray], None] | None = None,
 ) -> list[bytes]:
-    """Play the runs of a batch, whose kind is none of a library; return their logs."""
-    own = os.getpid()
+    """Play the runs of a batch, whose kind is none of a library; return their logs.
+
+    Where lines are asked for, these come last, in place of a log.
+    """
+    own, explorer = os.getpid(), player
     logs: list[bytes] = [b""] * batch["runs"]
+    traced = list["TracedPlay"]()
+    if batch["lines"]:
+        from allworlds.protocol.code_lines import TracedPlay, written
     for number in batch["order"]:
         world, told, over, budget, name, script = batch["rows"][number]
         beat[0] = number
         around, choices = _around(batch["kind"], world, told, over), _choices(batch, name, script)
+        if batch["lines"]:
+            traced.append(TracedPlay())
+            explorer = traced[-1].player(player)
         logs[number] = playing.play_run(
-            around, player, choices, budget, beat, any_answer=batch["any_answer"], hear=hear
+            around, explorer, choices, budget, beat, any_answer=batch["any_answer"], hear=hear
         )
         if os.getpid() != own:
             # The explorer has forked this process; its copy must not go on with the work.
             os._exit(0)
+    if traced:
+        logs[-1] = written(traced)
     return logs
 
 

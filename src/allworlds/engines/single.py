@@ -254,7 +254,16 @@ class Plays:
         record = Recorded(transcript.percepts, self._world, script, over)
         return self._played(self.judge.records_message([record] * times), seed)
 
+    def traced(self, runs: Sequence[Due]) -> Sequence[bytes]:
+        """The logs of these runs, and behind them the lines of code through which they went."""
+        message = self.judge.worlds_message(runs)
+        return self._logs(message | {"lines": True, "runs": len(runs) + 1}, FIRST)[0]
+
     def _played(self, message: dict[str, Any], seed: int) -> tuple[list[Log], str]:
+        logs, printed = self._logs(message, seed)
+        return [*map(Log, logs)], printed
+
+    def _logs(self, message: dict[str, Any], seed: int) -> tuple[Sequence[bytes], str]:
         player = started(self._setup, seed)
         try:
             logs = answered(player, message)
@@ -262,7 +271,7 @@ class Plays:
             logs = [lost_log(bytes(player.part), lost)] * message["runs"]
         finally:
             player.close()
-        return [*map(Log, logs)], player.prints.text
+        return logs, player.prints.text
 
 
 def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limits) -> Finding:

@@ -17,7 +17,12 @@ from allworlds.engines import job_records, units
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import show
 from allworlds.judging.episode import Answered, Episode, Fault, play
-from allworlds.judging.findings.finding import Finding, canonical_world, place_of
+from allworlds.judging.findings.finding import (
+    Believed,
+    Finding,
+    canonical_world,
+    place_of,
+)
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import LAWS, Case, Violation, first_wrong, judge
 from allworlds.maps.combinatorial import rooted_code
@@ -72,7 +77,11 @@ class Referee:
         """The first law that a finished episode breaks."""
         ending = episode.ending
         if isinstance(ending, Fault):
-            return Violation(ending.law, ending.expected, ending.seen)
+            expected = ending.expected
+            if ending.law == "budget" and self.rules.task.ends_runs:  # no answer is waited for
+                done = self.rules.task.asks.partition(";")[0]
+                expected = expected.replace("an answer within", f"{done} within")
+            return Violation(ending.law, expected, ending.seen)
         task, answer = self.rules.task, ending.answer if isinstance(ending, Answered) else None
         leaves_open = world.lighthouse.as_kind.leaves_open
         if task.is_map and isinstance(answer, actions.Ambiguous) and not leaves_open:
@@ -97,11 +106,13 @@ class Referee:
         """The finding of a refuting outcome, in canonical numbering."""
         assert outcome.violation is not None
         violation, ending = outcome.violation, outcome.episode.ending
-        canonical = canonical_world(world)
-        wrong = None
-        if isinstance(ending, Fault):
-            wrong = self._wrong_checkpoint(world, outcome.episode)
-        else:
+        canonical, step = canonical_world(world), violation.step
+        believed, wrong = _believed(world, outcome.episode, step)
+        if not isinstance(ending, Fault) or "invariant-1" not in self.rules.applying:
+            wrong = ""
+        if believed and wrong:
+            step = believed.step
+        if not isinstance(ending, Fault):
             # What was expected and seen may name darts: judge again under the canonical names.
             again = self.verdict(canonical, outcome.episode, outcome.bound)
             if again and again.law == violation.law:
@@ -119,19 +130,32 @@ class Referee:
             expected=violation.expected,
             seen=violation.seen,
             detail=outcome.detail,
-            step=wrong[0] if wrong else violation.step,
-            wrong_checkpoint=wrong[1] if wrong else "",
+            step=step,
+            wrong_checkpoint=wrong,
+            believed=believed,
             machine=isinstance(ending, Fault) and ending.machine,
             hash_seed=outcome.hash_seed,
             output=outcome.output,
         )
 
-    def _wrong_checkpoint(self, world: World, episode: Episode) -> tuple[int, str] | None:
-        """The first wrong checkpoint of a run without an answer, and what is wrong with it."""
-        if "invariant-1" not in self.rules.applying:
-            return None
-        case = Case(world.map, world.start, episode.transcript, episode.checkpoints, None, None)
-        return first_wrong(case)
+
+def _believed(world: World, episode: Episode, step: int | None) -> tuple[Believed | None, str]:
+    """The first wrong checkpoint after so many steps, or of all, and what is wrong with it.
+
+    Where none is wrong it is the last.
+    """
+    at = [i for i, (steps, _) in enumerate(episode.checkpoints) if step in (None, steps)]
+    given = tuple([episode.checkpoints[i] for i in at])
+    wrong = first_wrong(Case(world.map, world.start, episode.transcript, given, None, None))
+    if not at:
+        return None, ""
+    number = at[wrong[0] if wrong else -1]
+    steps, shown = episode.checkpoints[number]
+    sigma, alpha, what = tuple(shown.sigma), tuple(shown.alpha), wrong[1] if wrong else ""
+    here = max(shown.here, 0)
+    if min((*sigma, *alpha, 0)) < 0:  # such darts are none
+        sigma, alpha = (), ()
+    return Believed(number=number, step=steps, sigma=sigma, alpha=alpha, here=here), what
 
 
 class Examiner(Referee):

@@ -55,7 +55,7 @@ MOST_OF_A_COMMAND = 20
 def names_explorer(text: str) -> bool:
     """Whether a text has the form of an explorer's name; whether there is one is not checked."""
     plain = text.partition("?")[0]
-    if has_shield(text) or plain in BUILT_IN or entry_point(plain):
+    if has_shield(text) or plain in BUILT_IN or entry_point(plain) or plain.endswith(".py"):
         return True
     return bool(re.fullmatch(r"(.+\.py|[^\W\d]\w*(\.[^\W\d]\w*)*):[^\W\d][\w.]*", plain))
 
@@ -373,7 +373,8 @@ class ExplorersWords(Request):
             "",
             "[EXPLORER...]",
             "Built-in names, module:attribute, path/to/file.py:attribute or entry points, each "
-            "also as shield:EXPLORER; those of --exec and --native come after them.",
+            "also as shield:EXPLORER, and with a lighthouse of its own as EXPLORER@KIND; those of "
+            "--exec and --native come after them.",
             repeated=True,
         ),
     ] = None

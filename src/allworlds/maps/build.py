@@ -333,6 +333,25 @@ def contracted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
     return _rebuilt(map_, [merged, *others])
 
 
+def completed(sigma: Sequence[int], alpha: Sequence[Dart]) -> CombinatorialMap:
+    """The map of an explored part: a dart that is its own other end leads to a new vertex.
+
+    Where another dart leads there, it leads back.
+
+    Raises:
+        InvalidMap: if that is no map.
+    """
+    after, ends = [*sigma], [*alpha]
+    for dart, end in enumerate(alpha):
+        if end < len(ends) and ends[end] == end:
+            ends[end] = dart
+    for dart in [dart for dart, end in enumerate(ends) if dart == end]:
+        ends[dart] = len(after)
+        ends.append(dart)
+        after.append(len(after))
+    return CombinatorialMap(after, ends)
+
+
 def moved(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
     """The maps with as many edges in which one dart stands at another place of a rotation."""
     for dart in map_.darts:

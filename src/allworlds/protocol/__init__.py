@@ -11,6 +11,8 @@ it is folded into the next :class:`Move`, or into ``here`` of the answer.
     the choices of an explorer: policies, and every schedule in turn;
 ``playing``, ``log``
     one run, played to its end, and the log that remains of it;
+``code_lines``
+    the lines of the user's code that a play goes through, for findings;
 ``user_code``, ``importing``
     how code of the user's is named and found; how it is loaded; how a model is called.
 """

@@ -47,7 +47,12 @@ class Percept(WrittenByFields):
 
     def __str__(self) -> str:
         """The percept in words: for example ``degree 3, marked, bearing 2``."""
+        return self.in_words()
+
+    def in_words(self, *, labels: bool = False) -> str:
+        """The percept in words; where vertices have ``labels``, these are sensed, and no marker."""
         marks = {0: "", 1: ", marked"}.get(self.marks, f", marks {self.marks}")
+        marks = f", label {self.marks}" if labels else marks
         bearing = "" if self.bearing is None else f", bearing {self.bearing}"
         return f"degree {self.degree}{marks}{bearing}"
 

@@ -193,7 +193,9 @@ class _Turns(Struct):
                 free -= 1
                 degree = reply.degree
             else:
-                log += _illegal("a Move, Drop, Pick, Write or Checkpoint", message)
+                legal = "a Move, Drop, Pick, Write or Checkpoint"
+                such = f", such as Move({checks.show(message)})" if type(message) is int else ""
+                log += _illegal(legal + such, message)
                 return None
         add(entries.OVER)
         return None

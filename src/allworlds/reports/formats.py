@@ -199,8 +199,12 @@ def sarif(content: parts.ReportContent) -> str:
 
 
 def _result(number: int, finding: Finding, place: SourceLine | None) -> dict[str, Any]:
-    from allworlds.reports.content.single_run import headline_of
+    from allworlds.reports.content.single_run import headline_of, wrong_line
+    from allworlds.studies.explain import explain
 
+    file, _, line = wrong_line(finding, explain(finding).step).rpartition(":")
+    if file:
+        place = SourceLine(Path(file).resolve(), int(line))
     text = plain_text.finding_in_words(finding, WIDTH, number)
     head = f"{headline_of(finding)}."
     where = _artifact(place) if place else {"uri": quote(NO_FILE)}
@@ -294,6 +298,14 @@ def _maker(kind: type) -> Callable[[Any], parts.ReportContent]:
             from allworlds.reports.content.ambiguity import search_content
 
             return search_content
+        case "AmbiguitySensors":
+            from allworlds.reports.content.sensors import sensors_content
+
+            return sensors_content
+        case "AmbiguityWeakest":
+            from allworlds.reports.content.sensors import weakest_content
+
+            return weakest_content
         case "LedgerReport":
             from allworlds.reports.content.ledger import ledger_content
 

@@ -11,9 +11,13 @@ from allworlds.reports import formats, plain_text
 from allworlds.reports.content.single_run import finding_section, headline_of
 from allworlds.reports.parts import Cell, Table, rows_of
 from allworlds.reports.web.sections import element, framed, table_element
+from allworlds.words import harmless
 
 WIDTH = 100
 """Columns of a printed report."""
+
+MOST = 20
+"""Lines of a result in a plain Python."""
 
 HEIGHT = 480
 """Pixels of a page in a notebook; it scrolls."""
@@ -29,6 +33,18 @@ def text_of(value: Report | Finding | Transcript) -> str:
             return plain_text.finding_in_words(value, WIDTH)
         case _:
             return formats.text(value, WIDTH).rstrip("\n")
+
+
+def short_text_of(value: Report | Finding) -> str:
+    """The first and the last of the lines of a terminal, at most :data:`MOST` of them."""
+    text = text_of(value)
+    if isinstance(value, Report):
+        content = formats.content_of(value)
+        text = harmless(plain_text.on_terminal(content, WIDTH, whole=False))
+    lines = text.splitlines()
+    if (more := len(lines) - MOST) > 0:
+        lines[MOST - 2 : -1] = [f"... ({more + 1} lines more: print it)"]
+    return "\n".join(lines)
 
 
 def records(report: Report) -> list[dict[str, Any]]:

@@ -34,7 +34,7 @@ class Scene(Struct, frozen=True):
 
     Attributes:
         map: the map.
-        start: the dart that the robot faced at the start; a picture begins there.
+        start: the dart that the robot faced at the start; None where that is not known.
         robot: the dart where the robot is at the end of its walk; None where nobody walks.
         marks: the number of markers at each vertex that has any, by the vertex's index in
             ``map.vertices``.
@@ -45,10 +45,11 @@ class Scene(Struct, frozen=True):
         darts: their names, where these are not their numbers.
         vertices: likewise.
         positions: of the vertices, where these are given.
+        letters: the marks that are sensed by single darts, where those of a vertex differ.
     """
 
     map: CombinatorialMap
-    start: Dart = 0
+    start: Dart | None = 0
     robot: Dart | None = None
     marks: Mapping[int, int] = field(default_factory=dict)
     pointed: Collection[Dart] = ()
@@ -58,6 +59,12 @@ class Scene(Struct, frozen=True):
     darts: Sequence[str] = ()
     vertices: Sequence[str] = ()
     positions: tuple[Position, ...] = ()
+    letters: Mapping[Dart, int] = field(default_factory=dict)
+
+    @property
+    def root(self) -> Dart:
+        """The dart where a picture begins: the start, else the robot's."""
+        return (self.robot or 0) if self.start is None else self.start
 
     @property
     def dart_names(self) -> Sequence[str]:
@@ -90,17 +97,26 @@ class Scene(Struct, frozen=True):
         map_: CombinatorialMap,
         start: Dart,
         percepts: Iterable[tuple[Dart, Percept]],
+        *,
+        lasting: bool = False,
     ) -> Scene:
         """Return the scene of a map in which percepts are known for arrival at some darts.
 
-        The dart at bearing 0 is pointed along, and a vertex with marks is marked.
+        The dart at bearing 0 is pointed along, and a vertex with marks is marked; if the marks of
+        the darts are ``lasting`` and differ, its darts are.
         """
         known = list(percepts)
         # What is sensed last holds: markers can be taken away.
         marks = {map_.vertex_of[dart]: p.marks for dart, p in known}
-        marks = {vertex: number for vertex, number in marks.items() if number}
-        pointed = {map_.turn(dart, p.bearing) for dart, p in known if p.bearing is not None}
-        return cls(map_, start, None, marks, sorted(pointed))
+        uneven = {map_.vertex_of[d] for d, p in known if p.marks != marks[map_.vertex_of[d]]}
+        uneven = uneven if lasting else set()
+        return cls(
+            map_,
+            start,
+            marks={v: number for v, number in marks.items() if number and v not in uneven},
+            letters={d: p.marks for d, p in known if p.marks and map_.vertex_of[d] in uneven},
+            pointed=sorted({map_.turn(d, p.bearing) for d, p in known if p.bearing is not None}),
+        )
 
 
 def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
@@ -110,8 +126,14 @@ def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
     """
     map_, lying = world.map, Counter(dropped)
     percepts = ((d, p.marked(lying[map_.vertex_of[d]])) for d, p in enumerate(world.percepts))
-    scene, labels = Scene.sensed(map_, world.start, percepts), world.labels
-    return doc.replace(scene, vertices=labels.vertices, positions=labels.positions)
+    scene, labels = Scene.sensed(map_, world.start, percepts, lasting=True), world.labels
+    scene = doc.replace(scene, vertices=labels.vertices, positions=labels.positions)
+    return _without_labels(scene, world)
+
+
+def _without_labels(scene: Scene, world: World) -> Scene:
+    """The scene without marks, where these are labels of vertices and no markers."""
+    return doc.replace(scene, marks={}) if world.lighthouse.labels_vertices else scene
 
 
 def walk_in_world(world: World, transcript: Transcript) -> Scene:
@@ -127,7 +149,9 @@ def walk_in_answer(world: World, answer: Estimate, transcript: Transcript) -> Sc
     walk = believed_walk(world, answer, transcript)
     # Where the answer has no place for the lighthouse it says nothing of markers.
     percepts = zip(walk.trail, walk.percepts or [], strict=False)
-    scene = Scene.sensed(answer.map, walk.trail[0], percepts)
+    lasting = not world.lighthouse.as_kind.leaves_marks
+    scene = Scene.sensed(answer.map, walk.trail[0], percepts, lasting=lasting)
+    scene = _without_labels(scene, world)
     return doc.replace(scene, robot=answer.here, walked=_arrivals(walk.trail, transcript))
 
 
@@ -318,6 +342,7 @@ class ShownWalk(Struct, frozen=True):
             same, which are then drawn alike; None where each is drawn by itself.
         parting: the step at which belief and truth part.
         tour: it only leads along every edge: its steps say nothing by themselves.
+        lines: the place in the user's code of each step, as ``FILE:LINE``.
     """
 
     title: str
@@ -328,21 +353,27 @@ class ShownWalk(Struct, frozen=True):
     agreement: int | None = None
     parting: int | None = None
     tour: bool = False
+    lines: Sequence[str] = ()
 
     @property
     def table(self) -> Table:
-        """A row for each step."""
+        """A row for each step; the lines of one file by their numbers alone."""
         walked, elsewhere = self.walked, self.elsewhere
         header = ["step", "motion", "arrives at", "sensed"]
         motions = ["start", *map(str, walked.transcript.actions)]
         rows: list[list[Cell]] = [
-            [i, motion, walked.arrival(i), str(percept)]
+            [i, motion, walked.arrival(i), walked.in_words(percept)]
             for i, (motion, percept) in enumerate(zip(motions, walked.sensed, strict=True))
         ]
         if elsewhere:
             header += ["", elsewhere.where]
             for row, here, there in zip(rows, walked.sensed, elsewhere.percepts, strict=True):
-                row += ["=" if here == there else "≠", str(there)]
+                row += ["=" if here == there else "≠", walked.in_words(there)]
+        if any(self.lines):
+            files = {line.rpartition(":")[0] for line in self.lines}
+            header.append("line")
+            for row, line in zip(rows, ["", *self.lines], strict=False):
+                row.append(line.rpartition(":")[2] if len(files) == 1 else line)
         return Table(header, rows)
 
 

@@ -13,8 +13,8 @@ from allworlds.words import harmless
 MOST, FEW = 30, 3
 """Lines on a terminal of a content that has short facts, and of its findings after the first."""
 
-LONGEST_WALK = 60
-"""The steps of a longer walk are shown from both ends."""
+LONGEST_WALK, LONGEST_REFUTING = 60, 16
+"""The steps of a longer walk are shown from both ends; of one that refutes fewer."""
 
 GAP = 2
 """Columns of a table are so far apart."""
@@ -70,7 +70,8 @@ def _found(section: parts.Section, width: int, room: int) -> list[str]:
         if isinstance(block, parts.FactList) and not picture:
             lines += _block(block, width)
         elif isinstance(block, parts.ShownWalk):
-            lines += [line for said in block.sentences for line in wrap(said, width)]
+            for said in block.sentences:
+                lines += wrap(said, width, break_on_hyphens=False)
             picture = ["", *draw(block.views[0].scene, width).splitlines(), ""]
         elif isinstance(block, parts.Quote) and block.command:
             command = [*_block(block, width)]
@@ -151,9 +152,13 @@ def _walk(walk: parts.ShownWalk, width: int) -> Iterator[str]:
     steps = walk.table
     rows = steps.texts
     if len(rows) > LONGEST_WALK:
-        half = LONGEST_WALK // 2
-        left_out = ["...", f"({len(rows) - 2 * half} more)", *[""] * (len(steps.header) - 2)]
-        rows = [*rows[:half], left_out, *rows[-half:]]
+        half = (LONGEST_REFUTING if walk.sentences else LONGEST_WALK) // 2
+        first, last = rows[:half], rows[-half:]
+        if walk.sentences and walk.parting is not None:  # up to there
+            first, last = rows[: walk.parting + 1][-LONGEST_WALK:], []
+        more = len(rows) - len(first) - len(last)
+        left_out = ["...", f"({more} more)", *[""] * (len(steps.header) - 2)]
+        rows = [*first, left_out, *last]
     yield from table(steps.header, rows, "r", width)
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, TypeAlias, Union, get_args, get_origin, get_type_hints
 
-from msgspec import UNSET, Meta, UnsetType, defstruct
+from msgspec import UNSET, Meta, Struct, UnsetType, defstruct
 from msgspec.json import schema_components
 from msgspec.structs import fields
 
@@ -49,6 +49,18 @@ WRITTEN_AS = {
     Path: doc.Text,
 }
 """The JSON that is written in place of a value that is no JSON."""
+
+
+class OwnLighthouse(Struct):
+    """Lighthouse of the user's own.
+
+    The fields that say where it stands are keys beside these.
+    """
+
+    kind: Annotated[doc.Text, doc.about("the name by which it is found")]
+    options: Annotated[dict[str, Any], doc.about("those that are no defaults")]
+    digest: Annotated[doc.Text, doc.about("of the text of its code")]
+
 
 READ = {"finding", "world", "transcript", "manifest"}
 """The documents that are read; their schemas say what is taken, and may be left out."""
@@ -131,7 +143,8 @@ class Shapes:
         if tp is Transcript:
             return self._transcript()
         if tp is Lighthouse:
-            return self._one_of([self._lighthouse(kind) for kind in kinds.LIGHTHOUSES.values()])
+            ours = [self._lighthouse(kind) for kind in kinds.LIGHTHOUSES.values()]
+            return self._one_of([*ours, OwnLighthouse])
         if isinstance(tp, type) and issubclass(tp, doc.Document | doc.WrittenByFields):
             return self._struct(tp)
         arguments = get_args(tp)

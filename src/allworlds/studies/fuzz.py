@@ -9,7 +9,7 @@ from typing import Annotated, TypeAlias
 from msgspec import Struct
 from typing_extensions import override
 
-from allworlds.engines import lanes, single, sweep
+from allworlds.engines import hints, lanes, single, sweep
 from allworlds.engines.engine_table import ReadyEngine, players_for
 from allworlds.engines.job_records import Identity
 from allworlds.engines.limits import (
@@ -303,7 +303,7 @@ def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Findin
         sweep.gather(workers, RunCounter(scope, tally.keep), _in_chunks(given), tally, NOBODY)
         for found in tally.findings:
             smallest = smallest_from(found, workers, scope)
-            return single.played_again(smallest, subject, limits)
+            return hints.located(single.played_again(smallest, subject, limits), subject, limits)
     return None
 
 

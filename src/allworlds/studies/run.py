@@ -13,7 +13,7 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds import document as doc
 from allworlds.document import Document, Natural, Report, about, computed
-from allworlds.engines import limits, single
+from allworlds.engines import hints, limits, single
 from allworlds.explorers import loading, sources
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs import checks, requests
@@ -98,7 +98,13 @@ def run(request: RunRequest) -> single.SingleRun:
     played = single.single_run(subject, world, rules, request.choices, limits, _asked_hash_seed())
     if unused := single.unused_choice(request.choices, played):
         raise InputError(unused)
-    return played
+    return _located(played, subject, limits)
+
+
+def _located(run: single.SingleRun, subject: Any, limits: limits.Limits) -> single.SingleRun:
+    """The run with the lines of the explorer's code in its finding, if it has one."""
+    found = run.finding and hints.located(run.finding, subject, limits)
+    return doc.replace(run, finding=found)
 
 
 def _asked_hash_seed() -> int | None:
@@ -218,6 +224,7 @@ def replay(request: ReplayRequest) -> Replay:
     notice = single.unused_choice(finding.choices, again) if same else ""
     if notice:
         notice = f"the recorded {notice}; choices are repeated as far as they fit"
+    again = _located(again, subject, limits)
     return Replay(again=again, recorded=finding, notice=notice, users=subject.from_user)
 
 
@@ -226,7 +233,7 @@ LARGEST = 200
 
 VARIANTS = {
     BUILT_IN[name].lighthouse: name
-    for name in ("algorithm1", "algorithm1-cluster", "algorithm1-natural")
+    for name in ("algorithm1", "algorithm1-cluster", "algorithm1-natural", "algorithm1-door")
 }
 """Algorithm 1 for each lighthouse that it is written for."""
 

@@ -43,9 +43,11 @@ if TYPE_CHECKING:
         Cluster as Cluster,
         Compass as Compass,
         Directional as Directional,
+        Door as Door,
         Labels as Labels,
         Natural as Natural,
         Position as Position,
+        Word as Word,
     )
     from allworlds.world.lighthouses.options import InvalidWorld as InvalidWorld
     from allworlds.world.named import (

@@ -12,8 +12,10 @@ from allworlds import Estimate, Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document import replace
 from allworlds.maps import named_map
+from allworlds.reports import parts
 from allworlds.reports.drawing.svg import legal
 from allworlds.reports.formats import file_of
+from allworlds.reports.web.sections import table_element
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import GateCell
 from allworlds.studies.explain import explain
@@ -190,3 +192,9 @@ def test_a_finding_of_the_corpus_says_so(tmp_path):
     explorer = mutant("pose-lost")
     assert "from the corpus" not in page(check(explorer, edges=2, corpus=tmp_path))
     assert "from the corpus" in page(check(explorer, edges=2, corpus=tmp_path))
+
+
+def test_a_cell_of_more_than_thirty_characters_may_be_broken():
+    cells = ["x" * 30, "x" * 31, 7]
+    (row,) = table_element(parts.Table(["a", "b", "c"], [cells])).iterfind("tbody/tr")
+    assert [cell.get("class") for cell in row] == ["words", "sentence", None]

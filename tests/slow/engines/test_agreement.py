@@ -67,6 +67,8 @@ def test_the_premise_holds_on_every_bearing(monkeypatch):
     compare_engines(Scope(Extent(MapClass.MAPS, 6), Rules()), ALGORITHM1)
 
 
+DOOR = "allworlds.explorers.builtin.scanning:algorithm1_door"
+
 SETTINGS = {
     "fifo": {"edges": 4},
     "lifo": {"edges": 4, "policy": "lifo"},
@@ -83,6 +85,8 @@ SETTINGS = {
     "natural": {"explore": "algorithm1-natural", "edges": 4},
     "natural-simple": {"explore": "algorithm1-natural", "edges": 6, "map_class": "simple"},
     "no-direction": {"edges": 2, "lighthouse": "cluster", "max_findings": 3},
+    "door": {"explore": DOOR, "edges": 3, "lighthouse": "door"},
+    "no-door": {"explore": DOOR, "edges": 3, "lighthouse": "position", "max_findings": 3},
 }
 
 

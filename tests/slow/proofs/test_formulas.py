@@ -7,9 +7,8 @@ from itertools import product
 
 import pytest
 
-from allworlds.studies.ambiguity.formulas import forbid_other_start, pair_formula
 from proofs import test_formulas as quick
-from proofs.test_formulas import literals, rooted_maps, solvers
+from proofs.test_formulas import literals, producer_says, rooted_maps, solvers
 from searches import question
 
 twins = quick.twins
@@ -77,14 +76,6 @@ def test_a_formula_has_a_model_exactly_if_enumeration_finds_two_worlds_that_look
     clauses = twins.twin_clauses(asked, (size, size), range(1, 2 * edges))
     with solvers.Solver("cadical153", bootstrap_with=literals(clauses)) as solver:
         assert solver.solve() == there_is
-
-
-def producer_says(asked, level, starts):
-    """The package's formula, in which ``starts`` are excluded."""
-    formula, pair = pair_formula(asked, level)
-    for start in starts:
-        forbid_other_start(formula, pair, start)
-    return formula
 
 
 VARIANTS = [

@@ -7,7 +7,7 @@ EXPLORERS = ("algorithm1", "algorithm1-cluster", "algorithm1-natural")
 """The built-in explorers that are compiled."""
 
 LIGHTHOUSES = frozenset(
-    {"none", "position", "directional", "compass", "cluster", "cluster-single", "natural"}
+    {"none", "position", "directional", "door", "compass", "cluster", "cluster-single", "natural"}
 )
 """The lighthouses by the names of their kinds; a new one is an entry, and a function of that name
 in ``lighthouses``, with ``_`` for ``-``."""

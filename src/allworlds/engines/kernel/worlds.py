@@ -339,6 +339,16 @@ def directional(world):  # pragma: no cover  # compiled
         _point(world, world.place)
 
 
+def door(world):  # pragma: no cover  # compiled
+    """Put one mark at one of v0's darts: each of them is a place."""
+    world.place += 1
+    darken(world)
+    if world.place == world.degree[0]:
+        world.place = NONE
+    else:
+        world.marks[world.place] = 1
+
+
 def compass(world):  # pragma: no cover  # compiled
     """Choose a reference dart at each vertex: every choice, or beyond a size the first.
 

@@ -4,8 +4,8 @@ The modules:
 
 ``algorithm1``
     Algorithm 1 of the paper, and its variants without a direction;
-``partial_map``
-    its S and U, and its ways through S;
+``scanning``
+    the same where one letter is sensed at v0, by the bearing;
 ``folding``
     all percepts of a run as one map, and explorers that only fold it;
 ``shield``
@@ -29,6 +29,7 @@ from allworlds.explorers.builtin.algorithm1 import (
 from allworlds.explorers.builtin.baselines import dfs, dudek91
 from allworlds.explorers.builtin.folding import folding, folding_oldest
 from allworlds.explorers.builtin.quotient import quotient
+from allworlds.explorers.builtin.scanning import algorithm1_door, algorithm1_word
 
 Explore: TypeAlias = Callable[..., Any]
 
@@ -111,6 +112,31 @@ BUILT_IN: dict[str, BuiltIn] = {
         },
         "two-vertices",
         about="as `algorithm1-cluster`, with the degrees of v0 and v1 for marks",
+    ),
+    "algorithm1-door": BuiltIn(
+        algorithm1_door,
+        "door",
+        {
+            "case-1": ((5, 5), (8, 8)),
+            "case-2": ((3, 2), (5, 4)),
+            "case-3": ((1, 1), (3, 3)),
+            "empty-H": ((1, 2), (1, 2)),
+            "loop": ((1, 1), (3, 3)),
+            "non-loop": ((1, 2), (1, 2)),
+            "v0-hypothesis": ((1, 1), (6, 4)),
+        },
+        "paper + 2*m*(m+1) + 2*(d0-1)",
+        about="first it tries the darts of v0, there and back, until one is the door; a test that "
+        "has come to v0 ends with a query: out by the door and back",
+    ),
+    "algorithm1-word": BuiltIn(
+        algorithm1_word,
+        "word:120*",
+        {},
+        "paper + 2*(d0-1)*(m*(m+1)+1)",
+        about="as `algorithm1-door`, for whatever letters: it tries all darts of v0, and asks as "
+        "many of them as tell that it is where it should be; right if no letters repeat a shorter "
+        "word",
     ),
     "dudek91": BuiltIn(
         dudek91,

@@ -4,7 +4,7 @@ import re
 from collections import Counter
 from collections.abc import Iterator
 
-from allworlds.explorers.loading import is_program
+from allworlds.explorers.loading import is_library, is_program
 from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import default_step_budget
 from allworlds.judging.explanations.story import (
@@ -19,6 +19,7 @@ from allworlds.judging.explanations.story import (
 )
 from allworlds.judging.findings.finding import Finding, Parting
 from allworlds.judging.laws import bounds, folding
+from allworlds.maps.build import completed
 from allworlds.maps.combinatorial import (
     CombinatorialMap,
     Dart,
@@ -62,6 +63,15 @@ KEPT = (
 """The questions about an explorer that does not repeat itself."""
 
 
+UNWRITTEN = (
+    "Does it read memory that nobody has written? Compile it with -g; then 'valgrind -q "
+    "--trace-children=yes --track-origins=yes' before the command below, with --start-timeout 600 "
+    "--answer-timeout 600 behind it, names the line. Memory that was freed is found sooner by "
+    "-fsanitize=address,undefined, with LD_PRELOAD=$(gcc -print-file-name=libasan.so)."
+)
+"""A further question about a shared library; that is how its line is found."""
+
+
 def _advice(finding: Finding) -> list[str]:
     """The cause that the kind of the fault makes likely; no sentence where there is none."""
     seen = str(finding.seen)
@@ -74,7 +84,9 @@ def _advice(finding: Finding) -> list[str]:
             "(a|the) line", seen
         ):
             return [STDOUT]
-    return [KEPT] if finding.law == "nondeterministic" else []
+    if finding.law != "nondeterministic":
+        return []
+    return [KEPT, UNWRITTEN] if is_library(finding.explorer) else [KEPT]
 
 
 def _say_message(finding: Finding) -> list[str]:
@@ -95,17 +107,15 @@ def ending(how: str) -> Teller:
     def tell(story: Story) -> Telling:
         finding = story.finding
         sentences = [how.format(seen=finding.seen), *_advice(finding), *_tell_first_wrong(story)]
+        sentences += _say_left(story) if finding.law == "task" else []
         sentences += [_say_last_step(story), *_say_message(finding)]
         return Telling(sentences, story.checkpoint)
 
     return tell
 
 
-ANTICLOCKWISE = (
-    "A frequent cause is a bearing, a motion or a way back that is counted anticlockwise; all of "
-    "them count darts clockwise."
-)
-"""The advice for an answer that is no map."""
+CLOCKWISE = "Bearings, motions and ways back count darts clockwise."
+"""The reminder for an answer that is no map."""
 
 
 def tell_no_estimate(story: Story) -> Telling:
@@ -120,7 +130,7 @@ def tell_no_estimate(story: Story) -> Telling:
         sentences = [f"The explorer tried to build a map that breaks a law of maps: {message}."]
         sentences += [f"The call is {line.removeprefix(playing.BUILT)}." for line in built]
         if "must be a permutation" in message:
-            sentences.append(ANTICLOCKWISE)
+            sentences.append(CLOCKWISE)
     return Telling([*sentences, *_tell_first_wrong(story), _say_last_step(story)], story.checkpoint)
 
 
@@ -146,12 +156,16 @@ def tell_budget(story: Story) -> Telling:
     if str(story.finding.seen).startswith("checkpoint "):
         why = [f"After step {len(story.transcript.actions)} it only showed checkpoints."]
     else:
-        why = [_say_progress(story), *([SHOW] if story.finding.rules.task.is_map else [])]
+        why = [
+            _say_progress(story),
+            *_say_left(story),
+            *([SHOW] if story.finding.rules.task.is_map else []),
+        ]
     return Telling([how, *why, tell_whose_budget(story.finding)], story.checkpoint)
 
 
 def tell_whose_budget(finding: Finding) -> str:
-    """Tell where the step budget comes from, and how to get another one."""
+    """Tell where the step budget comes from, and that it is right with a larger one."""
     rules, map_ = finding.rules, finding.world.map
     if rules.step_budget is not None:
         return f"The budget is that of --step-budget: {plural(rules.step_budget, 'traversal')}."
@@ -161,10 +175,15 @@ def tell_whose_budget(finding: Finding) -> str:
     origin = "the bound that the explorer names"
     if value == default_step_budget(new + closing):
         origin = f"8 times the paper's bound, and 100 more: 8 x ({new} + {closing}) + 100"
-    return (
-        f"In a world with {world} the budget is {plural(value, 'traversal')}, {origin}. An "
-        "explorer that is right and walks more needs a larger budget: --step-budget N."
-    )
+    budget = f"In a world with {world} the budget is {plural(value, 'traversal')}, {origin}."
+    return " ".join([budget, *_say_tried(finding)])
+
+
+def _say_tried(finding: Finding) -> list[str]:
+    """Tell the option that helps; no sentence where none was tried, or none does."""
+    if not finding.tried:
+        return []
+    return [f"With {finding.tried} it breaks no law, here and elsewhere: that was tried."]
 
 
 def _say_progress(story: Walked) -> str:
@@ -176,6 +195,25 @@ def _say_progress(story: Walked) -> str:
     if left:
         return f"{step} it met no new edge; {plural(left, 'edge')} it never met."
     return f"{step} it had walked every edge of the world, and yet it went on."
+
+
+def _say_left(story: Story) -> list[str]:
+    """Name what was left out, under the tasks that ask for every vertex or every edge."""
+    map_, left, task = story.map, list[str](), story.finding.rules.task.name
+    if task in ("cover", "stop", "home"):
+        visited = {map_.vertex_of[dart] for dart in story.walked}
+        left = [story.vertex(v[0]) for v in map_.vertices if map_.vertex_of[v[0]] not in visited]
+    elif task == "cover:edges":
+        walked = {*story.walked[1:]}
+        left = [
+            f"the edge from {story.place(a)}, to {story.place(b)}"
+            for a, b in map_.edges
+            if not {a, b} & walked
+        ]
+    if len(left) > NAMED:
+        left[NAMED:] = [f"{len(left) - NAMED} more"]
+    verb = "walked along" if task == "cover:edges" else "visited"
+    return [f"It never {verb} {listed(left)}."] if left else []
 
 
 def _tell_first_wrong(story: Story) -> list[str]:
@@ -190,11 +228,11 @@ def _tell_first_wrong(story: Story) -> list[str]:
 def _say_last_step(story: Walked) -> str:
     steps, place = story.transcript.steps, story.place(story.walked[-1])
     if not steps:
-        return f"It made no step: it stood at the start, {place}, and sensed '{story.sensed[0]}'."
+        start = story.in_words(story.sensed[0])
+        return f"It made no step: it stood at the start, {place}, and sensed '{start}'."
     action, percept = steps[-1]
-    return (
-        f"Its last step was step {len(steps)}, {action}: to {place}, where it sensed '{percept}'."
-    )
+    sensed = story.in_words(percept)
+    return f"Its last step was step {len(steps)}, {action}: to {place}, where it sensed '{sensed}'."
 
 
 # ---------------------------------------------------------------- the answer is wrong
@@ -271,7 +309,8 @@ def _say_parting(belief: Belief, parting: Parting) -> str:
 
 
 def _say_misfit(belief: Belief, step: int) -> str:
-    expected, sensed = belief.walk.expected[step], belief.story.sensed[step]
+    seen = belief.walk.expected[step], belief.story.sensed[step]
+    expected, sensed = map(belief.story.in_words, seen)
     return f"it sensed '{sensed}', where the answer predicts '{expected}'"
 
 
@@ -357,7 +396,8 @@ def checkpoint(broken: str) -> Teller:
         if step is not None:
             sentences.append(
                 f"The checkpoint came after step {step}, where the robot stood at "
-                f"{story.place(story.walked[step])}, and had sensed '{story.sensed[step]}'."
+                f"{story.place(story.walked[step])}, and had sensed "
+                f"'{story.in_words(story.sensed[step])}'."
             )
         # Where a pass brings no progress S may be right: there the walks do not diverge.
         return Telling(sentences, None if story.finding.law == "variant" else step)
@@ -459,12 +499,11 @@ def _completed(
     sigma, alpha = [*folded.sigma], [*folded.alpha]
     for a, b in pairs:
         alpha[a], alpha[b] = b, a
-    for dart in [dart for dart, end in enumerate(alpha) if dart == end]:
-        new = len(sigma)
-        alpha[dart] = new
-        sigma += [new] if dart != longer else [new + 1, new, new + 2]
-        alpha += [dart] if dart != longer else [dart, new + 2, new + 1]
-    return CombinatorialMap(sigma, alpha)
+    if longer is not None:
+        alpha[longer] = new = len(sigma)
+        sigma += [new + 1, new, new + 2]
+        alpha += [longer, new + 2, new + 1]
+    return completed(sigma, alpha)
 
 
 def tell_folding(story: Story) -> Telling:
@@ -493,19 +532,14 @@ def tell_bound(story: Story) -> Telling:
 
 
 def tell_whose_bound(finding: Finding) -> list[str]:
-    """Tell that the answer is right, whose bound it is, and how to check without it."""
+    """Tell that the answer is right, whose bound it is, and that it is right without it."""
     others = [law for law in finding.rules.applying if law != "bound"]
     rest = f"every other law that was checked holds: {listed(others)}" if others else ""
     if {"map", "pose"} <= {*others}:
         right = "The map and the pose are right; the walk is longer than the bound allows."
     else:
         right = f"The walk is longer than the bound allows{'; ' if rest else ''}{rest}."
-    other = "4*m" if finding.rules.the_bound.name == "2*m" else "2*m"
-    without = (
-        "The option --bound none checks the other laws alone; --bound EXPR checks another cost, "
-        f"such as --bound '{other}'."
-    )
-    return [right, _whose(finding), without]
+    return [right, _whose(finding), *_say_tried(finding)]
 
 
 def _whose(finding: Finding) -> str:

@@ -70,6 +70,10 @@ class Walked:
                 path.append(arrived)
         return back
 
+    def in_words(self, percept: Percept) -> str:
+        """The percept in the words of the world's lighthouse."""
+        return percept.in_words(labels=self.world.lighthouse.labels_vertices)
+
     def vertex(self, dart: Dart) -> str:
         """The name of a dart's vertex: ``hall``, or ``v1`` where it has none."""
         return self.world.labels.vertex(self.map.vertex_of[dart])

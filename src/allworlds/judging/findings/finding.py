@@ -47,6 +47,43 @@ EXPECTED, SEEN = (doc.read_by(Value, partial(_value, name)) for name in ("expect
 """How the values of two keys are read."""
 
 
+class Believed(doc.Document, forbid_unknown_fields=False):
+    """Believed.
+
+    A checkpoint of a refuting run: S, in the explorer's own darts.
+    """
+
+    number: Annotated[doc.Natural, doc.about("of the checkpoint in its run, from 0 on")]
+    step: Annotated[doc.Natural, doc.about("how many steps came before")]
+    sigma: Annotated[tuple[Dart, ...], doc.about("for each dart the next one clockwise")]
+    alpha: Annotated[tuple[Dart, ...], doc.about("the other end of its edge; itself: not explored")]
+    here: Annotated[Dart, doc.about("the robot's dart")]
+
+
+class CodeLines(doc.Document, forbid_unknown_fields=False, kw_only=True):
+    """Lines of code.
+
+    The places in the user's Python code at which a refuting run was, as ``FILE:LINE``; empty where
+    a place is not the user's.
+    """
+
+    steps: Annotated[
+        tuple[str, ...],
+        doc.about("of each action, and, where the run came to an end by itself, of that"),
+    ]
+    checkpoints: Annotated[doc.IfAny[tuple[str, ...]], doc.about("of each checkpoint")] = ()
+    alone: Annotated[
+        doc.IfAny[tuple[str, ...]],
+        doc.about("lines that run here, and in none of some right runs"),
+    ] = ()
+    right: Annotated[doc.Natural, doc.about("how many right runs these were")]
+    sources: Annotated[tuple[str, ...], doc.about("each of these places with the text of its line")]
+
+    def source(self, place: str) -> str:
+        """The place with the text of its line, if that is known."""
+        return next((line for line in self.sources if line.startswith(f"{place}: ")), place)
+
+
 class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True):
     """Finding.
 
@@ -116,14 +153,34 @@ class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True
             "the first and the last half, with control characters escaped"
         ),
     ] = ""
+    believed: Annotated[
+        doc.IfAny[Believed | None],
+        doc.about("the first wrong checkpoint, else the last; left out where there is none"),
+    ] = None
+    code: Annotated[
+        doc.IfAny[CodeLines | None],
+        doc.about("the lines of the explorer's code, if it is in Python and ran again alike"),
+    ] = None
+    tried: Annotated[
+        doc.IfAny[str],
+        doc.about("options with which the check, as was tried, breaks no law"),
+    ] = ""
     at: doc.NotInDocument[int | None] = None
     under: doc.NotInDocument[Rules | None] = None
     machine: doc.NotInDocument[bool] = False
 
+    __repr__ = doc.Paged.__repr__
+
     @doc.computed
     def reproduce(self) -> str:
-        """A shell command that runs it again."""
-        return self.command
+        """A shell command that runs it again; of a function without a name a line of Python."""
+        module, _, name = self.explorer.partition(":")
+        if "<" not in name and module != "__main__":
+            return self.command
+        words = self.rules.arguments(self.choices)
+        options = zip(words[::2], words[1::2], strict=True)
+        told = [repr(self._world_text), *(_keyword(option, text) for option, text in options)]
+        return f"allworlds.run({name.rpartition('.')[2].strip('<>')}, {', '.join(told)})"
 
     @cached_property
     def rules(self) -> Rules:
@@ -159,9 +216,13 @@ class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True
     def command(self) -> str:
         """A shell command that runs the explorer in this world again."""
         command = ["allworlds", "run", *named_on_command_line(self.explorer)]
-        command += [json.dumps(self.world.to_json(), separators=(",", ":"))]
+        command.append(self._world_text)
         line = shlex.join(command + self.rules.arguments(self.choices))
         return line if self.hash_seed is None else f"{HASH_SEED}={self.hash_seed} {line}"
+
+    @property
+    def _world_text(self) -> str:
+        return json.dumps(self.world.to_json(), separators=(",", ":"))
 
     @property
     def text(self) -> str:
@@ -202,6 +263,15 @@ class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True
         found = doc.parse(document, cls, "finding")
         found.rules  # noqa: B018  # wrong options are refused here, and not where they are used
         return found
+
+
+def _keyword(option: str, text: str) -> str:
+    """An option of the command line as an argument in Python."""
+    name = option.removeprefix("--").replace("-", "_")
+    value: Any = int(text) if name == "step_budget" else text
+    if name in ("laws", "choices"):
+        value = [int(part) if part.isdigit() else part for part in text.split(",")]
+    return f"{name}={value!r}"
 
 
 def findings_of(document: Any) -> Sequence[Any]:

@@ -318,10 +318,10 @@ def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Da
 
 
 def first_wrong(case: Case) -> tuple[int, str] | None:
-    """The steps before the first checkpoint that breaks an invariant, and what is wrong with it."""
-    for steps, checkpoint in case.checkpoints:
+    """The number of the first checkpoint that breaks an invariant, and what is wrong with it."""
+    for number, (steps, checkpoint) in enumerate(case.checkpoints):
         if broken := _half_entered(checkpoint) or _wrong_s(case, steps, checkpoint):
-            return steps, broken
+            return number, broken
     return None
 
 

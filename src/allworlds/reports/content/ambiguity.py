@@ -183,7 +183,9 @@ def _quotient(quotient: Quotient) -> tuple[parts.Paragraph, parts.Table]:
             f"{letters(q)}↺" if other == q else f"{letters(q)}→{letters(other)}"
             for q, other in leads
         )
-        rows.append([around, str(quotient.labels[vertex[0]]), cone])
+        labels = [quotient.labels[q] for q in vertex]
+        uneven = len({getattr(label, "marks", 0) for label in labels}) > 1
+        rows.append([around, "; ".join(map(str, labels if uneven else labels[:1])), cone])
     header = ["classes clockwise", "sensed there", "times round"]
     said = "The quotient (a→b: alpha takes class a to class b; a↺: to itself, a semi-edge)."
     return parts.Paragraph(said), parts.Table(header, rows)

@@ -1,6 +1,7 @@
 """Content of comparisons."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from shlex import quote
 
 from allworlds.engines.sweep import By
 from allworlds.explorers.sources import short_names
@@ -30,9 +31,9 @@ def compare_content(report: comparison.Comparison | growth.Growth) -> parts.Repo
         ratios = [_ratios(report)] if report.ratios else []
         blocks = [_growth_table(report), *ratios, parts.FactList(_growth_facts(report))]
     else:
-        cells = _by_size(report, short_names(report.names))
+        cells = _by_size(report, _short_names(report))
         table = parts.Table([*SIZES], cells, "Compared worlds", keys=4)
-        blocks = [table, parts.FactList(_facts(report))]
+        blocks = [_side_by_side(report), table, parts.FactList(_facts(report))]
     return parts.ReportContent(
         "allworlds compare",
         ", ".join(report.names),
@@ -43,6 +44,13 @@ def compare_content(report: comparison.Comparison | growth.Growth) -> parts.Repo
         rows=lambda: _growth_rows(report) if isinstance(report, growth.Growth) else _rows(report),
         apart=frozenset({"findings"}),
     )
+
+
+def _short_names(report: entrants.ContestReport) -> list[str]:
+    """The heads of columns: short names of the explorers, each with the lighthouse behind it."""
+    names = [*dict.fromkeys(one.subject.name for one in report.entrants)]
+    short = dict(zip(names, short_names(names), strict=True))
+    return [one.named(short[one.subject.name]) for one in report.entrants]
 
 
 COLUMNS = (
@@ -83,7 +91,7 @@ def _growth_table(report: growth.Growth) -> parts.Table:
 
 
 def _ratios(report: growth.Growth) -> parts.Table:
-    (first, *_) = short_names(report.names)
+    (first, *_) = _short_names(report)
     rows: list[list[parts.Cell]] = [
         [
             *(one.family, one.edges, one.explorer, one.worlds),
@@ -126,7 +134,9 @@ def _growth_facts(report: growth.Growth) -> list[tuple[str, str]]:
         if any(row.exact for row in report.rows):
             words.append(("exact", "every world that seeds draw was run, in every place"))
         member = report.rows[-1].members[-1].name
-        words.append(("again", f"allworlds run {report.names[0]} --family {member}"))
+        one = report.entrants[0]
+        own = f" --lighthouse {quote(one.at)}" if one.at else ""
+        words.append(("again", f"allworlds run {one.subject.name}{own} --family {member}"))
     return [*words, ("left out", left_out(report.left_out))]
 
 
@@ -169,13 +179,26 @@ def _by_size(report: comparison.Comparison, names: Sequence[str]) -> list[list[p
     ]
 
 
+def _side_by_side(report: comparison.Comparison) -> parts.Table:
+    """A column for each explorer."""
+    rows: list[list[parts.Cell]] = [
+        [
+            *(row.edges, row.vertices, row.worlds),
+            *(parts.RightText(f"{row.mean[n]:,.2f} ({row.worst[n]:,})") for n in report.names),
+        ]
+        for row in report.rows
+    ]
+    header = ["edges", "vertices", "worlds", *_short_names(report)]
+    return parts.Table(header, rows, "Mean cost of each explorer, and its worst", keys=3)
+
+
 def _facts(report: comparison.Comparison) -> list[tuple[str, str]]:
     """Named facts beside the table."""
     scope = f"one world: {report.member.name}" if report.member else maps_in_words(report)
     words = [*explorer_facts(report), ("scope", scope), *option_facts(report, SAID)]
     meant = "traversals; mean: over rooted maps, in each over the places; worst: of a run"
     words.append(("costs", meant))
-    first = short_names(report.names)[0]
+    first = _short_names(report)[0]
     exact = "; exact" if report.whole else ""
     ratio = f"of the means in each map, to that of {first}: the geometric mean over the maps{exact}"
     words.append(("ratio", ratio))

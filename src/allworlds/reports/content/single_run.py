@@ -14,6 +14,8 @@ from allworlds.judging.explanations.story import Belief, Story, Walked
 from allworlds.judging.findings.finding import Finding, believed_walk, find_parting, true_trail
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import embed
+from allworlds.maps.build import completed
+from allworlds.maps.combinatorial import InvalidMap
 from allworlds.protocol.actions import Ambiguous, Estimate
 from allworlds.protocol.playing import BUILT, NO_MAP
 from allworlds.reports.drawing.layout import named_like
@@ -24,9 +26,11 @@ from allworlds.reports.parts import (
     Elsewhere,
     FactList,
     Headline,
+    MapPictures,
     Paragraph,
     Quote,
     ReportContent,
+    Scene,
     Section,
     ShownMap,
     ShownWalk,
@@ -211,11 +215,13 @@ def finding_section(
     story, explanation = Story(finding), explain(finding)
     title = title or f"Finding {number}: {headline_of(finding)}"
     transcript = finding.transcript
-    log = [f"start: {transcript.first}", *(f"{a}: {p}" for a, p in transcript.steps)]
+    actions = ["start", *map(str, transcript.actions)]
+    log = [f"{a}: {story.in_words(p)}" for a, p in zip(actions, story.sensed, strict=True)]
     said = "Copy the finding as JSON, for replay and explain"
     blocks = [
-        _law(finding),
+        _law(finding, explanation.step),
         _walk(story, explanation, f"The walk of finding {number}"),
+        *_belief(story),
         FactList([*_remarks(finding, origin, checked=checked)]),
         Quote("command", "reproduce", finding.reproduce, command=True),
         *_detail(finding),
@@ -252,23 +258,61 @@ def nothing_checked(rules: Rules) -> str:
     return f"nothing was checked: the explorer shows no checkpoint, as needed for {laws}"
 
 
-def _law(finding: Finding) -> FactList:
-    """The law, and what was expected and seen, where that is no map."""
+MOST_LINES = 3
+"""The lines that run in a refuting run alone and are shown; the others are counted."""
+
+
+def wrong_line(finding: Finding, step: int | None) -> str:
+    """The place in the user's code of the first wrong step, checkpoint or end; empty if unknown.
+
+    Args:
+        finding: which one.
+        step: at which belief and truth diverge, if they do.
+    """
+    code, shown = finding.code, finding.believed
+    if code is None or not code.steps:
+        return ""
+    if finding.step is not None and shown and shown.number < len(code.checkpoints):
+        return code.checkpoints[shown.number]
+    if step is not None and step <= len(code.steps):
+        return code.steps[max(step - 1, 0)]
+    return "" if finding.law in ("budget", "bound") else code.steps[-1]
+
+
+def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
+    """The first wrong line, and the lines that only such runs reach."""
+    code = finding.code
+    if code is None:
+        return
+    if place := wrong_line(finding, step):
+        yield "line", code.source(place)
+    if code.alone:
+        lines = [code.source(place) for place in code.alone[:MOST_LINES]]
+        if (more := len(code.alone) - MOST_LINES) > 0:
+            lines.append(words.plural(more, "other line"))
+        runs = words.plural(code.right, "right run")
+        yield "only here", f"{'; '.join(lines)} (in none of {runs})"
+
+
+def _law(finding: Finding, step: int | None) -> FactList:
+    """The law, what was expected and seen, where that is no map, and the lines of the code."""
+    lines = [*_lines(finding, step)]
     wrong = {
         "map": "the answer is not the same map as the world",
         "pose": "the answer is the same map, but 'here' is not the robot's dart",
     }.get(finding.law, "")
     if wrong and isinstance(finding.seen, Estimate):
-        return fact("law", f"{finding.law}: {wrong}")
+        return FactList([("law", f"{finding.law}: {wrong}"), *lines])
     if str(finding.seen).startswith(NO_MAP):
-        return fact("law", f"{finding.law}: the explorer's sigma and alpha are no map")
+        no_map = f"{finding.law}: the explorer's sigma and alpha are no map"
+        return FactList([("law", no_map), *lines])
     expected, seen = (
         words.plural(value, "traversal") if isinstance(value, int) else str(value)
         for value in (finding.expected, finding.seen)
     )
     if isinstance(finding.expected, int):
         expected = f"at most {expected}"
-    return FactList([("law", finding.law), ("expected", expected), ("seen", seen)])
+    return FactList([("law", finding.law), ("expected", expected), ("seen", seen), *lines])
 
 
 def _walk(story: Story, explanation: Explanation, title: str) -> ShownWalk:
@@ -287,9 +331,38 @@ def _walk(story: Story, explanation: Explanation, title: str) -> ShownWalk:
         parting = find_parting(story.map, story.walked, other.map, trail, [True] * len(trail))
         agreement = parting.step if parting else len(trail)
     views[1:] = [named_like(views[0], view, agreement or 0) for view in views[1:]]
+    code = story.finding.code
     return ShownWalk(
-        title, story, views, explanation.sentences, elsewhere, agreement, explanation.step
+        title,
+        story,
+        views,
+        explanation.sentences,
+        elsewhere,
+        agreement,
+        explanation.step,
+        lines=code.steps[: len(transcript.steps)] if code else (),
     )
+
+
+def _belief(story: Story) -> list[Block]:
+    """The checkpoint beside the world, as both are at its step; none where an answer is shown."""
+    finding, shown = story.finding, story.finding.believed
+    if shown is None or (finding.step is None and isinstance(finding.seen, Estimate)):
+        return []
+    transcript = story.transcript
+    until = type(transcript)(transcript.first, transcript.steps[: shown.step])
+    here = f"after step {shown.step}"
+    try:
+        map_ = completed(shown.sigma, shown.alpha)
+    except InvalidMap:
+        lists = f"sigma {[*shown.sigma]}, alpha {[*shown.alpha]}, here {shown.here}"
+        return [fact("its S", f"{here}, in its own darts, and no map: {lists}")]
+    known = len(shown.sigma)
+    names = ["?" if min(darts) >= known else f"s{i}" for i, darts in enumerate(map_.vertices)]
+    scene = Scene(map_, None, shown.here, vertices=names)
+    title = f"Its S {here}, in its own darts, which are 0 to {known - 1} (?: not explored)"
+    beside = (f"The world {here}", walk_in_world(story.world, until))
+    return [MapPictures([beside, (title, scene)])]
 
 
 def answer_view(world: World, answer: Estimate, transcript: Any, trail: Any) -> View:

@@ -278,7 +278,7 @@ def drawn_beside(
     """
     world, answer = first.scene, other.scene
     ties = _ties(first, other, agreement)
-    beside = layout_like(ties, answer.map, answer.start, world.map, drawn)
+    beside = layout_like(ties, answer.map, answer.root, world.map, drawn)
     if agreement < len(first.trail):
         world = replace(world, ringed=first.trail[agreement])
         answer = replace(answer, ringed=other.trail[agreement])

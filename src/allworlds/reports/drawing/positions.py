@@ -24,7 +24,7 @@ WIDE = 0.35 * tau
 def laid_out(scene: Scene) -> Layout:
     """The drawing at the positions of the scene; where these do not fit, that of :func:`layout`."""
     placed = at_positions(scene.map, scene.positions) if scene.positions else None
-    return placed or layout(scene.map, scene.start)
+    return placed or layout(scene.map, scene.root)
 
 
 @lru_cache(maxsize=256)

@@ -170,6 +170,9 @@ def in_words(scene: Scene) -> str:
         )
         sentences.append(f"Clockwise round {vertices[vertex]} its darts lead: {', '.join(ways)}.")
     sentences += [f"Markers at {vertices[v]}: {marks}." for v, marks in sorted(scene.marks.items())]
+    if scene.letters:
+        marks = ", ".join(f"{k} by {darts[d]}" for d, k in sorted(scene.letters.items()))
+        sentences.append(f"Marks that are sensed by single darts: {marks}.")
     if scene.pointed:
         sentences.append(f"Pointed darts: {', '.join(darts[d] for d in sorted(scene.pointed))}.")
     if scene.labels is not None:
@@ -178,7 +181,8 @@ def in_words(scene: Scene) -> str:
     if scene.ringed is not None:
         sentences.append(f"Ringed is dart {darts[scene.ringed]}.")
     end = "" if scene.robot is None else f", the robot is in the end at {darts[scene.robot]}"
-    sentences.append(f"The start is dart {darts[scene.start]}{end}.")
+    if scene.start is not None:
+        sentences.append(f"The start is dart {darts[scene.start]}{end}.")
     return " ".join(sentences)
 
 
@@ -250,6 +254,8 @@ def _number(scene: Scene, dart: Dart, place: complex) -> ET.Element:
     if scene.labels is not None:
         text.append(tag("tspan", scene.labels[dart], class_="letter"))
         colour = f" class-{sorted(set(scene.labels)).index(scene.labels[dart]) % COLOURS}"
+    if dart in scene.letters:
+        text.append(tag("tspan", f"●{scene.letters[dart]}", class_="letter"))
     wide, high = _width(scene, dart) + 4, HIGH + 2
     left, top = rounded(-wide / 2), rounded(-high / 2)
     box = tag("rect", class_="box", x=left, y=top, width=wide, height=high, rx=3)
@@ -271,7 +277,8 @@ def _number(scene: Scene, dart: Dart, place: complex) -> ET.Element:
 def _width(scene: Scene, dart: Dart) -> float:
     """Width in pixels of the dart's number with its letter."""
     letters = "" if scene.labels is None else scene.labels[dart]
-    return 4.0 + 7.0 * len(scene.dart_names[dart] + letters)
+    marks = f"●{scene.letters[dart]}" if dart in scene.letters else ""
+    return 4.0 + 7.0 * len(scene.dart_names[dart] + letters + marks)
 
 
 def _clockwise(along: Sequence[complex]) -> ET.Element:

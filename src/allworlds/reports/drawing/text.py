@@ -28,6 +28,7 @@ _LEGEND = {
     "→": "a→v.b the other end of dart a is dart b of v",
     "┼": "┼ arcs cross, no vertex",
     "●": "● marker",
+    "●k": "●k k marks for who comes in by this dart",
     "▲": "▲ dart where the bearing is 0",
     "S": "S start",
     "R": "R robot at the end",
@@ -46,7 +47,7 @@ def draw(scene: Scene, width: int = 80) -> str:
     Cost: O(m), and O(m^2) for a diagram, which has less than ``width`` darts.
     """
     map_, labels = scene.map, scene.labels
-    groups = _groups(map_, scene.start)
+    groups = _groups(map_, scene.root)
     names_of = _names(scene)
     names = {group[0]: names_of[map_.vertex_of[group[0]]] for group in groups}
     # Widths follow from the map alone, so that renaming the darts moves nothing.
@@ -92,7 +93,7 @@ def rotation_table(scene: Scene, width: int = 80) -> str:
         return f"{signs}{dart}{label}→{shown[map_.vertex_of[other]]}.{other}"
 
     rows = []
-    for group in _groups(map_, scene.start):
+    for group in _groups(map_, scene.root):
         darts = _cut([*map(entry, group)], "darts")
         rows.append([names[map_.vertex_of[group[0]]], str(len(group)), *darts])
     name, degree = (max(len(row[i]) for row in rows) for i in (0, 1))
@@ -107,8 +108,12 @@ def rotation_table(scene: Scene, width: int = 80) -> str:
 
 def _signed(scene: Scene) -> dict[str, Sequence[Dart]]:
     """The signs of single darts, each with its darts."""
-    robot = () if scene.robot is None else (scene.robot,)
-    return {"▲": tuple(scene.pointed), "S": (scene.start,), "R": robot}
+    start, robot = (() if d is None else (d,) for d in (scene.start, scene.robot))
+    marked: dict[str, Sequence[Dart]] = {
+        f"●{marks}": [dart for dart, its in scene.letters.items() if its == marks]
+        for marks in sorted(set(scene.letters.values()))
+    }
+    return {**marked, "▲": tuple(scene.pointed), "S": start, "R": robot}
 
 
 def _groups(map_: CombinatorialMap, root: Dart) -> list[list[Dart]]:
@@ -190,6 +195,7 @@ def _legend(signs: set[str], scene: Scene, width: int) -> str:
     signs |= {"●"} if any(scene.marks.values()) else set()
     signs |= {"a"} if scene.labels is not None else set()
     signs |= {sign for sign, darts in _signed(scene).items() if darts}
+    signs |= {"●k"} if scene.letters else set()
     # Spaces within an item hold together; only between items may the line break.
     said = [text for sign, text in _LEGEND.items() if sign in signs]
     items = [text.replace(" ", "\0") for text in [*said, *scene.cut_names(LONGEST_NAME)]]

@@ -101,6 +101,7 @@ def world_data(world: World) -> dict[str, Any]:
         "vertex": list(map_.vertex_of),
         "percepts": [percept.to_json() for percept in world.percepts],
         "start": world.start,
+        "labels": world.lighthouse.labels_vertices,
         "hand": world.lighthouse.in_hand,
         "pick": not world.lighthouse.refusal(Pick(), 1, 0),
         "states": written.states if written else 0,

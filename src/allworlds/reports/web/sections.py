@@ -126,13 +126,13 @@ def figure(
     walks, genus = bool(follows) and moves, scene.map.genus
     keys = (
         ("turn", "clockwise: the order of darts", True),
-        ("robot", "robot, at the dart by which it came", bool(follows)),
+        ("robot", "robot, at the dart by which it came", bool(follows) or scene.robot is not None),
         ("walked", "walked", walks),
         ("trail", "walked just before", walks),
         ("last", "walked just now, with its step", walks),
         ("marked", "marked", bool(scene.marks)),
         ("pointed", "pointed along", bool(scene.pointed)),
-        ("start", "faced at the start", True),
+        ("start", "faced at the start", scene.start is not None),
         ("ring", "the first difference", scene.ringed is not None),
     )
     by_script = {"trail", "last"}
@@ -212,12 +212,13 @@ def _step(walk: ShownWalk, i: int, name: str) -> ET.Element:
     walked, parts = walk.walked, i == walk.parting
     at = "" if walked.world.labels.vertices else "at "
     action = walked.transcript.steps[i - 1][0] if i else None
+    line = [tag("small", f" ({place})") for place in ["", *walk.lines][i : i + 1] if place]
     item = tag(
         "li",
         tag("a", str(i), href=f"#{name}", class_="step", aria_label=f"step {i}"),
         tag("span", str(action) if action else "start", class_="motion"),
         tag("span", f"{at}{walked.arrival(i)}", class_="place"),
-        tag("span", f"sensed: {walked.sensed[i]}", class_="sensed"),
+        tag("span", f"sensed: {walked.in_words(walked.sensed[i])}", *line, class_="sensed"),
         id=name,
         class_="parting" if parts else None,
         data_moved="" if type(action) is Move else None,
@@ -225,7 +226,9 @@ def _step(walk: ShownWalk, i: int, name: str) -> ET.Element:
     if walk.elsewhere and i < len(walk.elsewhere.percepts):
         other = walk.elsewhere.percepts[i]
         sign, kind = ("=", "fits") if other == walked.sensed[i] else ("≠", "misfits")
-        item.append(tag("span", f"{sign} {walk.elsewhere.where}: {other}", class_=kind))
+        item.append(
+            tag("span", f"{sign} {walk.elsewhere.where}: {walked.in_words(other)}", class_=kind)
+        )
     if parts:
         item.append(tag("b", "belief and truth diverge here", class_="note"))
     return item

@@ -21,7 +21,7 @@ const round = (x) => Math.round(x * 10) / 10;
 const polar = (x, y, r, angle) => [round(x + r * Math.cos(angle)), round(y + r * Math.sin(angle))];
 
 function said({ degree, marks, bearing }) {
-  const marker = marks > 1 ? `marks ${marks}` : "marked";
+  const marker = world.labels ? `label ${marks}` : marks > 1 ? `marks ${marks}` : "marked";
   const parts = [`degree ${degree}`];
   if (marks) parts.push(marker);
   if (bearing !== null) parts.push(`bearing ${bearing}`);
@@ -80,9 +80,9 @@ function drawSensed() {
   }
   const here = element(
     "g",
-    { class: marks ? "vertex marked" : "vertex" },
+    { class: marks && !world.labels ? "vertex marked" : "vertex" },
     element("circle", { cx, cy, r: 20 }),
-    element("text", { x: cx, y: cy }, marks > 1 ? `×${marks}` : marks ? "●" : ""),
+    element("text", { x: cx, y: cy }, world.labels ? marks : marks > 1 ? `×${marks}` : marks ? "●" : ""),
   );
   const drawn = { viewBox: "0 0 300 300", width: 300, height: 300, class: "map", role: "group" };
   at("sensed").replaceChildren(
@@ -137,7 +137,7 @@ function drawNotes() {
     const { x, y } = spots.get(name);
     const disc = element(
       "g",
-      { class: percept.marks && !changing ? "vertex marked" : "vertex" },
+      { class: percept.marks && !changing && !world.labels ? "vertex marked" : "vertex" },
       element("circle", { cx: x, cy: y, r: 14 }),
       element("text", { x, y }, String(name)),
     );

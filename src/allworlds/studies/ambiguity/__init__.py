@@ -23,6 +23,10 @@ Modules
     made from the quotient;
 ``marked_worlds``
     the census of a lighthouse, and its parts: worlds by what can be sensed in them;
+``sensed_classes``
+    many worlds at once, in arrays: names of what can be sensed in each;
+``side_by_side``, ``coarsenings``
+    the comparison of sensors; the weakest ones among all coarsenings of a finest one;
 ``question``, ``twin_search``
     the search by solvers for worlds that no motion tells apart;
 ``formulas``, ``solvers``, ``proofs``
@@ -35,6 +39,10 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
+    from allworlds.studies.ambiguity.coarsenings import (
+        AmbiguityWeakest as AmbiguityWeakest,
+        weakest as weakest,
+    )
     from allworlds.studies.ambiguity.marked_worlds import (
         AmbiguityCensus as AmbiguityCensus,
         CensusCell as CensusCell,
@@ -49,6 +57,10 @@ if TYPE_CHECKING:
         twins as twins,
     )
     from allworlds.studies.ambiguity.question import SearchRequest as SearchRequest
+    from allworlds.studies.ambiguity.side_by_side import (
+        AmbiguitySensors as AmbiguitySensors,
+        sensors as sensors,
+    )
     from allworlds.studies.ambiguity.solvers import (
         REQUIREMENTS as REQUIREMENTS,
         has_model_without as has_model_without,

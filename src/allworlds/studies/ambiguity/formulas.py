@@ -25,6 +25,7 @@ from msgspec import Struct
 
 from allworlds.studies.ambiguity.question import Question, Size, Sizes
 from allworlds.world.lighthouses.base import Where
+from allworlds.world.lighthouses.marked import word_of
 
 Literal: TypeAlias = int
 """A variable ``1, 2, ...``, or its negative."""
@@ -177,6 +178,7 @@ class OneWorld(Struct, frozen=True):
     used: Block
     first: Block
     degree: Block
+    place: Block
 
     def step(self, t: int, y: int) -> int:
         """The variable for: step t is answered by y."""
@@ -212,11 +214,12 @@ def one_world(formula: Formula, name: str, size: Size, asked: Question) -> OneWo
         used=block(f"used{name}", (darts, most), "some dart 0..x is at vertex v"),
         first=block(f"first{name}", (darts,), "x is the first dart of its vertex"),
         degree=block(f"degree{name}", (darts, largest + 1), "the vertex of x has degree k"),
+        place=block(f"place{name}", (darts, largest), "x is sigma^k of its vertex's first"),
     )
     _permutations(formula, world)
     _canonical_numbers(formula, world)
     _vertices(formula, world)
-    _degrees(formula, world, name, asked)
+    _degrees(formula, world, asked)
     if asked.map_class.simple:
         _simple(formula, world, name)
     if asked.map_class.planar:
@@ -300,10 +303,9 @@ def _in_order(formula: Formula, label: Block, used: Block) -> None:
             formula.add(-label[x, v], used[x - 1, v - 1])
 
 
-def _degrees(formula: Formula, world: OneWorld, name: str, asked: Question) -> None:
+def _degrees(formula: Formula, world: OneWorld, asked: Question) -> None:
     darts, sigma, first, degree = world.size.darts, world.sigma, world.first, world.degree
-    largest = degree.shape[1] - 1
-    place = formula.block(f"place{name}", (darts, largest), "x is sigma^k of its vertex's first")
+    largest, place = degree.shape[1] - 1, world.place
     formula.section("places count from the first dart, so each vertex is one cycle of sigma")
     for x, row in enumerate(place.rows()):
         formula.exactly_one(row)
@@ -377,12 +379,21 @@ class Pair(Struct, frozen=True):
     Attributes:
         one, two: the maps, rooted at the starts.
         pointed: for each world ``[x]``: x is a reference dart; empty where there are none.
+        letters: for each world ``[x, l]``: x has letter l; empty where there are none.
     """
 
     question: Question
     one: OneWorld
     two: OneWorld
     pointed: tuple[Block, ...]
+    letters: tuple[Block, ...] = ()
+
+    def signs(self, x: int, y: int) -> list[tuple[Literal, Literal]]:
+        """Whether dart x of the first world has a mark, and dart y of the second; for each mark."""
+        if self.letters:
+            one, two = self.letters
+            return [(one[x, letter], two[y, letter]) for letter in range(one.shape[1])]
+        return [(self.pointed[0][x], self.pointed[1][y])] if self.pointed else []
 
 
 def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, Pair]:
@@ -401,7 +412,11 @@ def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, Pair]:
         if not question.walk:
             formula.section("turning is free: the starts are reference darts")
             formula.clauses += [(block[0],) for block in pointed]
-    pair = Pair(question, one, two, pointed)
+    letters: tuple[Block, ...] = ()
+    if question.pattern:
+        worlds = enumerate((one, two), 1)
+        letters = tuple(_letters(formula, name, question.pattern, world) for name, world in worlds)
+    pair = Pair(question, one, two, pointed, letters)
     _bisimulation(formula, pair)
     if one.size.edges == two.size.edges:
         _smaller_code(formula, pair)
@@ -444,6 +459,23 @@ def _reference_darts(formula: Formula, name: str, where: Where, world: OneWorld)
     return pointed
 
 
+def _letters(formula: Formula, name: int, pattern: str, world: OneWorld) -> Block:
+    """Require the letters of a word at v0, where the start is at bearing 0, and none elsewhere."""
+    digits, (darts, degrees) = sorted({*pattern} - {"0", "*"}), world.degree.shape
+    has = formula.block(f"letter{name}", (darts, len(digits)), f"x has one of {','.join(digits)}")
+    formula.section(f"world {name} has its letters")
+    for x, (letter, digit) in product(range(darts), enumerate(digits)):
+        formula.add(-has[x, letter], world.vertex[x, 0])
+        for degree in range(1, degrees):
+            at_v0 = (-world.vertex[x, 0], -world.degree[x, degree])
+            word = word_of(pattern, degree)
+            for place in range(degree):
+                there = word[-place] == int(digit)
+                sensed = has[x, letter] if there else -has[x, letter]
+                formula.add(*at_v0, -world.place[x, place], sensed)
+    return has
+
+
 def _bisimulation(formula: Formula, pair: Pair) -> None:
     one, two = pair.one, pair.two
     darts = range(one.size.darts), range(two.size.darts)
@@ -470,8 +502,7 @@ def _sense_the_same(formula: Formula, pair: Pair, related: int, x: int, y: int) 
     alike = []
     if pair.question.sensing.marks_v0:
         alike.append((pair.one.vertex[x, 0], pair.two.vertex[y, 0]))
-    if pair.pointed:
-        alike.append((pair.pointed[0][x], pair.pointed[1][y]))
+    alike += pair.signs(x, y)
     for a, b in zip(ones, twos, strict=False):
         formula.clauses += [(-related, -a, b), (-related, a, -b)]
     formula.clauses += alone
@@ -520,7 +551,8 @@ def forbid_other_start(formula: Formula, pair: Pair, start: int) -> None:
     one, two, darts = pair.one, pair.two, range(pair.one.size.darts)
     shape = (len(darts), len(darts))
     carried = formula.block(f"carried{start}", shape, f"F takes x to y; F(0) = {start}")
-    breaks = formula.block(f"breaks{start}", (3, len(darts)), "F fails at x: sigma, alpha, mark")
+    rows = 2 + max(len(pair.signs(0, 0)), 1)
+    breaks = formula.block(f"breaks{start}", (rows, len(darts)), "F fails at x: sigma, alpha, mark")
     formula.section(f"started at dart {start}, world 2 is not world 1")
     excused = [-two.vertex[start, 0]] if pair.question.sensing.marks_v0 else []
     formula.add(carried[0, start])
@@ -532,13 +564,12 @@ def forbid_other_start(formula: Formula, pair: Pair, start: int) -> None:
             formula.add(*fresh, -image[x, z], carried[y, z])
             formula.add(-breaks[parity, x], -step[x, y], -image[x, z], -carried[y, z])
     for x in darts:
-        if not pair.pointed:
+        if not pair.signs(x, 0):
             formula.add(-breaks[2, x])
-            continue
         for y in darts:
-            mine, theirs = pair.pointed[0][x], pair.pointed[1][y]
-            formula.add(-breaks[2, x], -carried[x, y], mine, theirs)
-            formula.add(-breaks[2, x], -carried[x, y], -mine, -theirs)
+            for row, (mine, theirs) in enumerate(pair.signs(x, y), 2):
+                formula.add(-breaks[row, x], -carried[x, y], mine, theirs)
+                formula.add(-breaks[row, x], -carried[x, y], -mine, -theirs)
     formula.add(*excused, *breaks.variables)
 
 

@@ -41,7 +41,12 @@ from allworlds.maps.quotient import (
 from allworlds.outcome import Disagreement
 from allworlds.protocol.actions import Percept
 from allworlds.world.bisimulation import flaw, same_world_from, sensed
-from allworlds.world.lighthouses.kinds import LIGHTHOUSES, GivenLighthouse, kind_of
+from allworlds.world.lighthouses.kinds import (
+    LIGHTHOUSES,
+    GivenLighthouse,
+    LighthouseKind,
+    kind_of,
+)
 from allworlds.world.lighthouses.marked import Directional, Position
 from allworlds.world.named import LIGHTHOUSE, WORLD, world_named
 from allworlds.world.world import World
@@ -116,11 +121,7 @@ def twins(request: TwinsRequest) -> ComparedWorlds:
             f"the worlds have the lighthouses {kinds[0]} and {kinds[1]}; two worlds are compared "
             "under one lighthouse"
         )
-    if kind_of(a.lighthouse).as_class.leaves_marks:
-        raise InputError(
-            f"under the lighthouse {kinds[0]} the robot leaves marks itself, and twins are "
-            f"compared by motions alone; legal are {standing()}"
-        )
+    ensure_motions_decide(kind_of(a.lighthouse), "twins are compared by motions alone")
     first, second = classes_of_union(*((w.map, w.percepts, w.start) for w in (a, b)))
     proof: dict[str, Any]
     if a.told != b.told:
@@ -171,9 +172,14 @@ def replayed(a: World, b: World, motions: Sequence[int]) -> str | None:
     return None if one[:-1] == other[:-1] else "a part of the motions is enough"
 
 
-def standing() -> str:
-    """The kinds of lighthouses that stand where they are, in words."""
-    return ", ".join(name for name, kind in LIGHTHOUSES.items() if not kind.leaves_marks)
+def ensure_motions_decide(kind: LighthouseKind, why: str) -> None:
+    """Raise InputError, with the reason why it matters, if the robot can leave marks itself."""
+    if kind.as_class.leaves_marks:
+        standing = ", ".join(name for name, own in LIGHTHOUSES.items() if not own.leaves_marks)
+        raise InputError(
+            f"under the lighthouse {kind} the robot leaves marks itself, and {why}; legal are "
+            f"{standing}"
+        )
 
 
 DEFAULT_LIMIT = 1000
@@ -216,16 +222,6 @@ def least_rooting(map_: CombinatorialMap, darts: Sequence[Dart]) -> LeastRooting
     codes = [rooted_code(map_.sigma, map_.alpha, dart) for dart in darts]
     least = min(codes)
     return LeastRooting(least, codes.count(least))
-
-
-def is_least_rooting(map_: CombinatorialMap) -> bool:
-    """Whether no other dart at the vertex of dart 0 has a smaller code.
-
-    One rooted map of each marked map passes.  Cost: O(m deg) at worst.
-    """
-    sigma, alpha = map_.sigma, map_.alpha
-    code = rooted_code(sigma, alpha, 0)
-    return all(code <= rooted_code(sigma, alpha, dart) for dart in map_.vertices[0])
 
 
 Permutation: TypeAlias = tuple[int, ...]

@@ -38,7 +38,8 @@ class SearchRequest(ListenerOptions, TimeLimitOptions, classes.ClassOptions):
         Option(
             SCOPE,
             "KIND",
-            "The lighthouse, sensed besides degrees: none, position, compass or directional.",
+            "The lighthouse, sensed besides degrees: none, position, compass, directional, door or "
+            "word:PATTERN.",
         ),
     ]
     vertices: Annotated[int, Option(SCOPE, "N", "At most N vertices.", parse=integer_of)]
@@ -87,7 +88,12 @@ SEARCHED: Mapping[str, Callable[[Sequence[combinatorial.Dart]], base.Lighthouse]
     marked.Directional.kind: lambda darts: marked.Directional(darts[0]),
     marked.Compass.kind: lambda darts: marked.Compass(tuple(darts)),
 }
-"""The lighthouses of which there are formulas, with start 0 and the darts that they point to."""
+"""The lighthouses of which there are formulas, with start 0 and the darts that they point to.
+
+Of letters there are others, in which the start is at bearing 0: turning is free.
+"""
+
+LETTERS = (marked.Door.kind, marked.Word.kind)
 
 
 class Step(NamedTuple):
@@ -153,9 +159,22 @@ class Question(Struct, frozen=True):
     @property
     def sensing(self) -> base.Sensing:
         """The kind of marker that is sensed besides the degree."""
-        kind = kinds.LIGHTHOUSES[self.lighthouse]
+        kind = self.kind
         assert issubclass(kind, base.ReferenceLighthouse)
+        words = (marked.word_of(self.pattern, degree) for degree in range(1, 2 * self.edges + 1))
+        if self.pattern and not all(map(any, words)):  # there is no letter that shows v0
+            return base.Sensing(base.Where.NOWHERE, bearing=False)
         return kind.sensing
+
+    @property
+    def kind(self) -> type[base.Lighthouse]:
+        """The kind of lighthouse as a type."""
+        return kinds.lighthouse_kind(self.lighthouse).as_class
+
+    @property
+    def pattern(self) -> str:
+        """The pattern of the letters; empty where there are none."""
+        return self.kind.pattern if issubclass(self.kind, marked.SensedByBearing) else ""
 
     def sizes(self) -> Iterator[Sizes]:
         """The pairs of sizes that are to be searched, the smaller first.
@@ -214,9 +233,11 @@ def question_of(request: SearchRequest) -> Question:
     Raises:
         InputError: naming the offending value and what would be legal.
     """
-    if request.lighthouse not in SEARCHED:
+    lettered = a_text("lighthouse", request.lighthouse).partition(":")[0] in LETTERS
+    if request.lighthouse not in SEARCHED and not lettered:
+        legal = ", ".join((*SEARCHED, *LETTERS))
         raise InputError(
-            f"lighthouse {show(request.lighthouse)} is not one of {', '.join(SEARCHED)}, of which "
+            f"lighthouse {show(request.lighthouse)} is not one of {legal}, of which "
             "there are formulas; 'ambiguity census' takes every lighthouse, and makes all small "
             "worlds"
         )
@@ -237,6 +258,8 @@ def question_of(request: SearchRequest) -> Question:
     for name, degree in degrees.items():
         if degree is not None and an_integer(name, degree) < 1:
             raise InputError(f"{name} = {show(degree)}, but every vertex has at least 1 dart")
+    if asked.pattern and asked.walk:
+        raise InputError(f"there is no walk with --lighthouse {asked.lighthouse}; leave it out")
     for step in asked.walk:
         if step.present and not asked.sensing.marks_v0:
             raise InputError(

@@ -198,7 +198,9 @@ def _world(
     references = [x for x, variable in enumerate(variables) if variable in model]
     if pointed and asked.sensing.where is Where.AT_V0:
         _only(references)
-    return World(CombinatorialMap(sigma, alpha), SEARCHED[asked.lighthouse](references), 0)
+    map_ = CombinatorialMap(sigma, alpha)
+    place = asked.kind.usual(map_, 0) if asked.pattern else SEARCHED[asked.lighthouse](references)
+    return World(map_, place, 0)
 
 
 def _only(darts: list[Dart]) -> Dart:

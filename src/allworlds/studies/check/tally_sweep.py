@@ -9,6 +9,7 @@ import time
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import fields
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Any, TypeVar
 
@@ -16,7 +17,7 @@ from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds.document import Document, IfAny, Text, about, replace
-from allworlds.engines import lanes, single, sweep, tally, units
+from allworlds.engines import hints, lanes, single, sweep, tally, units
 from allworlds.engines.engine_table import Job
 from allworlds.engines.job_records import Records, canonical, from_kept
 from allworlds.engines.judge import nondeterministic
@@ -30,6 +31,9 @@ from allworlds.maps.classes import Extent, MapClass
 from allworlds.protocol.user_code import OtherText
 
 # ---------------------------------------------------------------- confirmed findings
+
+LOCATED = 10
+"""The number of findings, smallest first, of which lines of code are told."""
 
 UNREPEATED = "what happened to the explorer was not repeated by a fresh process"
 
@@ -51,7 +55,10 @@ class Confirmation(Struct, frozen=True):
 
     def confirmed(self, findings: Iterable[Finding]) -> list[Finding]:
         """The findings, each played again in a fresh process."""
-        return [self.replaced("confirmed", found, self._again) for found in findings]
+        return [
+            self.replaced("confirmed", found, partial(self._again, number=number))
+            for number, found in enumerate(findings)
+        ]
 
     def settle(self, tally: tally.Tally, known: Callable[[Finding], bool] | None = None) -> bool:
         """Confirm the findings of a tally. Return whether there is more to report than they say.
@@ -63,7 +70,8 @@ class Confirmation(Struct, frozen=True):
         for found in tally.findings:
             settled: Finding | str = found
             if not (known and known(found)):
-                settled = self._recorded("confirmed", found, self._settled)
+                settle = partial(self._settled, number=len(kept))
+                settled = self._recorded("confirmed", found, settle)
             if isinstance(settled, str):
                 remarks.append(settled)
             else:
@@ -83,12 +91,16 @@ class Confirmation(Struct, frozen=True):
         """Whether the deadline is past."""
         return self.deadline is not None and time.monotonic() > self.deadline
 
-    def _again(self, found: Finding) -> Finding:
-        return single.played_again(found, self.subject, self.limits)
+    def _again(self, found: Finding, *, number: int) -> Finding:
+        """Confirm in a fresh process; find the lines of the first findings, and more of one."""
+        again = single.played_again(found, self.subject, self.limits)
+        if number == 0:
+            return hints.hinted(again, self.subject, self.limits, self.scope)
+        return hints.located(again, self.subject, self.limits) if number < LOCATED else again
 
-    def _settled(self, found: Finding) -> Finding | str:
+    def _settled(self, found: Finding, *, number: int) -> Finding | str:
         """Confirm in a fresh process. A crash that is not repeated becomes a remark."""
-        again = self._again(found)
+        again = self._again(found, number=number)
         if again.law not in tally.LOST or not self.subject.importable or again.confirmed:
             return again
         if not again.machine:
@@ -267,7 +279,7 @@ def _retry(finding: Finding, subject: loading.Subject, limits: Limits) -> Findin
         for part in workers.map(tally.RunCounter(scope, keep=1), [world]):
             for found in part.result.findings:
                 again = replace(found, world=labelled(found.world, [finding.world]))
-                return single.played_again(again, subject, limits)
+                return hints.located(single.played_again(again, subject, limits), subject, limits)
     return None
 
 

@@ -182,7 +182,9 @@ class SameWorlds(Contest[Comparison]):
     ) -> "SameWorlds | GrowingWorlds":
         request = cls.asked_then(identity, portion, listener)
         entrants = tuple(
-            Entrant(tally_sweep.subject_of_record(one), tally_sweep.rules_known(request, one))
+            Entrant(
+                tally_sweep.subject_of_record(one), tally_sweep.rules_known(request, one), one["at"]
+            )
             for one in identity.explorer["explorers"]
         )
         return _contest(entrants, request)

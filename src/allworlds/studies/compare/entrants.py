@@ -48,6 +48,7 @@ from allworlds.notations.given import GivenOptions
 from allworlds.studies.check.report import ManyWorlds, SharedFile
 from allworlds.studies.check.tally_sweep import Confirmation, record_of, rules_record
 from allworlds.world import named, selection, world
+from allworlds.world.lighthouses.kinds import LighthouseKind
 
 
 def _families(given: object) -> tuple[str, ...] | None:
@@ -147,7 +148,7 @@ class CompareRequest(
         OptionGroup(
             sources.ExplorersWords,
             "names, as on the command line, or generator functions; two or more, with ``to`` one "
-            "or more.",
+            "or more.  ``NAME@LIGHTHOUSE`` is run under that lighthouse.",
         ),
     ] = ()
 
@@ -290,17 +291,29 @@ class SideBySide:
 
 Answer = TypeVar("Answer")
 
+AT = "@"
+"""The sign between an explorer and its lighthouse."""
+
 
 class Entrant(Struct, frozen=True):
-    """An explorer with the rules by which its runs are played and judged."""
+    """An explorer with the rules by which its runs are played and judged.
+
+    Attributes:
+        at: the lighthouse that stands behind its name; empty where none does.
+    """
 
     subject: loading.Subject
     rules: Rules
+    at: str = ""
 
     @property
     def name(self) -> str:
-        """The explorer's name."""
-        return self.subject.name
+        """The explorer's name, with the lighthouse behind it."""
+        return self.named(self.subject.name)
+
+    def named(self, explorer: str) -> str:
+        """Another name of the explorer, with the lighthouse behind it."""
+        return f"{explorer}{AT}{self.at}" if self.at else explorer
 
     def scope(self, extent: classes.Extent, portion: Shard = WHOLE) -> Scope:
         """The scope of its runs in the worlds of an extent, or in a shard of them."""
@@ -318,19 +331,37 @@ def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
         InputError: for one that is none or is there twice, or for an option.
     """
     entrants: list[Entrant] = []
-    for explore in request.explorers:
+    for given in request.explorers:
+        explore, kind = _with_lighthouse(given)
+        asked = doc.replace(request, lighthouse=kind) if kind else request
         subject = single.subject_of(explore, request.limits)
-        if any(subject.name == other.name for other in entrants):
-            raise InputError(f"explorer {show(subject.name)} is named twice")
-        entrants.append(Entrant(subject, request.rules(subject)))
+        entrant = Entrant(subject, asked.rules(subject), str(kind or ""))
+        if any(entrant.name == other.name for other in entrants):
+            raise InputError(f"explorer {show(entrant.name)} is named twice")
+        entrants.append(entrant)
     return tuple(entrants)
+
+
+def _with_lighthouse(explore: object) -> tuple[Any, LighthouseKind | None]:
+    """An explorer, and the lighthouse behind its name, if there is one.
+
+    Paths and commands may hold the sign, too: so it is one only before a lighthouse, and an error
+    where the text before it is the name of an explorer.
+    """
+    name, at, lighthouse = explore.rpartition(AT) if isinstance(explore, str) else ("", "", "")
+    try:
+        return (name, selection.tried_kind(lighthouse)) if at else (explore, None)
+    except InputError:
+        if sources.names_explorer(name) and not loading.is_program(name):
+            raise
+        return explore, None
 
 
 @doc.with_options(selection.LighthouseOptions, RuleOptions)
 class Compared(doc.Document):
     """An explorer of a comparison, with the rules of its runs."""
 
-    name: Annotated[doc.Text, doc.about("the explorer's")]
+    name: Annotated[doc.Text, doc.about("the explorer's, with `@` and a lighthouse if so named")]
     places: TriedPlaces
     shared_file: SharedFile
 
@@ -418,7 +449,10 @@ class Contest(Sweep[CostsOfAll, Answer]):
 
     @override
     def explorer(self) -> dict[str, Any]:
-        records = [{**record_of(one.subject), **rules_record(one.rules)} for one in self.entrants]
+        records = [
+            {**record_of(one.subject), **rules_record(one.rules), "at": one.at}
+            for one in self.entrants
+        ]
         return {"name": ", ".join(self.names), "explorers": records}
 
     @override

@@ -119,7 +119,8 @@ class Lighthouse(ABC):
     with the name ``dart`` holds a dart, one with the name ``darts`` a tuple of them; a class with
     darts in other fields says how they are renamed (:meth:`relabelled`).  An integer, boolean or
     text in a field with a default is an option: its name on the command line may give it another
-    default, which every ``cls(...)`` in :meth:`places` then has.
+    default, which ``cls.name`` and every ``cls(...)`` in :meth:`places` then have, but not the
+    fields of the dataclass.
 
     Attributes:
         kind: the name on the command line and in files.
@@ -131,6 +132,7 @@ class Lighthouse(ABC):
         gives_marks, gives_bearings: whether it can make a percept have them; of two that are put
             together only one may.
         leaves_marks: whether the robot can leave marks itself.
+        labels_vertices: whether its marks are the labels of vertices, and no markers.
         code: where the class comes from, if it is the user's.
         chosen: the options that were given to the kind.
         every_place_to: the largest number of edges of the maps in which :meth:`places` yields every
@@ -145,6 +147,7 @@ class Lighthouse(ABC):
     gives_marks: ClassVar[bool] = True
     gives_bearings: ClassVar[bool] = True
     leaves_marks: ClassVar[bool] = False
+    labels_vertices: ClassVar[bool] = False
     code: ClassVar[user_code.UserCode | None] = None
     chosen: ClassVar[Mapping[str, OptionValue]] = MappingProxyType({})
     every_place_to: ClassVar[int | None] = None

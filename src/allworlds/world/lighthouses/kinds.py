@@ -32,9 +32,11 @@ from allworlds.world.lighthouses.marked import (
     Cluster,
     Compass,
     Directional,
+    Door,
     Labels,
     Natural,
     Position,
+    Word,
 )
 from allworlds.world.lighthouses.options import (
     InvalidWorld,
@@ -230,7 +232,7 @@ def _placed(code: user_code.UserCode, state: Mapping[str, Any]) -> Lighthouse:
 LIGHTHOUSES: dict[str, type[Lighthouse]] = {
     kind.kind: kind
     for kind in (
-        *(Nothing, Position, Directional, Compass, Cluster, Natural, Movable, Labels),
+        *(Nothing, Position, Directional, Door, Word, Compass, Cluster, Natural, Movable, Labels),
         *(Whiteboard, Ports, Knowledge),
     )
 }

@@ -8,11 +8,13 @@ from dataclasses import dataclass, field, replace
 from itertools import count, islice, product
 from typing import Annotated, Any, ClassVar, Self
 
+from msgspec import Meta
 from typing_extensions import override
 
 from allworlds.document import IfAny, NotInDocument, Some, about
 from allworlds.inputs.checks import are_plain, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, numbering
+from allworlds.protocol import actions
 from allworlds.world.lighthouses import base
 from allworlds.world.lighthouses.options import InvalidWorld, ensure_legal, the_integer
 
@@ -23,6 +25,13 @@ class MarkedStart(base.ReferenceLighthouse):
     """A lighthouse at the start's vertex v0, of which all that is sensed follows from its dart."""
 
     dart: Dart
+
+    @classmethod
+    def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[MarkedStart]:
+        """One place for each bearing ``0..deg(v0)-1``."""
+        place: Any = cls
+        for bearing in range(map_.degree_at[start]):
+            yield place(map_.turn(start, bearing))
 
     @override
     def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:
@@ -94,11 +103,70 @@ class Directional(MarkedStart):
     default_bound: ClassVar[str] = "paper"
     folds: ClassVar[bool] = True
 
-    @classmethod
-    def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Directional]:
-        """One place for each bearing ``0..deg(v0)-1``."""
-        for bearing in range(map_.degree_at[start]):
-            yield cls(map_.turn(start, bearing))
+
+def word_of(pattern: str, degree: int) -> tuple[int, ...]:
+    """The letters of a pattern for the bearings ``0..degree-1``.
+
+    The pattern is repeated to the degree.  One with ``x*`` is not: there ``x`` stands as often as
+    the others leave room for.  At a smaller degree it is cut off.
+    """
+    before, star, after = pattern.partition("*")
+    if star:
+        others = len(before) - 1 + len(after)
+        letters = before[:-1] + before[-1] * (degree - others) + after
+    else:
+        letters = pattern * degree
+    return tuple(map(int, letters[:degree]))
+
+
+class SensedByBearing(MarkedStart):
+    """A lighthouse at v0 of which one letter is sensed: that of the bearing of its dart."""
+
+    pattern: str
+
+    sensing: ClassVar[base.Sensing] = base.Sensing(base.Where.AT_V0, bearing=False)
+
+    @override
+    def percepts(self, map_: CombinatorialMap) -> tuple[actions.Percept, ...]:
+        letters = word_of(self.pattern, map_.degree_at[self.dart])
+        at_v0 = {map_.turn(self.dart, -bearing): mark for bearing, mark in enumerate(letters)}
+        return tuple(actions.Percept(map_.degree_at[d], at_v0.get(d, 0)) for d in map_.darts)
+
+
+@dataclass(frozen=True, slots=True)
+class Door(SensedByBearing):
+    """One marked dart of the start vertex v0, sensed only by who has just come in by it.
+
+    Sensed there: one mark; elsewhere, and at v0 by every other dart, only the degree.
+    """
+
+    dart: base.StandsAt
+
+    kind: ClassVar[str] = "door"
+    pattern: ClassVar[str] = "10*"  # type: ignore[misc]  # of a word it is an option
+
+
+@dataclass(frozen=True)
+class Word(SensedByBearing):
+    """A letter for each bearing of one dart of the start vertex v0, the same at each such vertex.
+
+    Sensed at v0: the letter of the bearing as marks, a digit; elsewhere no mark; the degree.
+    ``word:1`` tells as much as ``position``, ``word:10*`` as ``door``.
+    """
+
+    dart: base.StandsAt
+    pattern: Annotated[
+        str,
+        Meta(pattern=r"^[0-9]+\*?[0-9]*$"),
+        about("the letters for the bearings from 0 on, repeated to the degree; `x*` repeats one"),
+    ] = "12"
+
+    kind: ClassVar[str] = "word"
+
+    def check(self, map_: CombinatorialMap, start: Dart) -> None:
+        """Raise InvalidWorld unless its dart is one of the start's vertex, and it has a pattern."""
+        ensure_legal(self)
+        MarkedStart.check(self, map_, start)
 
 
 @dataclass(frozen=True)
@@ -268,6 +336,7 @@ class Labels(AtEveryVertex):
     numbers: NotInDocument[tuple[int, ...]] = ()
 
     kind: ClassVar[str] = "labels"
+    labels_vertices: ClassVar[bool] = True
     sensing: ClassVar[base.Sensing] = base.Sensing(base.Where.EVERYWHERE_NUMBERED, bearing=True)
 
     @override

@@ -43,7 +43,7 @@ class FieldOption(NamedTuple):
 
     Attributes:
         default: the value where none is given; its type is that of every value.
-        limits: of an integer; None: there are none.
+        limits: of an integer, or the pattern of a text; None: there are none.
         legal: of a tuple, the words that it may hold, each once.
         always: whether a document holds it even if it is the default.
     """
@@ -52,6 +52,11 @@ class FieldOption(NamedTuple):
     limits: Meta | None = None
     legal: tuple[str, ...] = ()
     always: bool = True
+
+    @property
+    def alone(self) -> bool:
+        """Whether it is the only one, whose value stands without its name."""
+        return type(self.default) is tuple or bool(self.limits and self.limits.pattern)
 
     def of_text(self, what: str, text: str) -> OptionValue:
         """The value of a text, as ``key=value`` has it; ``what`` names it.
@@ -93,6 +98,15 @@ class FieldOption(NamedTuple):
         elif not isinstance(value, kind):
             wrong = "neither true nor false" if kind is bool else "not a text"
             raise InvalidWorld(f"{what} = {show(value)} is {wrong}")
+        elif (
+            self.limits
+            and self.limits.pattern
+            and not re.fullmatch(self.limits.pattern, str(value))
+        ):
+            raise InvalidWorld(
+                f"{what} = {show(value)} is no pattern; legal are digits, one of which may have a "
+                "* behind it, as in word:12 and word:10*"
+            )
         found: OptionValue = value
         return found
 
@@ -116,7 +130,11 @@ def _option(field: Any, hint: Any) -> FieldOption | None:
     of_place = field.name in PLACE or NOT_IN_DOCUMENT in notes
     if of_place or not field.init or type(field.default) not in (int, str, bool, tuple):
         return None
-    limits = (note for note in notes if isinstance(note, Meta) and note.ge is not None)
+    limits = (
+        note
+        for note in notes
+        if isinstance(note, Meta) and (note.ge is not None or note.pattern is not None)
+    )
     return FieldOption(
         field.default, next(limits, None), _words_in(hint), always=IF_ANY not in notes
     )
@@ -159,7 +177,7 @@ def options_in(kind: Any, name: str, text: str) -> dict[str, OptionValue]:
         InvalidWorld: naming the option, or the value, that the kind does not have.
     """
     for key, option in options_of(kind).items():
-        if type(option.default) is tuple:  # the words of the only one stand without its name
+        if option.alone:
             return {key: option.of_text(f"the lighthouse {name}", text)}
     try:
         pairs = pairs_in(f"{name}:{text}", text)
@@ -189,10 +207,14 @@ def _legal(kind: Any, name: str, key: str) -> FieldOption:
 
 
 def values_in(place: Any) -> dict[str, OptionValue]:
-    """The options of a place that have another value than the default."""
+    """The options of a place that have another value than the default, and a pattern."""
     kind: Any = type(place)
-    of = options_of(kind)
-    return {key: value for key in of if (value := getattr(place, key)) != of[key].default}
+    values = {key: (getattr(place, key), option) for key, option in options_of(kind).items()}
+    return {
+        key: value
+        for key, (value, option) in values.items()
+        if value != option.default or (option.alone and type(value) is str)
+    }
 
 
 def ensure_legal(place: Any) -> None:
@@ -204,9 +226,11 @@ def ensure_legal(place: Any) -> None:
 
 def named_with(kind: Any, options: Mapping[str, OptionValue]) -> str:
     """The name of a kind with these options."""
-    if kind.code is None:
-        return with_arguments(kind.kind, options, ":")
-    return with_arguments(kind.code.name, options)
+    if kind.code is not None:
+        return with_arguments(kind.code.name, options)
+    of = options_of(kind)
+    words = {key: (text,) for key, text in options.items() if of[key].alone and type(text) is str}
+    return with_arguments(kind.kind, {**options, **words}, ":")
 
 
 def with_arguments(name: str, arguments: Mapping[str, Any], mark: str = "?") -> str:

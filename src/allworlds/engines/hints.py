@@ -1,0 +1,173 @@
+"""A finding with what more plays of its explorer show: an option that helps, and lines of code.
+
+Neither decides anything.  An option is told only if the check with it was made.
+"""
+
+import linecache
+import os
+import time
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from itertools import islice
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import msgspec
+
+from allworlds.document import replace
+from allworlds.engines import players
+from allworlds.engines.engine_table import Job, players_for
+from allworlds.engines.judge import Due
+from allworlds.engines.limits import Limits, TimeIsUp
+from allworlds.engines.single import Plays
+from allworlds.engines.tally import RunCounter
+from allworlds.engines.units import WHOLE, GivenWorlds, Scope, numbered_runs
+from allworlds.explorers.loading import Subject, is_library, is_program
+from allworlds.inputs.checks import InputError
+from allworlds.judging.findings.finding import CodeLines, Finding, place_of
+from allworlds.judging.laws.bounds import NO_BOUND
+from allworlds.protocol.actions import action_numbered
+from allworlds.protocol.code_lines import NOWHERE, Place
+from allworlds.world.lighthouses.options import InvalidWorld
+from allworlds.world.world import World
+
+MOST = 4000
+"""The most runs of a trial; where there are more, nothing is told."""
+
+SECONDS = 5.0
+"""The time of a trial; what is not decided by then is not told."""
+
+LARGER = 10
+"""A larger step budget is tried that is so many times the one that was exceeded."""
+
+Placed: TypeAlias = tuple[World, int]
+"""A world with the number of its place."""
+
+RIGHT = 200
+"""The most right runs whose lines are compared with those of a finding."""
+
+
+def hinted(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> Finding:
+    """The confirmed finding of a check with both."""
+    levels = (edges for edges in scope.extent.levels if edges <= finding.world.map.edge_count)
+    others = (run for edges in levels for run in _runs(scope, edges))
+    tried = tried_options(finding, subject, limits, scope)
+    return located(replace(finding, tried=tried), subject, limits, others)
+
+
+# ---------------------------------------------------------------- an option
+
+
+def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> str:
+    """The options with which the check breaks no law; empty if there are none, or it is not known.
+
+    They name the worlds that were tried, too: all with at most so many edges, at least as many as
+    the finding's; before these that of the finding, and its mirror image.
+
+    Args:
+        finding: confirmed: so the explorer as it is fails in one of them.
+        subject: its explorer.
+        limits: of the check.
+        scope: of the check.
+    """
+    rules, changes = finding.rules, dict[str, Any]()
+    if finding.law == "budget" and rules.step_budget is None:
+        changes["step_budget"] = LARGER * rules.budget(finding.world.map)
+    if finding.law == "bound" or (changes and rules.the_bound != NO_BOUND):
+        others = tuple(law for law in rules.laws or () if law != "bound")
+        changes |= {"bound": NO_BOUND, "laws": others or None}
+    stands = finding.confirmed or not subject.importable  # which cannot be confirmed
+    if not (changes and stands) or rules.laws == ("bound",):
+        return ""
+    worlds, tried, least = list[Placed](), 0, finding.world.map.edge_count
+    for edges in scope.extent.levels:
+        level = [*islice(_runs(scope, edges), MOST + 1 - len(worlds))]
+        if len(worlds) + len(level) > MOST:
+            break
+        worlds, tried = worlds + level, edges
+    if tried < least:
+        return ""
+    own = [(finding.world, finding.place)]
+    with suppress(InvalidWorld):  # the lighthouse may be unable to stand there
+        own.append((finding.world.mirrored(), place_of(finding.world.mirrored())))
+    changed = replace(scope, rules=replace(rules, **changes))
+    alone = replace(limits, workers=1, time_limit=None)
+    job = Job(changed, subject, alone, 1, time.monotonic() + SECONDS, lambda _text: None)
+    units = GivenWorlds(tuple(own)), GivenWorlds(tuple(worlds))
+    try:
+        with players_for(job) as transport:
+            if any(each.result.findings for each in transport.map(RunCounter(changed, 1), units)):
+                return ""
+    except (TimeIsUp, InputError, players.Unsettled):
+        return ""
+    told = {"edges": tried, **changes}
+    told.pop("laws", None)
+    return " ".join(f"--{name.replace('_', '-')} {value}" for name, value in told.items())
+
+
+def _runs(scope: Scope, edges: int) -> Iterator[Placed]:
+    """The runs of a level, whatever part of it the check itself has tried."""
+    for unit in replace(scope, coverage=WHOLE).units(edges):
+        for run in numbered_runs(unit, scope.extent, scope.rules.kind):
+            if run.lighthouse is not None:
+                yield World(run.map, run.lighthouse, 0), run.place
+
+
+# ---------------------------------------------------------------- lines
+
+
+Turns: TypeAlias = list[tuple[bool, Place]]
+"""The places of a play, turn by turn; see :func:`allworlds.protocol.code_lines.written`."""
+
+
+def located(
+    finding: Finding, subject: Subject, limits: Limits, others: Iterable[Placed] = ()
+) -> Finding:
+    """The finding with the lines of its explorer's code, if that is in Python and runs alike again.
+
+    Args:
+        finding: which one.
+        subject: its explorer.
+        limits: of time for an answer, and of memory.
+        others: worlds with places; the lines of the first right runs there are compared.
+
+    Cost: that of the runs, some ten times slower.
+    """
+    other_language = is_program(subject.name) or is_library(subject.name)
+    if other_language or not subject.from_user or finding.law in ("timeout", "nondeterministic"):
+        return finding
+    plays = Plays(subject, finding.rules, finding.world, limits)
+    due = [Due(0, finding.place, finding.world, finding.choices)]
+    due += [Due(i, place, world) for i, (world, place) in enumerate(islice(others, RIGHT), 1)]
+    try:
+        *logs, lines = plays.traced(due)
+        traced = msgspec.json.decode(lines, type=list[tuple[Turns, set[Place]]])
+        judged = [plays.judge.judged(one, log) for one, log in zip(due, logs, strict=True)]
+    except (InputError, msgspec.MsgspecError, ValueError):  # it may do something else now
+        return finding
+    walk = tuple(map(action_numbered, judged[0].log.actions))
+    if walk[: len(finding.transcript.steps)] != finding.transcript.actions:
+        return finding
+    (turns, ran), *plays_of_others = traced
+    pairs = zip(plays_of_others, judged[1:], strict=True)
+    right = [lines for (_, lines), one in pairs if one.outcome.violation is None]
+    alone = ran.difference(*right) if right else set[Place]()
+    return replace(finding, code=_code(turns, sorted(alone), len(right)))
+
+
+def _code(turns: Turns, alone: list[Place], right: int) -> CodeLines:
+    shown = {place for _, place in turns} | {*alone} - {NOWHERE}
+    sources = ((place, linecache.getline(*place).strip()) for place in sorted(shown))
+    return CodeLines(
+        steps=tuple(_named(place) for is_checkpoint, place in turns if not is_checkpoint),
+        checkpoints=tuple(_named(place) for is_checkpoint, place in turns if is_checkpoint),
+        alone=tuple(map(_named, alone)),
+        right=right,
+        sources=tuple(f"{_named(place)}: {text}" for place, text in sources if text),
+    )
+
+
+def _named(place: Place) -> str:
+    """``FILE:LINE``, relative to the current folder if the file is below it."""
+    file, line = place
+    return f"{file.removeprefix(f'{Path.cwd()}{os.sep}')}:{line}" if file else ""

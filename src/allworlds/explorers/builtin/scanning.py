@@ -1,0 +1,129 @@
+"""Algorithm 1 where one letter is sensed at v0, by the bearing: a door, or a word.
+
+The robot learns the letters of v0 from its darts, out by each one and back: the *scan*.  A test
+that has come to v0 ends with queries of this kind, at the darts whose letters tell that v0 has been
+entered by the dart that was expected.  If the letters are a primitive word, that is always
+possible; of a door one query is enough.  One that fails need not be undone: the robot has only
+turned.
+
+Source: beyond the paper.
+"""
+
+from collections.abc import Callable
+
+from allworlds.explorers.builtin.algorithm1 import Algorithm1, Walk, nobody
+from allworlds.protocol.actions import Estimate, Move, Percept
+from allworlds.protocol.choices import Choices
+
+
+def algorithm1_door(
+    first: Percept,
+    *,
+    choices: Choices | None = None,
+    notice: Callable[[str], None] = nobody,
+) -> Walk[Estimate]:
+    """Explore from a door, which is sensed only by who has just come in by it.
+
+    Choices and events are those of Algorithm 1.
+
+    Cost: at most (1) + (2), 2 traversals a test, and 2 (deg(v0) - 1) for the search of the door.
+    """
+    explorer = Scanning(first, choices or Choices(), notice, one_letter=True)
+    return (yield from explorer.explore())
+
+
+def algorithm1_word(
+    first: Percept,
+    *,
+    choices: Choices | None = None,
+    notice: Callable[[str], None] = nobody,
+) -> Walk[Estimate]:
+    """Explore from a vertex with letters by the bearing, whatever they are.
+
+    The estimate is right if they are a primitive word, and not all 0. Choices and events are those
+    of Algorithm 1.
+
+    Cost: at most (1) + (2), and 2 (deg(v0) - 1) for the scan and for each test.
+    """
+    return (yield from Scanning(first, choices or Choices(), notice).explore())
+
+
+class Scanning(Algorithm1):
+    """An exploration from v0 by letters.
+
+    Attributes:
+        one_letter: there is but one dart with a letter, at which a scan may end.
+        queries: for each dart of v0 those whose letters tell that the robot has come by it.
+    """
+
+    def __init__(
+        self,
+        first: Percept,
+        choices: Choices,
+        notice: Callable[[str], None] = nobody,
+        *,
+        one_letter: bool = False,
+    ) -> None:
+        super().__init__(first, choices, notice)
+        self.one_letter = one_letter
+        self.queries: list[list[int]] = []
+
+    def explore(self) -> Walk[Estimate]:
+        """Scan the letters, then explore by Algorithm 1."""
+        yield from self.scan()
+        return (yield from super().explore())
+
+    def reads(self, percept: Percept) -> Percept:
+        """The part of a percept that is compared: the degree and the letter."""
+        return Percept(percept.degree, percept.marks)
+
+    def scan(self) -> Walk[None]:
+        """Read the letters of v0, from the dart faced on clockwise."""
+        first = self.s.expected[0]
+        degree = first.degree
+        letters = [first.marks] + [0] * (degree - 1)
+        while self.here < degree - 1 and not (self.one_letter and any(letters)):
+            yield Move(1)
+            self.here += 1
+            letters[self.here] = (yield Move(0)).marks
+        self.s.expected = [Percept(degree, letter) for letter in letters]
+        self.queries = [telling(letters, dart) for dart in range(degree)]
+
+    def try_path(self, partner: int, path: list[int]) -> Walk[tuple[list[int], bool]]:
+        """Lines 10-13, and the queries at v0, after which the robot is turned to the last dart."""
+        motions, matched = yield from super().try_path(partner, path)
+        if matched:
+            at = super().confirmed_at(partner, path)
+            for dart in self.queries[at]:
+                towards = self.s.offset(at, dart)
+                yield Move(towards - self.turned)
+                seen = yield Move(0)
+                self.turned = towards
+                if self.reads(seen) != self.s.expected[dart]:
+                    return motions, False
+        return motions, matched
+
+    def confirmed_at(self, partner: int, path: list[int]) -> int:
+        """The dart by which the last query has led back."""
+        return self.s.turn(super().confirmed_at(partner, path), self.turned)
+
+
+def telling(letters: list[int], dart: int) -> list[int]:
+    """The positions, few of them, whose letters tell these letters from all that look so at one.
+
+    Others are the cyclic shifts, and a word of zeros. Those that are no other word are not told
+    from these letters.
+    """
+    shifts = [letters[k:] + letters[:k] for k in range(1, len(letters))]
+    others = [word for word in ([0] * len(letters), *shifts) if word[dart] == letters[dart]]
+    found: list[int] = []
+    while others:
+        left = [
+            [word for word in others if word[each] == letter] for each, letter in enumerate(letters)
+        ]
+        best = min(range(len(letters)), key=lambda each: len(left[each]))
+        if len(left[best]) == len(others):
+            break
+        found.append(best)
+        others = left[best]
+    return found

@@ -1,0 +1,109 @@
+"""The lines of the user's code that a play goes through, where a finding is played again.
+
+They never stand in a log, and decide nothing.
+"""
+
+import json
+import linecache
+import sys
+import sysconfig
+from collections.abc import Generator, Sequence
+from functools import cache
+from types import FrameType
+from typing import Any, TypeAlias
+
+from allworlds.protocol import actions
+
+Place: TypeAlias = tuple[str, int]
+"""A file and a line in it; ``("", 0)`` where no line is the user's."""
+
+NOWHERE: Place = ("", 0)
+
+_OURS = (__file__.rpartition("protocol")[0], sysconfig.get_path("stdlib"))
+
+
+@cache
+def is_users(file: str) -> bool:
+    """Whether a file is none of this package, of Python, or of an installed package."""
+    made = file.startswith("<") and file not in linecache.cache
+    return not (made or file.startswith(_OURS) or "-packages" in file)
+
+
+class TracedPlay:
+    """A player's generator in which lines are noted: it has the part of one that a play needs.
+
+    Attributes:
+        turns: for each turn whether it showed a checkpoint, and the place of its ``yield``; the
+            last one is the place of the end, where the explorer came to one.
+        ran: the lines that have run.
+    """
+
+    def __init__(self) -> None:
+        self.turns: list[tuple[bool, Place]] = []
+        self.ran: set[Place] = set()
+        self._left: Place = NOWHERE
+        self._walk: Generator[Any, Any, Any]
+
+    def player(self, player: actions.Player) -> Any:
+        """The player, whose one run is traced here."""
+
+        def play(*told: Any) -> Any:
+            self._walk = player(*told)
+            return self
+
+        return play
+
+    def send(self, reply: Any) -> Any:
+        """Go on to the next message; whoever traced before goes on afterwards."""
+        before = sys.gettrace()
+        sys.settrace(self._trace)
+        try:
+            message = self._walk.send(reply)
+        except BaseException as error:
+            self.turns.append((False, self._end(error)))
+            raise
+        finally:
+            sys.settrace(before)
+        self.turns.append((type(message) is actions.Checkpoint, _yielding(self._walk)))
+        return message
+
+    def close(self) -> None:
+        """End the run."""
+        self._walk.close()
+
+    def _trace(self, frame: FrameType, event: str, _argument: object) -> Any:
+        if not is_users(frame.f_code.co_filename):
+            return None
+        if event == "line":
+            self.ran.add(_place(frame))
+        elif event == "return":
+            self._left = _place(frame)
+        return self._trace
+
+    def _end(self, error: BaseException) -> Place:
+        """The innermost line of the user's that raised; of a return the line that was left last."""
+        place, frames = self._left, error.__traceback__
+        while frames and not isinstance(error, StopIteration):
+            if is_users(frames.tb_frame.f_code.co_filename):
+                place = frames.tb_frame.f_code.co_filename, frames.tb_lineno
+            frames = frames.tb_next
+        return place
+
+
+def _place(frame: FrameType) -> Place:
+    return frame.f_code.co_filename, frame.f_lineno
+
+
+def _yielding(walk: Any) -> Place:
+    """The innermost line of the user's in a chain of ``yield from``."""
+    place = NOWHERE
+    while (frame := getattr(walk, "gi_frame", None)) is not None:
+        if is_users(frame.f_code.co_filename):
+            place = _place(frame)
+        walk = walk.gi_yieldfrom
+    return place
+
+
+def written(plays: Sequence[TracedPlay]) -> bytes:
+    """Traced plays, as a message holds them."""
+    return json.dumps([(one.turns, sorted(one.ran)) for one in plays]).encode()

@@ -1,0 +1,152 @@
+"""Content of reports about sensors: side by side, and the weakest ones."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from textwrap import wrap
+
+from allworlds import words
+from allworlds.maps.classes import Extent
+from allworlds.reports import parts
+from allworlds.reports.content.ambiguity import alike
+from allworlds.reports.content.scope import each_of, of_the_class
+from allworlds.studies.ambiguity.coarsenings import AmbiguityWeakest
+from allworlds.studies.ambiguity.side_by_side import AlikePair, AmbiguitySensors
+
+Pairs = Sequence[Sequence[str]]
+
+WIDTH = 90
+"""Columns of the order of sensors."""
+
+
+def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
+    """A row for each sensor, the order of those with equal places, and their smallest twins."""
+    enough = [row.lighthouse for row in found.rows if row.sufficient]
+    header = ["sensor", "suffices", "minimal", "fails from m", "maps alike"]
+    rows: list[list[parts.Cell]] = [
+        [
+            row.lighthouse,
+            {True: "yes", False: "no", None: "no world"}[row.sufficient],
+            "yes" if row.lighthouse in found.minimal else "",
+            row.first,
+            row.ambiguous or None,
+        ]
+        for row in found.rows
+    ]
+    order = "\n".join(_drawn(found.dominates, [row.lighthouse for row in found.rows]))
+    said = (
+        "Below a sensor stand those that tell less: worlds that look alike under the upper one do "
+        "so under the lower one. Sensors in one line tell the same in the end, but perhaps not at "
+        "once."
+    )
+    blocks: list[parts.Block] = [
+        parts.Table(header, rows, "Sensors"),
+        parts.fact("scope", _scope(found.extent)),
+        parts.FactList([(row.lighthouse, row.tried or "") for row in found.rows]),
+    ]
+    ordered: list[parts.Block] = [parts.Paragraph(said), parts.Quote("order", "The order", order)]
+    sections = [parts.Section("seen", "", blocks)]
+    sections += [parts.Section("order", "Which tells more", ordered)] if order else []
+    named = [(row.lighthouse, row.twins) for row in found.rows if row.twins]
+    said_enough = (
+        f"{len(enough)} of {words.plural(len(found.rows), 'sensor')} suffice in every world "
+        f"{of_the_class(found.extent)}"
+    )
+    return parts.ReportContent(
+        "allworlds ambiguity sensors",
+        words.plural(len(found.rows), "sensor"),
+        found,
+        parts.Headline("SENSORS", f"{said_enough}{': ' * bool(enough)}{', '.join(enough)}"),
+        [*sections, *_pictures(named)],
+        rows=lambda: parts.CsvRows.of(
+            found.rows, lighthouse=str, sufficient=bool, first=int, ambiguous=int, worlds=int
+        ),
+    )
+
+
+def _scope(extent: Extent) -> str:
+    maps = "every start in each rooted map" if extent.given is None else each_of(extent.given)
+    return (
+        f"{maps} {of_the_class(extent)}, every place; a sensor suffices if no two worlds look "
+        "alike: two maps, or one from two starts"
+    )
+
+
+def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
+    """A line for each sensor, under each next one that tells more; equal ones share a line."""
+    above = {name: {a for a, b in dominates if b == name} for name in names}
+    below = {name: {b for a, b in dominates if a == name} for name in names}
+    first = [
+        name
+        for i, name in enumerate(names)
+        if above[name] | below[name] and not {*names[:i]} & above[name] & below[name]
+    ]
+
+    def lines(name: str, depth: int) -> Iterator[str]:
+        same = [each for each in names if each == name or each in above[name] & below[name]]
+        begin = "   " * depth
+        yield from wrap(
+            " = ".join(same), WIDTH, initial_indent=begin, subsequent_indent=f"{begin} = "
+        )
+        under = [each for each in first if each in below[name] - above[name]]
+        for each in under:
+            if not any(each in below[other] - above[other] for other in under):
+                yield from lines(each, depth + 1)
+
+    for name in first:
+        if not above[name] - below[name]:
+            yield from lines(name, 0)
+
+
+def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]:
+    """A section for each two worlds, with the sensors under which they look alike."""
+    groups: dict[tuple[object, ...], tuple[AlikePair, list[str]]] = {}
+    for name, pair in named:
+        key = (*((world.map, world.start) for world in pair.worlds), pair.bisimulation)
+        groups.setdefault(key, (pair, []))[1].append(name)
+    for number, (pair, names) in enumerate(groups.values(), 1):
+        walk = alike("AB", pair.shown, pair.bisimulation)
+        yield parts.Section(f"walk-{number}", f"Alike under {'; '.join(names)}", [walk])
+
+
+def weakest_content(found: AmbiguityWeakest) -> parts.ReportContent:
+    """The minimal coarsenings, each with what refutes its lower neighbours."""
+    rows: list[list[parts.Cell]] = [
+        [
+            len(one.letters),
+            _letters(one.letters),
+            ", ".join(str(found.refuted[number].edges) for number in one.below),
+        ]
+        for one in found.minimal
+    ]
+    said = (
+        f"{found.sufficient} of {words.plural(found.coarsenings, 'coarsening')} suffice, "
+        f"in every world {of_the_class(found.extent)}, {len(found.minimal)} of them minimal"
+    )
+    return parts.ReportContent(
+        "allworlds ambiguity weakest",
+        found.scope.finest,
+        found,
+        parts.Headline("WEAKEST", said),
+        [
+            parts.Section(
+                "seen",
+                "",
+                [
+                    parts.Table(
+                        ["letters", "features, | between letters", "m of twins below"],
+                        rows,
+                        "Minimal sensors: with two letters as one there are twins",
+                    ),
+                    parts.fact("scope", _scope(found.extent)),
+                ],
+            ),
+            *_pictures((_letters(one.letters), one.twins) for one in found.refuted),
+        ],
+        rows=lambda: parts.CsvRows(
+            {"letters": int, "features": str},
+            [[len(one.letters), _letters(one.letters)] for one in found.minimal],
+        ),
+    )
+
+
+def _letters(blocks: Sequence[Sequence[str]]) -> str:
+    return " | ".join(" ".join(block) for block in blocks)

@@ -1,0 +1,297 @@
+"""The weakest sensors: every coarsening of a finest one, and the minimal ones that suffice."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import KW_ONLY, dataclass
+from typing import Annotated, Any, NamedTuple, TypeAlias
+
+import numpy as np
+from typing_extensions import override
+
+from allworlds import document as doc
+from allworlds.engines import sweep
+from allworlds.inputs import checks, requests
+from allworlds.maps.classes import Extent
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import Percept
+from allworlds.studies.ambiguity.members import ensure_motions_decide
+from allworlds.studies.ambiguity.sensed_classes import (
+    BITS,
+    Matrix,
+    Placed,
+    SensedWorlds,
+    classes,
+    matrices,
+    rooted_codes,
+)
+from allworlds.studies.ambiguity.side_by_side import AlikePair, ManyWorldsOptions, worlds_of_level
+from allworlds.world.lighthouses import base, kinds
+from allworlds.world.selection import tried_kind
+from allworlds.world.world import World
+
+MOST_FEATURES = 8
+"""There are 4,140 coarsenings of eight features, and 21,147 of nine."""
+
+SHAPE = 'a lighthouse whose marks are numbers of its features, as in features = ("away", "door")'
+
+Letters: TypeAlias = tuple[int, ...]
+"""A coarsening: for each feature its letter; letters are numbered as they come."""
+
+
+class WeakestRequest(ManyWorldsOptions, kw_only=False):
+    """Request of ``ambiguity weakest``: the finest sensor, and the worlds."""
+
+    finest: Annotated[kinds.GivenLighthouse, requests.Argument("", "FILE.py:Finest", f"{SHAPE}.")]
+    _: KW_ONLY
+
+
+Blocks: TypeAlias = Annotated[
+    doc.Some[doc.Some[doc.Text]], doc.about("the features, those of one letter together")
+]
+
+
+class RefutedSensor(doc.Document):
+    """A coarsening that does not suffice."""
+
+    letters: Blocks
+    edges: Annotated[doc.Positive, doc.about("of the larger of the two worlds")]
+    twins: Annotated[AlikePair, doc.about("two worlds that look alike")]
+
+
+class MinimalSensor(doc.Document):
+    """A coarsening that suffices, and none that is coarser does."""
+
+    letters: Blocks
+    below: Annotated[
+        tuple[doc.Natural, ...],
+        doc.about("the numbers in `refuted` of those in which two of its letters are one"),
+    ]
+
+
+@doc.with_options(ManyWorldsOptions)
+class WeakestScope(doc.Document):
+    """The scope of a search for the weakest sensors."""
+
+    finest: Annotated[doc.Text, doc.about("the finest sensor")]
+    given: sweep.GivenCount
+    sha256: sweep.FileDigests
+
+
+class AmbiguityWeakest(doc.Report, kw_only=True):
+    """Report of 'ambiguity weakest'.
+
+    Every coarsening of a sensor, in the same worlds; one suffices if no two worlds look alike.
+    """
+
+    scope: WeakestScope
+    features: Annotated[doc.Some[doc.Text], doc.about("what the finest sensor tells apart")]
+    coarsenings: Annotated[doc.Positive, doc.about("the partitions of the features")]
+    sufficient: Annotated[doc.Natural, doc.about("how many of them suffice in the scope")]
+    tried: Annotated[
+        doc.Natural, doc.about("how many were looked at in every world, until two looked alike")
+    ]
+    minimal: Annotated[
+        tuple[MinimalSensor, ...], doc.about("the minimal ones that suffice, fewest letters first")
+    ]
+    refuted: Annotated[tuple[RefutedSensor, ...], doc.about("their lower neighbours")]
+    extent: doc.NotInDocument[Extent]
+
+
+@dataclass(frozen=True)
+class Coarser(base.Lighthouse):
+    """A place of the finest sensor, of which the letters of its features are sensed.
+
+    Attributes:
+        place: of the finest sensor.
+        letters: of its features.
+    """
+
+    place: base.Lighthouse
+    letters: Letters
+
+    kind = "coarser"
+
+    @classmethod
+    def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[base.Lighthouse]:  # noqa: ARG003
+        """Yield none: only places of the finest sensor are made so."""
+        yield from ()
+
+    @override
+    def check(self, map_: CombinatorialMap, start: Dart) -> None:
+        self.place.check(map_, start)
+
+    @override
+    def sensed(self, map_: CombinatorialMap, here: Dart) -> Percept:
+        finest = self.place.sensed(map_, here)
+        return Percept(finest.degree, self.letters[finest.marks])
+
+
+class FinestLevel(NamedTuple):
+    """The worlds of one size, under the finest sensor.
+
+    Attributes:
+        worlds: the rooted maps, each with every place.
+        arrays: the same; what is sensed is the degree alone.
+        features: for each dart the number of what the finest sensor tells.
+        roots: for each world the number of its rooted map.
+    """
+
+    worlds: list[Placed]
+    arrays: SensedWorlds
+    features: Matrix
+    roots: list[int]
+
+    def looks(self, letters: Letters, rows: Sequence[int]) -> Iterator[bytes]:
+        """The codes of all that a robot can find out in some of the worlds."""
+        some = self.arrays.chosen(rows)
+        sensed = np.array(letters)[self.features[rows]] << BITS | some.sensed
+        coarser = some._replace(sensed=sensed)
+        return rooted_codes(coarser, classes(coarser), np.zeros(len(rows), np.int64))
+
+
+Met: TypeAlias = tuple[int, int]
+"""A world: its level, and its number there."""
+
+
+def partitions(count: int) -> list[Letters]:
+    """Every coarsening of so many features, fewest letters first."""
+    found: list[Letters] = [()]
+    for _ in range(count):
+        found = [(*one, letter) for one in found for letter in range(max(one, default=-1) + 2)]
+    return sorted(found, key=lambda letters: (max(letters), letters))
+
+
+def lower(letters: Letters) -> list[Letters]:
+    """The coarsenings in which two letters are one."""
+    count, found = max(letters) + 1, list[Letters]()
+    for other in range(count):
+        for one in range(other):
+            names: dict[int, int] = {}
+            joined = (one if letter == other else letter for letter in letters)
+            found.append(tuple(names.setdefault(letter, len(names)) for letter in joined))
+    return found
+
+
+class Refuter:
+    """Finds two worlds that look alike under a coarsening: first among those found before."""
+
+    def __init__(self, levels: Sequence[FinestLevel]) -> None:
+        self.levels, self.tried = levels, 0
+        self.pairs = dict[tuple[Met, Met], None]()
+
+    def pair(self, letters: Letters) -> tuple[Met, Met] | None:
+        """Return two worlds that look alike, with different rooted maps; None if none do."""
+        known = sorted({met for pair in self.pairs for met in pair})
+        if pair := self._alike(letters, known):
+            return pair
+        self.tried += 1
+        every = ((i, row) for i, level in enumerate(self.levels) for row in range(len(level.roots)))
+        pair = self._alike(letters, [*every])
+        if pair:
+            self.pairs[pair] = None
+        return pair
+
+    def _alike(self, letters: Letters, worlds: Sequence[Met]) -> tuple[Met, Met] | None:
+        """The first two of these worlds, in their order, that look alike."""
+        first: dict[bytes, Met] = {}
+        for i, level in enumerate(self.levels):
+            rows = [row for number, row in worlds if number == i]
+            for row, look in zip(rows, level.looks(letters, rows), strict=True):
+                at, number = first.setdefault(look, (i, row))
+                if self.levels[at].roots[number] != level.roots[row]:
+                    return (at, number), (i, row)
+        return None
+
+
+@requests.answers(WeakestRequest)
+def weakest(request: WeakestRequest) -> AmbiguityWeakest:
+    """Find the minimal ones among all coarsenings of a finest sensor that suffice.
+
+    They are gone through from the coarsest on. One that is finer than a sufficient one suffices;
+    the others are tried in the worlds that refuted earlier ones, and then in every world.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+
+    Cost: some seconds for 200 coarsenings and up to 4 edges.
+    """
+    kind = request.lighthouse_of_given(tried_kind(request.finest))
+    features = _features(kind)
+    refuter = Refuter([*_levels(request, kind, len(features))])
+    minimal, sufficient, refuted = list[Letters](), set[Letters](), dict[Letters, Any]()
+    for letters in (every := partitions(len(features))):
+        if any(below in sufficient for below in lower(letters)):
+            sufficient.add(letters)
+        elif pair := refuter.pair(letters):
+            refuted[letters] = pair
+        else:
+            sufficient.add(letters)
+            minimal.append(letters)
+    shown = [*dict.fromkeys(below for letters in minimal for below in lower(letters))]
+
+    def blocks(letters: Letters) -> tuple[tuple[str, ...], ...]:
+        both = [*zip(letters, features, strict=True)]
+        return tuple(tuple(f for of, f in both if of == i) for i in range(max(letters) + 1))
+
+    def told(letters: Letters) -> RefutedSensor:
+        found = [refuter.levels[i].worlds[row] for i, row in refuted[letters]]
+        worlds = [World(map_, place, 0) for map_, place in found]
+        coarser = [World(map_, Coarser(place, letters), 0) for map_, place in found]
+        edges = max(map_.edge_count for map_, _ in found)
+        twins = AlikePair.of(worlds, coarser)
+        return RefutedSensor(letters=blocks(letters), edges=edges, twins=twins)
+
+    return AmbiguityWeakest(
+        scope=sweep.told_scope(WeakestScope, request, finest=kind.name),
+        features=features,
+        coarsenings=len(every),
+        sufficient=len(sufficient),
+        tried=refuter.tried,
+        minimal=tuple(
+            MinimalSensor(letters=blocks(one), below=tuple(map(shown.index, lower(one))))
+            for one in minimal
+        ),
+        refuted=tuple(map(told, shown)),
+        extent=request.extent,
+    )
+
+
+def _features(kind: kinds.LighthouseKind) -> tuple[str, ...]:
+    """The names of the features of a finest sensor.
+
+    Raises:
+        InputError: if it has none, or too many.
+    """
+    ensure_motions_decide(kind, "sensors are compared by motions alone")
+    features: Any = getattr(kind.as_class, "features", None)
+    texts = isinstance(features, tuple | list) and all(isinstance(f, str) and f for f in features)
+    if not texts or not 1 <= len({*features}) == len(features) <= MOST_FEATURES:
+        raise checks.InputError(
+            f"{checks.show(str(kind))} has features = {checks.show(features)}; legal is {SHAPE}, "
+            f"with up to {MOST_FEATURES} different names"
+        )
+    return tuple(features)
+
+
+def _levels(
+    request: WeakestRequest, kind: kinds.LighthouseKind, count: int
+) -> Iterator[FinestLevel]:
+    """The levels, each with every world.
+
+    Raises:
+        InputError: if something else is sensed or told than the number of a feature.
+    """
+    number: dict[CombinatorialMap, int] = {}
+    for edges in request.extent.levels:
+        found = worlds_of_level(request, request.extent, edges, kind)
+        worlds = [world for some in found for world in some]
+        sensed = [place.percepts(map_) for map_, place in worlds]
+        for (map_, place), percepts in zip(worlds, sensed, strict=True):
+            odd = [p for p in percepts if p.bearing is not None or p.marks >= count]
+            if odd or place.told(map_) is not None:
+                what = f"senses {odd[0]}" if odd else f"tells {place.told(map_)}"
+                raise checks.InputError(f"{checks.show(str(kind))} {what}; legal is {SHAPE}")
+        roots = [number.setdefault(map_, len(number)) for map_, _ in worlds]
+        if worlds:
+            features = np.array([[p.marks for p in percepts] for percepts in sensed])
+            degrees = np.array([[p.degree for p in percepts] for percepts in sensed])
+            yield FinestLevel(worlds, matrices(worlds)._replace(sensed=degrees), features, roots)

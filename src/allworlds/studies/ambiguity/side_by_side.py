@@ -1,0 +1,292 @@
+"""Sensors side by side: where each fails first, and which tells more than which."""
+
+from collections.abc import Hashable, Sequence
+from itertools import permutations
+from typing import Annotated, Any
+
+from msgspec import Struct, field
+from typing_extensions import override
+
+from allworlds import document as doc, outcome
+from allworlds.engines import limits, sweep, units
+from allworlds.inputs import checks, requests
+from allworlds.maps import classes, count_source
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.quotient import classes_of_union
+from allworlds.notations.given import GivenOptions
+from allworlds.protocol.actions import Percept
+from allworlds.studies.ambiguity.marked_worlds import batches
+from allworlds.studies.ambiguity.members import ensure_motions_decide
+from allworlds.studies.ambiguity.sensed_classes import Placed, matrices, named
+from allworlds.world.bisimulation import flaw
+from allworlds.world.lighthouses import kinds, options
+from allworlds.world.selection import WhereOptions, tried_kind
+from allworlds.world.world import World
+
+LEGAL = f"{checks.one_of(kinds.LIGHTHOUSES)}, {kinds.OWN}, or several with + between them"
+
+
+def _kinds(given: object) -> tuple[kinds.LighthouseKind, ...]:
+    if isinstance(given, str) or not isinstance(given, Sequence) or not given:
+        raise checks.InputError(f"lighthouses = {checks.show(given)} names none; legal are {LEGAL}")
+    return tuple(dict.fromkeys(map(tried_kind, given)))
+
+
+class ManyWorldsOptions(limits.ListenerOptions, WhereOptions, GivenOptions, classes.ExtentOptions):
+    """The part of a request that names all worlds in which sensors are looked at."""
+
+
+class SensorsRequest(ManyWorldsOptions):
+    """Request of ``ambiguity sensors``."""
+
+    lighthouses: Annotated[
+        requests.Converted[Sequence[kinds.GivenLighthouse], tuple[kinds.LighthouseKind, ...]],
+        requests.Argument(
+            "",
+            "LIGHTHOUSE...",
+            f"{LEGAL}.",
+            repeated=True,
+        ),
+    ] = requests.Converted(_kinds, ())
+
+
+class AlikePair(doc.Document):
+    """Two worlds that no motion tells apart, with the proof."""
+
+    worlds: Annotated[doc.Pair[World], doc.about("two maps, or one from two starts")]
+    sensed: Annotated[
+        doc.Pair[doc.Some[Percept]], doc.about("for each world what is sensed at each dart")
+    ]
+    bisimulation: Annotated[
+        doc.Pair[doc.Some[doc.Natural]], doc.about("for each world the class of each dart")
+    ]
+    shown: doc.NotInDocument[tuple[World, ...]] = ()
+
+    @classmethod
+    def of(cls, worlds: Sequence[World], shown: Sequence[World] = ()) -> "AlikePair":
+        """Return the two worlds with the proof, which has been checked.
+
+        Args:
+            worlds: the two.
+            shown: the same with what is sensed in them, if that is less.
+        """
+        seen = tuple(shown or worlds)
+        proof = classes_of_union(*((world.map, world.percepts, world.start) for world in seen))
+        if wrong := flaw(seen, proof):
+            raise outcome.Disagreement(f"the proof about {seen} is wrong: {wrong}")
+        sensed = tuple(world.percepts for world in seen)
+        return cls(worlds=tuple(worlds), sensed=sensed, bisimulation=proof, shown=seen)
+
+
+class SensorRow(doc.Document):
+    """One sensor."""
+
+    lighthouse: Annotated[doc.Text, doc.about("`KIND[:key=value,...]`")]
+    sufficient: Annotated[
+        bool | None,
+        doc.about("whether no two worlds of the scope look alike; null: it has no place in any"),
+    ]
+    first: Annotated[
+        doc.Positive | None, doc.about("edges of the first worlds that look alike; null: none do")
+    ]
+    ambiguous: Annotated[
+        doc.Natural, doc.about("rooted maps with so many edges at most that look like another one")
+    ]
+    twins: Annotated[doc.IfAny[AlikePair | None], doc.about("the smallest two that look alike")]
+    worlds: Annotated[doc.Natural, doc.about("places of the lighthouse in all rooted maps")]
+    places: Annotated[
+        doc.Natural, doc.about("the number of the first sensor that has the same places")
+    ]
+    tried: sweep.TriedPlaces
+
+
+@doc.with_options(ManyWorldsOptions)
+class SensorsScope(doc.Document):
+    """The scope of a comparison of sensors."""
+
+    given: sweep.GivenCount
+    sha256: sweep.FileDigests
+
+
+class AmbiguitySensors(doc.Report, kw_only=True):
+    """Report of 'ambiguity sensors'.
+
+    Sensors side by side in the same worlds; two worlds that look alike differ in the map, or in the
+    start.
+    """
+
+    scope: SensorsScope
+    rows: Annotated[tuple[SensorRow, ...], doc.about("one a sensor, as they were named")]
+    dominates: Annotated[
+        tuple[doc.Pair[doc.Text], ...],
+        doc.about("of two with equal places: worlds alike under the first are so under the second"),
+    ]
+    coarser: Annotated[
+        tuple[doc.Pair[doc.Text], ...],
+        doc.about(
+            "of two with equal places: what the first senses at a dart follows from what the "
+            "second senses there"
+        ),
+    ]
+    minimal: Annotated[
+        tuple[doc.Text, ...],
+        doc.about("the sufficient ones to which no other sufficient one is strictly coarser"),
+    ]
+    extent: doc.NotInDocument[classes.Extent]
+
+    @property
+    @override
+    def facts(self) -> outcome.Facts:
+        return outcome.Facts(vacuous=not any(row.worlds for row in self.rows))
+
+
+class Sensor(Struct):
+    """A sensor, with all that it shows in every world.
+
+    Attributes:
+        kind: the lighthouse.
+        worlds: the rooted maps, each with every place.
+        roots: for each of them the number of its rooted map.
+        places: the same with where the lighthouse stands.
+        looks, names: for each of them its names.
+        sensed: for each dart of each of them what is sensed there, and what is told.
+    """
+
+    kind: kinds.LighthouseKind
+    worlds: list[Placed] = field(default_factory=list)
+    roots: list[int] = field(default_factory=list)
+    places: list[Any] = field(default_factory=list)
+    looks: list[str] = field(default_factory=list)
+    names: list[str] = field(default_factory=list)
+    sensed: list[Hashable] = field(default_factory=list)
+
+    def meet(self, worlds: Sequence[Placed], number: dict[CombinatorialMap, int]) -> None:
+        """Take in more worlds, in the order of their sizes."""
+        arrays = matrices(worlds)
+        rows = zip(worlds, named(worlds, arrays), arrays.sensed.tolist(), strict=True)
+        for (map_, place), found, sensed in rows:
+            root, told = number.setdefault(map_, len(number)), place.told(map_)
+            self.worlds.append((map_, place))
+            self.roots.append(root)
+            self.places.append((root, _place(place)))
+            self.looks.append(found.look)
+            self.names.append(found.name)
+            self.sensed += sensed if told is None else ((each, str(told)) for each in sensed)
+
+    def row(self, edges: int, places: int) -> SensorRow:
+        """The row of the sensor.
+
+        Args:
+            edges: of the largest maps.
+            places: the number of a sensor with equal ones.
+        """
+        first: dict[str, int] = {}
+        fails, alike, roots = None, list[tuple[int, int]](), set[int]()
+        for number, (map_, _) in enumerate(self.worlds):
+            if fails is not None and map_.edge_count > fails:
+                break
+            one = first.setdefault(self.looks[number], number)
+            if self.roots[one] != self.roots[number]:
+                fails = map_.edge_count
+                alike.append((one, number))
+                roots |= {self.roots[one], self.roots[number]}
+        # Two different maps are shown, if there are some, and not one from two starts.
+        pair = min(alike, default=None, key=lambda two: len({self.names[i] for i in two}) < 2)
+        return SensorRow(
+            lighthouse=self.kind.name,
+            sufficient=not alike if self.worlds else None,
+            first=fails,
+            ambiguous=len(roots),
+            twins=AlikePair.of([World(*self.worlds[each], 0) for each in pair]) if pair else None,
+            worlds=len(self.worlds),
+            places=places,
+            tried=self.kind.as_class.tried_in_maps_of(edges),
+        )
+
+
+def _place(lighthouse: Any) -> list[Any]:
+    """Where a lighthouse stands, whatever its kind."""
+    return [
+        (key, getattr(part, key))
+        for part in kinds.parts_of(lighthouse)
+        for key in options.place_keys(type(part))
+        if key not in options.options_of(type(part))
+    ]
+
+
+def compared(request: SensorsRequest) -> AmbiguitySensors:
+    """Answer a request of ``ambiguity sensors``."""
+    extent, number = request.extent, dict[CombinatorialMap, int]()
+    found = [Sensor(request.lighthouse_of_given(kind)) for kind in request.lighthouses]
+    for sensor in found:
+        ensure_motions_decide(sensor.kind, "sensors are compared by motions alone")
+    for edges in extent.levels:
+        for sensor in found:
+            for some in worlds_of_level(request, extent, edges, sensor.kind):
+                sensor.meet(some, number)
+    places = [sensor.places for sensor in found]
+    rows = tuple(
+        sensor.row(extent.levels[-1], places.index(places[i])) for i, sensor in enumerate(found)
+    )
+    beside = [(a, b) for a, b in permutations(found, 2) if a.places == b.places]
+    dominates, coarser = (
+        tuple((a.kind.name, b.kind.name) for a, b in pairs)
+        for pairs in (
+            [(a, b) for a, b in beside if _follows(b.looks, a.looks)],
+            [(a, b) for a, b in beside if _follows(a.sensed, b.sensed)],
+        )
+    )
+    enough = {row.lighthouse for row in rows if row.sufficient}
+    finer = {b for a, b in coarser if a in enough and (b, a) not in coarser}
+    return AmbiguitySensors(
+        scope=sweep.told_scope(SensorsScope, request),
+        rows=rows,
+        dominates=dominates,
+        coarser=coarser,
+        minimal=tuple(row.lighthouse for row in rows if row.lighthouse in enough - finer),
+        extent=extent,
+    )
+
+
+def _follows(one: Sequence[Hashable], other: Sequence[Hashable]) -> bool:
+    """Whether the values of one are a function of those of the other."""
+    return len({*zip(other, one, strict=True)}) == len({*other})
+
+
+@requests.takes_fields(SensorsRequest, several="lighthouses", answered=compared)
+def sensors(*lighthouses: kinds.GivenLighthouse, **asked: Any) -> AmbiguitySensors:
+    """Look at sensors side by side: which of them suffice in all small worlds?
+
+    A sensor suffices if no two worlds look alike: two maps, or one map from two starts, with the
+    lighthouse at any of its places.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+
+    Cost: as that of a census for each sensor; 300 bytes of memory for each of its worlds.
+    """
+    return compared(SensorsRequest(lighthouses=lighthouses, **asked))
+
+
+def worlds_of_level(
+    request: limits.ListenerOptions, extent: classes.Extent, edges: int, kind: kinds.LighthouseKind
+) -> list[list[Placed]]:
+    """The worlds of a level, some at a time; their maps are counted.
+
+    Raises:
+        Disagreement: if their number is not that of the independent source.
+    """
+    expected = units.level_size(extent, edges)
+    request.listener.level(edges, expected)
+    maps, found = 0, list[list[Placed]]()
+    for unit in units.units_of_level(extent, edges):
+        for some, worlds in batches(unit, extent, kind):
+            maps += some
+            found.append(worlds)
+            request.listener.progress(some)
+    source = count_source.source_of(extent)
+    if source and maps != expected:
+        raise outcome.Disagreement(
+            f"{maps} rooted maps with {edges} edges were met, but {source.name} counts {expected}"
+        )
+    return found
