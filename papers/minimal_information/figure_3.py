@@ -6,9 +6,10 @@ import sys
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from functools import partial
-from itertools import groupby
+from itertools import groupby, islice
 from pathlib import Path
 from random import Random
+from signal import SIG_IGN, SIGINT, signal
 from typing import Any
 
 from msgspec import Struct
@@ -19,8 +20,8 @@ from allworlds.maps import family, rooted_code
 from drawn import Table
 from formulas import paper_bound, printed_bound
 
-HOLES, PLACES = "10%", 4
-"""Of the edges of a graph, and the directions of the marker in it that are run."""
+HOLES = "10%"
+"""Of the edges of a graph."""
 
 LADDERS: Mapping[str, tuple[str, ...]] = {
     "lattice": tuple(f"lattice:{n}x{n}" for n in (4, 5, 6, 8, 10, 12)),
@@ -106,7 +107,7 @@ class Size(Struct, frozen=True):
 
     @property
     def interval(self) -> tuple[float, float]:
-        """Of the mean, by a bootstrap over the graphs, to six digits; the mean if they are few."""
+        """Of the mean, to six digits; both ends are the mean where there is none."""
         low, high = mean_interval([one.mean for one in self.costs]) or (self.mean, self.mean)
         return round(low, 6), round(high, 6)
 
@@ -118,16 +119,20 @@ class Holes(Struct, frozen=True):
         costs: of every explorer in every graph; those of a size and an explorer side by side.
         worlds: how many graphs of each size were drawn; isomorphic ones count once.
         seed: of the first of them.
+        places: at most so many directions of the marker are run in a graph.
+        complete: whether all was run; else the last sizes are not there.
     """
 
     costs: Sequence[Costs]
     worlds: int
     seed: int
+    places: int
+    complete: bool = True
 
     @property
     def right(self) -> bool:
-        """Whether no run broke a law."""
-        return all(one.right for one in self.costs)
+        """Whether all was run, and no run broke a law."""
+        return self.complete and all(one.right for one in self.costs)
 
     @property
     def sizes(self) -> list[Size]:
@@ -161,11 +166,12 @@ class Holes(Struct, frozen=True):
         sizes = self.sizes
         last = {size.family: size for size in sizes if size.explorer == _name(*WHO[0])}
         runs = sum(len(one.by_place) for one in self.costs)
-        sentences = [
+        shown = "" if mean_interval(range(1, self.worlds + 1)) is None else " with 95% intervals"
+        sentences = [] if self.complete else ["Interrupted: the finished sizes alone."]
+        sentences += [
             (
-                f"Traversals by edges, means with their 95% intervals by a bootstrap over "
-                f"{self.worlds} graphs a size, in each over at most {PLACES} directions of the "
-                f"marker, which are drawn; seeds {self.seed} to {self.seed + self.worlds - 1}: "
+                f"Traversals by edges, means{shown} over {self.worlds} graphs a size, in each "
+                f"over at most {self.places} directions of the marker, which are drawn; seeds {self.seed} to {self.seed + self.worlds - 1}: "
                 "squares of a lattice and complete graphs, "
                 f"without {HOLES} of their edges, removed at random while the "
                 f"rest stays connected. Every one of the {runs:,} runs was judged. Above linear "
@@ -197,10 +203,9 @@ class Holes(Struct, frozen=True):
 
     def draw(self, figure: Any) -> None:
         """Draw, for each family, linear axes above logarithmic ones."""
-        families = list(dict.fromkeys(one.family for one in self.costs))
         figure.set_size_inches(11, 9)
-        panels = figure.subplots(2, max(1, len(families)), squeeze=False)
-        for column, name in enumerate(families):
+        panels = figure.subplots(2, len(LADDERS), squeeze=False)
+        for column, name in enumerate(LADDERS):
             for line, scale in enumerate(("linear", "log")):
                 self._panel(panels[line][column], name, scale)
         handles, labels = panels[0][0].get_legend_handles_labels()
@@ -210,7 +215,7 @@ class Holes(Struct, frozen=True):
         shown = [size for size in self.sizes if size.family == name]
         for explorer in (_name(*who) for who in WHO):
             sizes = [size for size in shown if size.explorer == explorer]
-            low, high = zip(*(size.interval for size in sizes), strict=True)
+            low, high = ([size.interval[end] for size in sizes] for end in (0, 1))
             at, means = [size.edges for size in sizes], [size.mean for size in sizes]
             (line,) = axes.plot(at, means, label=explorer, marker="o", markersize=3, linewidth=1.2)
             axes.fill_between(at, low, high, color=line.get_color(), alpha=0.25, linewidth=0)
@@ -228,19 +233,34 @@ class Holes(Struct, frozen=True):
             axes.set_xticks(edges, labels=list(map(str, edges)))
             axes.set_xticks([], minor=True)
         else:
-            axes.set(ylim=(0, 1.08 * max(size.mean for size in shown)))
+            axes.set(ylim=(0, 1.08 * max((size.mean for size in shown), default=1)))
 
 
-def figure_3(worlds: int = 30, seed: int = 1) -> Holes:
-    """Run every explorer in every graph. Cost: half an hour of two cores."""
+def figure_3(worlds: int = 3, seed: int = 1, places: int = 2) -> Holes:
+    """Run every explorer in every graph, from the smallest size of any family on.
+
+    So what is finished when Ctrl-C is pressed is a part of each family.
+    """
+    sizes = [
+        (number, name, distinct([Graph(text, seed + drawn) for drawn in range(worlds)]))
+        for name, texts in LADDERS.items()
+        for number, text in enumerate(texts)
+    ]
+    sizes.sort(key=lambda size: size[0])
+    groups = [(name, graphs, who) for _, name, graphs in sizes for who in WHO]
+    tasks = [(name, graph, *who) for name, graphs, who in groups for graph in graphs]
     costs: list[Costs] = []
-    with ProcessPoolExecutor() as processes:
-        for name, texts in LADDERS.items():
-            for text in texts:
-                graphs = distinct([Graph(text, seed + number) for number in range(worlds)])
-                by_graph = list(processes.map(partial(costs_of, name), graphs))
-                costs += [one for by_explorer in zip(*by_graph, strict=True) for one in by_explorer]
-    return Holes(costs, worlds, seed)
+    with ProcessPoolExecutor(initializer=partial(signal, SIGINT, SIG_IGN)) as processes:
+        found = processes.map(partial(_costs, places), *zip(*tasks, strict=True))
+        try:
+            for _, graphs, _ in groups:
+                costs += list(islice(found, len(graphs)))
+            complete = True
+        except KeyboardInterrupt:
+            processes.shutdown(cancel_futures=True)
+            complete = False
+    costs.sort(key=lambda one: list(LADDERS).index(one.family))
+    return Holes(costs, worlds, seed, places, complete)
 
 
 def distinct(graphs: Sequence[Graph]) -> list[Graph]:
@@ -252,15 +272,10 @@ def distinct(graphs: Sequence[Graph]) -> list[Graph]:
     return list(seen.values())
 
 
-def costs_of(name: str, graph: Graph) -> list[Costs]:
-    """What each explorer walks in the graph of this family."""
-    return [_costs(name, graph, explorer, policy) for explorer, policy in WHO]
-
-
-def _costs(name: str, graph: Graph, explorer: str, policy: str) -> Costs:
+def _costs(most: int, name: str, graph: Graph, explorer: str, policy: str) -> Costs:
     """What one explorer walks; the marker of ``dudek91`` lies in its hand, not in a direction."""
     map_ = graph.map()
-    places = places_of(graph, 1 if explorer == "dudek91" else map_.degree_at[0])
+    places = places_of(graph, 1 if explorer == "dudek91" else map_.degree_at[0], most)
     asked = {"family": graph.text, "holes": HOLES, "seed": graph.seed, "policy": policy or "fifo"}
     explore = _explore(explorer)
     told = {place: run(explore, place=place, **asked) for place in places}
@@ -275,11 +290,11 @@ def _costs(name: str, graph: Graph, explorer: str, policy: str) -> Costs:
     )
 
 
-def places_of(graph: Graph, places: int) -> Sequence[int]:
+def places_of(graph: Graph, places: int, most: int) -> Sequence[int]:
     """The numbers of all places, or of some of them, drawn by the name of the graph."""
-    if places <= PLACES:
+    if places <= most:
         return range(places)
-    return sorted(Random(f"places/{graph.name}").sample(range(places), PLACES))  # noqa: S311  # reproducible, not secret
+    return sorted(Random(f"places/{graph.name}").sample(range(places), most))  # noqa: S311  # reproducible, not secret
 
 
 def _explore(name: str) -> str | Callable[[Percept], Any]:

@@ -17,7 +17,7 @@ from allworlds.maps import family, named_map
 from drawn import write
 from figure_1 import CAPTION, figure_1
 from figure_2 import figure_2
-from figure_3 import PLACES, _explore, figure_3
+from figure_3 import _explore, figure_3
 from formulas import paper_bound, printed_bound
 from paper_claims import PAPER
 
@@ -81,6 +81,12 @@ class Here:
 
     map = staticmethod(map)
 
+    def __init__(self, initializer):
+        pass
+
+    def shutdown(self, **_):
+        pass
+
     def __enter__(self):
         return self
 
@@ -134,11 +140,38 @@ def test_every_direction_of_the_marker_is_run_or_as_many_as_the_caption_says(sma
     for one in small.costs:
         text, _, _, _, seed = one.world.split()
         degree = family(text, holes=0.1, seed=int(seed)).degree_at[0]
-        assert len(one.by_place) == min(PLACES, degree)
+        assert len(one.by_place) == min(small.places, degree)
         assert {*one.by_place} <= {*range(degree)}
         degrees.add(degree)
     assert max(degrees) > 1
-    assert f"at most {PLACES} directions of the marker" in small.caption()[0]
+    assert f"at most {small.places} directions of the marker" in small.caption()[0]
+
+
+def test_after_ctrl_c_the_finished_sizes_are_drawn_in_all_panels(holes, monkeypatch, tmp_path):
+    pytest.importorskip("matplotlib")
+    walked, calls = fig3._costs, []
+
+    def interrupted(*task):
+        calls.append(task)
+        if len(calls) == 6:
+            raise KeyboardInterrupt
+        return walked(*task)
+
+    monkeypatch.setattr(fig3, "_costs", interrupted)
+    ladders = {"lattice": ("lattice:3x3", "lattice:4x4"), "dense": ("dense:5",)}
+    made = holes(ladders, (("algorithm1", "fifo"),), worlds=2, seed=5)
+    # Two graphs of each family's smallest size, and one of the next size, which does not count.
+    assert [(size.family, size.vertices, len(size.costs)) for size in made.sizes] == [
+        ("lattice", 9, 2),
+        ("dense", 5, 2),
+    ]
+    assert (made.complete, made.right) == (False, False)
+    assert made.caption()[0] == "Interrupted: the finished sizes alone."
+    assert not write(made, tmp_path / "3.svg")
+    calls[:] = [None] * 5  # before anything is finished
+    assert not write(holes(ladders, worlds=2), tmp_path / "3.svg")
+    shown = (tmp_path / "3.svg").read_text(encoding="utf-8")
+    assert all(shown.count(f">{title}<") == 2 for title in fig3.TITLES.values())
 
 
 def test_a_run_that_breaks_a_law_is_told(small):
@@ -174,7 +207,7 @@ def test_the_means_of_the_figure_are_those_of_its_data(small):
 
 @pytest.mark.slow
 def test_the_means_that_are_kept_are_those_of_the_program(holes):
-    header, rows = holes({"lattice": ("lattice:4x4",)}, worlds=30, seed=1).table()
+    header, rows = holes({"lattice": ("lattice:4x4",)}, worlds=30, places=4).table()
     made = means(dict(zip(header, map(str, row), strict=True)) for row in rows)
     again = [[str(cell) for cell in line] for line in made]
     with (KEPT / "figure-3-means.csv").open(encoding="utf-8", newline="") as file:
