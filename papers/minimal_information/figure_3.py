@@ -171,9 +171,9 @@ class Holes(Struct, frozen=True):
         sentences += [
             (
                 f"Traversals by edges, means{shown} over {self.worlds} graphs a size, in each "
-                f"over at most {self.places} directions of the marker, which are drawn; seeds {self.seed} to {self.seed + self.worlds - 1}: "
-                "squares of a lattice and complete graphs, "
-                f"without {HOLES} of their edges, removed at random while the "
+                f"over at most {self.places} directions of the marker, which are drawn; seeds "
+                f"{self.seed} to {self.seed + self.worlds - 1}: squares of a lattice and complete "
+                f"graphs, without {HOLES} of their edges, removed at random while the "
                 f"rest stays connected. Every one of the {runs:,} runs was judged. Above linear "
                 "axes, which the bounds leave at once; below the same with logarithmic ones."
             ),

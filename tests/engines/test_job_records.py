@@ -43,7 +43,7 @@ def costs():
 
 RESULTS = {
     "counted": lambda: Counted(Counter({(2, 0): 3}), Counter({(2, 0): 4})),
-    "parts": lambda: SensedParts(5, Counter({(2, 1): 3}), {"q": {"code": {"sigma": [0]}}}),
+    "parts": lambda: SensedParts(5, {"a": (2, 1)}, {"look": "a"}, {("a", "b")}, {"look": 3}),
     "schedules": lambda: ScheduleCostsBySize({2: ScheduleCosts(2, 1, 3, 2, 1, 0, (0, 1), (1, 0))}),
     "tally": tally,
     "costs": costs,

@@ -202,7 +202,7 @@ def test_a_finding_records_every_rule_and_says_how_to_give_it_again():
     (finding,) = report.findings
     for key, value in others.items():
         judged = replace(finding, under=Rules(**{key: value}))
-        assert f"--{key.replace('_', '-')} " in judged.reproduce
+        assert f" {key}=" in judged.reproduce
         recorded = parse(judged.rules.recorded.to_json(), RecordedRules, "options")
         assert getattr(recorded.rules(finding.world), key) == value
 

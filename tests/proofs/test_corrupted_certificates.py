@@ -18,6 +18,12 @@ def trees(checkers):
     return checkers("certified_trees")
 
 
+@pytest.fixture
+def files(checkers):
+    """What asks Coq."""
+    return checkers("certificate_file")
+
+
 # ---- Changes ----
 
 
@@ -74,7 +80,7 @@ def checked(trees, file, *arguments):
 
 @pytest.mark.parametrize("name", NOT_CLAIMED)
 def test_a_file_that_says_something_else_than_is_claimed_differs_and_coqc_is_not_asked(
-    trees, tmp_path, monkeypatch, capsys, name
+    trees, files, tmp_path, monkeypatch, capsys, name
 ):
     file = tmp_path / "certificate.v"
     trees.write_certificate(
@@ -84,8 +90,8 @@ def test_a_file_that_says_something_else_than_is_claimed_differs_and_coqc_is_not
     text = file.read_text()
     assert old in text
     file.write_bytes(text.replace(old, new, 1).encode())
-    monkeypatch.setattr(trees, "asked_of_coq", lambda _file: "accepted")
-    monkeypatch.setattr(trees, "is_built", lambda: True)
+    monkeypatch.setattr(files, "asked_of_coq", lambda _file: "accepted")
+    monkeypatch.setattr(files, "is_built", lambda: True)
     capsys.readouterr()
     assert checked(trees, file) == 1
     said = capsys.readouterr().out
@@ -93,30 +99,30 @@ def test_a_file_that_says_something_else_than_is_claimed_differs_and_coqc_is_not
     assert said.count("\n") == 1
 
 
-def test_a_file_of_another_claim_differs(trees, tmp_path, monkeypatch):
+def test_a_file_of_another_claim_differs(trees, files, tmp_path, monkeypatch):
     file = tmp_path / "certificate.v"
     arguments = ["--certificate", str(file), "algorithm1", "--edges", str(EDGES)]
     assert trees.write_certificate(arguments) == 0
-    monkeypatch.setattr(trees, "asked_of_coq", lambda _file: "accepted")
-    monkeypatch.setattr(trees, "is_built", lambda: True)
+    monkeypatch.setattr(files, "asked_of_coq", lambda _file: "accepted")
+    monkeypatch.setattr(files, "is_built", lambda: True)
     assert checked(trees, file) == 0
     for other in (["--edges", "1"], ["--limit", "2*m*n"], ["--universe", "simple"]):
         assert checked(trees, file, *other) == 1
 
 
 def test_a_coqc_that_comes_to_no_verdict_is_neither_accepted_nor_refused(
-    trees, tmp_path, monkeypatch, capsys
+    trees, files, tmp_path, monkeypatch, capsys
 ):
     file = tmp_path / "certificate.v"
     arguments = ["--certificate", str(file), "algorithm1", "--edges", str(EDGES)]
     assert trees.write_certificate(arguments) == 0
     coqc = tmp_path / "coqc"
-    monkeypatch.setattr(trees, "is_built", lambda: True)
+    monkeypatch.setattr(files, "is_built", lambda: True)
     monkeypatch.setenv("PATH", str(tmp_path))
     for script, code, word in (
         ("kill -9 $$", 3, "UNDECIDED"),
         ("echo", 3, "UNDECIDED"),
-        (f"echo '{trees.REFUSAL}' >&2; exit 1", 1, "REFUSED"),
+        (f"echo '{files.REFUSAL}' >&2; exit 1", 1, "REFUSED"),
         ("echo Closed under the global context", 0, "ACCEPTED"),
     ):
         coqc.write_text(f"#!/bin/sh\n{script}\n")

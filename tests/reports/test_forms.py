@@ -76,7 +76,7 @@ def test_each_column_of_a_verbs_rows_has_one_type_whatever_is_missing(verb, cli,
     if verb != "merge":  # its run directory is used up
         cli(*least(verb, str(tmp_path)), "-o", text_file)
     table = parquet.read_table(file)
-    assert {str(column.type) for column in table.schema} <= {"int64", "double", "string"}
+    assert {str(column.type) for column in table.schema} <= {"int64", "double", "string", "bool"}
     assert table.num_rows > 0
     if text_file.exists():
         header, *rows = csv.reader(io.StringIO(text_file.read_text(encoding="utf-8")))

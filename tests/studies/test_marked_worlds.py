@@ -127,8 +127,8 @@ def test_bad_options_are_named(options, named):
 def test_the_two_smallest_worlds_of_a_look_are_a_pair_in_whatever_order_they_come():
     sizes = {"large": (4, 1), "small": (2, 1), "middle": (3, 1)}
     for order in permutations(sizes):
-        met = SensedParts(sizes=sizes)
+        met = SensedParts(0, sizes)
         for name in order:
-            met.add(SensedParts(looks={"look": name}))
+            met.add(SensedParts(0, looks={"look": name}))
         assert met.smallest_pair() == ("small", "middle")
         assert [sorted(found) for found in met.classes()] == [sorted(sizes)]

@@ -71,7 +71,7 @@ def test_the_right_hand_rule_covers_what_has_one_face(folder, workers):
     report = checked("goes_on", "cover:edges", edges=2, lighthouse="none", workers=workers)
     (finding,) = report.findings
     assert finding.law == "budget"
-    assert finding.expected.startswith("an answer within ")
+    assert finding.expected.startswith("every edge walked along within ")
     assert "checkpoint" not in str(report)
     assert len(finding.world.map.faces) > 1
     assert finding.confirmed

@@ -228,7 +228,7 @@ def _result(number: int, finding: Finding, place: SourceLine | None, root: Path)
 
     file, _, line = wrong_line(finding, explain(finding).step).rpartition(":")
     wrong = SourceLine(Path(file).resolve(), int(line)) if file else None
-    if wrong and wrong.is_in(root):
+    if wrong and wrong.is_in(root) and wrong.file.is_file():
         place = wrong
     text = plain_text.finding_in_words(finding, WIDTH, number)
     head = f"{headline_of(finding)}."

@@ -9,7 +9,7 @@ from typing import Annotated, TypeAlias
 from msgspec import Struct
 from typing_extensions import override
 
-from allworlds.engines import hints, lanes, single, sweep
+from allworlds.engines import lanes, single, sweep
 from allworlds.engines.engine_table import ReadyEngine, players_for
 from allworlds.engines.job_records import Identity
 from allworlds.engines.limits import (
@@ -42,6 +42,7 @@ from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
 from allworlds.maps.enumeration import Gluing
 from allworlds.notations.given import Placed
 from allworlds.outcome import Completed, Ending
+from allworlds.studies.check import hints
 from allworlds.studies.check.report import CheckReport, ManyWorlds
 from allworlds.studies.check.tally_sweep import TallySweep, rules_known, subject_of_record
 from allworlds.world import selection, world

@@ -13,7 +13,7 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds import document as doc
 from allworlds.document import Document, Natural, Report, about, computed
-from allworlds.engines import hints, limits, single
+from allworlds.engines import limits, single
 from allworlds.explorers import loading, sources
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs import checks, requests
@@ -25,6 +25,7 @@ from allworlds.judging.laws.law_table import LawName
 from allworlds.maps.build import covering_walk
 from allworlds.outcome import Facts
 from allworlds.protocol.actions import Action, IllegalAction, Percept, Transcript
+from allworlds.studies.check import hints
 from allworlds.world.lighthouses import kinds, marked
 from allworlds.world.named import HOLES, LIGHTHOUSE, WORLD, WorldOptions, world_named
 from allworlds.world.world import World

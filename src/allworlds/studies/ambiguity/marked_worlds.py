@@ -84,7 +84,7 @@ class SizeCounts(Struct):
         self.largest_class = max(self.largest_class, of)
 
 
-class SensedParts(Struct):
+class SensedParts(Struct, forbid_unknown_fields=True):
     """The worlds that were met, and which of them look alike.
 
     Attributes:
@@ -95,7 +95,7 @@ class SensedParts(Struct):
         counted: how many worlds there are of a look, where Burnside's count knows.
     """
 
-    worlds: doc.Natural = 0
+    worlds: doc.Natural
     sizes: dict[str, Size] = field(default_factory=dict)
     looks: dict[str, str] = field(default_factory=dict)
     alike: set[tuple[str, str]] = field(default_factory=set)
@@ -333,7 +333,7 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
     def __init__(self, request: CensusRequest) -> None:
         super().__init__(request, request.extent)
         self._levels: list[tuple[units.SweptLevel, int]] = []
-        self._met = SensedParts()
+        self._met = SensedParts(0)
         self.kind: kinds.LighthouseKind = request.lighthouse_of_given(request.lighthouse)
         ensure_motions_decide(self.kind, "a census is of what motions alone can tell apart")
 
@@ -343,6 +343,10 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         every = extent.map_class is classes.MapClass.MAPS and not (extent.where or extent.given)
         engine = PartBySensing(extent, self.kind, every and self.kind.name == Position.kind)
         return ReadyEngine(local_or_dask(self.request.dask, self.deadline), engine)
+
+    @override
+    def empty(self) -> SensedParts:
+        return SensedParts(0)
 
     @override
     def finish(self, level: units.SweptLevel, total: SensedParts) -> None:

@@ -234,7 +234,7 @@ def question_of(request: SearchRequest) -> Question:
     Raises:
         InputError: naming the offending value and what would be legal.
     """
-    lettered = a_text("lighthouse", request.lighthouse).partition(":")[0] in LETTERS
+    lettered = str(request.lighthouse).partition(":")[0] in LETTERS
     if request.lighthouse not in SEARCHED and not lettered:
         more = (
             ", of which there are formulas; 'ambiguity census' takes every lighthouse, and makes "

@@ -17,7 +17,7 @@ from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds.document import Document, IfAny, Text, about, replace
-from allworlds.engines import hints, lanes, single, sweep, tally, units
+from allworlds.engines import lanes, single, sweep, tally, units
 from allworlds.engines.engine_table import Job
 from allworlds.engines.job_records import Records, canonical, from_kept
 from allworlds.engines.judge import nondeterministic
@@ -29,6 +29,7 @@ from allworlds.judging.findings.rules import Among, RuleOptions, Rules
 from allworlds.judging.laws.law_table import LAWS
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.protocol.user_code import OtherText
+from allworlds.studies.check import hints
 
 # ---------------------------------------------------------------- confirmed findings
 

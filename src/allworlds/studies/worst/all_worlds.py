@@ -219,7 +219,6 @@ def worst(request: WorstRequest) -> WorstReport:
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    ensure_installed(*COMPILER, "worst of algorithm1")
     return SchedulesSweep(request).answer(request.run)
 
 
@@ -230,9 +229,10 @@ class SchedulesSweep(sweep.Sweep["ScheduleCostsBySize", WorstReport]):
     extent: classes.Extent
 
     def __init__(self, request: WorstRequest) -> None:
+        super().__init__(request, request.extent)
+        ensure_installed(*COMPILER, "worst of algorithm1")
         from allworlds.studies.worst.compiled_engine import ScheduleCostsBySize
 
-        super().__init__(request, request.extent)
         self.result = ScheduleCostsBySize  # type: ignore[misc]  # loaded now, with the kernel
         self._subject = load("algorithm1")
         self._rules = RuleOptions().rules_of(self._subject, Directional.kind)

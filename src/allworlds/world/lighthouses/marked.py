@@ -163,11 +163,6 @@ class Word(SensedByBearing):
 
     kind: ClassVar[str] = "word"
 
-    def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless its dart is one of the start's vertex, and it has a pattern."""
-        ensure_legal(self)
-        MarkedStart.check(self, map_, start)
-
 
 @dataclass(frozen=True)
 class Cluster(TowardsNeighbour):
