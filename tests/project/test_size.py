@@ -21,8 +21,8 @@ class Size(NamedTuple):
 
 
 MOST = {
-    "": Size(code=24_750, lines=42_500, files=173),
-    "engines": Size(code=5_990, lines=9_900, files=32),
+    "": Size(code=26_130, lines=44_750, files=182),
+    "engines": Size(code=6_030, lines=9_910, files=32),
     "engines/kernel": Size(code=2_350, lines=3_650, files=13),
 }
 """Of folders of ``src/allworlds``; the whole has the name of none."""
