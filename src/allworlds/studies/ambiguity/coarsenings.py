@@ -4,7 +4,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import KW_ONLY, dataclass
 from typing import Annotated, Any, NamedTuple, TypeAlias
 
-import numpy as np
 from typing_extensions import override
 
 from allworlds import document as doc
@@ -142,6 +141,8 @@ class FinestLevel(NamedTuple):
 
     def looks(self, letters: Letters, rows: Sequence[int]) -> Iterator[bytes]:
         """The codes of all that a robot can find out in some of the worlds."""
+        import numpy as np
+
         some = self.arrays.chosen(rows)
         sensed = np.array(letters)[self.features[rows]] << BITS | some.sensed
         coarser = some._replace(sensed=sensed)
@@ -280,6 +281,8 @@ def _levels(
     Raises:
         InputError: if something else is sensed or told than the number of a feature.
     """
+    import numpy as np
+
     number: dict[CombinatorialMap, int] = {}
     for edges in request.extent.levels:
         found = worlds_of_level(request, request.extent, edges, kind)

@@ -6,16 +6,17 @@ A row of a matrix is a world, a column a dart.  Every world is rooted at dart 0,
 import json
 from collections.abc import Iterator, Sequence
 from hashlib import blake2b
-from typing import Any, NamedTuple, TypeAlias
-
-import numpy as np
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Percept, Told
 from allworlds.world.lighthouses.base import Lighthouse
 
-Matrix: TypeAlias = np.ndarray[Any, np.dtype[np.int64]]
+if TYPE_CHECKING:
+    import numpy as np
+
+Matrix: TypeAlias = "np.ndarray[Any, np.dtype[np.int64]]"
 Placed: TypeAlias = tuple[CombinatorialMap, Lighthouse]
 """A map rooted at dart 0, and a lighthouse at a place of it."""
 
@@ -50,6 +51,7 @@ def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
     Raises:
         InputError: for more marks than the number has room for.
     """
+    import numpy as np
 
     def number(percept: Percept) -> int:
         bearing = 0 if percept.bearing is None else percept.bearing + 1
@@ -70,6 +72,8 @@ def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
 
 def _ranks(keys: Matrix) -> Matrix:
     """For each entry the number of smaller values in its row."""
+    import numpy as np
+
     order = np.argsort(keys, axis=1, kind="stable")
     ordered = np.take_along_axis(keys, order, 1)
     ranks = np.zeros_like(keys)
@@ -88,6 +92,8 @@ def classes(worlds: SensedWorlds) -> Matrix:
 
     Cost: O(m log m) for each world and each round, of which there are at most as many as classes.
     """
+    import numpy as np
+
     found, darts = _ranks(worlds.sensed), worlds.sigma.shape[1]
     left = np.arange(len(found))
     while len(left):
@@ -115,6 +121,8 @@ def rooted_codes(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> Iterator[by
 
     Cost: O(m) a world.
     """
+    import numpy as np
+
     (count, darts), every = worlds.sigma.shape, np.arange(len(roots))
     sizes = of.max(axis=1) + 1
     number, known = np.full((count, darts), -1), np.ones(count, np.int64)
@@ -160,6 +168,8 @@ class NamedWorld(NamedTuple):
 
 def named(worlds: Sequence[Placed], arrays: SensedWorlds) -> Iterator[NamedWorld]:
     """The names of worlds with equally many darts, of which these are the matrices."""
+    import numpy as np
+
     if not worlds:
         return
     told = [place.told(map_) for map_, place in worlds]
