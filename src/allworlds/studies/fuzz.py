@@ -2,14 +2,14 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
-from itertools import count, takewhile
+from itertools import count, islice, takewhile
 from random import Random
 from typing import Annotated, TypeAlias
 
 from msgspec import Struct
 from typing_extensions import override
 
-from allworlds.document import Text, about
+from allworlds.document import Text, about, replace
 from allworlds.engines import lanes, single, sweep
 from allworlds.engines.engine_table import ReadyEngine, players_for
 from allworlds.engines.job_records import Identity
@@ -38,6 +38,7 @@ from allworlds.inputs.checks import InputError, integer_of, show
 from allworlds.inputs.requests import SCOPE, Converted, Option, Request, answers
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules, law_names
+from allworlds.judging.laws.law_table import LAWS
 from allworlds.maps import build
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
@@ -215,17 +216,21 @@ WAVE = 8
 
 
 def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
-    """Yield ever smaller refuting worlds, until no neighbour in the size order refutes.
+    """Yield ever smaller refuting worlds, until no neighbour that is tried refutes.
 
-    First an edge is deleted or contracted as long as that is possible; then, with as many
+    First pieces of the map are taken away, half of it, a quarter and so on, the start kept.
+    Then an edge is deleted or contracted as long as that is possible; then, with as many
     edges, a dart may move and the start and the marker may turn, towards fewer vertices and
     the smaller code.  Every neighbour is rooted everywhere and lit from every place, and the
     smallest refuting one is taken, so the result depends on nothing but the finding.
 
-    Cost: O(m^3) runs for each step with fewer edges.
+    Cost: O(m^3) runs for each step of small worlds, but at most ``TRIED``; large ones are left as
+    they are when no piece of them can go.
     """
+    for less in _with_pieces_less(finding, scope, refute):
+        yield (finding := less)
     smaller: Finding | None = finding
-    while smaller:
+    while smaller and smaller.world.map.edge_count <= FINE:
         finding, map_ = smaller, smaller.world.map
         smaller = _smallest(refute, _smaller(scope, finding, _fewer_edges(map_)))
         if smaller is None:
@@ -234,9 +239,54 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
             yield smaller
 
 
-def _smallest(refute: Refute, chunks: Sequence[GivenWorlds]) -> Finding | None:
-    """The smallest finding among worlds in ascending order; larger ones are not tried."""
-    waves = (refute(chunks[i : i + WAVE]) for i in range(0, len(chunks), WAVE))
+FINE, TRIED = 16, 2000
+"""The number of edges above which not every neighbour is tried, and of neighbours in a step."""
+
+AS_FAR, LEAST = 2, 100
+"""The walk after which a smaller world is passed over: so many times that of the finding, and so
+many traversals more."""
+
+FEW = 4
+"""The worlds with a piece less that one worker tries at a time, and twice as many in a wave."""
+
+
+def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
+    """Yield ever smaller refuting worlds, of which a piece was deleted or contracted at a time.
+
+    A piece are edges that follow each other breadth-first from the start; the farthest come first.
+    As long as one of them can go, others of that size are tried, and then those of half the size.
+    The place of the lighthouse keeps its number, if there are so many.
+
+    Cost: O(m) runs for each step, but about O(m log m) in all if few edges are needed.
+    """
+    piece = finding.world.map.edge_count // 2
+    while piece:
+        worlds = list(_less_by(piece, finding, scope))
+        few = [GivenWorlds(tuple(worlds[i : i + FEW])) for i in range(0, len(worlds), FEW)]
+        found = _smallest(refute, few, at_once=2)
+        if found:
+            finding = found
+            yield finding
+        piece = min(piece if found else piece // 2, finding.world.map.edge_count // 2)
+
+
+def _less_by(piece: int, finding: Finding, scope: Scope) -> Iterator[tuple[world.World, int]]:
+    """The finding's world without so many edges, deleted or contracted, and the place."""
+    map_, extent = finding.world.map, scope.extent
+    for end in range(map_.edge_count, 0, -piece):
+        gone = {d for edge in map_.edges[max(0, end - piece) : end] for d in edge}
+        deleted, contracted = build.without(map_, gone), build.without(map_.dual(), gone)
+        for other in (deleted, contracted and contracted.dual()):
+            if other and extent.map_class.includes(other) and extent.admits(other):
+                places = [*scope.rules.kind.places(other, 0)]
+                for place in {finding.place, finding.place % max(1, len(places))}:
+                    if place < len(places):
+                        yield world.World(other, places[place]), place
+
+
+def _smallest(refute: Refute, chunks: Sequence[GivenWorlds], at_once: int = WAVE) -> Finding | None:
+    """The smallest finding of the first wave that has one; of later ones none is tried."""
+    waves = (refute(chunks[i : i + at_once]) for i in range(0, len(chunks), at_once))
     return next((found for found in waves if found), None)
 
 
@@ -248,10 +298,10 @@ def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
 
 
 def _smaller(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -> list[GivenWorlds]:
-    """Rootings and places of these maps that are smaller than the finding, ascending."""
+    """The first rootings and places of these maps that are smaller than the finding, ascending."""
     size = finding.key[:4]
     placed = takewhile(lambda each: each[0] < size, _placed(maps, scope))
-    return _in_chunks([world for _, world in placed])
+    return _in_chunks([world for _, world in islice(placed, TRIED)])
 
 
 def _placed(
@@ -281,12 +331,25 @@ def _in_chunks(worlds: Sequence[tuple[world.World, int]]) -> list[GivenWorlds]:
 
 
 def smallest_from(finding: Finding, workers: Transport, scope: Scope) -> Finding:
-    """The smallest finding that the shrinker reaches from this one, or has when the time is up."""
+    """The smallest finding that the shrinker reaches from this one, or has when the time is up.
+
+    A wrong explorer often walks until its budget is used up.  Unless it is the budget that it
+    breaks, worlds are passed over in which it walks more than so many times as far as in the
+    finding that is made smaller.
+    """
+    rules = scope.rules
 
     def refute(given: Sequence[GivenWorlds]) -> Finding | None:
-        found = Tally(keep=1)
-        sweep.gather(workers, RunCounter(scope, found.keep), given, found, NOBODY)
-        return found.findings[0] if found.findings else None
+        tried, found = scope, Tally(keep=len(LAWS))
+        if finding.law != "budget":
+            most = min(rules.budget(finding.world.map), AS_FAR * finding.transcript.cost + LEAST)
+            tried = replace(scope, rules=replace(rules, step_budget=most))
+        sweep.gather(workers, RunCounter(tried, found.keep), given, found, NOBODY)
+        for each in found.findings:
+            ends = each.law != "budget" and each.transcript.cost <= rules.budget(each.world.map)
+            if ends or tried is scope:
+                return replace(each, under=rules, options=rules.recorded)
+        return None
 
     with suppress(TimeIsUp):
         for smaller in shrink(finding, scope, refute):
