@@ -13,7 +13,7 @@ from allworlds.world import Directional, World
 from small import long
 
 
-@pytest.fixture(scope="module", params=[(5, 4), long((9, 6))])
+@pytest.fixture(scope="module", params=[(4, 4), long((9, 6))])
 def shrunk(request, planted, untraced):
     """An explorer whose error begins at that size, how many edges these are, and the sample."""
     edges, degree = request.param
@@ -123,6 +123,15 @@ def test_from_large_worlds_pieces_are_taken_away_first(large):
     assert steps[-1].key[:2] == (2, 1)
     assert [step.key[0] for step in steps][:2] <= [map_.edge_count // 2, map_.edge_count // 4 + 1]
     assert len(recorder.asked) < 600
+
+
+@pytest.mark.no_cover
+def test_at_last_every_world_with_few_edges_is_tried(large):
+    """Of the cube and of one other world, to which no step leads: it is found all the same."""
+    far = allworlds.CombinatorialMap(*rooted_code((1, 2, 3, 4, 5, 0), (3, 4, 5, 0, 1, 2), 0))
+    cube = large.world.map
+    steps, _ = smallest(large, lambda world: world.map in (cube, far))
+    assert [step.world.map for step in steps] == [far]
 
 
 def test_of_what_stays_large_not_every_neighbour_is_tried(large):

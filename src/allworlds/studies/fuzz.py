@@ -42,6 +42,7 @@ from allworlds.judging.laws.law_table import LAWS
 from allworlds.maps import build
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
+from allworlds.maps.enumeration import rooted_maps
 from allworlds.maps.mixture import HISTORIES, PARTS, default_mix, generator, mix_named, rerooted
 from allworlds.notations.given import Placed
 from allworlds.outcome import Completed, Ending
@@ -222,24 +223,37 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
     Then an edge is deleted or contracted as long as that is possible; then, with as many
     edges, a dart may move and the start and the marker may turn, towards fewer vertices and
     the smaller code.  Every neighbour is rooted everywhere and lit from every place, and the
-    smallest refuting one is taken, so the result depends on nothing but the finding.
+    smallest refuting one is taken, so the result depends on nothing but the finding.  At last all
+    worlds with few edges are tried.
 
     Cost: O(m^3) runs for each step of small worlds, but at most ``TRIED``; large ones are left as
     they are when no piece of them can go.
     """
     for less in _with_pieces_less(finding, scope, refute):
         yield (finding := less)
+    if finding.world.map.edge_count > FINE:
+        return
     smaller: Finding | None = finding
-    while smaller and smaller.world.map.edge_count <= FINE:
+    while smaller:
         finding, map_ = smaller, smaller.world.map
         smaller = _smallest(refute, _smaller(scope, finding, _fewer_edges(map_)))
         if smaller is None:
             smaller = _smallest(refute, _smaller(scope, finding, [map_, *build.moved(map_)]))
         if smaller:
             yield smaller
+    extent, most = scope.extent, finding.world.map.edge_count - 1
+    for edges in range(1, min(EVERY, most) + 1):
+        maps = rooted_maps(edges, extent.map_class, where=extent.where)
+        smallest = _smallest(refute, _smaller(scope, finding, maps))
+        if smallest:
+            yield smallest
+            return
 
 
-FINE, TRIED = 16, 2000
+EVERY = 4
+"""The number of edges up to which every world is tried at last."""
+
+FINE, TRIED = 16, 4000
 """The number of edges above which not every neighbour is tried, and of neighbours in a step."""
 
 AS_FAR, LEAST = 2, 100
@@ -301,7 +315,7 @@ def _smaller(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -
     """The first rootings and places of these maps that are smaller than the finding, ascending."""
     size = finding.key[:4]
     placed = takewhile(lambda each: each[0] < size, _placed(maps, scope))
-    return _in_chunks([world for _, world in islice(placed, TRIED)])
+    return _in_chunks([each for _, each in islice(placed, TRIED)])
 
 
 def _placed(
