@@ -80,7 +80,7 @@ def believing(kind: type[Plain], steps: int) -> type[Plain]:
     class Believes(kind):  # type: ignore[valid-type,misc]
         def try_path(self, partner: int, path: list[int]) -> Walk[tuple[list[int], bool]]:
             if len(path) <= steps:
-                return (yield from super().try_path(partner, path))
+                return (yield from super().try_path(partner, path))  # type: ignore[no-any-return]
             motions, matched = yield from Algorithm1.try_path(self, partner, path[:steps])
             if matched:
                 motions += yield from ConfirmedTooEarly.finish(self, path[steps - 1 :])

@@ -56,8 +56,8 @@ def test_at_least_9_of_10_planted_slips_are_found(capsys):
 
 def test_the_first_run_that_is_wrong_is_the_one_that_fuzz_refutes():
     kind, _ = planted.EXPLORERS["algorithm1"]
-    first = planted.first_wrong(options(old=False), "algorithm1")[0]["belief after 2"]
-    explore = planted.explorer(planted.believing(kind, 2))
+    first = planted.first_wrong(options(old=False), "algorithm1")[0]["belief after 1"]
+    explore = planted.explorer(planted.believing(kind, 1))
     sample = {"edges": 12, "seed": 5, "bound": "none"}
     assert first > 1
     assert not fuzz(explore, runs=first - 1, **sample).findings
@@ -70,7 +70,7 @@ def test_the_first_run_that_is_wrong_is_the_one_that_fuzz_refutes():
     [
         ("a degree of 6", "uniform", (3, 1)),
         ("3 parallel edges", "dense", (3, 2)),
-        ("two alike to depth 3", "sparse", (1, 2)),
+        ("two alike to depth 3", "ring", (1, 2)),
     ],
 )
 def test_from_50_edges_a_finding_shrinks_to_the_smallest_world(slip, part, size):

@@ -231,10 +231,8 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
     """
     for less in _with_pieces_less(finding, scope, refute):
         yield (finding := less)
-    if finding.world.map.edge_count > FINE:
-        return
     smaller: Finding | None = finding
-    while smaller:
+    while smaller and smaller.world.map.edge_count <= FINE:
         finding, map_ = smaller, smaller.world.map
         smaller = _smallest(refute, _smaller(scope, finding, _fewer_edges(map_)))
         if smaller is None:
