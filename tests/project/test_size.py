@@ -21,7 +21,7 @@ class Size(NamedTuple):
 
 
 MOST = {
-    "": Size(code=26_130, lines=44_750, files=182),
+    "": Size(code=26_410, lines=45_250, files=184),
     "engines": Size(code=6_030, lines=9_910, files=32),
     "engines/kernel": Size(code=2_350, lines=3_650, files=13),
 }

@@ -32,6 +32,7 @@ from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.maps.counting import SOURCES
 from allworlds.maps.families import FAMILIES
+from allworlds.maps.mixture import MIXES
 from allworlds.outcome import Exit, Facts, Verdict
 from allworlds.protocol.choices import POLICIES, SEEDED, Schedule
 from allworlds.reports import schemas
@@ -39,7 +40,7 @@ from allworlds.reports.formats import FORMATS, _maker as maker, formats_of, text
 from allworlds.studies.ambiguity.question import SEARCHED
 from allworlds.studies.check.report import CheckedScope
 from allworlds.studies.compare.growth import GROWING
-from allworlds.studies.fuzz import GENERATORS, batches
+from allworlds.studies.fuzz import batches
 from allworlds.studies.worst.every_schedule import Transit
 from allworlds.verbs import BY_NAME, GROUPS, VERBS
 from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouses
@@ -329,8 +330,8 @@ def test_random_worlds_of_every_class_are_drawn(map_class):
     assert all(map(map_class.includes, drawn))
 
 
-def test_a_class_without_generators_of_its_own_is_drawn_all_the_same(monkeypatch):
-    monkeypatch.delitem(GENERATORS, MapClass.SIMPLE)
+def test_a_class_without_a_mixture_of_its_own_is_drawn_all_the_same(monkeypatch):
+    monkeypatch.delitem(MIXES, MapClass.SIMPLE)
     test_random_worlds_of_every_class_are_drawn(MapClass.SIMPLE)
 
 

@@ -3,8 +3,12 @@ import pytest
 from allworlds import merge
 from allworlds.engines.limits import Listener
 from allworlds.inputs.checks import InputError
+from allworlds.maps.build import named_map
+from allworlds.maps.mixture import PARTS
+from allworlds.maps.quotient import classes_of_union
 from allworlds.reports.content.check import scope_words, size_table
 from allworlds.reports.formats import file_of, text as text_of
+from allworlds.studies.check.covered import FEATURES, telling_apart
 from allworlds.studies.fuzz import fuzz
 
 
@@ -19,6 +23,7 @@ def test_algorithm_1_is_not_refuted_and_that_is_no_proof():
         "min_edges": 1,
         "runs": 200,
         "seed": 0,
+        "mix": [*PARTS],
     }
     assert document["scope"]["gate"] == "absent"
     assert not document["scope"]["complete"]
@@ -117,3 +122,44 @@ def test_whoever_listens_is_told_of_every_world():
 def test_a_bad_option_is_refused_by_name(options, message):
     with pytest.raises(InputError, match=message):
         fuzz(**{"edges": 5, "runs": 5, **options})
+
+
+# ---------------------------------------------------------------- told honestly
+
+
+def test_a_report_tells_what_was_covered_and_what_follows():
+    report = fuzz("algorithm1", edges=9, runs=36, seed=1)
+    covered = {row.feature: (row.least, row.median, row.most) for row in report.covered}
+    assert [*covered] == [*FEATURES]
+    edges = sorted(row.edges for row in report.rows for _ in range(row.worlds))
+    assert covered["edges m"] == (edges[0], edges[17], edges[-1])
+    assert all(least <= median <= most for least, median, most in covered.values())
+    told = dict(scope_words(report))
+    assert told["mixture"].startswith("uniform, cover, ring, regular, sparse, planar,")
+    assert told["chance"] == (
+        "not refuted in 36 fresh draws: with 95 % confidence a draw of this distribution refutes "
+        "with probability below 3/36"
+    )
+    # That is so: a slip that shows with this probability escapes 36 draws less often.
+    assert all((1 - 3 / draws) ** draws < 0.05 for draws in (3, 36, 10**6))
+
+
+def test_nothing_follows_for_a_shard_or_from_a_refuted_or_unfinished_sample():
+    for report in (
+        fuzz("algorithm1", edges=4, runs=8, shard=(0, 2)),
+        fuzz(stays, edges=2, runs=3),
+        fuzz("algorithm1", edges=40, runs=10**6, time_limit=0.1),
+    ):
+        assert "chance" not in dict(scope_words(report))
+
+
+@pytest.mark.parametrize(
+    ("name", "sheets", "test"),
+    # All darts of a cycle look alike; of a path each dart and its mirror image.
+    [("cycle-7", 14, 0), ("path-6", 2, 2), ("edge", 2, 0), ("fig1-left", 4, 2)],
+)
+def test_how_many_darts_look_alike_and_how_long_a_test_is(name, sheets, test):
+    map_ = named_map(name)
+    assert telling_apart(map_) == (sheets, test)
+    partition = classes_of_union((map_, [0] * len(map_.sigma), 0))[0]
+    assert len(map_.sigma) // len(set(partition)) == sheets

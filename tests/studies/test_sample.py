@@ -5,9 +5,11 @@ import pytest
 
 from allworlds.engines.units import Sample, Shard
 from allworlds.inputs.checks import InputError
-from allworlds.maps import MapClass, random_map, rooted_code, rooted_maps
+from allworlds.maps import CombinatorialMap, MapClass, random_map, rooted_code, rooted_maps
 from allworlds.maps.classes import Extent
-from allworlds.studies.fuzz import GENERATORS, batches
+from allworlds.maps.mixture import PARTS, glued, rerooted
+from allworlds.studies.check.covered import telling_apart
+from allworlds.studies.fuzz import batches, fuzz
 from allworlds.world import Directional
 
 CLASSES = pytest.mark.parametrize("map_class", list(MapClass))
@@ -77,7 +79,7 @@ def test_random_maps_are_uniform_among_all_rooted_maps_with_two_edges():
 @pytest.mark.no_cover
 def test_gluing_at_random_is_not_uniform():
     random = Random(2026)
-    glue = GENERATORS[MapClass.PLANAR][0]
+    glue = glued(MapClass.PLANAR)
     counted = Counter(code(glue(2, random)) for _ in range(5000))
     assert len(counted) == 9  # in the plane; OEIS A000168
     assert not all(abs(count - 5000 / 9) < 100 for count in counted.values())
@@ -94,3 +96,70 @@ def test_random_maps_with_one_edge_are_the_loop_and_the_link():
 def test_a_sample_of_nothing_is_refused(runs, message):
     with pytest.raises(InputError, match=f"{message} is not positive"):
         Sample(runs)
+
+
+# ---------------------------------------------------------------- the mixture
+
+
+def counts(part, edges, draws):
+    """How often each rooted map is drawn."""
+    random = Random(2026)
+    return Counter(code(rerooted(PARTS[part](edges, random), random)) for _ in range(draws))
+
+
+@pytest.mark.no_cover
+@pytest.mark.parametrize("edges", [2, 3])
+def test_random_planar_maps_are_uniform_among_all_of_genus_0(edges):
+    (count,) = ({2: 9, 3: 54}[edges],)  # OEIS A000168
+    counted = counts("planar", edges, 60 * count)
+    assert set(counted) == {code(map_) for map_ in rooted_maps(edges, MapClass.PLANAR)}
+    assert len(counted) == count
+    # 60 each; the sum of the squares of what each is off, over 60, is about their number.
+    assert sum((n - 60) ** 2 / 60 for n in counted.values()) < count + 5 * (2 * count) ** 0.5
+
+
+@pytest.mark.no_cover
+def test_cubic_ones_with_3_edges_are_every_cubic_rooted_map():
+    cubic = {code(map_) for map_ in rooted_maps(3) if set(map_.degrees) == {3}}
+    found = {
+        each for each in counts("regular", 3, 400) if set(CombinatorialMap(*each).degrees) == {3}
+    }
+    assert found == cubic
+
+
+@pytest.mark.parametrize("part", PARTS)
+def test_every_part_has_maps_of_every_size_that_is_asked_or_less(part):
+    random = Random(1)
+    for edges in (*range(1, 12), 40):
+        for _ in range(5):
+            map_ = PARTS[part](edges, random)
+            assert CombinatorialMap(map_.sigma, map_.alpha) == map_
+            assert (edges / 3 if edges > 4 else 1) <= map_.edge_count <= edges
+
+
+@pytest.mark.parametrize("part", ["cover", "ring"])
+def test_coverings_look_alike_from_every_sheet_but_for_a_defect(part):
+    random = Random(7)
+    sheets = [telling_apart(PARTS[part](30, random))[0] for _ in range(40)]
+    whole = [each for each in sheets if each >= 5]
+    assert len(whole) >= 5  # those without a defect
+    assert len(whole) < 35
+
+
+def test_a_part_draws_its_worlds_whatever_else_is_in_the_mixture():
+    mixed = [*placed(mix=("uniform", "ring", "cover"), runs=30)]
+    assert mixed[1::3] == [*placed(mix=("ring",), runs=10)]
+    assert mixed[1::3] != [*placed(mix=("ring",), runs=10, seed=1)]
+
+
+def placed(mix, runs, seed=0):
+    for batch in batches(Sample(runs, seed, mix=mix), 1):
+        yield from batch.placed(Extent(MapClass.MAPS, 20), Directional)
+
+
+@pytest.mark.parametrize(
+    ("mix", "message"), [("rings", "'rings' is not one of"), (["ring", "ring"], "'ring' stands")]
+)
+def test_what_is_no_part_or_comes_twice_is_refused(mix, message):
+    with pytest.raises(InputError, match=message):
+        fuzz(edges=4, mix=mix)

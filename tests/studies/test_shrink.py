@@ -5,14 +5,15 @@ from allworlds.document import replace
 from allworlds.engines.units import Scope
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass, contracted, deleted, rooted_code
+from allworlds.maps.build import without
 from allworlds.maps.classes import Extent
-from allworlds.protocol.actions import Estimate
-from allworlds.studies.fuzz import fuzz, shrink
+from allworlds.protocol.actions import Estimate, Move
+from allworlds.studies.fuzz import FINE, fuzz, shrink
 from allworlds.world import Directional, World
 from small import long
 
 
-@pytest.fixture(scope="module", params=[(5, 4), long((9, 6))])
+@pytest.fixture(scope="module", params=[(4, 4), long((9, 6))])
 def shrunk(request, planted, untraced):
     """An explorer whose error begins at that size, how many edges these are, and the sample."""
     edges, degree = request.param
@@ -109,4 +110,62 @@ def test_in_the_simple_class_one_link_is_left(large):
 def test_where_nothing_smaller_refutes_there_is_no_step(large):
     steps, recorder = smallest(large, lambda world: False)
     assert steps == []
-    assert len(set(recorder.asked)) == len(recorder.asked)
+    # Without a piece of one edge, and again where every neighbour is tried.
+    assert len(set(recorder.asked)) > 0.95 * len(recorder.asked)
+
+
+@pytest.mark.no_cover
+def test_from_large_worlds_pieces_are_taken_away_first(large):
+    """From 300 edges to the smallest in a few runs: half of what can go goes at once."""
+    map_ = allworlds.maps.build.lattice(12, 14)
+    far = replace(large, world=World(map_, next(Directional.places(map_, 0)), 0), choices=())
+    steps, recorder = smallest(far, lambda world: max(world.map.degrees) >= 4)
+    assert steps[-1].key[:2] == (2, 1)
+    assert [step.key[0] for step in steps][:2] <= [map_.edge_count // 2, map_.edge_count // 4 + 1]
+    assert len(recorder.asked) < 600
+
+
+@pytest.mark.no_cover
+def test_at_last_every_world_with_few_edges_is_tried(large):
+    """Of the cube and of one other world, to which no step leads: it is found all the same."""
+    far = allworlds.CombinatorialMap(*rooted_code((1, 2, 3, 4, 5, 0), (3, 4, 5, 0, 1, 2), 0))
+    cube = large.world.map
+    steps, _ = smallest(large, lambda world: world.map in (cube, far))
+    assert [step.world.map for step in steps] == [far]
+
+
+def test_of_what_stays_large_not_every_neighbour_is_tried(large):
+    map_ = allworlds.maps.build.lattice(4, 4)
+    far = replace(large, world=World(map_, next(Directional.places(map_, 0)), 0), choices=())
+    steps, recorder = smallest(far, lambda world: world.map.edge_count > FINE)
+    assert steps[-1].key[0] == FINE + 1
+    assert sum(5 <= edges <= FINE for edges, *_ in recorder.asked) < 300
+
+
+def test_the_part_at_the_start_is_left_without_edges_that_are_gone():
+    path = allworlds.maps.build.named_map("path-5")  # darts 0; 1, 2; 3, 4; 5, 6; 7
+    assert without(path, {3, 4, 2, 5}) == allworlds.maps.build.named_map("edge")
+    assert without(path, {0, 1}) is None
+    loops = allworlds.CombinatorialMap((1, 2, 3, 0), (1, 0, 3, 2))
+    assert without(loops, {0, 1}) == allworlds.maps.build.named_map("loop")
+
+
+@pytest.mark.parametrize("breaks", ["map", "budget"])
+def test_worlds_with_far_longer_walks_are_passed_over_unless_the_budget_is_broken(breaks):
+    report = fuzz(walks_on if breaks == "map" else for_ever, edges=12, min_edges=9, runs=4)
+    (finding,) = report.findings
+    assert finding.law == breaks
+    # With one edge it walks to the end of its budget, 108 traversals.
+    assert finding.world.map.edge_count == (2 if breaks == "map" else 1)
+
+
+def walks_on(first):
+    """Answers wrongly at a vertex of degree 3 or more, and else walks for ever."""
+    while first.degree < 3:
+        yield Move(0)
+    return Estimate(allworlds.maps.build.named_map("loop"), 0)
+
+
+def for_ever(first):
+    while True:
+        yield Move(0)

@@ -277,6 +277,7 @@ class Tally:
         checkpoints: the number of published ones.
         findings: the smallest, ascending.
         remarks: events that refute nothing, each with its number of occurrences.
+        covered: of a sample the number of its worlds with each value of a feature.
     """
 
     keep: int
@@ -288,6 +289,7 @@ class Tally:
         field(default_factory=list)
     )
     remarks: Counter[str] = field(default_factory=Counter)
+    covered: Counter[tuple[str, int]] = field(default_factory=Counter)
 
     def row(self, edges: int, vertices: int) -> Row:
         """The row of that size."""
@@ -324,6 +326,7 @@ class Tally:
         self.left_out += other.left_out
         self.checkpoints += other.checkpoints
         self.remarks.update(other.remarks)
+        self.covered.update(other.covered)
         for finding in other.findings:
             self.find(finding)
 

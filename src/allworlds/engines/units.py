@@ -381,7 +381,8 @@ MOST_RUNS = 10**12
 class Sample(Struct, frozen=True):
     """A number of random worlds, drawn from a seed, each with a least number of edges.
 
-    A shard of it is a range of these worlds.
+    The parts of the mixture, by default those of the class, come in turn.  A shard is a range of
+    the worlds.
 
     Raises:
         InputError: for numbers out of range.
@@ -391,6 +392,7 @@ class Sample(Struct, frozen=True):
     seed: int = 0
     min_edges: int = 1
     portion: Shard = WHOLE
+    mix: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         for name in ("runs", "seed", "min_edges"):

@@ -13,7 +13,14 @@ from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from typing import Any
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.maps.combinatorial import CombinatorialMap, Dart, InvalidMap, distances, unreached
+from allworlds.maps.combinatorial import (
+    CombinatorialMap,
+    Dart,
+    InvalidMap,
+    distances,
+    numbering,
+    unreached,
+)
 from allworlds.words import plural
 
 LARGEST = 10_000
@@ -350,6 +357,27 @@ def completed(sigma: Sequence[int], alpha: Sequence[Dart]) -> CombinatorialMap:
         ends.append(dart)
         after.append(len(after))
     return CombinatorialMap(after, ends)
+
+
+def without(map_: CombinatorialMap, gone: set[Dart]) -> CombinatorialMap | None:
+    """The part without these edges that is connected to the vertex of dart 0, its root there.
+
+    The root is the first dart of that vertex that is left, from dart 0 on; None if none is left.
+    """
+
+    def left(dart: Dart) -> Dart:
+        while dart in gone:
+            dart = map_.sigma[dart]
+        return dart
+
+    if gone.issuperset(map_.vertices[0]):
+        return None
+    sigma = [d if d in gone else left(map_.sigma[d]) for d in map_.darts]
+    order = numbering(sigma, map_.alpha, left(0))
+    number = {d: i for i, d in enumerate(order)}
+    return CombinatorialMap.trusted(
+        [number[sigma[d]] for d in order], [number[map_.alpha[d]] for d in order]
+    )
 
 
 def moved(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:

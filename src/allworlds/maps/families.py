@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterator
-from itertools import cycle as repeated, islice, pairwise
+from itertools import accumulate, cycle as repeated, islice, pairwise
 from random import Random
 from typing import Any, TypeAlias
 
@@ -54,6 +54,70 @@ def sparse(vertices: int, edges: int, random: Random) -> CombinatorialMap:
     more = edges - len(ends)
     ends += [(random.randrange(vertices), random.randrange(vertices)) for _ in range(more)]
     return _drawn(vertices, ends, random)
+
+
+def planar(edges: int, random: Random) -> CombinatorialMap:
+    """A rooted map of genus 0 with that many edges, uniform among all of them, without rejection.
+
+    A plane tree whose labels change by -1, 0 or 1 along its edges: each corner is joined to the
+    next one with a label less, or to a further vertex.  That is a quadrangulation, and its
+    diagonals between the vertices of one colour are the map.
+
+    Source: G. Schaeffer, Conjugaison d'arbres et cartes combinatoires aleatoires, 1998; with a
+    random plane tree by the cycle lemma.  Cost: O(m).
+    """
+    steps = [1] * edges + [-1] * (edges + 1)
+    random.shuffle(steps)
+    low = list(accumulate(steps))
+    last = low.index(min(low)) + 1
+    label, vertex, path, corners = [0], 0, [0], [0]
+    for step in (steps[last:] + steps[:last])[:-2]:
+        if step == 1:
+            vertex += 1
+            label.append(label[path[-1]] + random.randint(-1, 1))
+            path.append(vertex)
+        else:
+            path.pop()
+        corners.append(path[-1])
+    # The dart of corner i is 2i, and that of its successor 2i + 1; those that come to a corner
+    # stand before its own, the nearest first.
+    size, least = len(corners), min(label)
+    coming: list[list[int]] = [[] for _ in range(size)]
+    top, waiting = [], dict[int, int]()
+    for i in reversed(range(2 * size)):
+        at, mine = i % size, label[corners[i % size]]
+        if i < size:
+            (coming[waiting[mine - 1]] if mine > least else top).append(2 * at + 1)
+        waiting[mine] = at
+    around: list[list[int]] = [[] for _ in label]
+    for i, v in enumerate(corners):
+        before = sorted(coming[i], key=lambda dart: (i - dart // 2) % size)
+        around[v] += [*before, 2 * i]
+    previous = {d: around_v[k - 1] for around_v in [*around, top] for k, d in enumerate(around_v)}
+    return _diagonals(previous, random.randint(0, 1))
+
+
+def _diagonals(previous: dict[int, int], root: int) -> CombinatorialMap:
+    """The diagonals of a quadrangulation at the colour of a dart, which becomes dart 0.
+
+    Its edges are the darts ``2i`` and ``2i + 1``; ``previous`` is the inverse of its sigma.
+    """
+    following = {d: e for e, d in previous.items()}
+
+    def across(dart: int) -> int:
+        for _ in range(2):
+            dart = previous[dart ^ 1]
+        return dart
+
+    number, darts = {root: 0}, [root]
+    for dart in darts:
+        for other in (following[dart], across(dart)):
+            if other not in number:
+                number[other] = len(darts)
+                darts.append(other)
+    return CombinatorialMap(
+        [number[following[d]] for d in darts], [number[across(d)] for d in darts]
+    )
 
 
 def bouquet(loops: int, random: Random) -> CombinatorialMap:

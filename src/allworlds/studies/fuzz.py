@@ -2,13 +2,14 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
-from itertools import count, takewhile
+from itertools import count, islice, takewhile
 from random import Random
 from typing import Annotated, TypeAlias
 
 from msgspec import Struct
 from typing_extensions import override
 
+from allworlds.document import Text, about, replace
 from allworlds.engines import lanes, single, sweep
 from allworlds.engines.engine_table import ReadyEngine, players_for
 from allworlds.engines.job_records import Identity
@@ -24,6 +25,7 @@ from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import (
     WHOLE,
     GivenWorlds,
+    NumberedRun,
     Sample,
     Scope,
     Shard,
@@ -33,29 +35,41 @@ from allworlds.engines.units import (
 )
 from allworlds.explorers import loading, sources
 from allworlds.inputs.checks import InputError, integer_of, show
-from allworlds.inputs.requests import SCOPE, Option, Request, answers
+from allworlds.inputs.requests import SCOPE, Converted, Option, Request, answers
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.rules import Rules
-from allworlds.maps import build, families
-from allworlds.maps.classes import Condition, Extent, MapClass, narrowing
+from allworlds.judging.findings.rules import Rules, law_names
+from allworlds.judging.laws.law_table import LAWS
+from allworlds.maps import build
+from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
-from allworlds.maps.enumeration import Gluing
+from allworlds.maps.enumeration import rooted_maps
+from allworlds.maps.mixture import HISTORIES, PARTS, default_mix, generator, mix_named, rerooted
 from allworlds.notations.given import Placed
 from allworlds.outcome import Completed, Ending
 from allworlds.studies.check import hints
+from allworlds.studies.check.covered import features
 from allworlds.studies.check.report import CheckReport, ManyWorlds
 from allworlds.studies.check.tally_sweep import TallySweep, rules_known, subject_of_record
 from allworlds.world import selection, world
 from allworlds.world.lighthouses.base import Lighthouse
-
-Generator: TypeAlias = Callable[[int, Random], CombinatorialMap]
-"""A function that draws a map of the size that is asked, or less."""
 
 
 class SampleOptions(Request):
     """Options for drawing worlds: their sizes and their number."""
 
     edges: Annotated[int, Option(SCOPE, "M", "At most M edges.", parse=integer_of)]
+    mix: Annotated[
+        Converted[Iterable[str] | None, tuple[str, ...] | None],
+        Option(
+            SCOPE,
+            "NAMES",
+            f"Draw of these alone, with commas: {', '.join(PARTS)} [default: those of the class].",
+            parse=law_names,
+            document_type=Annotated[
+                tuple[Text, ...], about("the distributions that were drawn of, in turn")
+            ],
+        ),
+    ] = Converted(mix_named, None)
     min_edges: Annotated[
         int,
         Option(
@@ -65,7 +79,7 @@ class SampleOptions(Request):
             parse=integer_of,
         ),
     ] = 1
-    runs: Annotated[int, Option(SCOPE, "R", "The number of worlds.", parse=integer_of)]
+    runs: Annotated[int, Option(SCOPE, "R", "The number of worlds.", parse=integer_of)] = 1024
     seed: Annotated[int, Option(SCOPE, "S", "Which sample.", parse=integer_of)] = 0
 
 
@@ -82,9 +96,9 @@ def fuzz(request: FuzzRequest) -> CheckReport:
     """Run an explorer in random worlds of up to ``edges`` edges; shrink what refutes it.
 
     The report is a sample's: at best ``not-refuted``, never complete.  The sample depends on
-    the class, ``where``, ``edges``, ``min_edges``, ``runs`` and ``seed`` alone, and the finding is
-    the smallest that the shrinker reaches from the smallest refuting world of the sample; that may
-    have fewer than ``min_edges`` edges.  Shrinking ends with the time limit.
+    the class, ``where``, ``edges``, ``min_edges``, ``mix``, ``runs`` and ``seed`` alone, and the
+    finding is the smallest that the shrinker reaches from the smallest refuting world of the
+    sample; that may have fewer than ``min_edges`` edges.  Shrinking ends with the time limit.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -100,12 +114,22 @@ def scope_of(request: FuzzRequest, rules: Rules) -> Scope:
     Raises:
         InputError: for numbers out of range.
     """
-    sample = Sample(request.runs, request.seed, request.min_edges, request.shard)
     extent = Extent(request.map_class, request.edges, where=request.where)
+    mix = request.mix or default_mix(extent)
+    sample = Sample(request.runs, request.seed, request.min_edges, request.shard, mix)
     if sample.min_edges > request.edges:
         least, most = show(sample.min_edges), show(request.edges)
         raise InputError(f"min-edges = {least} is more than edges = {most}")
     return Scope(extent, rules, coverage=sample)
+
+
+class SampleCounter(RunCounter, frozen=True):
+    """The runs of a sample, counted with the features of its worlds."""
+
+    @override
+    def count_run(self, run: NumberedRun, tally: Tally) -> world.World | None:
+        tally.covered.update(features(run.map))
+        return super().count_run(run, tally)
 
 
 class FuzzSweep(TallySweep[CheckReport]):
@@ -143,7 +167,7 @@ class FuzzSweep(TallySweep[CheckReport]):
 
     @override
     def ready(self) -> ReadyEngine:
-        return ReadyEngine(players_for(self.job), RunCounter(self.scope, self.job.keep))
+        return ReadyEngine(players_for(self.job), SampleCounter(self.scope, self.job.keep))
 
     @override
     def finish(self, level: SweptLevel, total: Tally) -> None:
@@ -195,28 +219,88 @@ WAVE = 8
 
 
 def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
-    """Yield ever smaller refuting worlds, until no neighbour in the size order refutes.
+    """Yield ever smaller refuting worlds, until no neighbour that is tried refutes.
 
-    First an edge is deleted or contracted as long as that is possible; then, with as many
+    First pieces of the map are taken away, half of it, a quarter and so on, the start kept.
+    Then an edge is deleted or contracted as long as that is possible; then, with as many
     edges, a dart may move and the start and the marker may turn, towards fewer vertices and
     the smaller code.  Every neighbour is rooted everywhere and lit from every place, and the
-    smallest refuting one is taken, so the result depends on nothing but the finding.
+    smallest refuting one is taken, so the result depends on nothing but the finding.  At last all
+    worlds with few edges are tried.
 
-    Cost: O(m^3) runs for each step with fewer edges.
+    Cost: O(m^3) runs for each step of small worlds, but at most ``TRIED``; large ones are left as
+    they are when no piece of them can go.
     """
+    for less in _with_pieces_less(finding, scope, refute):
+        yield (finding := less)
     smaller: Finding | None = finding
-    while smaller:
+    while smaller and smaller.world.map.edge_count <= FINE:
         finding, map_ = smaller, smaller.world.map
         smaller = _smallest(refute, _smaller(scope, finding, _fewer_edges(map_)))
         if smaller is None:
             smaller = _smallest(refute, _smaller(scope, finding, [map_, *build.moved(map_)]))
         if smaller:
             yield smaller
+    extent, most = scope.extent, finding.world.map.edge_count - 1
+    for edges in range(1, min(EVERY, most) + 1):
+        maps = rooted_maps(edges, extent.map_class, where=extent.where)
+        smallest = _smallest(refute, _smaller(scope, finding, maps))
+        if smallest:
+            yield smallest
+            return
 
 
-def _smallest(refute: Refute, chunks: Sequence[GivenWorlds]) -> Finding | None:
-    """The smallest finding among worlds in ascending order; larger ones are not tried."""
-    waves = (refute(chunks[i : i + WAVE]) for i in range(0, len(chunks), WAVE))
+EVERY = 4
+"""The number of edges up to which every world is tried at last."""
+
+FINE, TRIED = 16, 4000
+"""The number of edges above which not every neighbour is tried, and of neighbours in a step."""
+
+AS_FAR, LEAST = 2, 100
+"""The walk after which a smaller world is passed over: so many times that of the finding, and so
+many traversals more."""
+
+FEW = 4
+"""The worlds with a piece less that one worker tries at a time, and twice as many in a wave."""
+
+
+def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
+    """Yield ever smaller refuting worlds, of which a piece was deleted or contracted at a time.
+
+    A piece are edges that follow each other breadth-first from the start; the farthest come first.
+    As long as one of them can go, others of that size are tried, and then those of half the size.
+    The place of the lighthouse keeps its number, if there are so many.
+
+    Cost: O(m) runs for each step, but about O(m log m) in all if few edges are needed.
+    """
+    piece = finding.world.map.edge_count // 2
+    while piece:
+        worlds = list(_less_by(piece, finding, scope))
+        few = [GivenWorlds(tuple(worlds[i : i + FEW])) for i in range(0, len(worlds), FEW)]
+        found = _smallest(refute, few, at_once=2)
+        if found:
+            finding = found
+            yield finding
+        piece = min(piece if found else piece // 2, finding.world.map.edge_count // 2)
+
+
+def _less_by(piece: int, finding: Finding, scope: Scope) -> Iterator[tuple[world.World, int]]:
+    """The finding's world without so many edges, deleted or contracted, and the place."""
+    map_, extent = finding.world.map, scope.extent
+    for end in range(map_.edge_count, 0, -piece):
+        gone = {d for edge in map_.edges[max(0, end - piece) : end] for d in edge}
+        deleted, contracted = build.without(map_, gone), build.without(map_.dual(), gone)
+        for other in (deleted, contracted and contracted.dual()):
+            if other and extent.map_class.includes(other) and extent.admits(other):
+                places = [*scope.rules.kind.places(other, 0)]
+                for place in {finding.place, finding.place % max(1, len(places))}:
+                    if place < len(places):
+                        yield world.World(other, places[place]), place
+
+
+def _smallest(refute: Refute, chunks: Sequence[GivenWorlds], at_once: int = WAVE) -> Finding | None:
+    """The smallest finding of the first wave that has one; of later ones none is tried."""
+    waves = (refute(chunks[i : i + at_once]) for i in range(0, len(chunks), at_once))
     return next((found for found in waves if found), None)
 
 
@@ -228,10 +312,10 @@ def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
 
 
 def _smaller(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -> list[GivenWorlds]:
-    """Rootings and places of these maps that are smaller than the finding, ascending."""
+    """The first rootings and places of these maps that are smaller than the finding, ascending."""
     size = finding.key[:4]
     placed = takewhile(lambda each: each[0] < size, _placed(maps, scope))
-    return _in_chunks([world for _, world in placed])
+    return _in_chunks([each for _, each in islice(placed, TRIED)])
 
 
 def _placed(
@@ -261,12 +345,25 @@ def _in_chunks(worlds: Sequence[tuple[world.World, int]]) -> list[GivenWorlds]:
 
 
 def smallest_from(finding: Finding, workers: Transport, scope: Scope) -> Finding:
-    """The smallest finding that the shrinker reaches from this one, or has when the time is up."""
+    """The smallest finding that the shrinker reaches from this one, or has when the time is up.
+
+    A wrong explorer often walks until its budget is used up.  Unless it is the budget that it
+    breaks, worlds are passed over in which it walks more than so many times as far as in the
+    finding that is made smaller.
+    """
+    rules = scope.rules
 
     def refute(given: Sequence[GivenWorlds]) -> Finding | None:
-        found = Tally(keep=1)
-        sweep.gather(workers, RunCounter(scope, found.keep), given, found, NOBODY)
-        return found.findings[0] if found.findings else None
+        tried, found = scope, Tally(keep=len(LAWS))
+        if finding.law != "budget":
+            most = min(rules.budget(finding.world.map), AS_FAR * finding.transcript.cost + LEAST)
+            tried = replace(scope, rules=replace(rules, step_budget=most))
+        sweep.gather(workers, RunCounter(tried, found.keep), given, found, NOBODY)
+        for each in found.findings:
+            ends = each.law != "budget" and each.transcript.cost <= rules.budget(each.world.map)
+            if ends or tried is scope:
+                return replace(each, under=rules, options=rules.recorded)
+        return None
 
     with suppress(TimeIsUp):
         for smaller in shrink(finding, scope, refute):
@@ -314,14 +411,11 @@ def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Findin
 BATCH = 64
 """The runs that one worker does at a time."""
 
-PATIENCE = 1000
-"""The number of maps of one generator that are rejected before another one is used."""
+PATIENCE = 100
+"""The number of maps of one part that are rejected before histories are used."""
 
-LONGEST = 2 * PATIENCE
+LONGEST = 2000
 """The number of maps that are rejected before a condition is refused."""
-
-DEAD_ENDS = 5
-"""The number of histories under a condition that may come to nothing."""
 
 
 def batches(sample: Sample, shards: int) -> "Iterator[Batch]":
@@ -337,7 +431,8 @@ def batches(sample: Sample, shards: int) -> "Iterator[Batch]":
     for part in parts:
         first, end = (at * sample.runs // shards for at in (part, part + 1))
         for begin in range(first, end, BATCH):
-            yield Batch(sample.seed, begin, min(begin + BATCH, end), sample.min_edges)
+            end_of_batch = min(begin + BATCH, end)
+            yield Batch(sample.seed, begin, end_of_batch, sample.mix, sample.min_edges)
 
 
 class Batch(Struct, frozen=True):
@@ -346,6 +441,7 @@ class Batch(Struct, frozen=True):
     seed: int
     first: int
     last: int
+    mix: tuple[str, ...]
     min_edges: int = 1
 
     @property
@@ -356,28 +452,29 @@ class Batch(Struct, frozen=True):
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
         """One world a run: a random map with a random place of the lighthouse.
 
-        Under a class every map that is none of it, or is too small, is drawn again; a generator
-        that brings none for long gives way to the first, whose maps have the size that is asked.
+        The parts of the mixture come in turn, and each has a sequence of its own: it is the same
+        whatever else there is in the mixture.  A map that is not of the extent, or is too small, is
+        drawn again; a part that brings none for long gives way to random histories of the class.
         """
-        generators = _generators(extent)
+        mix = self.mix or default_mix(extent)
         for run in range(self.first, self.last):
-            random = Random(f"{self.seed}/{run}")  # noqa: S311  # reproducible, not secret
-            in_turn = generators[run % len(generators)], generators[0]
-            map_ = self._drawn(extent, in_turn, random)
+            turn, at = divmod(run, len(mix))
+            number = turn * mix.count(mix[at]) + mix[:at].count(mix[at])
+            random = Random(f"{mix[at]}/{self.seed}/{number}")  # noqa: S311  # reproducible
+            map_ = self._drawn(extent, mix[at], random)
             places = list(enumerate(kind.places(map_, 0)))
             yield map_, [random.choice(places)] if places else []
 
-    def _drawn(
-        self, extent: Extent, generators: tuple[Generator, Generator], random: Random
-    ) -> CombinatorialMap:
-        """A map of the extent; by the second generator where the first one brings none for long.
+    def _drawn(self, extent: Extent, part: str, random: Random) -> CombinatorialMap:
+        """A map of the extent; by a history where the part brings none for long.
 
         Raises:
-            InputError: if the second one brings none for long that the condition admits.
+            InputError: if histories bring none for long that the condition admits.
         """
+        generators = generator(part, extent), generator(HISTORIES, extent)
         size = random.randint(self.min_edges, extent.levels[-1])
         for tries in count():
-            map_ = generators[tries >= PATIENCE](size, random)
+            map_ = rerooted(generators[tries >= PATIENCE](size, random), random)
             large = map_.edge_count >= self.min_edges
             if large and extent.map_class.includes(map_) and extent.admits(map_):
                 return map_
@@ -391,95 +488,3 @@ class Batch(Struct, frozen=True):
             f"with {self.min_edges} to {extent.levels[-1]} edges were drawn, and it is true of "
             "none; legal is one that is true of more of them"
         )
-
-
-def _generators(extent: Extent) -> tuple[Generator, ...]:
-    """The generators of an extent; of a condition with a name its own histories alone."""
-    map_class, where = extent.map_class, extent.where
-    if narrowing(where):
-        return (glued(map_class, where),)
-    return GENERATORS.get(map_class, (glued(map_class),))
-
-
-def _rerooted(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
-    """The map with a random root, which becomes dart 0."""
-    code = rooted_code(map_.sigma, map_.alpha, random.choice(map_.darts))
-    return CombinatorialMap.trusted(*code)
-
-
-def glued(map_class: MapClass, where: Condition | None = None) -> Generator:
-    """Draw a random sequence of gluings, every decision uniform: any class, not a uniform map.
-
-    Where a condition lets no map with that many edges begin, it is another map of the class.
-    """
-
-    def generate(edges: int, random: Random) -> CombinatorialMap:
-        for tries in count():
-            gluing = Gluing(edges, map_class, where=where if tries < DEAD_ENDS else None)
-            while not gluing.finished:
-                following = list(gluing.successors())
-                if not following:
-                    break
-                gluing = random.choice(following)[1]
-            else:
-                return gluing.finish()
-        raise AssertionError  # it goes on for ever
-
-    return generate
-
-
-def a_lattice(edges: int, random: Random) -> CombinatorialMap:
-    """Draw a lattice with holes, with at most that many edges."""
-
-    def size(rows: int, columns: int) -> int:
-        return rows * (columns - 1) + columns * (rows - 1)
-
-    sizes = [
-        (r, c)
-        for r in range(1, edges + 2)
-        for c in range(max(r, 2), edges + 2)
-        if size(r, c) <= edges
-    ]
-    rows, columns = random.choice(sizes[-4:])
-    total = size(rows, columns)
-    # What is left must be connected.
-    holes = random.randint(0, total - (rows * columns - 1)) / total
-    return _rerooted(build.lattice(rows, columns, holes, random.getrandbits(32)), random)
-
-
-def dense(edges: int, random: Random) -> CombinatorialMap:
-    """Draw a gluing with at most three vertices, which have many darts each."""
-    vertices = random.randint(1, 3)
-    while True:
-        map_ = families.random_map(edges, random)
-        if map_.vertex_count <= vertices or edges + 1 < vertices:
-            return map_
-
-
-def looped_tree(edges: int, random: Random) -> CombinatorialMap:
-    """Draw a random plane tree in which some edges are loops instead, at random corners."""
-    rotations: list[list[int]] = [[]]
-    alpha: list[int] = []
-    for _ in range(edges):
-        dart = len(alpha)
-        alpha += [dart + 1, dart]
-        vertex = random.choice(rotations)
-        vertex.insert(random.randint(0, len(vertex)), dart)
-        other = vertex if random.random() < 1 / 3 else []
-        if other is not vertex:
-            rotations.append(other)
-        other.insert(random.randint(0, len(other)), dart + 1)
-    sigma = [0] * len(alpha)
-    for vertex in rotations:
-        for d, following in zip(vertex, [*vertex[1:], *vertex[:1]], strict=True):
-            sigma[d] = following
-    return _rerooted(CombinatorialMap(sigma, alpha), random)
-
-
-GENERATORS: dict[MapClass, tuple[Generator, ...]] = {
-    MapClass.MAPS: (families.random_map, looped_tree, glued(MapClass.PLANAR), a_lattice, dense),
-    MapClass.PLANAR: (glued(MapClass.PLANAR), a_lattice),
-    MapClass.SIMPLE: (glued(MapClass.SIMPLE), a_lattice, glued(MapClass.PLANAR_SIMPLE)),
-    MapClass.PLANAR_SIMPLE: (glued(MapClass.PLANAR_SIMPLE), a_lattice),
-}
-"""The generators of a class, taken in turn; of one that has none here, its random histories."""

@@ -3,7 +3,8 @@ from random import Random
 import pytest
 
 from allworlds.maps import CombinatorialMap
-from allworlds.studies.fuzz import GENERATORS
+from allworlds.maps.classes import Extent
+from allworlds.maps.mixture import default_mix, generator
 from studies import test_sample as quick
 from studies.test_sample import CLASSES, code, drawn
 
@@ -29,10 +30,11 @@ def test_every_run_has_one_valid_world_of_the_class_within_the_bound(map_class):
 
 @pytest.mark.no_cover
 @CLASSES
-def test_every_generator_comes_in_turn_and_makes_what_the_class_can_use(map_class):
-    for generator in GENERATORS[map_class]:
+def test_every_part_makes_what_the_class_can_use(map_class):
+    extent = Extent(map_class, 8)
+    for part in default_mix(extent):
         random = Random(1)
-        found = [generator(8, random) for _ in range(100)]
+        found = [generator(part, extent)(8, random) for _ in range(100)]
         assert all(map_.edge_count <= 8 for map_ in found)
         assert len({code(map_) for map_ in found}) > 5
         assert any(map_class.includes(map_) for map_ in found)

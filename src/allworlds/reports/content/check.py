@@ -31,9 +31,8 @@ def check_content(report: CheckReport | exhaustive.TimeEstimate) -> parts.Report
         return _estimate(report)
     verb = "fuzz" if isinstance(report.asked.coverage, units.Sample) else "check"
     findings = _findings(report, range(len(report.findings)))
-    seen = parts.Section(
-        "seen", "What was checked", [parts.FactList(scope_words(report)), size_table(report)]
-    )
+    tables = [size_table(report), *([covered_table(report)] if report.covered else [])]
+    seen = parts.Section("seen", "What was checked", [parts.FactList(scope_words(report)), *tables])
     return parts.ReportContent(
         f"allworlds {verb}",
         report.explorer,
@@ -57,6 +56,7 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
     short = {
         "scope": f"{extent}, {scope.rules.lighthouse} lighthouse, {_which(report)}",
         "witnesses": f"{plural(len(report.tally.witnesses), 'kind')} of events seen",
+        "chance": f"below 3/{report.runs} that a draw refutes, with 95 % confidence",
     }
     if cells and all(cell.agrees for cell in cells):
         sizes = f"{plural(len(cells), 'size')} finished"
@@ -104,6 +104,14 @@ def size_table(report: CheckReport) -> parts.Table:
         best = [row.best_cost] if every else []
         rows.append([edges, between, *played, *best, row.max_cost, row.bound])
     return parts.Table(header, rows, "Drawn worlds" if sampled else "Finished levels", keys=2)
+
+
+def covered_table(report: CheckReport) -> parts.Table:
+    """How far the worlds of a sample reach."""
+    rows: list[list[parts.Cell]] = [
+        [row.feature, row.least, row.median, row.most] for row in report.covered
+    ]
+    return parts.Table(["feature", "least", "median", "most"], rows, "What was covered", keys=1)
 
 
 def verdict_of(report: CheckReport) -> parts.Headline:
@@ -154,6 +162,7 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     return [
         ("explorer", f"{report.explorer}, {report.engine} engine"),
         ("scope", what),
+        *_of_sample(report),
         ("places", sweep.tried_places(rules.lighthouse, scope.extent)),
         *option_facts(report, CHECK_SAID),
         ("", unfinished),
@@ -170,7 +179,24 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     ]
 
 
-CHECK_SAID = (*SAID, "task", "laws", "schedules", "min_edges", "runs", "max_findings", "engine")
+def _of_sample(report: CheckReport) -> Iterator[tuple[str, str]]:
+    """The mixture of a sample, and the chance that is left where it refutes nothing."""
+    sample = report.asked.coverage
+    if not isinstance(sample, units.Sample):
+        return
+    yield "mixture", f"{', '.join(sample.mix)}; in turn, each with the seed {sample.seed}"
+    if report.verdict is Verdict.NOT_REFUTED and sample.portion == units.WHOLE:
+        chance = (
+            f"not refuted in {plural(report.runs, 'fresh draw')}: with 95 % confidence a draw of "
+            f"this distribution refutes with probability below 3/{report.runs}"
+        )
+        yield "chance", chance
+
+
+CHECK_SAID = (
+    *(*SAID, "task", "laws", "schedules", "min_edges", "mix", "runs"),
+    *("max_findings", "engine"),
+)
 """The fields of the request of which the scope, and other facts, tell."""
 
 

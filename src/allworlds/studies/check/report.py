@@ -50,6 +50,7 @@ from allworlds.notations.given import GivenOptions
 from allworlds.outcome import Completed, Verdict
 from allworlds.protocol.choices import Schedule
 from allworlds.studies.check import tally_sweep
+from allworlds.studies.check.covered import CoveredRow, covered_rows
 from allworlds.world import selection
 from allworlds.world.world import World
 
@@ -225,6 +226,7 @@ class SampleReport(Document):
     min_edges: Annotated[Positive, about("at least so many")]
     runs: Annotated[Positive, about("how many worlds were drawn")]
     seed: Annotated[Natural, about("from which")]
+    mix: Annotated[Different[Text], about("the distributions that come in turn")]
 
 
 Gated: TypeAlias = tuple[GateCell, ...] | Literal["absent", "deferred to the merge of all shards"]
@@ -314,7 +316,7 @@ class CheckReport(sweep.PortionReport):
             edges=extent.edges,
             places=sweep.tried_places(rules.lighthouse, extent),
             shared_file=rules.shared_file,
-            sample=sweep.told_scope(SampleReport, self.request)
+            sample=sweep.told_scope(SampleReport, self.request, mix=coverage.mix)
             if isinstance(coverage, Sample)
             else None,
             symmetry=self.symmetry or None,
@@ -373,6 +375,11 @@ class CheckReport(sweep.PortionReport):
     def remarks(self) -> tuple[Text, ...]:
         """Remarks about processes, which refute nothing, each once."""
         return tuple(_remarks(self.tally))
+
+    @computed
+    def covered(self) -> IfAny[tuple[CoveredRow, ...]]:
+        """Of a sample: how far its worlds reach, a row for each feature."""
+        return tuple(covered_rows(self.tally.covered))
 
     @computed
     def corpus(self) -> tally_sweep.CorpusReport | None:

@@ -1,0 +1,257 @@
+"""Distributions of random maps, by name: the parts of the mixture of which ``fuzz`` draws.
+
+Each draws a map with at most as many edges as are asked, and about as many, with a random root.
+"""
+
+from collections.abc import Callable, Iterable
+from itertools import count
+from math import isqrt
+from random import Random
+from typing import TypeAlias
+
+from allworlds.inputs.checks import InputError, show
+from allworlds.maps import build, families
+from allworlds.maps.classes import Condition, Extent, MapClass, narrowing
+from allworlds.maps.combinatorial import CombinatorialMap, rooted_code, unreached
+from allworlds.maps.enumeration import Gluing
+
+Generator: TypeAlias = Callable[[int, Random], CombinatorialMap]
+"""A function that draws a map of the size that is asked, or less."""
+
+DEAD_ENDS = 5
+"""The number of histories under a condition that may come to nothing."""
+
+
+def glued(map_class: MapClass, where: Condition | None = None) -> Generator:
+    """Draw a random sequence of gluings, every decision uniform: any class, not a uniform map.
+
+    Where a condition lets no map with that many edges begin, it is another map of the class.
+    """
+
+    def generate(edges: int, random: Random) -> CombinatorialMap:
+        for tries in count():
+            gluing = Gluing(edges, map_class, where=where if tries < DEAD_ENDS else None)
+            while not gluing.finished:
+                following = list(gluing.successors())
+                if not following:
+                    break
+                gluing = random.choice(following)[1]
+            else:
+                return gluing.finish()
+        raise AssertionError  # it goes on for ever
+
+    return generate
+
+
+def sparse(edges: int, random: Random) -> CombinatorialMap:
+    """A tree with a few edges more."""
+    more = random.randint(0, 1 + edges // 4)
+    return families.sparse(max(1, edges + 1 - more), edges, random)
+
+
+def dense(edges: int, random: Random) -> CombinatorialMap:
+    """Few vertices, which have many darts each: at most about the root of the number of edges."""
+    return families.sparse(random.randint(1, 1 + isqrt(edges)), edges, random)
+
+
+def regular(edges: int, random: Random) -> CombinatorialMap:
+    """Every vertex has the same degree, from 3 to 6; half of them are cubic."""
+    degree = random.choice((3, 3, 3, 4, 5, 6))
+    vertices = 2 * edges // degree
+    vertices -= degree * vertices % 2
+    return families.regular(degree, vertices, random) if vertices else build.cycle(edges)
+
+
+def lattice(edges: int, random: Random) -> CombinatorialMap:
+    """A lattice with holes, as square as one of that size can be, or nearly so."""
+    sides = [(r, edges_along(r, edges)) for r in range(1, edges + 1)]
+    return _with_holes(random.choice([(r, c) for r, c in sides if c >= max(r, 2)][-4:]), random)
+
+
+def strip(edges: int, random: Random) -> CombinatorialMap:
+    """A lattice with 1 to 3 rows, and with holes."""
+    rows = random.randint(1, 3)
+    columns = edges_along(rows, edges)
+    return _with_holes((rows, columns) if columns else (1, edges + 1), random)
+
+
+def edges_along(rows: int, edges: int) -> int:
+    """The largest number of columns of a lattice with so many rows and at most so many edges."""
+    return max(0, (edges + rows) // (2 * rows - 1))
+
+
+def _with_holes(sides: tuple[int, int], random: Random) -> CombinatorialMap:
+    rows, columns = sides
+    total = rows * (columns - 1) + columns * (rows - 1)
+    # What is left must be connected; often a few are missing, seldom all that can.
+    holes = random.randint(0, random.randint(0, total - (rows * columns - 1))) / total
+    return build.lattice(rows, columns, holes, random.getrandbits(32))
+
+
+def bouquet(edges: int, random: Random) -> CombinatorialMap:
+    """Loops at one vertex, matched at random, and a leaf."""
+    return families.bouquet(edges - 1, random)
+
+
+def thick(edges: int, random: Random) -> CombinatorialMap:
+    """A path, each vertex filled up with loops to the same degree, 4 to 8."""
+    degree = 2 * random.randint(2, 4)
+    length = (edges - 2 * ((degree - 1) // 2) + degree // 2 - 1) // (degree // 2)
+    return families.thick(degree, length, random) if length > 0 else bouquet(edges, random)
+
+
+def corridor(edges: int, random: Random) -> CombinatorialMap:
+    """A path with loops that leads to a knot of the same degree, 4 or 6; the lollipops."""
+    degree = random.choice((4, 6))
+    length = (edges - 1) // degree
+    return families.lollipop(degree, length, random) if length else bouquet(edges, random)
+
+
+def cover(edges: int, random: Random) -> CombinatorialMap:
+    """A connected covering of a small map by random permutations, with one defect or none."""
+
+    def voltages(sheets: int, free: int) -> list[list[int]]:
+        around = random.sample(range(sheets), sheets)
+        whole = [0] * sheets
+        for i, s in enumerate(around):
+            whole[s] = around[i - 1]  # one cycle, so that it is connected
+        return [whole, *(random.sample(range(sheets), sheets) for _ in range(free - 1))]
+
+    return _spoiled(_lifted(edges, random, voltages), random)
+
+
+def ring(edges: int, random: Random) -> CombinatorialMap:
+    """A covering of a small map by turns of a ring by one sheet or none; one defect or none."""
+
+    def voltages(sheets: int, free: int) -> list[list[int]]:
+        turns = [1, *(random.choice((0, 0, 1, -1)) for _ in range(free - 1))]
+        return [[(s + turn) % sheets for s in range(sheets)] for turn in turns]
+
+    return _spoiled(_lifted(edges, random, voltages), random)
+
+
+LARGEST_BASE = 6
+"""The largest number of edges of a map that is covered."""
+
+
+def _lifted(
+    edges: int, random: Random, voltages: Callable[[int, int], list[list[int]]]
+) -> CombinatorialMap:
+    """The covering of a small map with a cycle, of as many sheets as there is room for.
+
+    Half of the small maps are cubic.
+
+    Args:
+        edges: at most so many.
+        random: the source of all choices.
+        voltages: draws, of the numbers of sheets and of edges beside a spanning tree, a permutation
+            of the sheets for each of these edges; the edges of the tree stay in their sheet.
+    """
+    size = random.randint(1, min(LARGEST_BASE, edges))
+    base = families.sparse(random.randint(1, size), size, random)
+    if edges >= 3 and random.getrandbits(1):
+        base = families.cubic(2 * random.randint(1, min(2, edges // 3)), random)
+    sheets = edges // base.edge_count
+    tree, free = _spanning(base)
+    names = {d: i for i, edge in enumerate(base.edges) for d in edge}
+    lifts = dict(zip(free, voltages(sheets, len(free)), strict=True))
+    lifts |= {d: [*range(sheets)] for d in tree}
+    after = {base.alpha[d]: lift for d, lift in lifts.items()}
+    return build.from_cycles(
+        [
+            [(names[d], s if d in lifts else after[d].index(s)) for d in around]
+            for around in base.vertices
+            for s in range(sheets)
+        ]
+    )
+
+
+def _spanning(base: CombinatorialMap) -> tuple[list[int], list[int]]:
+    """A dart of each edge of a spanning tree, and one of each other edge."""
+    met, tree, owner = {0}, list[int](), base.vertex_of
+    for d in (queue := list(base.vertices[0])):
+        end = owner[base.alpha[d]]
+        if end not in met:
+            met.add(end)
+            tree.append(d)
+            queue.extend(base.vertices[end])
+    taken = {*tree, *(base.alpha[d] for d in tree)}
+    return tree, [d for d, _ in base.edges if d not in taken]
+
+
+def _spoiled(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
+    """The map with an edge less, contracted, or two edges crossed; or as it is."""
+    a, c = random.choice(map_.darts), random.choice(map_.darts)
+    b, d = map_.alpha[a], map_.alpha[c]
+    crossed = None
+    if len({a, b, c, d}) == 4:  # two edges
+        alpha = [*map_.alpha]
+        alpha[a], alpha[d], alpha[c], alpha[b] = d, a, b, c
+        if not unreached(map_.sigma, alpha):
+            crossed = CombinatorialMap(map_.sigma, alpha)
+    other = random.choice((None, build.deleted(map_, a), build.contracted(map_, a), crossed))
+    return other or map_
+
+
+PARTS: dict[str, Generator] = {
+    "uniform": families.random_map,
+    "cover": cover,
+    "ring": ring,
+    "regular": regular,
+    "sparse": sparse,
+    "planar": families.planar,
+    "thick": thick,
+    "dense": dense,
+    "strip": strip,
+    "lattice": lattice,
+    "corridor": corridor,
+    "bouquet": bouquet,
+}
+"""Every part by its name, but for the random histories of a class."""
+
+HISTORIES = "histories"
+"""The part that every class has, with every number of edges."""
+
+MIXES: dict[MapClass, tuple[str, ...]] = {
+    MapClass.MAPS: tuple(PARTS),
+    MapClass.PLANAR: ("planar", HISTORIES, "lattice", "strip"),
+    MapClass.SIMPLE: (HISTORIES, "cover", "ring", "lattice", "strip", "regular"),
+    MapClass.PLANAR_SIMPLE: (HISTORIES, "lattice", "strip"),
+}
+"""The mixture of each class; of one that has none here, its random histories."""
+
+
+def default_mix(extent: Extent) -> tuple[str, ...]:
+    """The names of the parts of an extent; of a condition with a name its own histories alone."""
+    return (HISTORIES,) if narrowing(extent.where) else MIXES.get(extent.map_class, (HISTORIES,))
+
+
+def generator(part: str, extent: Extent) -> Generator:
+    """The generator of that name; what it makes need not be of the extent."""
+    if part == HISTORIES:
+        return glued(extent.map_class, extent.where if narrowing(extent.where) else None)
+    return PARTS[part]
+
+
+def mix_named(given: object) -> tuple[str, ...] | None:
+    """The names of parts, each once; of None there are none.
+
+    Raises:
+        InputError: naming what is no part, or comes twice.
+    """
+    if given is None:
+        return None
+    names = (given,) if isinstance(given, str) or not isinstance(given, Iterable) else (*given,)
+    for i, name in enumerate(names):
+        if name not in (*PARTS, HISTORIES):
+            known = f"{', '.join(PARTS)} and {HISTORIES}"
+            raise InputError(f"mix: {show(name)} is not one of {known}")
+        if name in names[:i]:
+            raise InputError(f"mix: {show(name)} stands there twice")
+    return names
+
+
+def rerooted(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
+    """The map with a random root, which becomes dart 0."""
+    code = rooted_code(map_.sigma, map_.alpha, random.choice(map_.darts))
+    return CombinatorialMap.trusted(*code)

@@ -1,0 +1,65 @@
+"""Features of the worlds that a sample has drawn: how far they reach, in a table."""
+
+from collections import Counter
+from collections.abc import Iterator
+from typing import Annotated
+
+from allworlds.document import Document, Natural, Text, about
+from allworlds.maps.combinatorial import CombinatorialMap
+
+
+def telling_apart(map_: CombinatorialMap) -> tuple[int, int]:
+    """The number of darts that look alike for ever, and of steps that tell all others apart.
+
+    Without a lighthouse: a robot sees degrees alone.  Darts that look alike are the sheets of a
+    covering; after that many steps, and not after one less, a test has told any two others apart.
+
+    Cost: O(m log m) a step.
+    """
+    seen, steps, count = map_.degree_at, 0, len(set(map_.degree_at))
+    while True:
+        names, jump = [seen[d] for d in map_.alpha], map_.sigma
+        for _ in range(max(map_.degrees).bit_length()):  # round the vertex, in doubled paces
+            pairs = dict[tuple[int, int], int]()
+            names = [pairs.setdefault((names[d], names[jump[d]]), d) for d in map_.darts]
+            jump = tuple(jump[d] for d in jump)
+        both = dict[tuple[int, int], int]()
+        seen = tuple(both.setdefault(pair, d) for d, pair in enumerate(zip(seen, names)))  # noqa: B905
+        if len(both) == count:
+            return len(seen) // count, steps
+        steps, count = steps + 1, len(both)
+
+
+FEATURES = (
+    *("edges m", "vertices n", "largest degree", "diameter", "genus"),
+    *("sheets", "longest test"),
+)
+"""The names of the features."""
+
+
+def features(map_: CombinatorialMap) -> Iterator[tuple[str, int]]:
+    """Each feature with its value; sheets and test as :func:`telling_apart` has them."""
+    sizes = map_.edge_count, map_.vertex_count, max(map_.degrees), map_.diameter, map_.genus
+    return zip(FEATURES, (*sizes, *telling_apart(map_)), strict=True)
+
+
+class CoveredRow(Document):
+    """A feature of the drawn worlds."""
+
+    feature: Annotated[Text, about("its name")]
+    least: Annotated[Natural, about("the least value in a drawn world")]
+    median: Annotated[Natural, about("the value of the middle one; of two, the less")]
+    most: Annotated[Natural, about("the largest value")]
+
+
+def covered_rows(counted: Counter[tuple[str, int]]) -> Iterator[CoveredRow]:
+    """A row for each feature, of the number of worlds for each of its values."""
+    for name in FEATURES:
+        values = sorted(Counter({v: n for (of, v), n in counted.items() if of == name}).elements())
+        if values:
+            yield CoveredRow(
+                feature=name,
+                least=values[0],
+                median=values[(len(values) - 1) // 2],
+                most=values[-1],
+            )
