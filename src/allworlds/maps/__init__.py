@@ -36,6 +36,8 @@ Modules
 -------
 ``combinatorial``
     the map itself; codes, automorphisms and isomorphisms;
+``mixture``
+    the distributions of which samples beyond the exhaustive bound are drawn;
 ``classes``
     **the** tables of the classes of maps, and of the conditions that narrow them;
 ``enumeration``, ``counting``
