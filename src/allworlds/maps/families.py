@@ -83,7 +83,7 @@ def planar(edges: int, random: Random) -> CombinatorialMap:
     # stand before its own, the nearest first.
     size, least = len(corners), min(label)
     coming: list[list[int]] = [[] for _ in range(size)]
-    top, waiting = [], dict[int, int]()
+    top, waiting = list[int](), dict[int, int]()
     for i in reversed(range(2 * size)):
         at, mine = i % size, label[corners[i % size]]
         if i < size:
