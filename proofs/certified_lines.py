@@ -18,7 +18,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from certified_checker import LAWS, asked, check, finished, outcome
+from certified_checker import LAWS, asked, check, outcome
 from odd_program import ODD, Odd
 
 HERE = Path(__file__).resolve().parent
@@ -35,9 +35,8 @@ def command(name: str) -> list[str]:
 def by_the_package(name: str, seconds: float) -> str:
     """The law that ``allworlds check`` finds broken; '' if it holds."""
     subject = f"exec:{shlex.join(command(name))}"
-    found = finished(
-        check(subject, edges=1, laws=LAWS, workers=1, answer_timeout=seconds).uninterrupted()
-    )
+    report = check(subject, edges=1, laws=LAWS, workers=1, answer_timeout=seconds)
+    found = report.uninterrupted()
     return found.findings[0].law if found.findings else ""
 
 

@@ -65,18 +65,21 @@ def _cut(lines: Sequence[str]) -> str:
 def _found(section: parts.Section, width: int, room: int) -> list[str]:
     """A finding without its walk, with the picture of its world if there is room."""
     lines = wrap(section.title, width, break_long_words=False)
-    picture, command = list[str](), list[str]()
+    picture, command = "", list[str]()
     for block in section.blocks:
         if isinstance(block, parts.FactList) and not picture:
             lines += _block(block, width)
         elif isinstance(block, parts.ShownWalk):
             for said in block.sentences:
                 lines += wrap(said, width, break_on_hyphens=False)
-            picture = ["", *draw(block.views[0].scene, width).splitlines(), ""]
+            picture = draw(block.views[0].scene, width)
         elif isinstance(block, parts.Quote) and block.command:
             command = [*_block(block, width)]
-    if len(lines) + len(picture) + len(command) <= room:
-        lines += picture
+    for drawn in (picture, picture.rpartition("\n\n")[0]):  # at least without its legend
+        shown = ["", *drawn.splitlines(), ""]
+        if drawn and len(lines) + len(shown) + len(command) <= room:
+            lines += shown
+            break
     return [*lines[: room - len(command)], *command, "(-v: the walk, the answer, and the output)"]
 
 

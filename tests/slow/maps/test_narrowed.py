@@ -1,11 +1,11 @@
 """Sources of the numbers of maps under a condition, compared with enumeration and literature."""
 
 import pytest
+from test_narrowed import NAMES, source_under
 
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.maps.classes import condition_named
 from allworlds.maps.counting import vertex_counts
-from maps.test_narrowed import NAMES, source_under
 
 
 @pytest.mark.no_cover

@@ -355,6 +355,8 @@ def _belief(story: Story) -> list[Block]:
     try:
         map_ = completed(shown.sigma, shown.alpha)
     except InvalidMap:
+        map_ = None
+    if map_ is None or shown.here not in map_.darts:
         lists = f"sigma {[*shown.sigma]}, alpha {[*shown.alpha]}, here {shown.here}"
         return [fact("its S", f"{here}, in its own darts, and no map: {lists}")]
     known = len(shown.sigma)

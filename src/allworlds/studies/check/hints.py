@@ -168,6 +168,11 @@ def _code(turns: Turns, alone: list[Place], right: int) -> CodeLines:
 
 
 def _named(place: Place) -> str:
-    """``FILE:LINE``, relative to the current folder if the file is below it."""
+    """``FILE:LINE``, relative to the current folder if the file is below it.
+
+    A cell of a notebook, or what was typed, is called ``input``.
+    """
     file, line = place
+    if file and not Path(file).is_file():
+        return f"input:{line}"
     return f"{file.removeprefix(f'{Path.cwd()}{os.sep}')}:{line}" if file else ""
