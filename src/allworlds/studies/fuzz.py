@@ -35,7 +35,7 @@ from allworlds.engines.units import (
 )
 from allworlds.explorers import loading, sources
 from allworlds.inputs.checks import InputError, integer_of, show
-from allworlds.inputs.requests import SCOPE, Converted, Option, Request, answers
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, Request, answers
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules, law_names
 from allworlds.judging.laws.law_table import LAWS
@@ -61,7 +61,7 @@ class SampleOptions(Request):
     mix: Annotated[
         Converted[Iterable[str] | None, tuple[str, ...] | None],
         Option(
-            SCOPE,
+            RARE_SCOPE,
             "NAMES",
             f"Draw of these alone, with commas: {', '.join(PARTS)} [default: those of the class].",
             parse=law_names,
