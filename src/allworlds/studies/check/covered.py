@@ -24,7 +24,8 @@ def telling_apart(map_: CombinatorialMap) -> tuple[int, int]:
             names = [pairs.setdefault((names[d], names[jump[d]]), d) for d in map_.darts]
             jump = tuple(jump[d] for d in jump)
         both = dict[tuple[int, int], int]()
-        seen = tuple(both.setdefault(pair, d) for d, pair in enumerate(zip(seen, names)))  # noqa: B905
+        pairs_of = zip(seen, names, strict=True)
+        seen = tuple(both.setdefault(pair, d) for d, pair in enumerate(pairs_of))
         if len(both) == count:
             return len(seen) // count, steps
         steps, count = steps + 1, len(both)
