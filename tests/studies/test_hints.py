@@ -98,8 +98,8 @@ def test_a_bound_is_told_to_be_the_only_fault_where_that_was_tried():
 def test_a_larger_budget_is_told_with_what_else_it_needs():
     finding, _ = told(wordy, edges=1)
     assert finding.law == "budget"
-    assert finding.tried == "--edges 1 --step-budget 1080 --bound none"
-    assert check(wordy, edges=1, step_budget=1080, bound="none").exit_code == 0
+    assert finding.tried == "--edges 1 --step-budget 432 --bound none"
+    assert check(wordy, edges=1, step_budget=432, bound="none").exit_code == 0
 
 
 def test_an_option_with_which_a_larger_world_refutes_is_not_told():

@@ -37,7 +37,7 @@ MOST = 4000
 SECONDS = 5.0
 """The time of a trial; what is not decided by then is not told."""
 
-LARGER = 10
+LARGER = 4
 """A larger step budget is tried that is so many times the one that was exceeded."""
 
 Placed: TypeAlias = tuple[World, int]
