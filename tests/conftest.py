@@ -1,20 +1,18 @@
 """Fixtures and settings of all tests: the same drawn examples each time, the command line."""
 
+import covered  # isort: split
+
 import fcntl
 import gc
-import importlib
 import os
-import pkgutil
 import signal
 import subprocess
 import sys
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack
 
 import pytest
-from coverage import Coverage
 from hypothesis import settings
 
-import allworlds
 from allworlds.cli.app import call
 from allworlds.engines.lanes import Lanes
 from allworlds.engines.players import PlayerHere
@@ -50,35 +48,14 @@ PATIENCE = 600
 
 
 def pytest_configure(config):
-    """In a worker of pytest-xdist coverage is begun twice; only what is begun later is read.
+    """Signals reach the tests that make them also where they begin ignored.
 
-    The first would go on wherever the second pauses, and the mark ``no_cover`` would be void.
-
-    Signals reach the tests that make them also where they begin ignored: interrupts in the
-    background, hangups under nohup.
+    So are interrupts in the background, and hangups under nohup.
     """
     signal.signal(signal.SIGINT, signal.default_int_handler)
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
-    begun = Coverage.current()
-    if hasattr(config, "workerinput") and begun:
-        begun.stop()
-
-
-@pytest.hookimpl(wrapper=True)
-def pytest_collection(session):
-    """The package is imported before; to collect tests is not traced, as it takes twice as long."""
-    measured = Coverage.current()
-    workers_do = session.config.getoption("dist", "no") != "no"
-    if not measured or workers_do:
-        return (yield)
-    for module in pkgutil.walk_packages(allworlds.__path__, "allworlds."):
-        if not module.name.endswith("__main__"):
-            importlib.import_module(module.name)
-    measured.stop()
-    try:
-        return (yield)
-    finally:
-        measured.start()
+    if covered.COVERED:
+        config.pluginmanager.register(covered.COVERED)
 
 
 def pytest_collection_finish():
@@ -229,24 +206,3 @@ def compiled(what_is_compiled, compiler):
     with what_is_compiled.open() as done:
         fcntl.flock(done, fcntl.LOCK_SH)
         assert done.read() == "done", "compiling has failed; its last words are above"
-
-
-@pytest.fixture(scope="session")
-def untraced():
-    """A context in which coverage is not measured, for a fixture that goes through many worlds.
-
-    Tracing makes Python four times as slow; for a test there is the mark ``no_cover``.
-    """
-
-    @contextmanager
-    def paused():
-        measured = Coverage.current()
-        if measured:
-            measured.stop()
-        try:
-            yield
-        finally:
-            if measured:
-                measured.start()
-
-    return paused

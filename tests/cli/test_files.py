@@ -79,7 +79,6 @@ def test_a_refuted_check_is_written_too(option, tmp_path, cli):
     assert "no-estimate" in out
 
 
-@pytest.mark.no_cover
 @WRITERS
 def test_fuzz_writes_them_too(option, written, tmp_path, cli):
     file = tmp_path / "report"

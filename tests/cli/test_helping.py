@@ -27,7 +27,6 @@ def help_of(words, columns, monkeypatch, capsys):
     return command, capsys.readouterr().out
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("columns", [50, 80])
 @pytest.mark.parametrize("name", ["", "check"])
 def test_no_help_cuts_a_word_or_gives_a_flag_a_value(name, columns, monkeypatch, capsys):

@@ -47,7 +47,6 @@ def interrupt(monkeypatch):
     return at
 
 
-@pytest.mark.no_cover
 @pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize("verb", ROWS)
 def test_the_rows_before_an_interrupt_are_told(cli, interrupt, verb):
@@ -83,7 +82,6 @@ def test_a_search_that_is_interrupted_is_undecided(cli, interrupt, tmp_path):
     assert all(line.startswith("allworlds: interrupted") for line in err.splitlines())
 
 
-@pytest.mark.no_cover
 def test_twins_that_were_found_before_an_interrupt_are_told(cli, monkeypatch, tmp_path):
     def interrupted(*_):
         raise KeyboardInterrupt

@@ -32,7 +32,6 @@ def takes_workers(name):
     return any("--workers" in param.opts for param in command.params)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", NAMES)
 def test_every_document_says_who_made_it(name, tmp, capsys):
     words = [*least(name, tmp), "--json"]

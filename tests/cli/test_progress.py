@@ -38,7 +38,6 @@ HEARD = {
 }
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", ["count", "count simple", "census"])
 def test_what_is_promised_is_done(name):
     heard = Adds()

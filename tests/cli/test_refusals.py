@@ -150,7 +150,6 @@ def test_a_slip_in_a_name_is_told(refused, words, meant):
     assert f"id you mean '{meant}'?" in refused(*words.split())
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("verb", "option"), one_a_type(OPTIONS), ids=str)
 def test_an_empty_text_is_no_value_of_any_option(refused, verb, option, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
@@ -163,7 +162,6 @@ def test_an_empty_text_is_no_value_of_any_option(refused, verb, option, tmp_path
 NUMBERS = [(verb, param) for verb, param in OPTIONS if param.metavar in ("M", "N", "S", "MB", "R")]
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("verb", "option"), one_a_type(NUMBERS), ids=str)
 @pytest.mark.parametrize("value", ["1_0", " 1", "١"])  # noqa: RUF001  # an Arabic digit
 def test_a_number_is_written_with_ascii_digits_alone(refused, verb, option, value):

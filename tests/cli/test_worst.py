@@ -5,7 +5,6 @@ import pytest
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
-@pytest.mark.no_cover
 def test_worst_prints_one_document(cli):
     code, out, _ = cli("worst", "--edges", 3, "--transit", "shortest", "--json", "-q")
     assert code == 0
@@ -30,7 +29,6 @@ def test_worst_refuses_by_name(refused, option, value):
     assert value in refused("worst", option, value)
 
 
-@pytest.mark.no_cover
 def test_check_tells_the_engine(cli):
     code, out, _ = cli("check", "--edges", 2, "--engine", "kernel")
     assert code == 0

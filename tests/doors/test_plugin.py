@@ -51,7 +51,6 @@ def tests(pytester, loaded):
     return run
 
 
-@pytest.mark.no_cover
 def test_a_mark_makes_one_test_for_each_number_of_edges(tests):
     result = tests(MARKED, "-v")
     result.assert_outcomes(passed=3)
@@ -72,7 +71,6 @@ def test_a_refuted_explorer_fails_with_the_picture_and_no_traceback_of_ours(test
     assert "testing.py" not in text
 
 
-@pytest.mark.no_cover
 def test_findings_are_kept_in_the_cache_each_test_its_own(tests, pytester):
     tests(REFUTED)
     kept = sorted(pytester.path.glob(".pytest_cache/d/allworlds/*/*.json"))
@@ -139,7 +137,6 @@ def test_the_fixture_alone_tries_the_default(tests):
     ]
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("text", "said"),
     [

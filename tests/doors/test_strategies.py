@@ -51,7 +51,6 @@ def smallest(strategy, condition):
 # ---------------------------------------------------------------- maps
 
 
-@pytest.mark.no_cover
 def test_one_that_never_draws_a_handle_would_be_noticed():
     assert set(sample(MapClass.PLANAR, 3)) < set(sample(MapClass.MAPS, 3))
 
@@ -75,7 +74,6 @@ def test_impossible_bounds_are_refused_at_once(strategy, least, most, message):
 # ---------------------------------------------------------------- worlds
 
 
-@pytest.mark.no_cover
 def test_every_start_and_every_bearing_of_a_small_map_is_drawn():
     found = {
         (world.map, world.start, world.lighthouse.dart)
@@ -125,7 +123,6 @@ def test_every_answer_is_one_of_the_options_and_is_recorded(choices):
     assert choices.record == answers
 
 
-@pytest.mark.no_cover
 def test_every_short_run_of_answers_is_drawn():
     found = {tuple(asked(choices, 2, 3)) for choices in drawn(strategies.choices())}
     assert found == {(a, b) for a in range(2) for b in range(3)}
@@ -171,7 +168,6 @@ def violation(world, choices, kind=Algorithm1):
     return getattr(judge(case, [law.check for law in LAWS.values()]), "law", None)
 
 
-@pytest.mark.no_cover
 @given(strategies.worlds(strategies.maps(max_edges=10)), strategies.choices())
 def test_algorithm_1_holds_in_every_world_that_is_drawn(world, choices):
     assert violation(world, choices) is None

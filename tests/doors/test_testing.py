@@ -87,7 +87,6 @@ def test_a_finding_is_kept_and_tried_first_and_forgotten_when_it_is_fixed(cached
     assert [*cached.iterdir()] == []
 
 
-@pytest.mark.no_cover
 def test_a_corpus_of_ones_own_keeps_everything(tmp_path):
     with pytest.raises(AssertionError):
         assert_explores(wrong(), edges=3, corpus=tmp_path)
@@ -125,12 +124,10 @@ def test_the_kit_has_a_part_for_each_thing_that_is_tried():
     assert "every-schedule" not in map(str, conformance("algorithm1"))
 
 
-@pytest.mark.no_cover
 def test_algorithm_1_conforms():
     assert_conforms(RIGHT, edges=2, drawn=5, drawn_edges=5, corpus=None)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("part", ["edges-2", "drawn-maps"])
 def test_a_wrong_explorer_fails_each_part_that_goes_far_enough(part):
     parts = {str(part): part for part in conformance(wrong(), drawn=8, drawn_edges=6)}

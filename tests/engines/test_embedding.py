@@ -1,7 +1,6 @@
 """A published S is a part of the world, or breaks a law; as the Python laws say."""
 
 import numpy as np
-import pytest
 from numba import njit
 
 from allworlds.document import replace
@@ -42,7 +41,6 @@ def seen_by_the_kernel(case, checkpoint, walked):
     return [bool(judged.broken >> law & 1) for law in (INVARIANT_1, INVARIANT_2)]
 
 
-@pytest.mark.no_cover
 def test_both_engines_say_the_same_of_a_u_that_holds_either_dart_of_an_edge():
     compared = {"smaller": 0, "larger": 0}
     for map_ in (map_ for edges in (1, 2, 3) for map_ in rooted_maps(edges)):

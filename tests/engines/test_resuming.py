@@ -54,7 +54,6 @@ def test_a_finding_is_confirmed_once(tmp_path, monkeypatch):
     assert job().to_json() == whole
 
 
-@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 def test_a_time_limit_is_no_part_of_the_job(tmp_path):
     job = lambda **more: check(edges=3, engine="python", **more)  # noqa: E731

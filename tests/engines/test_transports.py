@@ -98,7 +98,6 @@ def test_every_transport_is_made_where_engines_are_made_ready():
     )
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", TRANSPORTS)
 @pytest.mark.parametrize("units", [[], [7], [1, 22, 345, 678, *range(100, 140)]], ids=len)
 def test_a_transport_brings_every_unit_once(name, units, made):
@@ -112,7 +111,6 @@ def test_a_transport_brings_every_unit_once(name, units, made):
     assert total == Counter("".join(map(str, units)))
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", TRANSPORTS)
 def test_a_transport_ends_when_the_time_is_up(name, made):
     with made(name, deadline=0.0) as transport, pytest.raises(TimeIsUp):

@@ -86,7 +86,6 @@ def bound(m, n):
 # ---------------------------------------------------------------- right, and how dear
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("edges", [1, 2, 3])
 @pytest.mark.parametrize("policy", POLICIES)
 def test_every_world_is_mapped_pose_included_within_the_bound_under_every_policy(policy, edges):
@@ -108,7 +107,6 @@ def test_every_schedule_of_every_world_is_right_and_the_worst_costs_what_is_know
     assert max(costs) == worst
 
 
-@pytest.mark.no_cover
 @given(maps(most=8), st.data(), st.integers(0, 99))
 def test_random_worlds_are_mapped_whatever_is_chosen(world, data, seed):
     start = data.draw(st.sampled_from(world.darts))
@@ -316,7 +314,6 @@ S = [
 ]
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("world", "edges"), S)
 @pytest.mark.parametrize("kind", ["path", "transit"])
 def test_every_simple_path_in_s_is_one_sequence_of_answers_and_first_answers_a_shortest(
@@ -336,7 +333,6 @@ def test_every_simple_path_in_s_is_one_sequence_of_answers_and_first_answers_a_s
         assert len(walked[0]) == nx.shortest_path_length(explored, start, goal)
 
 
-@pytest.mark.no_cover
 @given(maps(most=7), st.integers(1, 7), st.integers(0, 9), st.data())
 def test_the_cost_of_an_option_is_the_shortest_way_to_go_without_entering_a_vertex_twice(
     world, edges, seed, data

@@ -91,7 +91,6 @@ def test_with_labels_every_world_is_mapped_and_no_edge_is_walked_three_times():
 # ---------------------------------------------------------------- position only
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("most", [3])
 def test_under_position_the_answer_is_a_map_exactly_where_only_one_looks_so(most):
     for map_ in all_maps(most):

@@ -120,7 +120,6 @@ def checked(explorer, edges):
 # ---------------------------------------------------------------- it is right
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("edges", [2])
 @pytest.mark.parametrize("mutant", [*WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS], ids=lambda m: m.name)
 def test_every_wrong_explorer_is_made_right(mutant, edges):
@@ -145,7 +144,6 @@ def test_whatever_is_inside_the_map_is_right(stranger, edges):
         assert checked(stranger, edges).verdict.value == "holds"
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", ["folding", "folding-oldest"])
 def test_it_costs_less_than_nine_times_the_better(name):
     explore = BUILT_IN[name].explore

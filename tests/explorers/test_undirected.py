@@ -174,7 +174,6 @@ def test_after_each_test_the_robot_is_where_s_says():
             assert code == rooted_code(world.sigma, world.alpha, at)
 
 
-@pytest.mark.no_cover
 def test_a_cluster_and_a_natural_lighthouse_at_one_place_are_walked_alike():
     compared = 0
     for edges in range(1, 7):

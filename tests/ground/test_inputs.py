@@ -38,7 +38,6 @@ def test_the_cases_are_of_every_kind_and_the_same_every_time():
     assert len({str(case) for _, case in drawn}) > QUICK * 0.9
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(
     "kind", ["worlds", "findings", "expressions", "lines", "corpus", "options"]
 )
@@ -95,7 +94,6 @@ FAULTS = {
 }
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_planted_fault_is_found(fault, folder, monkeypatch):
     (place, value), kind = FAULTS[fault]

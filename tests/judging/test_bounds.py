@@ -232,7 +232,6 @@ def test_an_expression_may_have_a_value_in_some_worlds_only():
         bound_named("m//g").value(2, 5, 1, 1, 1, 0)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(
     "text",
     [

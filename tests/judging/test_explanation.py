@@ -22,7 +22,6 @@ def test_the_mutants_break_every_law_of_a_directional_world_but_timeout(finding_
     assert broken == {*PRECEDENCE} - {"timeout", "ambiguity", "task"}
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", MUTANTS)
 def test_a_finding_read_from_its_file_is_explained_alike(name, finding_of):
     finding = finding_of(name)

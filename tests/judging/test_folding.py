@@ -176,7 +176,6 @@ def test_a_fold_may_hold_copies_of_a_vertex():
     assert len(folded.sigma) > len(set(image.values()))
 
 
-@pytest.mark.no_cover
 def test_a_truncated_log_leaves_open_darts_at_the_right_places():
     for world in worlds(3):
         log, _ = explored(world)

@@ -127,7 +127,6 @@ def test_steps_that_are_no_motions_walk_no_edge():
 # ---------------------------------------------------------------- I-1
 
 
-@pytest.mark.no_cover
 def test_two_entries_of_sigma_exchanged_break_invariant_1():
     for case, i, checkpoint in every(3):
         sigma = checkpoint.sigma
@@ -320,7 +319,6 @@ def test_checkpoints_out_of_order_break_the_variant():
             assert variant(published(case, *reversed(case.checkpoints))).law == "variant"
 
 
-@pytest.mark.no_cover
 def test_the_last_checkpoint_missing_breaks_the_variant():
     for case in up_to(4):
         if case.map.edge_count > 1:

@@ -57,7 +57,6 @@ def broken(*given):
     return violation.law if violation else ""
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("motions", [(), (0,), (1, 2)])
 def test_the_quotient_is_right_exactly_where_the_class_has_two_members(motions):
     right = 0
@@ -81,7 +80,6 @@ def test_one_look_and_two_maps_have_one_right_answer():
     assert one == other == Ambiguous([0], [0], [4], [1], 0)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("part", ["here", "marks", "degree", "alpha", "sigma"])
 def test_a_quotient_that_is_wrong_in_one_part_is_refuted(part):
     tried = 0

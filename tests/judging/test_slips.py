@@ -106,20 +106,18 @@ LATER = [*NO_MAP, "bearing-ignored", "second-entry-forgotten", "wrong-entry-labe
 """Left to the slow tests: the last three take more time than all others."""
 
 
-def found_about(name, untraced):
+def found_about(name):
     """The findings about an explorer, the smallest first."""
-    with untraced():
-        found = check(WRONG[name], edges=3, max_findings=20).findings
+    found = check(WRONG[name], edges=3, max_findings=20).findings
     assert any(finding.law in ("map", "pose") for finding in found) == (name not in NO_MAP)
     return found
 
 
 @pytest.fixture(scope="module", params=[name for name in WRONG if name not in LATER])
-def findings(request, untraced):
-    return found_about(request.param, untraced)
+def findings(request):
+    return found_about(request.param)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", CASES)
 def test_a_spoiled_answer_is_told_by_its_slip_in_every_small_world(name):
     spoil, words = CASES[name]
@@ -135,7 +133,6 @@ def test_a_spoiled_answer_is_told_by_its_slip_in_every_small_world(name):
         assert all(words in sentence for sentence in told)
 
 
-@pytest.mark.no_cover
 def test_a_mirror_image_is_claimed_exactly_where_there_is_one(findings):
     for finding in findings:
         if finding.law not in ("map", "pose"):
@@ -156,7 +153,6 @@ def _inverse(sigma):
     return inverse
 
 
-@pytest.mark.no_cover
 def test_whatever_slip_is_claimed_the_answer_is_right_without_it(findings):
     for finding in findings:
         if finding.law not in ("map", "pose"):
@@ -223,7 +219,6 @@ def elsewhere(estimate):
     return None
 
 
-@pytest.mark.no_cover
 def test_an_edge_that_is_elsewhere_is_told_where_no_crossing_of_two_explains_it():
     findings = check(spoiling(elsewhere), edges=3, max_findings=300, laws=("map",)).findings
     slips = [the_slip(Belief(Story(finding))) for finding in findings]
@@ -274,7 +269,6 @@ def numbered(bearing):
     return explore
 
 
-@pytest.mark.no_cover
 def test_bearings_that_are_read_the_wrong_way_round_are_told():
     rules = {"edges": 3, "max_findings": 100, "lighthouse": "labels", "laws": ("map", "pose")}
     assert not check(numbered(lambda before, now: before - now), **rules).findings
@@ -285,7 +279,6 @@ def test_bearings_that_are_read_the_wrong_way_round_are_told():
         assert slip.name == "bearings anticlockwise", finding
 
 
-@pytest.mark.no_cover
 def test_bearings_that_are_read_the_right_way_round_are_not_suspected(findings):
     for finding in findings:
         if finding.law in ("map", "pose"):
@@ -293,7 +286,6 @@ def test_bearings_that_are_read_the_right_way_round_are_not_suspected(findings):
             assert slip is None or slip.name != "bearings anticlockwise", finding
 
 
-@pytest.mark.no_cover
 def test_a_pose_that_is_off_by_a_turn_is_told_so():
     findings = check(
         spoiling(with_the_next_dart), edges=3, max_findings=100, laws=("pose",)
@@ -305,7 +297,6 @@ def test_a_pose_that_is_off_by_a_turn_is_told_so():
         assert any("too far" in sentence for sentence in one.sentences)
 
 
-@pytest.mark.no_cover
 def test_an_exchange_is_told_in_the_darts_of_the_world():
     # A star of three leaves whose second and third dart are at loops' ends: only orders differ.
     findings = check(spoiling(exchanged), edges=3, max_findings=1000, laws=("map",)).findings
@@ -337,7 +328,6 @@ def with_the_next_dart(estimate):
     return Estimate(estimate.map, estimate.map.sigma[estimate.here])
 
 
-@pytest.mark.no_cover
 def test_a_pose_at_the_far_end_of_the_last_edge_is_told_so_exactly_where_it_is():
     findings = [
         *check(spoiling(with_the_other_end), edges=3, max_findings=40, laws=("pose",)).findings,

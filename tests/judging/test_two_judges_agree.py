@@ -74,7 +74,6 @@ def unrooted(m):
     return list({unrooted_code(map_): map_ for map_ in maps(m)}.values())
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("edges", "parts", "k"), [(3, 2, 0), *EACH_PART])
 def test_on_every_map_against_itself_at_every_dart(edges, parts, k):
     random = Random(k)
@@ -93,7 +92,6 @@ def test_on_every_rooted_map_against_itself_at_its_root(edges, parts, k):
         assert agreed(truth, 0, estimate, names[0]) == "right"
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("edges", "parts", "k"), [(4, 40, 0), *EACH_PART])
 def test_on_every_map_against_its_mirror_image(edges, parts, k):
     # With three edges every map is its own mirror image.
@@ -105,7 +103,6 @@ def test_on_every_map_against_its_mirror_image(edges, parts, k):
     assert seen == {"right", "pose", "map"}
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("pairs", "k"), [(10, 0)])
 def test_on_pairs_of_maps_of_four_edges_with_the_same_degrees(pairs, k):
     # Other pairs are told apart by their degrees alone.

@@ -1,6 +1,5 @@
 """Cost counts traversals, adds up, and a way back costs as much as the way."""
 
-import pytest
 from hypothesis import find, given, settings
 from hypothesis.strategies import tuples
 
@@ -44,7 +43,6 @@ def back(ks):
     return [0, *(-k for k in reversed(ks[1:]))] if ks else []
 
 
-@pytest.mark.no_cover
 @given(worlds(), motions())
 def test_the_cost_of_a_walk_is_its_number_of_motions(world, ks):
     assert episode_of(world, ks).transcript.cost == len(ks)
@@ -57,7 +55,6 @@ def test_checkpoints_cost_nothing_and_change_nothing(world, ks):
     assert len(talking.checkpoints) == 2 * len(ks)
 
 
-@pytest.mark.no_cover
 @given(worlds(), motions(), motions())
 def test_cost_is_additive(world, one, two):
     both = case_of(world, one + two)
@@ -86,7 +83,6 @@ def test_on_the_way_back_the_same_percepts_come_in_reverse_order(world, ks):
     assert degrees == degrees[::-1]
 
 
-@pytest.mark.no_cover
 def test_a_way_back_that_forgets_the_signs_would_be_noticed():
     def lost(drawn):
         world, ks = drawn
@@ -99,7 +95,6 @@ def test_a_way_back_that_forgets_the_signs_would_be_noticed():
     assert world.map.edge_count == 2
 
 
-@pytest.mark.no_cover
 def test_a_meter_that_does_not_count_the_way_back_would_be_noticed():
     def too_soft(drawn):
         world, ks = drawn

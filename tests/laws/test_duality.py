@@ -64,7 +64,6 @@ def test_counts_over_all_genera_are_not():
     assert counted != {4 + 2 - n: count for n, count in counted.items()}
 
 
-@pytest.mark.no_cover
 @CLASSES
 @pytest.mark.parametrize("edges", [1, 2, 3, 4])
 def test_every_map_has_2m_over_its_automorphisms_rootings(edges, map_class):

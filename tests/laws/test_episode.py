@@ -138,7 +138,6 @@ class CheckpointsCost(Machine):
     checkpoint_cost = 1
 
 
-@pytest.mark.no_cover
 def test_a_model_in_which_checkpoints_cost_something_is_refuted():
     with pytest.raises(AssertionError):
         run_state_machine_as_test(

@@ -98,7 +98,6 @@ def test_deleting_is_contracting_in_the_dual_where_both_are_maps(map_, drawn):
     assert less.dual() == other
 
 
-@pytest.mark.no_cover
 def test_deleting_is_not_contracting():
     def differ(pair):
         map_, dart = pair
@@ -122,7 +121,6 @@ def wrongly_contracted(map_, dart):
     return CombinatorialMap([names[sigma[d]] for d in names], [names[map_.alpha[d]] for d in names])
 
 
-@pytest.mark.no_cover
 def test_a_contraction_that_turns_one_end_over_would_be_noticed():
     def noticed(pair):
         map_, dart = pair

@@ -1,6 +1,5 @@
 """Symmetries of runs: other names of the darts, another first direction, the mirror image."""
 
-import pytest
 from hypothesis import find, given, settings
 from hypothesis.strategies import data, integers, permutations, tuples
 
@@ -104,7 +103,6 @@ def test_turning_the_start_shifts_the_first_motion_and_nothing_else(world, k, fi
     assert two.first.bearing == (one.first.bearing - k) % one.first.degree
 
 
-@pytest.mark.no_cover
 @given(worlds(), integers(-12, 12), choices(), choices())
 def test_turning_the_start_turns_the_answer_whatever_is_chosen(world, k, own, others):
     one = episode_of(algorithm1, world, own).ending.answer

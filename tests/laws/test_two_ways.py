@@ -42,7 +42,6 @@ def judged(truth, dart, estimate, here):
     return Case(truth, dart, Transcript(Percept(1)), (), Estimate(estimate, here)).answer
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("outcome", ["right", "pose", "map"])
 def test_every_outcome_is_drawn(outcome):
     assert verdict(*find(answers(), lambda a: judged(*a) == outcome, settings=MANY)) == outcome

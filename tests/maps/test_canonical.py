@@ -102,7 +102,6 @@ def test_a_rooted_code_is_the_map_itself_in_canonical_numbers(map_, data):
     assert code == rooted_code(*code, 0)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("edges", [1, 2, 3])
 def test_two_rooted_maps_have_one_code_exactly_if_a_renaming_carries_one_into_the_other(edges):
     # The yardstick: the least of all renamings that give the root the name 0.
@@ -159,7 +158,6 @@ def test_automorphisms_are_the_renamings_that_change_nothing(edges):
         assert automorphisms(map_) == sum(is_witness(w, map_, map_) for w in trials)
 
 
-@pytest.mark.no_cover
 @given(maps(most=4), maps(most=4), st.data())
 def test_a_dart_carries_the_map_exactly_if_the_rooted_codes_agree(a, b, data):
     b = data.draw(st.sampled_from([b, a.relabelled(data.draw(st.permutations(a.darts)))]))
@@ -242,7 +240,6 @@ def test_mirror_images_have_as_many_automorphisms_and_mirroring_keeps_sameness(m
     assert unrooted_code(mirrored.mirrored()) == unrooted_code(map_)
 
 
-@pytest.mark.no_cover
 @given(maps())
 def test_the_dual_of_the_dual_is_the_same_map_and_faces_and_vertices_are_swapped(map_):
     dual = map_.dual()
@@ -263,7 +260,6 @@ def test_the_dual_of_the_cube_is_the_octahedron_and_the_tetrahedron_is_its_own()
 # ---------------------------------------------------------------- rooted isomorphism
 
 
-@pytest.mark.no_cover
 @given(maps(most=4), maps(most=4), st.data())
 def test_two_rooted_maps_are_the_same_exactly_if_their_codes_are(a, b, data):
     b = data.draw(st.sampled_from([b, a.relabelled(data.draw(st.permutations(a.darts)))]))

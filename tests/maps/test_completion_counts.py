@@ -9,7 +9,6 @@ from allworlds.maps.count_source import completions
 from allworlds.maps.enumeration import Gluing, prefixes
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("depth", [1, 2, 3, 9])
 @pytest.mark.parametrize("vertices", [None, 2])
 @pytest.mark.parametrize("map_class", list(MapClass))
@@ -36,7 +35,6 @@ def test_eight_shards_of_eight_edges_are_balanced(map_class):
     assert max(weights) <= 1.1 * min(weights)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("wrong", [lambda *_: 1, lambda unit, _: len(unit.key)])
 def test_shards_by_wrong_weights_are_worse(wrong, monkeypatch):
     extent = Extent(MapClass.PLANAR, 6)

@@ -89,7 +89,6 @@ def code(map_):
     return rooted_code(map_.sigma, map_.alpha, 0)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", list(MapClass))
 @pytest.mark.parametrize("name", [*NAMES, "girth:4", "regular:1", "genus:2"])
 def test_what_is_cut_off_is_none_of_these_maps(name, map_class):

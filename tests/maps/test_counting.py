@@ -68,7 +68,6 @@ def test_rooted_maps_by_genus_are_the_published_numbers():
         assert sum(computed.values()) == ROOTED[m - 1]
 
 
-@pytest.mark.no_cover
 def test_trees_are_counted_by_catalan_numbers_in_every_class():
     assert [catalan(n) for n in range(9)] == CATALAN
     for map_class in CLASSES:

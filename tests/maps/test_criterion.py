@@ -52,7 +52,6 @@ WRONG = {
 }
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("wrong", WRONG.values(), ids=WRONG)
 def test_a_criterion_with_one_condition_changed_is_wrong_for_some_small_map(wrong):
     for edges in (1, 2, 3, 4, 5, 6):
@@ -94,7 +93,6 @@ def test_the_permutations_that_commute_with_a_rotation_are_counted_right(k):
             assert _uniform(k, gcd(k, j), b) == len(commuting)
 
 
-@pytest.mark.no_cover
 def test_with_two_sheets_a_class_has_two_to_the_beta1_members():
     for edges in (2, 3, 4, 5):
         for map_ in marked_maps(edges):

@@ -20,7 +20,6 @@ def codes(maps):
     return [rooted_code(map_.sigma, map_.alpha, 0) for map_ in maps]
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("map_class", "edges"), LEVELS)
 def test_gluing_meets_each_map_that_trying_all_permutations_meets_once(map_class, edges):
     met = codes(rooted_maps(edges, map_class))
@@ -44,7 +43,6 @@ def test_the_first_maps_of_a_level_too_large_to_finish_come_at_once(map_class):
         assert map_class.includes(CombinatorialMap(map_.sigma, map_.alpha))
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("map_class", "edges"), LEVELS)
 def test_a_bound_on_the_vertices_only_leaves_maps_out(map_class, edges):
     everything = list(rooted_maps(edges, map_class))
@@ -92,7 +90,6 @@ def test_taking_a_successor_leaves_the_gluing_as_it_was():
         assert successor.alpha[0] == (decision if decision > 0 else 3)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("map_class", "edges"), LEVELS)
 def test_the_rootings_of_all_unrooted_maps_are_all_rooted_maps(map_class, edges):
     unrooted = {unrooted_code(map_) for map_ in rooted_maps(edges, map_class)}

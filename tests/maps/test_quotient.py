@@ -69,7 +69,6 @@ def test_a_partition_that_forgets_a_permutation_is_coarser():
     assert len(set(half)) < len(set(whole))
 
 
-@pytest.mark.no_cover
 def test_a_quotient_keeps_what_its_darts_have_in_common():
     for labelled in labelled_maps(4):
         map_, labels, root = labelled
@@ -81,7 +80,6 @@ def test_a_quotient_keeps_what_its_darts_have_in_common():
             assert (quotient.degree[q], quotient.labels[q]) == (map_.degree_at[d], labels[d])
 
 
-@pytest.mark.no_cover
 def test_over_each_class_lie_k_darts_and_over_each_vertex_k_by_b_vertices():
     for labelled in labelled_maps(4):
         map_, _, _ = labelled

@@ -105,7 +105,6 @@ def test_what_is_given_is_no_code(job):
     assert [*job.workspace.iterdir()] == []
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("code", Exit)
 def test_an_exit_code_is_told_with_its_verdict(job, programs, code):
     (programs / "allworlds").write_text(f"#!/bin/sh\nexit {code:d}\n")

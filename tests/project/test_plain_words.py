@@ -31,7 +31,6 @@ def riddles(source: str) -> Iterator[str]:
                 yield f"{getattr(node, 'lineno', 1)}: {told.splitlines()[0]}"
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
 def test_no_docstring_begins_with_a_riddle(folder):
     inside = {path.relative_to(folder): path for path in sorted(folder.rglob("*.py"))}

@@ -335,7 +335,6 @@ def test_a_class_without_a_mixture_of_its_own_is_drawn_all_the_same(monkeypatch)
     test_random_worlds_of_every_class_are_drawn(MapClass.SIMPLE)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", MapClass)
 def test_a_search_stays_in_its_class(map_class, tmp_path):
     found = allworlds.search(

@@ -81,7 +81,6 @@ def impostor(folding, tmp_path, monkeypatch, lie):
     program.chmod(0o755)
 
 
-@pytest.mark.no_cover
 def test_the_compiled_judge_is_asked_too(folding, tmp_path, monkeypatch):
     impostor(folding, tmp_path, monkeypatch, lambda folded: folded)
     monkeypatch.setattr(folding, "folds_compiled", lambda _world, _log: True)

@@ -212,7 +212,6 @@ def refused_formulas(checkers, proofs, refuted, name, tries):
     return differ, refused
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", [name for name in QUICK if name[-1] != "3"])
 def test_no_changed_formula_is_accepted(checkers, proofs, refuted, name):
     differ, refused = refused_formulas(checkers, proofs, refuted, name, 60)

@@ -5,7 +5,6 @@ import pytest
 from allworlds.maps import MapClass, rooted_maps
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("map_class", "edges", "most", "count"),
     [

@@ -119,7 +119,6 @@ def test_a_seed_with_thousands_of_digits_is_a_seed_or_refused_as_a_policy():
 # ---------------------------------------------------------------- the record
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("policy", POLICIES)
 @given(asked=widths)
 def test_the_record_holds_one_legal_index_a_choice_and_replays_the_run(policy, asked):

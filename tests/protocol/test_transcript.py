@@ -143,7 +143,6 @@ def test_what_holds_no_action_is_none(row):
 # ---------------------------------------------------------------- transcripts
 
 
-@pytest.mark.no_cover
 @given(transcripts)
 def test_a_transcript_survives_json(transcript):
     rows = json.loads(json.dumps(transcript.to_json()))
@@ -160,7 +159,6 @@ def test_the_rows_are_the_first_percept_and_then_action_and_percept_together():
     ]
 
 
-@pytest.mark.no_cover
 @given(transcripts)
 def test_the_cost_is_the_number_of_moves_and_markers_are_free(transcript):
     moves = [action for action, _ in transcript.steps if isinstance(action, Move)]

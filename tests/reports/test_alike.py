@@ -1,7 +1,5 @@
 """Maps drawn and named like others: what agrees lies in the same place and has the same number."""
 
-import pytest
-
 from allworlds import worlds
 from allworlds.maps import CombinatorialMap, isomorphism, named_map
 from allworlds.reports.drawing.layout import (
@@ -45,7 +43,6 @@ def test_no_dart_is_used_twice_where_the_maps_differ():
                     assert found[a.sigma[dart]] == b.sigma[other]
 
 
-@pytest.mark.no_cover
 def test_the_same_map_lies_where_the_other_one_does_and_has_its_names():
     for map_ in MAPS:
         other, old = renamed(map_)

@@ -24,7 +24,6 @@ def explanation_of(name):
     return explain(check(MUTANTS[name].explorer(), edges=3).findings[0])
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("width", [40, 80, 200])
 @pytest.mark.parametrize("name", ["wrong-entry-label", "pose-lost"])
 def test_a_wrong_answer_is_drawn_beside_the_world(name, width):

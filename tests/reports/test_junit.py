@@ -169,7 +169,6 @@ def test_a_finding_fails_its_level_and_the_unfinished_ones_are_skipped(refuted):
     assert suite_of(refuted).find(".//skipped").get("message") == refuted.ending.reason
 
 
-@pytest.mark.no_cover
 def test_every_finding_of_a_level_is_told():
     report = check(MUTANTS["pose-lost"].explorer(), edges=3, max_findings=9)
     text = "".join(failure.text for failure in suite_of(report).iter("failure"))

@@ -62,7 +62,6 @@ def held(map_, least):
     return len(met)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("edges", "seed"), [(9, 0)])
 def test_and_those_of_larger_maps(edges, seed):
     assert held(family(f"random:{edges}", holes=0, seed=seed), LARGE_APART) >= 0

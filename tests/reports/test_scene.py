@@ -58,7 +58,6 @@ def read_text(map_, text):
     return marks, letters, pointed
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("kind", [*LIGHTHOUSES.values(), Labels], ids=lambda kind: kind.__name__)
 def test_what_is_sensed_can_be_read_from_the_scene_and_from_its_text(kind):
     met = worlds(kind)

@@ -78,7 +78,6 @@ def test_so_it_does_in_the_plain_way(plain):
         going_round_gives_sigma(map_)
 
 
-@pytest.mark.no_cover
 def test_another_cyclic_order_would_be_seen():
     beginnings = stubs(drawn(GENUS_2))
     beginnings[0], beginnings[1] = beginnings[1], beginnings[0]
@@ -111,7 +110,6 @@ def test_planar_maps_are_drawn_without_crossings():
     assert [map_ for map_ in flat_ones if crossings(map_)] == []
 
 
-@pytest.mark.no_cover
 def test_edges_that_must_cross_do():
     for map_ in MAPS:
         if map_.genus:

@@ -52,7 +52,6 @@ def without_numbers(text):
     return [re.sub(r"[\d)]", " ", line).rstrip() for line in text.split("\n")]
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", [*NAMES, "cube", "dipole-12", "bouquet-6", "path-12", "star-11"])
 def test_the_drawing_and_the_table_are_exact_from_every_start(name):
     map_ = named_map(name)

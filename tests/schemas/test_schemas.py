@@ -257,7 +257,6 @@ def document(name):
     return reference, make()
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", SCHEMAS)
 def test_every_schema_is_one(name):
     schema = SCHEMAS[name]
@@ -266,7 +265,6 @@ def test_every_schema_is_one(name):
     assert schema["$id"] == f"{name}.schema.json"
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", DOCUMENTS)
 def test_what_is_written_is_what_the_schema_says(name):
     reference, found = document(name)
@@ -336,7 +334,6 @@ WRONG_VALUES = [
 ]
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("name", "change", "rule"), WRONG_VALUES)
 def test_a_value_that_cannot_be_is_refused(name, change, rule):
     reference, found = document(name)

@@ -39,7 +39,6 @@ def report(request):
     return worst(edges=5, transit=request.param, workers=2)
 
 
-@pytest.mark.no_cover
 def test_the_compiled_program_agrees_with_its_twin(report):
     for edges in (1, 2, 3, 4):
         assert rows_of(report, edges) == twin(edges, report.request.transit)

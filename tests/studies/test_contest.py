@@ -42,7 +42,6 @@ def costs_by_hand(name, edges):
     return found
 
 
-@pytest.mark.no_cover
 def test_means_and_comparisons_are_those_of_single_runs(report):
     paper, mine = costs_by_hand("algorithm1", 3), costs_by_hand("folding", 3)
     means = {

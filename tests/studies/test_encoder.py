@@ -46,7 +46,6 @@ def counted(path, edges, map_class, degrees=(None, None), fewest=1, most=None):
 
 # Rooted maps by edges: A000698 shifted; planar: Tutte 1963; simple: rotation systems of
 # connected simple graphs, counted over the graph atlas.
-@pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("map_class", "edges", "count"),
     [
@@ -65,7 +64,6 @@ def test_the_models_of_one_world_are_the_rooted_maps_of_the_class(
     assert sorted(found) == [(m.sigma, m.alpha) for m in rooted_maps(edges, map_class)]
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", ["maps", "planar"])
 @pytest.mark.parametrize(("fewest", "most"), [(1, 1)])
 def test_bounds_on_the_vertices_leave_exactly_the_maps_within_them(
@@ -76,7 +74,6 @@ def test_bounds_on_the_vertices_leave_exactly_the_maps_within_them(
     assert sorted(found) == [(m.sigma, m.alpha) for m in wanted]
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("root", "others"), [(2, None), (None, 2), (2, 2), (4, 1), (9, None)])
 def test_required_degrees_leave_exactly_the_maps_that_have_them(tmp_path, root, others):
     found = counted(tmp_path / "f.cnf", 3, "maps", (root, others))

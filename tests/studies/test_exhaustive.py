@@ -55,7 +55,6 @@ def test_vertices_alone_bound_the_simple_classes(vertices):
     assert report.verdict is Verdict.HOLDS
 
 
-@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("edges", [4, 5])
 def test_the_witnesses_of_algorithm_1_occur(edges):
@@ -126,7 +125,6 @@ def brute_force(name, edges):
     return found
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", ["everywhere", "here_of_another"])
 @pytest.mark.parametrize("keep", [1, 2, 7, 40, 1000])
 def test_the_findings_are_the_smallest(explorers, wrong, name, keep):
@@ -305,7 +303,6 @@ def test_the_listener_is_told_of_every_world():
     assert Hears.told == [[1, 2, 2], [2, 10, 10], [3, 74, 74]]
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(
     "options",
     [

@@ -27,14 +27,12 @@ def test_the_smallest_simple_ambiguous_worlds_have_six_edges_and_three_classes()
     assert rows[-1].ambiguous_worlds == 6
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("edges", [6])
 def test_no_planar_simple_world_with_fewer_than_eight_edges_is_ambiguous(edges):
     rows = census(edges=edges, map_class="planar-simple").rows
     assert [row.classes for row in rows] == [0] * edges
 
 
-@pytest.mark.no_cover
 def test_marked_worlds_weighed_by_their_rootings_are_the_rooted_maps():
     # A marked map has deg(v0) / |Aut| rootings at v0; 2, 10, 74, 706 rooted maps (A000698).
     for row, rooted in zip(census(edges=4).rows, (2, 10, 74, 706), strict=True):

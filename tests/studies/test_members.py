@@ -22,7 +22,6 @@ def ambiguous(edges):
                 yield found
 
 
-@pytest.mark.no_cover
 def test_members_have_equally_many_vertices_edges_and_the_same_degrees():
     for edges in (2, 3, 4):
         for found in ambiguous(edges):
@@ -103,7 +102,6 @@ def test_a_huge_class_is_answered_at_once():
     assert len(found.worlds) == 2
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", ["path-3000", "star-300", "bouquet-40", "wheel-60"])
 def test_a_large_world_is_no_harder_in_kind(name):
     found = class_of(world(name), limit=1)
@@ -111,7 +109,6 @@ def test_a_large_world_is_no_harder_in_kind(name):
     assert (found.size == 1) == (name in ("path-3000", "star-300"))
 
 
-@pytest.mark.no_cover
 def test_a_quotient_with_thousands_of_vertices_and_cycles_is_lifted():
     found = class_of(World(lattice(40, 40), Position(0)))
     assert (found.size, found.sheets) == (1, 1)

@@ -1,15 +1,9 @@
 """The most expensive run of each size is the least of those that cost most, in every engine."""
 
-import pytest
-
-from allworlds.engines.compiled_engine import level_of
-from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.tally import AtRun, Examiner, Row
 from allworlds.explorers.loading import load
 from allworlds.judging.findings.rules import Rules
-from allworlds.maps import MapClass, rooted_code, rooted_maps
-from allworlds.maps.classes import Extent
-from allworlds.maps.enumeration import prefixes
+from allworlds.maps import rooted_code, rooted_maps
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import most_expensive_runs
 from allworlds.world import World
@@ -36,19 +30,6 @@ def test_it_is_the_least_of_all_that_cost_most():
     assert most_expensive(report) == {
         size: (-cost, (sigma, alpha, place)) for size, (cost, sigma, alpha, place) in found.items()
     }
-
-
-@pytest.mark.usefixtures("compiled")
-@pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest"])
-def test_where_worlds_are_walked_once_it_is_the_same_as_where_every_run_is_judged(policy):
-    rules, extent = Rules(policy=policy), Extent(MapClass.MAPS, 5)
-    level = level_of("algorithm1", rules, extent, 5)
-    for prefix in prefixes(5, depth=1):
-        judged, walked = (does(level, prefix) for does in (judge, walk))
-        assert judged.most_expensive == walked.most_expensive
-        assert [run.vertices for run in walked.most_expensive] == [
-            row.vertices for row in walked.counts
-        ]
 
 
 def test_rows_that_are_added_up_keep_the_least_of_the_most_expensive():

@@ -51,7 +51,6 @@ def test_no_world_of_a_sample_is_smaller_than_it_is_to_be(map_class, least):
     assert max(sizes) <= 14
 
 
-@pytest.mark.no_cover
 @CLASSES
 def test_every_number_of_edges_and_every_bearing_comes(map_class):
     sample = drawn(map_class, 6, 300)
@@ -65,7 +64,6 @@ def test_a_sample_of_plain_maps_has_loops_handles_and_planes():
         assert any(getattr(map_, has) for map_ in sample)
 
 
-@pytest.mark.no_cover
 def test_random_maps_are_uniform_among_all_rooted_maps_with_two_edges():
     random = Random(2026)
     draws = 5000
@@ -76,7 +74,6 @@ def test_random_maps_are_uniform_among_all_rooted_maps_with_two_edges():
     assert all(abs(count - draws / 10) < 100 for count in counted.values())
 
 
-@pytest.mark.no_cover
 def test_gluing_at_random_is_not_uniform():
     random = Random(2026)
     glue = glued(MapClass.PLANAR)
@@ -107,7 +104,6 @@ def counts(part, edges, draws):
     return Counter(code(rerooted(PARTS[part](edges, random), random)) for _ in range(draws))
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("edges", [2, 3])
 def test_random_planar_maps_are_uniform_among_all_of_genus_0(edges):
     (count,) = ({2: 9, 3: 54}[edges],)  # OEIS A000168
@@ -118,7 +114,6 @@ def test_random_planar_maps_are_uniform_among_all_of_genus_0(edges):
     assert sum((n - 60) ** 2 / 60 for n in counted.values()) < count + 5 * (2 * count) ** 0.5
 
 
-@pytest.mark.no_cover
 def test_cubic_ones_with_3_edges_are_every_cubic_rooted_map():
     cubic = {code(map_) for map_ in rooted_maps(3) if set(map_.degrees) == {3}}
     found = {

@@ -14,12 +14,11 @@ from small import long
 
 
 @pytest.fixture(scope="module", params=[(4, 4), long((9, 6))])
-def shrunk(request, planted, untraced):
+def shrunk(request, planted):
     """An explorer whose error begins at that size, how many edges these are, and the sample."""
     edges, degree = request.param
     explore = planted(edges, degree)
-    with untraced():
-        return explore, edges, fuzz(explore, edges=edges + 3, runs=60, seed=1)
+    return explore, edges, fuzz(explore, edges=edges + 3, runs=60, seed=1)
 
 
 def refuted(explore, map_):
@@ -32,7 +31,6 @@ def refuted(explore, map_):
     )
 
 
-@pytest.mark.no_cover
 def test_an_error_that_begins_at_so_many_edges_is_shrunk_to_these_and_one_vertex(shrunk):
     _, edges, report = shrunk
     (finding,) = report.findings
@@ -44,7 +42,6 @@ def test_an_error_that_begins_at_so_many_edges_is_shrunk_to_these_and_one_vertex
     assert rooted_code(map_.sigma, map_.alpha, 0) == (map_.sigma, map_.alpha)
 
 
-@pytest.mark.no_cover
 def test_what_is_found_is_refuted_and_nothing_with_one_edge_less_is(shrunk):
     explore, _, report = shrunk
     (finding,) = report.findings
@@ -91,7 +88,6 @@ def smallest(large, condition, map_class="maps"):
     return steps, recorder
 
 
-@pytest.mark.no_cover
 def test_every_step_is_smaller_and_only_smaller_worlds_are_tried(large):
     steps, recorder = smallest(large, lambda world: world.map.vertex_count >= 3)
     keys = [large.key[:4], *(step.key[:4] for step in steps)]
@@ -106,7 +102,6 @@ def test_in_the_simple_class_one_link_is_left(large):
     assert steps[-1].world.map == allworlds.CombinatorialMap((0, 1), (1, 0))
 
 
-@pytest.mark.no_cover
 def test_where_nothing_smaller_refutes_there_is_no_step(large):
     steps, recorder = smallest(large, lambda world: False)
     assert steps == []
@@ -114,7 +109,6 @@ def test_where_nothing_smaller_refutes_there_is_no_step(large):
     assert len(set(recorder.asked)) > 0.95 * len(recorder.asked)
 
 
-@pytest.mark.no_cover
 def test_from_large_worlds_pieces_are_taken_away_first(large):
     """From 300 edges to the smallest in a few runs: half of what can go goes at once."""
     map_ = allworlds.maps.build.lattice(12, 14)
@@ -125,7 +119,6 @@ def test_from_large_worlds_pieces_are_taken_away_first(large):
     assert len(recorder.asked) < 600
 
 
-@pytest.mark.no_cover
 def test_at_last_every_world_with_few_edges_is_tried(large):
     """Of the cube and of one other world, to which no step leads: it is found all the same."""
     far = allworlds.CombinatorialMap(*rooted_code((1, 2, 3, 4, 5, 0), (3, 4, 5, 0, 1, 2), 0))

@@ -25,7 +25,6 @@ def test_where_nothing_is_finished_there_is_no_guess(monkeypatch):
     assert "takes very long" in text_of(said, 100)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", list(MapClass))
 def test_pieces_are_drawn_as_often_as_they_have_maps(map_class):
     extent = Extent(map_class, 4)

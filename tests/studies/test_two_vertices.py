@@ -34,7 +34,6 @@ def links(map_):
     return len(away), sum(away.count(v) == 1 for v in away)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("edges", "all_worlds"), [(3, 86)])
 @pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest", "random:1"])
 def test_the_cluster_explorer_holds_where_one_edge_joins_v0_and_v1(policy, edges, all_worlds):
@@ -188,7 +187,6 @@ class TwoMarksSuffice(TwoVertices):
     confirmed_at = Algorithm1.confirmed_at
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("wrong", [NoQuery, NoSearch, QueryNotUndone, TwoMarksSuffice])
 def test_with_one_thing_done_wrong_the_explorer_is_refuted(wrong):
     def explore(first, *, choices):

@@ -36,7 +36,6 @@ def test_algorithm_1_explores_a_named_world_at_the_known_cost(entry):
     assert told.outcome.cost == entry.expected["cost"]
 
 
-@pytest.mark.no_cover
 @entries("finding")
 def test_a_finding_is_fixed_by_algorithm_1(entry):
     finding = Finding.from_json(CORPUS.document(entry))
@@ -62,7 +61,6 @@ def test_a_pair_with_one_class_changed_is_no_longer_proved(entry):
         assert flaw(worlds, [changed, right]) is not None
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("most", [4])
 @entries("counts")
 def test_the_enumeration_gives_the_known_numbers(entry, most):
@@ -74,7 +72,6 @@ def test_the_enumeration_gives_the_known_numbers(entry, most):
 
 
 @pytest.mark.early
-@pytest.mark.no_cover
 @entries("check")
 def test_an_explorer_gets_its_verdict_at_the_known_cost(entry):
     expected = dict(entry.expected)

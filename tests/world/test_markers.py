@@ -33,7 +33,6 @@ def a_walk(world, random, steps=30):
     return walked
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("markers", [1, 2, 3])
 @pytest.mark.parametrize("pick", [True, False])
 def test_a_marker_is_sensed_where_it_was_dropped_and_not_taken_up_and_nowhere_else(markers, pick):

@@ -112,7 +112,6 @@ def test_under_a_natural_lighthouse_only_the_degree_is_sensed_and_that_of_v1_is_
         assert len(seen) == 2
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("kind", KINDS)
 def test_relabelling_the_darts_changes_no_percept(kind):
     random = Random(1)

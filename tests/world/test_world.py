@@ -126,7 +126,6 @@ def test_the_directional_lighthouse_tells_nothing_before_the_start():
     assert World(EDGE, Directional(0)).told is None
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("seed", range(5))
 def test_relabelling_the_darts_changes_no_percept(seed):
     random = Random(seed)
@@ -355,7 +354,6 @@ def test_kinds_are_found_by_name():
         lighthouse_kind("directional:markers=2")
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("kind", LIGHTHOUSES)
 @pytest.mark.parametrize("start", [4, 5, -1, -(10**21), 10**21, HUGE], ids=show)
 @pytest.mark.parametrize("place", [{}, {"dart": 0}])

@@ -67,7 +67,6 @@ def assert_a_bad_world(size, explorer, seed=1, policy="fifo"):
 
 
 # Pairs that answers exclude: 56, 675 and 3,192 by a second program, from another matching.
-@pytest.mark.no_cover
 @pytest.mark.parametrize("explorer", TESTERS)
 @pytest.mark.parametrize(
     ("size", "excluded"), [(1, 56), (2, 675), ((1, 14), 30), ((2, 14), 99), long(3, 3192)]
@@ -121,7 +120,6 @@ class Deaf(Deciding):
         pass
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("explorer", TESTERS[1:])
 def test_an_adversary_that_does_not_hear_what_is_settled_has_to_guess(explorer):
     deciding, _ = decided(2, explorer, kind=Deaf)

@@ -164,7 +164,6 @@ SIZES = [
 """F and R, and how many words of a dart: g = 1, 1, 1, 1, 3, 1, 1, 4 and 2."""
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("size", "most"), SIZES)
 def test_no_wrong_walker_meets_vertex_0_on_a_word_that_leads_home(size, most):
     for seed in (0, 1, 2):

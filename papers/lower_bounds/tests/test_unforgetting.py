@@ -70,7 +70,6 @@ REMEMBERED = [3, 64, 1126, 19877, 370832]
 GREEDY = [3, 60, 989, 16836, 308937]
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("explore", "edges"),
     [
@@ -82,7 +81,6 @@ def test_all_runs_together_are_as_long_as_those_of_another_implementation(explor
     assert sum(Run(explore, *run).cost for run in every_run(edges)) == GREEDY[edges - 1]
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("edges", [1, 2, 3, slow(4), long(5)])
 def test_remembering_never_walks_more_than_algorithm_1_with_the_same_choices(edges):
     compared, walked = Counter(), 0
@@ -101,7 +99,6 @@ def test_greedy_walks_more_than_algorithm_1_in_some_worlds_and_less_in_more():
     assert sum(d < 0 for d in differences) == 71
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("loops", [1, 2, 3, 4, slow(5)])
 @pytest.mark.parametrize("explore", [algorithm1, *OURS], ids=lambda explore: explore.__name__)
 def test_theorem_3_is_tight_over_all_bouquets_the_worst_is_2cc_plus_c(explore, loops):
@@ -129,7 +126,6 @@ def matchings(darts):
             yield [(first, other), *rest]
 
 
-@pytest.mark.no_cover
 @ours
 @given(maps(8), st.integers(0, 15))
 def test_in_any_map_the_answer_is_right_and_the_bound_is_kept(explore, world, bearing):
@@ -164,7 +160,6 @@ def prism(length):
     return from_cycles(sides)
 
 
-@pytest.mark.no_cover
 @ours
 def test_a_lattice_is_explored_with_a_fraction_of_the_walk_of_algorithm_1(explore):
     world = lattice(7, 7)
@@ -174,7 +169,6 @@ def test_a_lattice_is_explored_with_a_fraction_of_the_walk_of_algorithm_1(explor
 # ------------------------------------------------------------ what they say
 
 
-@pytest.mark.no_cover
 @ours
 @given(maps(6))
 def test_what_is_published_grows_and_ends_with_the_whole_map(explore, world):
@@ -260,7 +254,6 @@ def compared(monkeypatch):
     return found
 
 
-@pytest.mark.no_cover
 @ours
 @pytest.mark.parametrize("edges", [2, slow(3)])
 def test_a_contradiction_is_where_joining_sets_of_darts_finds_one(explore, edges, compared):
@@ -269,7 +262,6 @@ def test_a_contradiction_is_where_joining_sets_of_darts_finds_one(explore, edges
     assert min(compared[True], compared[False]) > 0
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("world", [prism(3), lattice(2, 4)], ids=["prism", "lattice"])
 def test_a_contradiction_is_found_in_larger_worlds_too(world, compared):
     Run(greedy, world)

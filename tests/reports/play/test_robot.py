@@ -104,7 +104,6 @@ def notes_of(ask, world, log, dart):
     )
 
 
-@pytest.mark.no_cover
 def test_notes_with_every_return_concluded_are_the_folded_log(ask):
     for map_ in all_maps(3):
         for place in Directional.places(map_, 0):
@@ -119,7 +118,6 @@ def test_notes_with_every_return_concluded_are_the_folded_log(ask):
                 assert (told["estimate"] is not None) == (told["open"] == 0)
 
 
-@pytest.mark.no_cover
 def test_complete_notes_are_the_world_with_the_robot_in_its_place(ask):
     for map_ in all_maps(3):
         for place in Directional.places(map_, 0):

@@ -99,7 +99,6 @@ def test_twins_are_walked_in_step_along_every_edge_of_both(results, pages):
         assert [item.one(class_="sensed").text for item in items] == [f"sensed: {s}" for s in shown]
 
 
-@pytest.mark.no_cover
 def test_darts_have_the_same_letter_if_and_only_if_they_are_of_one_class(results, pages):
     root, worlds = read(pages["ambiguity twins"]), results["ambiguity twins"].worlds
     letter_of = {}
@@ -146,7 +145,6 @@ def test_a_finding_that_is_mended_is_replayed_beside_what_was_recorded(finding):
     assert len([*root.all(class_="viewer")]) == 2
 
 
-@pytest.mark.no_cover
 def test_of_a_check_that_holds_the_most_expensive_run_is_shown():
     for engine in ("python", "kernel"):
         report = check(edges=3, engine=engine)

@@ -181,7 +181,6 @@ def test_a_mismatch_of_the_count_gate_is_told():
     assert "counts 99" in read(page(report)).one(class_="scope").text
 
 
-@pytest.mark.no_cover
 def test_a_sample_has_a_page_too():
     root = read(page(fuzz(edges=6, runs=5)))
     assert root.one(class_="verdict not-refuted")

@@ -15,12 +15,17 @@ def scene(tmp_path):
 
 
 def tried():
-    """Each attack under the directional lighthouse."""
+    """Each attack under the directional lighthouse; all but the first one of a kind are long."""
+    kinds = set()
     for attack in attacks():
         if attack.signal or "--lighthouse" in attack.options:
             continue
         for function in attack.verdicts:
-            yield pytest.param(attack, function, id=f"{attack.name}-{function or 'exec'}")
+            kind = attack.name.partition("/")[0], function == ""
+            marks = [pytest.mark.long] if kind in kinds else []
+            kinds.add(kind)
+            name = f"{attack.name}-{function or 'exec'}"
+            yield pytest.param(attack, function, id=name, marks=marks)
 
 
 @pytest.mark.early

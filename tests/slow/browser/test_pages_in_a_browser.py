@@ -15,7 +15,6 @@ from small import long
 
 axe = pytest.importorskip("axe_core_python.sync_playwright", reason="needs the extra 'browser'")
 
-pytestmark = pytest.mark.no_cover
 
 PAPER = Path(__file__).parents[3] / "papers" / "minimal_information"
 DESK, PHONE = {"width": 1280, "height": 900}, {"width": 390, "height": 844}

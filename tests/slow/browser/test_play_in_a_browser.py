@@ -5,8 +5,6 @@ import pytest
 from allworlds.reports.web.play import NAMES, game as game_page
 from allworlds.studies.run import play
 
-pytestmark = pytest.mark.no_cover
-
 # A leaf, where the marker is, and a vertex with two loops that cross.
 WORLD = (
     '{"sigma":[0,2,3,4,5,1],"alpha":[1,0,4,5,2,3],"start":0,'

@@ -28,7 +28,6 @@ def test_a_finding_is_replayed_from_its_report_and_from_its_command(cli, tmp_pat
         assert again[key] == finding[key]
 
 
-@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(
     ("name", "options"),

@@ -8,7 +8,6 @@ from small import long
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", [long("count compiled")])
 def test_what_is_promised_is_done(name):
     quick.test_what_is_promised_is_done(name)

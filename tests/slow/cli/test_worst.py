@@ -14,7 +14,6 @@ def test_worst_prints_a_table(cli):
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 def test_check_tells_the_engine_and_its_symmetry(cli):
     code, out, _ = cli("check", "--edges", 6, "--json", "-q")
     assert code == 0

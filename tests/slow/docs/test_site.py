@@ -88,7 +88,6 @@ def test_the_extra_of_the_site_has_all_that_the_names_it_shows_are_loaded_with()
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 def test_every_name_of_the_reference_is_found_by_reading():
     griffe = pytest.importorskip("griffe", reason="the extra docs is not installed")
     package = griffe.load("allworlds", search_paths=[str(ROOT / "src")])

@@ -15,14 +15,12 @@ from small import EDGE, LOOP, TORUS
 CLASSES = pytest.mark.parametrize("map_class", list(OF_CLASS))
 
 
-@pytest.mark.no_cover
 @CLASSES
 def test_every_map_of_at_most_three_edges_is_drawn(map_class):
     expected = {m for edges in (1, 2, 3) for m in all_rooted_maps(edges, map_class)}
     assert set(sample(map_class, 3)) == expected
 
 
-@pytest.mark.no_cover
 @CLASSES
 @pytest.mark.parametrize("edges", [1, 2, 3, 4])
 def test_every_way_to_grow_ends_in_a_map_and_every_map_can_be_grown(map_class, edges):
@@ -40,7 +38,6 @@ def test_every_way_to_grow_ends_in_a_map_and_every_map_can_be_grown(map_class, e
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @CLASSES
 @pytest.mark.parametrize("edges", [6, 14])
 def test_what_is_drawn_is_a_valid_map_of_the_class_in_canonical_numbering(map_class, edges):
@@ -51,7 +48,6 @@ def test_what_is_drawn_is_a_valid_map_of_the_class_in_canonical_numbering(map_cl
         assert rooted_code(map_.sigma, map_.alpha, 0) == (map_.sigma, map_.alpha)
 
 
-@pytest.mark.no_cover
 @CLASSES
 def test_every_size_is_drawn_and_nothing_in_vain(map_class):
     sizes = {(m.edge_count, m.vertex_count) for m in sample(map_class, 6)}
@@ -64,7 +60,6 @@ def test_every_size_is_drawn_and_nothing_in_vain(map_class):
     assert {edges for edges, _ in sizes} == set(range(1, 7))
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("strategy", OF_CLASS.values())
 def test_the_number_of_edges_is_kept_between_its_bounds(strategy):
     assert {m.edge_count for m in drawn(strategy(3, 5))} == {3, 4, 5}

@@ -12,7 +12,6 @@ pytestmark = pytest.mark.usefixtures("without_workers")
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 def test_a_right_explorer_passes_and_the_report_says_how_much_was_tried():
     report = assert_explores(RIGHT, edges=3, corpus=None)
     assert (report.worlds, report.runs) == (86, 309)
@@ -30,7 +29,6 @@ def test_under_a_condition_no_part_of_the_kit_leaves_it(cubic_alone):
         last()
 
 
-@pytest.mark.no_cover
 def test_what_conforms_no_longer_is_told_with_the_part():
     with pytest.raises(AssertionError, match=r"^known-hard-maps: REFUTED: law pose is broken\n"):
         assert_conforms(wrong(), corpus=None)

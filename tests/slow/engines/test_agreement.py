@@ -100,7 +100,6 @@ def test_both_engines_give_the_same_report(options):
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize("explore", ["algorithm1-cluster", "algorithm1-natural"])
 def test_lighthouses_at_two_vertices_are_compared_to_six_edges_in_simple_worlds(explore):
     # Under one of them the explorer is told the degree of v1; few small worlds have it.

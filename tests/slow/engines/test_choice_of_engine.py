@@ -58,7 +58,6 @@ def test_threads_do_not_change_the_report():
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", [*("everywhere", "here_of_another", "raises")])
 def test_both_judges_of_a_users_explorer_count_and_find_the_same(name):
     quick.test_both_judges_of_a_users_explorer_count_and_find_the_same(name)

@@ -173,7 +173,6 @@ def grown(random):
     return map_, shown
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("change", CHANGES)
 def test_a_changed_s_breaks_a_law(change):
     random, seen = Random(2), set()

@@ -68,7 +68,6 @@ def growth_of(name, **more):
 
 @pytest.mark.long
 @pytest.mark.early
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", [long("python"), long("compiled"), "worst", "census"])
 def test_memory_does_not_grow_with_the_units(name, tmp_path):
     # A census keeps what each of its worlds shows, and so grows with the worlds of its units.
@@ -79,7 +78,6 @@ def test_memory_does_not_grow_with_the_units(name, tmp_path):
 
 @pytest.mark.long
 @pytest.mark.early
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", ["python", long("compiled")])
 def test_a_check_that_keeps_every_result_is_found_out(name, monkeypatch):
     kept, add = [], Tally.add

@@ -107,7 +107,6 @@ def units_in(directory):
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("name", ["compiled", "refuted", "worst", "census", "own", "foreign"])
 def test_a_job_that_was_ended_goes_on_and_says_the_same(name, tmp_path):
@@ -140,7 +139,6 @@ class NoticeOnce(Listener):
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("name", ["refuted", "worst", *("own", "compiled", "foreign", "census")])
 def test_a_lock_that_is_removed_by_hand_harms_nobody(name, tmp_path):
@@ -179,7 +177,6 @@ def test_a_command_says_that_its_directory_was_removed(what, tmp_path):
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("name", ["here_of_another", "sys_exit", "raises", "everywhere"])
 def test_a_finding_that_was_kept_is_the_same_finding(name, tmp_path):

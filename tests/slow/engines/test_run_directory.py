@@ -40,7 +40,6 @@ def test_a_full_disk_loses_nothing_that_was_finished(tmp_path, monkeypatch):
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 def test_a_flipped_byte_is_detected_or_harms_nothing(tmp_path):
     job = lambda run: check(edges=3, engine="python", run=run).to_json()  # noqa: E731

@@ -24,7 +24,6 @@ def test_a_time_limit_that_is_over_at_once_leaves_it_undecided(name):
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", SWEEPS)
 def test_what_was_interrupted_at_several_places_goes_on(name, undisturbed, tmp_path):
     job, whole = SWEEPS[name], undisturbed(name)
@@ -44,7 +43,6 @@ def test_what_was_interrupted_at_several_places_goes_on(name, undisturbed, tmp_p
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", SWEEPS)
 def test_what_is_sharded_and_merged_is_the_same(name, undisturbed, tmp_path):
     job = SWEEPS[name]
@@ -139,7 +137,6 @@ def cluster():
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
 @pytest.mark.parametrize("name", SWEEPS)
 def test_what_a_cluster_does_is_the_same_and_goes_on_without_it(
@@ -154,7 +151,6 @@ def test_what_a_cluster_does_is_the_same_and_goes_on_without_it(
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", SWEEPS)
 def test_what_was_finished_when_it_was_ended_is_reported(name, undisturbed, monkeypatch):
     """Before each level in turn, by the time limit, by lost workers and by the user."""
@@ -203,7 +199,6 @@ class Counts(Listener):
         self.done[-1] += count
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", [*KINDS, *OTHERS])
 def test_as_many_worlds_are_done_in_each_level_as_were_announced(name):
     heard = Counts()

@@ -7,7 +7,6 @@ from explorers import test_algorithm1 as quick
 from explorers.test_algorithm1 import POLICIES, Run, placed
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("edges", "traversals"), list(enumerate([2, 25, 344, 5184, 86061], 1)))
 def test_all_worlds_with_the_bearing_on_the_root_cost_as_much_as_counted_elsewhere(
     edges, traversals
@@ -28,7 +27,6 @@ def test_all_worlds_with_the_bearing_on_the_root_cost_as_much_as_counted_elsewhe
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize("simple", [False, True])
 def test_the_witnesses_are_met_from_the_stated_size_on_and_not_earlier(simple):
     map_class = MapClass.SIMPLE if simple else MapClass.MAPS
@@ -60,7 +58,6 @@ def test_the_witnesses_are_met_from_the_stated_size_on_and_not_earlier(simple):
         assert not by_every_policy(event, edges, vertices - 1)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("edges", [4])
 @pytest.mark.parametrize("policy", POLICIES)
 def test_every_world_is_mapped_pose_included_within_the_bound_under_every_policy(policy, edges):

@@ -107,7 +107,6 @@ def test_it_may_say_that_several_worlds_look_alike():
 @pytest.mark.long
 @pytest.mark.processes
 @pytest.mark.early
-@pytest.mark.no_cover
 @pytest.mark.parametrize("code", ATTACKS)
 def test_what_it_does_to_its_process_is_a_finding_in_that_world(code):
     law, seen = ATTACKS[code]

@@ -11,7 +11,6 @@ def test_with_one_marker_every_simple_world_is_mapped_within_the_bound(most):
     quick.test_with_one_marker_every_simple_world_is_mapped_within_the_bound(most)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("most", [long(4)])
 def test_under_position_the_answer_is_a_map_exactly_where_only_one_looks_so(most):
     quick.test_under_position_the_answer_is_a_map_exactly_where_only_one_looks_so(most)

@@ -31,7 +31,6 @@ def test_a_silent_program_is_silent_with_a_shield_too(tmp_path):
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize("edges", [3, long(4)])
 @pytest.mark.parametrize("mutant", [*WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS], ids=lambda m: m.name)
 def test_every_wrong_explorer_is_made_right(mutant, edges):

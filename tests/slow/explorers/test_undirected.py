@@ -13,7 +13,6 @@ from schedules import schedules
 POLICIES = ["fifo", "lifo", "nearest", "random:0", "random:1"]
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("policy", POLICIES)
 def test_from_a_cluster_every_world_is_mapped_within_the_bound_where_one_edge_joins_v0_and_v1(
     policy,
@@ -31,7 +30,6 @@ def test_from_a_cluster_every_world_is_mapped_within_the_bound_where_one_edge_jo
     assert runs == 668
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("policy", POLICIES)
 def test_from_a_natural_lighthouse_every_simple_world_is_mapped_within_the_bound(policy):
     runs = 0
@@ -65,7 +63,6 @@ def test_where_v1_is_nowhere_the_explorer_ends_or_is_stopped():
             assert estimate is None or estimate.here in estimate.map.darts
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("name", "event", "simple"), FORCED)
 def test_no_policy_can_miss_a_witness_in_worlds_of_the_stated_size(name, event, simple):
     world = FORCED[name, event, simple]

@@ -7,7 +7,6 @@ import pytest
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 def test_mypy_knows_the_keywords(tmp_path):
     pytest.importorskip("mypy")
     calls = {

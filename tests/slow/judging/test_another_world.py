@@ -16,7 +16,6 @@ def test_in_every_small_world_and_for_every_short_walk_it_is_another_and_senses_
     )
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("mutant", WRONG_EXPLORERS, ids=lambda mutant: mutant.name)
 def test_findings_of_folding_name_it_and_no_others_do(mutant):
     for finding in check(mutant.explorer(), edges=3, max_findings=3).findings:

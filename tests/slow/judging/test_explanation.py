@@ -6,7 +6,6 @@ from allworlds.studies.explain import explain
 from judging.test_explanation import MUTANTS
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", MUTANTS)
 def test_every_mutants_finding_is_explained_under_its_law(name, finding_of):
     finding = finding_of(name)

@@ -10,7 +10,6 @@ from allworlds.world import Directional, World
 from judging.test_folding import agree, embedding, explored, log_of, random_walk, walk, worlds
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("m", [1, 2, 3, 4])
 def test_the_log_of_algorithm_1_folds_to_the_world(m):
     for world in (w for w in worlds(m) if w.map.edge_count == m):
@@ -25,7 +24,6 @@ def test_the_log_of_algorithm_1_folds_to_the_world(m):
         assert embedding(folded, world)[folded.here] == dart
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("seed", range(12))
 def test_the_fold_of_any_walk_is_a_part_of_the_world(seed):
     random = Random(seed)
@@ -35,7 +33,6 @@ def test_the_fold_of_any_walk_is_a_part_of_the_world(seed):
         assert image[fold(log).here] == dart
 
 
-@pytest.mark.no_cover
 def test_the_fold_of_walks_in_larger_worlds_is_a_part_of_them():
     random = Random(7)
     for map_ in rooted_maps(4):
@@ -44,7 +41,6 @@ def test_the_fold_of_walks_in_larger_worlds_is_a_part_of_them():
         assert embedding(fold(log), world)[fold(log).here] == dart
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("seed", range(6))
 def test_two_ways_of_folding_agree_on_random_walks(seed):
     random = Random(seed)
@@ -75,7 +71,6 @@ def all_logs(length):
                 yield log_of(first, *zip(motions, seen, strict=True))
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("length", [1, 2, 3, 4])
 def test_a_log_is_folded_exactly_where_some_world_has_it(length):
     possible = {

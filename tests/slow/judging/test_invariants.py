@@ -5,7 +5,6 @@ from allworlds.judging.laws.law_table import invariant_1
 from judging.test_invariants import embeds, every, kept, put, runs, single, up_to
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("m", [1, 2, 3, 4])
 def test_algorithm_1_keeps_every_invariant(m):
     for case in runs(m):
@@ -14,7 +13,6 @@ def test_algorithm_1_keeps_every_invariant(m):
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 def test_the_whole_map_glued_otherwise_breaks_invariant_1_unless_it_is_the_same():
     same = 0
     for case in up_to(3):
@@ -35,7 +33,6 @@ def test_the_whole_map_glued_otherwise_breaks_invariant_1_unless_it_is_the_same(
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 def test_another_here_breaks_invariant_1_unless_it_is_the_same_by_symmetry():
     wrong = 0
     for case, i, checkpoint in every(3):

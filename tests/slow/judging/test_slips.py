@@ -9,8 +9,8 @@ from judging.test_slips import mirrored, spoiling
 
 
 @pytest.fixture(scope="module", params=quick.LATER)
-def findings(request, untraced):
-    return quick.found_about(request.param, untraced)
+def findings(request):
+    return quick.found_about(request.param)
 
 
 @pytest.mark.long

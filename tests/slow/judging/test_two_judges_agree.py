@@ -25,7 +25,6 @@ def test_a_rooted_map_is_right_for_itself_alone(m):
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("pairs", "k"), [(60, 0), *(long(60, k) for k in range(1, PARTS))])
 def test_on_pairs_of_maps_of_four_edges_with_the_same_degrees(pairs, k):
     quick.test_on_pairs_of_maps_of_four_edges_with_the_same_degrees(pairs, k)

@@ -7,6 +7,5 @@ from laws.test_episode import STATEFUL, Machine
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 def test_an_episode_is_what_a_tiny_model_says_whatever_the_explorer_does():
     run_state_machine_as_test(Machine, settings=STATEFUL)

@@ -18,7 +18,6 @@ FEW = settings(max_examples=25)
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize("explore", EXPLORERS.values(), ids=EXPLORERS)
 def test_relabelling_the_world_leaves_the_transcript_and_the_answer_unchanged(explore):
     @FEW
@@ -64,7 +63,6 @@ def reflected(answer):
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize("explore", EXPLORERS.values(), ids=EXPLORERS)
 def test_a_mirrored_explorer_in_the_mirrored_world_walks_and_answers_mirrored(explore):
     @FEW

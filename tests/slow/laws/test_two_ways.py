@@ -9,7 +9,6 @@ from second_opinion import verdict
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 def test_a_judge_that_takes_mirror_images_for_the_same_would_be_noticed():
     def soft(truth, dart, estimate, here):
         said = judged(truth, dart, estimate, here)
@@ -23,7 +22,6 @@ def test_a_judge_that_takes_mirror_images_for_the_same_would_be_noticed():
     assert find(SMALL, noticed, settings=MANY).edge_count == 4
 
 
-@pytest.mark.no_cover
 @settings(max_examples=100)
 @given(answers())
 def test_both_judges_say_the_same_of_every_answer(answer):

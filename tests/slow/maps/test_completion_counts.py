@@ -7,7 +7,6 @@ from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", [MapClass.SIMPLE, MapClass.PLANAR_SIMPLE])
 def test_eight_shards_of_a_simple_class_are_balanced(map_class):
     """Each within a tenth of the mean, though the weights are upper bounds: maps are counted."""
@@ -26,7 +25,6 @@ def worlds_of_shards(extent, edges, count):
     ]
 
 
-@pytest.mark.no_cover
 def test_no_unit_falls_to_two_shards():
     extent = Extent(MapClass.SIMPLE, None, 4)
     for edges in extent.levels:

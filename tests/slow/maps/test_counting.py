@@ -23,20 +23,17 @@ def test_the_sources_of_a_class_agree_on_every_cell_that_two_of_them_know(map_cl
             assert known == {n: cells[n] for n in known}, m
 
 
-@pytest.mark.no_cover
 def test_labelling_vertices_and_rooting_count_the_same_simple_maps():
     for n in range(2, 7):
         assert labelled(n, rooted_simple) == labelled(n, rooted_simple_by_degrees)
 
 
-@pytest.mark.no_cover
 def test_simple_planar_maps_with_the_most_edges_are_tuttes_triangulations():
     most = [rooted_planar_simple_by_substitution(3 * n - 6)[n] for n in range(3, 9)]
     assert most == TRIANGULATIONS
     assert [rooted_planar_simple(3 * n - 6)[n] for n in range(3, 6)] == TRIANGULATIONS[:3]
 
 
-@pytest.mark.no_cover
 def test_simple_planar_maps_never_have_more_than_3n_minus_6_edges():
     for m in range(2, 16):
         for known in (rooted_planar_simple(m), rooted_planar_simple_by_substitution(m)):

@@ -43,7 +43,6 @@ def groups(maps):
     return found
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("edges", [1, 2, 3, 4, 5, long(6)])
 def test_the_criterion_and_burnsides_count_are_right_for_every_marked_map(edges):
     maps = marked_maps(edges)

@@ -17,7 +17,6 @@ FURTHER = [(c, 7 if c.simple else 6) for c in MapClass]
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("map_class", "edges"), [*GATED, *FURTHER])
 def test_every_cell_holds_as_many_maps_as_the_independent_source_says(map_class, edges):
     cells = SOURCES[map_class.value].cells(edges)
@@ -25,7 +24,6 @@ def test_every_cell_holds_as_many_maps_as_the_independent_source_says(map_class,
     assert met == {n: count for n, count in cells.items() if count}
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("map_class", "edges"), [(c, m) for c in MapClass for m in (3, 5)])
 def test_every_map_is_in_its_class_and_lawful_and_met_once(map_class, edges):
     met = list(rooted_maps(edges, map_class))
@@ -38,7 +36,6 @@ def test_every_map_is_in_its_class_and_lawful_and_met_once(map_class, edges):
     assert len(set(codes(met))) == len(met)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("vertices", [None, 2, 3])
 @pytest.mark.parametrize(("map_class", "edges"), LEVELS)
 def test_the_prefixes_of_every_depth_partition_the_level_in_its_order(map_class, edges, vertices):
@@ -71,7 +68,6 @@ def simple_on(vertices):
 # Connected simple graphs with 2, 3, 4, 5 vertices: rooted maps; rotation systems of labelled
 # graphs, that is the sum over graphs of the product of (degree - 1)!; and rooted maps with a
 # bearing at the root's vertex.  Each from an independent program.
-@pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("vertices", "rooted", "labelled", "with_bearing"),
     [(2, 1, 1, 1), (3, 3, 4, 5), (4, 32, 87, 79), (5, 3965, 27868, 14239)],

@@ -8,7 +8,6 @@ from allworlds.maps.classes import condition_named
 from allworlds.maps.counting import vertex_counts
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("name", "map_class", "edges"),
     [
@@ -26,7 +25,6 @@ def test_narrow_classes_are_counted_far_beyond_the_others(name, map_class, edges
     assert (met > 0) == ((name, "simple" in map_class) != ("regular:4", True))
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", list(MapClass))
 @pytest.mark.parametrize("name", NAMES)
 def test_each_source_counts_what_is_enumerated(name, map_class):

@@ -6,7 +6,6 @@ from proofs import test_maps as quick
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("map_class", "edges", "most", "count"),
     [("maps", 5, None, 8162), ("planar-simple", 8, 6, None)],

@@ -26,7 +26,6 @@ def test_so_do_those_of_every_map_with_four_edges():
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("edges", "seed"), [*((m, m) for m in (6, 8, 11, 14))])
 def test_and_those_of_larger_maps(edges, seed):
     quick.test_and_those_of_larger_maps(edges, seed)

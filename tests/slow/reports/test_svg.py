@@ -26,13 +26,11 @@ from reports.test_svg import (
 REST = [map_ for map_ in SMALL if map_ not in FEW]  # left to the slow tests
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("map_", [*MAPS, *REST], ids=str)
 def test_going_round_a_vertex_by_angle_gives_sigma(map_):
     going_round_gives_sigma(map_)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("map_", [*MAPS, *REST], ids=str)
 def test_each_edge_begins_and_ends_along_the_two_darts_of_alpha(map_):
     svg = drawn(map_)
@@ -96,7 +94,6 @@ def test_a_darts_number_stands_beside_its_vertex_in_the_darts_direction(map_):
     quick.test_a_darts_number_stands_beside_its_vertex_in_the_darts_direction(map_)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("map_", [*MAPS, *REST], ids=str)
 def test_every_dart_and_every_vertex_is_named_once(map_):
     svg = drawn(map_)

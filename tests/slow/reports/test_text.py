@@ -23,7 +23,6 @@ def all_maps(edges):
             continue
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("edges", [1, 2, long(3)])
 def test_the_drawing_and_the_table_are_exact_for_every_small_map(edges):
     for map_ in all_maps(edges):
@@ -33,7 +32,6 @@ def test_the_drawing_and_the_table_are_exact_for_every_small_map(edges):
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 def test_without_the_numbers_two_drawings_agree_exactly_for_the_same_rooted_map():
     # 10 + 74 rooted maps of 2 and 3 edges: Arques and Beraud, Discrete Math. 215 (2000).
     for edges, count in ((1, 2), (2, 10), (3, 74)):

@@ -50,7 +50,6 @@ def spoilt(value, path=()):
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize("name", DOCUMENTS)
 def test_a_missing_misspelt_or_odd_key_is_refused(name):
     reference, found = document(name)

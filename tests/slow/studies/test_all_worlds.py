@@ -19,7 +19,6 @@ report = quick.report
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", ["simple", "planar", "planar-simple"])
 def test_other_classes_agree_with_the_twin(map_class):
     report = worst(edges=4, map_class=map_class)
@@ -29,7 +28,6 @@ def test_other_classes_agree_with_the_twin(map_class):
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 def test_in_each_world_every_run_of_the_python_engine_costs_what_the_twin_says():
     examiner = Examiner(load("algorithm1"), Rules())
     for edges in (1, 2, 3):

@@ -11,7 +11,6 @@ report = quick.report
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 def test_every_cost_is_that_of_a_single_run_at_the_place_of_that_number(report):
     for row in report.rows:
         for one in row.members:

@@ -20,7 +20,6 @@ def test_a_pair_that_is_one_world_started_twice_is_excluded_by_its_other_start(t
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("map_class", "edges", "count"),
     [long("maps", 4, 706), ("planar", 4, 378)],

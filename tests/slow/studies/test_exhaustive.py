@@ -24,7 +24,6 @@ def test_the_default_job_has_8954_worlds():
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(
     "policy", ["fifo", "random:1", *map(long, ("lifo", "nearest", "random:2", "random:3"))]
@@ -108,7 +107,6 @@ def test_a_program_of_somebody_else_holds(program, edges, all_worlds, runs):
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(
     ("edges", "shards"), [(3, 1), (3, 2), (3, 5), long(4, 1), (4, 2), long(4, 5)]
@@ -138,7 +136,6 @@ def test_one_wrong_schedule_of_many_is_found(wrong):
     assert len(report.findings) == len(codes)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("broken", ["drop", "duplicate"])
 @pytest.mark.parametrize("victim", [0, 50])
 def test_the_gate_notices_a_broken_enumerator(explorers, monkeypatch, broken, victim):

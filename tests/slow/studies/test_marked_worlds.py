@@ -59,7 +59,6 @@ def second_route(edges, map_class):
     return edges, len(marked), sum(sizes), len(sizes), max(sizes, default=0)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("map_class", ["maps", "simple", "planar", "planar-simple"])
 def test_grouping_by_what_words_of_motions_show_gives_the_same_table(map_class):
     rows = census(edges=4, map_class=map_class).rows
@@ -80,7 +79,6 @@ def test_the_smallest_planar_simple_ambiguous_worlds_have_eight_edges_and_seven_
     assert seven.classes == rows[7].classes
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("edges", [7])
 def test_no_planar_simple_world_with_fewer_than_eight_edges_is_ambiguous(edges):
     quick.test_no_planar_simple_world_with_fewer_than_eight_edges_is_ambiguous(edges)

@@ -4,7 +4,6 @@ from allworlds.studies.ambiguity import class_of, twins
 from studies.test_members import ambiguous
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("edges", [2, 3, 4])
 def test_no_motion_tells_a_member_from_the_given_world_and_no_two_members_are_the_same(edges):
     for found in ambiguous(edges):
@@ -16,7 +15,6 @@ def test_no_motion_tells_a_member_from_the_given_world_and_no_two_members_are_th
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize("edges", [2, 3, 4])
 def test_every_member_has_the_same_class(edges):
     for found in ambiguous(edges):

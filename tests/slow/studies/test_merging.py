@@ -12,7 +12,6 @@ pytestmark = pytest.mark.usefixtures("compiled")
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(("name", "shards"), [*((name, 3) for name in JOBS), ("check", 1)])
 def test_what_is_sharded_and_merged_is_the_whole(name, shards, report, tmp_path):
@@ -25,7 +24,6 @@ def test_what_is_sharded_and_merged_is_the_whole(name, shards, report, tmp_path)
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(
     ("worlds", "by"),

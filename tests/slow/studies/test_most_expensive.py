@@ -2,12 +2,29 @@
 
 import pytest
 
+from allworlds.engines.compiled_engine import level_of
+from allworlds.engines.kernel.engine import judge, walk
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps.classes import Extent, MapClass
+from allworlds.maps.enumeration import prefixes
 from allworlds.studies.check.exhaustive import check
 from studies.test_most_expensive import most_expensive
 
 
+@pytest.mark.usefixtures("compiled")
+@pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest"])
+def test_where_worlds_are_walked_once_it_is_the_same_as_where_every_run_is_judged(policy):
+    rules, extent = Rules(policy=policy), Extent(MapClass.MAPS, 5)
+    level = level_of("algorithm1", rules, extent, 5)
+    for prefix in prefixes(5, depth=1):
+        judged, walked = (does(level, prefix) for does in (judge, walk))
+        assert judged.most_expensive == walked.most_expensive
+        assert [run.vertices for run in walked.most_expensive] == [
+            row.vertices for row in walked.counts
+        ]
+
+
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize(
     ("explorer", "map_class", "edges"),

@@ -9,7 +9,6 @@ from studies import test_sample as quick
 from studies.test_sample import CLASSES, code, drawn
 
 
-@pytest.mark.no_cover
 @CLASSES
 def test_a_sample_is_a_function_of_its_seed(map_class):
     assert drawn(map_class, 10, 100, seed=7) == drawn(map_class, 10, 100, seed=7)
@@ -28,7 +27,6 @@ def test_every_run_has_one_valid_world_of_the_class_within_the_bound(map_class):
         assert lighthouse.dart == map_.turn(0, place)
 
 
-@pytest.mark.no_cover
 @CLASSES
 def test_every_part_makes_what_the_class_can_use(map_class):
     extent = Extent(map_class, 8)

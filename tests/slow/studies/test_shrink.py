@@ -10,7 +10,6 @@ from studies.test_shrink import smallest
 large = quick.large
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("edges", "degree"), [(5, 4), long(9, 6)])
 def test_shrinking_stays_in_its_class(planted, edges, degree):
     # The smallest plane simple maps with so many edges and a vertex of that degree: a wheel's

@@ -10,7 +10,6 @@ from studies.test_telling_apart import twins_module, worlds
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 def test_directional_worlds_are_told_apart_unless_they_are_the_same():
     # All pairs with at most three edges: a directional marker settles the map and the pose.
     known = {}

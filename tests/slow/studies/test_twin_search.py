@@ -158,7 +158,6 @@ def test_with_every_other_start_excluded_a_level_has_a_pair_where_enumeration_ha
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @needs_python_sat
 @pytest.mark.parametrize(
     ("lighthouse", "map_class", "edges"),
@@ -189,7 +188,6 @@ def test_where_there_is_no_pair_every_level_has_a_checked_proof(
 
 
 # Smallest pairs with the position marked: any map m = 2, simple m = 6, planar simple m = 8.
-@pytest.mark.no_cover
 @pytest.mark.parametrize(
     ("map_class", "edges", "found"),
     [

@@ -11,7 +11,6 @@ pytestmark = pytest.mark.usefixtures("no_orphans", "without_workers")
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 @pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest", "random:1"])
 def test_the_natural_explorer_holds_in_simple_worlds(policy):
     report = check(NATURAL, edges=6, map_class="simple", policy=policy)
@@ -24,7 +23,6 @@ def test_the_natural_explorer_holds_in_simple_worlds(policy):
 
 @pytest.mark.parametrize("explorer", [CLUSTER, NATURAL])
 @pytest.mark.parametrize("map_class", ["maps", "planar", "simple", "planar-simple"])
-@pytest.mark.no_cover
 @pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest", "random:1", "random:2"])
 def test_no_witness_is_asked_for_that_cannot_occur(explorer, map_class, policy):
     most = 4 if map_class.endswith("simple") else 2
@@ -39,7 +37,6 @@ def test_no_witness_is_asked_for_that_cannot_occur(explorer, map_class, policy):
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 def test_every_schedule_holds():
     report = check(CLUSTER, edges=3, schedules="all")
     assert report.verdict is Verdict.HOLDS
@@ -67,7 +64,6 @@ def test_both_engines_do_it_and_say_the_same(explorer):
     assert played.tally == judged.tally
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("edges", "all_worlds"), [(4, 792)])
 @pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest", "random:1"])
 def test_the_cluster_explorer_holds_where_one_edge_joins_v0_and_v1(policy, edges, all_worlds):
@@ -75,7 +71,6 @@ def test_the_cluster_explorer_holds_where_one_edge_joins_v0_and_v1(policy, edges
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 def test_a_sample_refutes_the_natural_explorer_and_shrinks_to_the_smallest_world():
     report = fuzz(NATURAL, edges=8, runs=300, seed=1)
     assert report.verdict is Verdict.REFUTED

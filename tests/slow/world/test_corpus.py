@@ -7,7 +7,6 @@ from world import test_corpus as quick
 from world.test_corpus import CORPUS, entries
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize("most", [long(6)])
 @entries("counts")
 def test_the_enumeration_gives_the_known_numbers(entry, most):

@@ -26,7 +26,6 @@ def up_to_three_edges():
             yield pytest.param(kind, 3, id=name)
 
 
-@pytest.mark.no_cover
 @pytest.mark.parametrize(("kind", "most"), [*up_to_three_edges()])
 def test_every_step_in_every_world_of_up_to_three_edges_is_that_of_the_world(kind, most, ask):
     worlds = 0

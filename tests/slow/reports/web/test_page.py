@@ -63,7 +63,6 @@ def test_the_bytes_are_the_same_whatever_the_hash_seed():
 
 
 @pytest.mark.long
-@pytest.mark.no_cover
 def test_the_page_shows_the_verdict_and_everything_that_check_prints(refuted, root):
     (verdict,) = root.all(class_="verdict refuted")
     assert "REFUTED" in verdict.text
