@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-from printed import without_made_by
 from processes import PATIENCE
 
 
@@ -26,15 +25,6 @@ def shell(words):
 @pytest.mark.parametrize("stderr", ["2>/dev/full", "2>&-"])
 def test_bad_input_is_exit_code_2_and_no_output_whatever_becomes_of_stderr(stderr):
     assert shell(f"check --edges x {stderr}") == (2, "", "")
-
-
-@pytest.mark.parametrize("stderr", ["2>/dev/full", "2>&-"])
-def test_without_stderr_the_report_is_the_same(cli, stderr):
-    code, out, err = cli("check", "--edges", 2, "--workers", 1, "--json")
-    assert (code, err) == (0, "")
-    code, again, err = shell(f"check --edges 2 --workers 1 --json {stderr}")
-    assert (code, err) == (0, "")
-    assert without_made_by(again) == without_made_by(out)
 
 
 VERBS = ["check --edges 2", "check --edges 2 --json", "count --edges 2", "run theta", "--help"]
@@ -56,11 +46,6 @@ def test_bad_input_goes_before_a_bad_stdout(stdout):
     code, out, err = shell(f"count --edges x {stdout}")
     assert (code, out) == (2, "")
     assert "'x'" in err
-
-
-def test_all_streams_may_be_closed():
-    assert shell("count --edges 2 <&- >&- 2>&-") == (70, "", "")
-    assert shell("count --edges x <&- >&- 2>&-") == (2, "", "")
 
 
 @pytest.mark.parametrize("columns", ["100", "50"])

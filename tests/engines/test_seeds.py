@@ -2,7 +2,6 @@
 
 import pytest
 
-from allworlds import run, worlds
 from allworlds.engines import lane
 from allworlds.inputs.checks import InputError
 from allworlds.studies.check.exhaustive import check
@@ -37,16 +36,6 @@ def test_there_are_two_plays_a_run_and_more_under_other_seeds(tmp_path, edges, w
     least = 2 * report.runs + small + more
     # Of each batch of second plays one may be made once more.
     assert least <= len(plays.read_text()) <= least + report.runs // 4 + 8
-
-
-def test_a_run_has_the_hash_seed_of_the_environment(tmp_path, monkeypatch):
-    module = tmp_path / "order.py"
-    module.write_text(GOES_BY_ORDER)
-    codes = set()
-    for seed in ("0", "1"):
-        monkeypatch.setenv("PYTHONHASHSEED", seed)
-        codes.add(run(f"{module}:explore", next(worlds(edges=1))).exit_code)
-    assert codes == {0, 1}
 
 
 def test_an_explorer_that_is_too_long_in_being_imported_is_refused_by_name(tmp_path):

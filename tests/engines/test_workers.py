@@ -32,13 +32,6 @@ def only_finding(name, **options):
     return finding
 
 
-def test_memory_beyond_the_limit_is_a_crash(wrong):
-    finding = only_finding(wrong("memory"), memory=1000)
-    assert (finding.law, finding.world) == ("crash", EDGE)
-    assert "MemoryError" in finding.seen
-    assert finding.confirmed
-
-
 def test_a_limit_of_memory_beyond_all_memory_is_none(wrong):
     assert check(wrong("right"), edges=1, memory=10**9, bound="none").exit_code == 0
 
@@ -71,13 +64,6 @@ def test_a_program_that_is_silent(program):
     finding = only_finding(program("silent"), answer_timeout=0.2)
     assert (finding.law, finding.seen, finding.world) == ("timeout", "silent for 0.2 s", LOOP)
     assert (finding.transcript.steps, finding.confirmed) == ((), True)
-
-
-def test_a_program_that_does_not_listen_is_stopped(program, tmp_path, gone):
-    finding = only_finding(program("deaf", tmp_path / "pids"))
-    assert finding.law == "budget"
-    assert (tmp_path / "pids").read_text()
-    assert gone(tmp_path / "pids")
 
 
 def test_one_run_of_a_program_that_is_silent(program, tmp_path, gone):

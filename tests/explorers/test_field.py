@@ -61,18 +61,6 @@ def checked(explorer, bound, edges, options):
     return allworlds.check(explorer, **{"edges": edges, "workers": 1, "bound": bound, **options})
 
 
-@pytest.mark.parametrize(("asked", "expected"), REFUTED.items(), ids=lambda each: str(each)[:40])
-def test_a_wrong_one_is_refuted_in_its_smallest_world(asked, expected):
-    options, law, edges, vertices = expected
-    (finding,) = checked(*asked, edges, options).findings
-    world = finding.world.map
-    assert (finding.law, world.edge_count, world.vertex_count) == (law, edges, vertices)
-    assert finding.minimal
-    assert finding.confirmed
-    if edges > 1:
-        assert checked(*asked, edges - 1, options).verdict.value == "holds"
-
-
 def test_the_right_hand_rule_walks_along_everything_in_maps_with_one_face_alone():
     worlds = [*allworlds.worlds(edges=3, lighthouse="told:m")]
     several = [world for world in worlds if len(world.map.faces) > 1]

@@ -8,7 +8,6 @@ import re
 import pytest
 
 import allworlds.explorers.shared_library as abi
-import small
 from allworlds.engines.players import NATIVE_MEMORY
 from allworlds.explorers import shared_library as libraries
 from allworlds.explorers.loading import load
@@ -28,8 +27,7 @@ from allworlds.protocol.actions import ExplorerFault, Percept
 from allworlds.protocol.choices import KINDS, Choices
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.run import replay, run
-from allworlds.world import Position, World
-from native_libraries import EXAMPLES, attack, example, quotient
+from native_libraries import EXAMPLES, attack, example
 from schedules import schedules
 
 FIRST, BEHIND = Percept(1, 1, 0), Percept(1, 0, None)
@@ -122,13 +120,6 @@ def test_where_several_numbers_are_told_it_is_refused(refused):
         assert re.search(said, refused("check", library, "--lighthouse", kind, "--edges", "1"))
     told = check(library, edges=1, lighthouse="told:m")
     assert not any(found.law == "crash" for found in told.findings)
-
-
-@pytest.mark.processes
-def test_a_quotient_without_darts_or_with_too_many_is_no_answer():
-    for size in (0, 1 << 20):
-        found = run(native(quotient(SIZE=size)), World(small.PLANE, Position(0)))
-        assert found.finding.law == "no-estimate"
 
 
 # ---------------------------------------------------------------- what it may do to its process

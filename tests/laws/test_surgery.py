@@ -98,17 +98,6 @@ def test_deleting_is_contracting_in_the_dual_where_both_are_maps(map_, drawn):
     assert less.dual() == other
 
 
-def test_deleting_is_not_contracting():
-    def differ(pair):
-        map_, dart = pair
-        dart %= len(map_.sigma)
-        less, other = deleted(map_, dart), contracted(map_, dart)
-        return less is not None and other is not None and less.genus != other.genus
-
-    map_, _ = find(tuples(maps(), integers(0, 11)), differ, settings=MANY)
-    assert map_.genus == 1
-
-
 def wrongly_contracted(map_, dart):
     """A contraction that joins the rotations of the two ends the wrong way round."""
     other = map_.alpha[dart]

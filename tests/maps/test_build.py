@@ -316,8 +316,3 @@ def test_holes_are_a_fraction(holes):
 def test_a_size_without_an_edge_is_refused(build, named):
     with pytest.raises(ValueError, match=named):
         build()
-
-
-@pytest.mark.timeout(120)  # for a day, if each hole were looked for in all edges
-def test_a_large_lattice_with_holes_is_built_quickly():
-    assert lattice(60, 60, 0.1).edge_count == 7080 - 708

@@ -49,13 +49,6 @@ def test_a_sample_without_any_place_of_the_lighthouse_is_vacuous():
     assert text_of(report, 100).startswith("VACUOUS    the scope holds no run\n")
 
 
-@pytest.mark.processes
-def test_a_finding_is_confirmed_by_a_second_play(tmp_path):
-    (tmp_path / "gives_up.py").write_text("def explore(first):\n    return\n    yield")
-    found, *_ = fuzz(f"{tmp_path / 'gives_up.py'}:explore", edges=4, runs=2).findings
-    assert (found.law, found.confirmed) == ("no-estimate", True)
-
-
 def test_a_shard_without_a_run_says_so(tmp_path):
     (tmp_path / "runs").mkdir()
     reports = [fuzz(edges=4, runs=2, shard=(k, 3), run=tmp_path / f"runs/{k}") for k in range(3)]

@@ -282,21 +282,6 @@ def test_a_world_without_a_name_has_a_number(tmp_path, monkeypatch):
         estimate("folding", worlds=file)
 
 
-def test_past_findings_of_other_worlds_are_beyond_the_scope(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "mine.py").write_text(WRONG)
-    one, other = (
-        write(tmp_path / f"{name}.jsonl", as_json(name)) for name in ("theta", "theta-torus")
-    )
-    options = {"task": "cover:edges", "corpus": "findings", "workers": 1}
-    first = allworlds.check("mine.py:goes_on", worlds=one, **options)
-    again = allworlds.check("mine.py:goes_on", worlds=one, **options)
-    assert again.past.report.reproduced == first.past.report.written
-    third = allworlds.check("mine.py:goes_on", worlds=other, **options)
-    assert third.past.report.beyond_scope == first.past.report.written
-    assert third.findings[0].world.labels.name == "theta-torus"
-
-
 def test_a_finding_has_the_name_of_the_world_with_its_place(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "mine.py").write_text(WRONG)

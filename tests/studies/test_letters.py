@@ -32,16 +32,6 @@ def test_the_smallest_twins_are_those_of_all_worlds(tmp_path, kind, pair):
     assert {world.lighthouse.written for world in found.pair} == {kind}
 
 
-@pytest.mark.parametrize(
-    ("kind", "vertices", "degree"),
-    # The second is blank at degree 1: v0 is not always known.
-    [("door", 1, 4), ("word:1*0", 2, 2)],
-)
-def test_words_that_are_no_powers_have_none(tmp_path, kind, vertices, degree):
-    found = search(lighthouse=kind, edges=2, vertices=vertices, degree_marked=degree, out=tmp_path)
-    assert (found.status, found.pair) == ("unsat", None)
-
-
 def test_a_power_of_a_word_that_is_not_its_own_mirror_image_has_twins(tmp_path):
     found = search(lighthouse="word:123", edges=3, vertices=1, degree_marked=6, out=tmp_path)
     assert sizes(found.pair) == [(3, 1), (3, 1)]

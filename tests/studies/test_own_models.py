@@ -3,8 +3,6 @@
 import pytest
 
 import allworlds
-from allworlds.reports.formats import file_of
-from allworlds.testing import assert_explores
 from models import PARITY
 
 EXPLORER = """
@@ -42,18 +40,6 @@ def folder(tmp_path, monkeypatch):
     (tmp_path / "mine.py").write_text(EXPLORER)
     monkeypatch.chdir(tmp_path)
     return tmp_path
-
-
-def test_one_run_with_its_page_and_a_pytest_take_them(folder):
-    (finding,) = allworlds.check("mine.py:walks", **WRONG).findings
-    run = allworlds.run("mine.py:walks", finding.world, task=WRONG["task"])
-    assert run.finding.law == "task"
-    page = file_of("html", run)
-    assert "done is said" in page
-    assert "models.py:says?word=home" in page
-    assert_explores("mine.py:walks", **ASKED)
-    with pytest.raises(AssertionError, match="task"):
-        assert_explores("mine.py:walks", **WRONG)
 
 
 def test_what_no_motion_tells_apart_under_it_is_told_of(folder):

@@ -62,19 +62,3 @@ def test_the_first_run_that_is_wrong_is_the_one_that_fuzz_refutes():
     assert first > 1
     assert not fuzz(explore, runs=first - 1, **sample).findings
     assert fuzz(explore, runs=first, **sample).findings
-
-
-@pytest.mark.parametrize(
-    ("slip", "part", "size"),
-    # The smallest by exhaustion.
-    [
-        ("a degree of 6", "uniform", (3, 1)),
-        ("3 parallel edges", "dense", (3, 2)),
-        ("two alike to depth 3", "ring", (1, 2)),
-    ],
-)
-def test_from_50_edges_a_finding_shrinks_to_the_smallest_world(slip, part, size):
-    explore = planted.explorer(planted.SLIPS[slip](planted.DepthFirst))
-    sample = {"edges": 52, "min_edges": 48, "runs": 1, "mix": [part], "bound": "none"}
-    (finding,) = fuzz(explore, **sample).findings
-    assert finding.key[:2] == size

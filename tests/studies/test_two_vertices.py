@@ -187,16 +187,6 @@ class TwoMarksSuffice(TwoVertices):
     confirmed_at = Algorithm1.confirmed_at
 
 
-@pytest.mark.parametrize("wrong", [NoQuery, NoSearch, QueryNotUndone, TwoMarksSuffice])
-def test_with_one_thing_done_wrong_the_explorer_is_refuted(wrong):
-    def explore(first, *, choices):
-        marks = [lambda seen, n=n: seen.marks == n for n in (1, 2)]
-        return (yield from wrong(first, *marks, choices).explore())
-
-    report = check(explore, edges=3, lighthouse="cluster:single=true")
-    assert report.verdict is Verdict.REFUTED
-
-
 # ---------------------------------------------------------------- in a wrong answer
 
 

@@ -133,24 +133,6 @@ def test_random_worlds_under_a_condition(where, folder):
     assert allworlds.fuzz("algorithm1", workers=2, **options).rows == report.rows
 
 
-def test_a_shrunk_world_keeps_the_condition(folder):
-    options = {"lighthouse": "none", "task": "cover:edges", "workers": 1}
-    for where in ("cubic", "alone.py:even"):
-        report = allworlds.fuzz(
-            "mine.py:goes_on", edges=9, min_edges=6, runs=5, where=where, **options
-        )
-        (finding,) = report.findings
-        degrees = finding.world.map.degrees
-        assert all(d == 3 if where == "cubic" else d % 2 == 0 for d in degrees)
-
-
-@pytest.mark.parametrize("where", ["cubic", "mine.py:below?edges=2"])
-def test_a_condition_that_is_true_of_no_drawn_map_is_refused_in_one_line(folder, where):
-    with pytest.raises(InputError, match="were drawn, and it is true of none") as error:
-        allworlds.fuzz("algorithm1", edges=4, min_edges=4, runs=2, where=where, workers=1)
-    assert "\n" not in str(error.value)
-
-
 def test_explorers_are_compared_in_it():
     report = allworlds.compare("algorithm1", "folding", edges=3, where="trees")
     assert sum(row.runs for row in report.rows if row.edges == 3) > 0

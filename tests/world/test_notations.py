@@ -495,11 +495,6 @@ def test_a_file_that_does_not_stream_is_read_once_until_it_changes(tmp_path, mon
 STREAMS = [notation.name for notation in NOTATIONS if notation.streams]
 
 
-@pytest.mark.parametrize("notation", ["planar_code"])
-def test_memory_does_not_grow_with_a_file_that_streams(notation, tmp_path):
-    assert growth(notation, tmp_path, 100, 1000) < 0.5
-
-
 def growth(notation, tmp_path, few, many, every=50):
     """The bytes that reading many worlds needs more than reading few, as a part of the file."""
     some = Entry(named_map("wheel-5"))

@@ -68,19 +68,6 @@ def pages(results):
     return {verb: file_of("html", result) for verb, result in results.items()}
 
 
-@pytest.mark.parametrize("verb", WALKS)
-def test_every_step_of_every_walk_is_at_a_dart_of_each_picture(verb, pages):
-    for viewer in read(pages[verb]).all(class_="viewer"):
-        frames = [n for n in viewer.all("div") if "data-follows" in n.attributes]
-        assert frames
-        for drawn in frames:
-            darts = {
-                g.attributes["data-dart"] for g in drawn.all("g") if "data-dart" in g.attributes
-            }
-            for item in viewer.all("li"):
-                assert item.attributes[f"data-{drawn.attributes['data-follows']}"] in darts
-
-
 def test_the_pages_document_is_the_results(results, pages):
     for verb in ("ambiguity twins", "ambiguity search", "worst", "explain"):
         held = json.loads(read(pages[verb]).one(id="report-json").text)

@@ -47,23 +47,6 @@ def root(refuted):
     return read(page(refuted))
 
 
-def test_the_list_of_the_walk_has_one_item_a_step(refuted, root):
-    for finding, walk in zip(refuted.findings, root.all("ol"), strict=True):
-        items = list(walk.all("li"))
-        assert len(items) == len(finding.transcript.steps) + 1
-        assert ["data-moved" in item.attributes for item in items] == [
-            i > 0 for i in range(len(items))
-        ]
-        sensed = [finding.transcript.first, *(p for _, p in finding.transcript.steps)]
-        for item, percept in zip(items, sensed, strict=True):
-            assert item.one(class_="sensed").text == f"sensed: {percept}"
-            signs = {c.attributes["class"] for c in item.all("span")} & {"fits", "misfits"}
-            assert len(signs) == (1 if finding.law in ("map", "pose") else 0)
-        marked = [i for i, item in enumerate(items) if item.attributes.get("class") == "parting"]
-        parting = explain(finding).step
-        assert marked == ([] if parting is None else [parting])
-
-
 def test_the_answer_stands_beside_the_world(refuted, root):
     viewer = next(root.all(class_="viewer"))
     world, answer = viewer.all("figure")

@@ -2,6 +2,7 @@
 
 import pytest
 
+from allworlds import run, worlds
 from allworlds.document import replace
 from allworlds.judging.findings.finding import Finding
 from allworlds.studies.check.exhaustive import check
@@ -64,3 +65,13 @@ def test_a_run_that_is_the_same_again_does_not_show_that_it_always_is(
     again = replay(found)
     assert (again.outcome, again.exit_code) == outcome
     assert len(runs.read_text()) >= plays
+
+
+def test_a_run_has_the_hash_seed_of_the_environment(tmp_path, monkeypatch):
+    module = tmp_path / "order.py"
+    module.write_text(GOES_BY_ORDER)
+    codes = set()
+    for seed in ("0", "1"):
+        monkeypatch.setenv("PYTHONHASHSEED", seed)
+        codes.add(run(f"{module}:explore", next(worlds(edges=1))).exit_code)
+    assert codes == {0, 1}

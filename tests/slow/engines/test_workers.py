@@ -185,3 +185,17 @@ def test_the_law_that_is_broken_at_a_vertex_of_degree_1(wrong, name, law, seen):
     assert seen in finding.seen
     assert finding.transcript.steps == ()
     assert finding.confirmed
+
+
+def test_a_program_that_does_not_listen_is_stopped(program, tmp_path, gone):
+    finding = only_finding(program("deaf", tmp_path / "pids"))
+    assert finding.law == "budget"
+    assert (tmp_path / "pids").read_text()
+    assert gone(tmp_path / "pids")
+
+
+def test_memory_beyond_the_limit_is_a_crash(wrong):
+    finding = only_finding(wrong("memory"), memory=1000)
+    assert (finding.law, finding.world) == ("crash", EDGE)
+    assert "MemoryError" in finding.seen
+    assert finding.confirmed

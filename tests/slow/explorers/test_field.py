@@ -8,6 +8,7 @@ from explorers.test_field import (
     HOLD,
     HOMING,
     PEBBLE,
+    REFUTED,
     ROTOR,
     TREMAUX,
     UNIVERSAL,
@@ -84,3 +85,15 @@ def test_13_offsets_visit_every_cubic_map_with_at_most_6_edges(monkeypatch):
 @pytest.mark.parametrize(("asked", "options"), HOLD.items(), ids=lambda each: str(each)[:40])
 def test_an_explorer_of_the_field_holds(asked, options):
     assert checked(*asked, options).verdict.value == "holds"
+
+
+@pytest.mark.parametrize(("asked", "expected"), REFUTED.items(), ids=lambda each: str(each)[:40])
+def test_a_wrong_one_is_refuted_in_its_smallest_world(asked, expected):
+    options, law, edges, vertices = expected
+    (finding,) = checked(*asked, edges, options).findings
+    world = finding.world.map
+    assert (finding.law, world.edge_count, world.vertex_count) == (law, edges, vertices)
+    assert finding.minimal
+    assert finding.confirmed
+    if edges > 1:
+        assert checked(*asked, edges - 1, options).verdict.value == "holds"

@@ -119,3 +119,10 @@ def test_what_it_does_to_its_process_is_a_finding_in_that_world(code):
     (finding,) = report.findings
     assert (finding.law, finding.world, finding.minimal) == (law, EDGE, True)
     assert seen in finding.seen
+
+
+@pytest.mark.processes
+def test_a_quotient_without_darts_or_with_too_many_is_no_answer():
+    for size in (0, 1 << 20):
+        found = run(native(quotient(SIZE=size)), World(small.PLANE, Position(0)))
+        assert found.finding.law == "no-estimate"

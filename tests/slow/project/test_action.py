@@ -2,14 +2,16 @@
 
 import re
 import shutil
+import subprocess
 
 import pytest
+from ruamel.yaml import YAML
 
 from allworlds.explorers.languages import LANGUAGES
 from allworlds.studies.init import init
 from project import test_action as quick
-from project.runner import ROOT
-from project.test_action import STAR, steps, workflow
+from project.runner import ROOT, read
+from project.test_action import STAR, shown, steps, workflow
 from small import long
 
 job = quick.job
@@ -45,3 +47,23 @@ def test_the_job_of_a_skeleton_fails_and_shows_the_picture(lang, job, tmp_path):
     assert page.startswith("<!DOCTYPE html>")
     if lang == "python":
         assert "FAILED test_explorer.py::test_explorer_is_right_in_every_world[edges-1]" in job.log
+
+
+def test_the_hook_runs_its_entry_with_the_arguments_that_the_page_gives(job):
+    init(job.workspace)
+    (hook,) = read(ROOT / ".pre-commit-hooks.yaml")
+    (text,) = [text for text in shown("yaml") if text.startswith("repos:")]
+    (repo,) = YAML(typ="safe", pure=True).load(text)["repos"]
+    (wanted,) = repo["hooks"]
+    assert wanted["id"] == hook["id"]
+    assert re.search(wanted["files"], "explorer.py")
+    done = subprocess.run(
+        [*hook["entry"].split(), *wanted["args"]],
+        cwd=job.workspace,
+        env={**job.environment, "GITHUB_ACTIONS": "", "GITHUB_STEP_SUMMARY": ""},
+        capture_output=True,
+        encoding="utf-8",
+        check=False,
+    )
+    assert done.returncode == 1
+    assert STAR in done.stdout

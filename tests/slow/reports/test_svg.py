@@ -17,6 +17,7 @@ from reports.test_svg import (
     NAMED,
     NS,
     SMALL,
+    crossings,
     drawn,
     edges,
     going_round_gives_sigma,
@@ -100,3 +101,10 @@ def test_every_dart_and_every_vertex_is_named_once(map_):
     texts = [text.text for text in svg.iter(f"{NS}text")]
     names = [*map(str, map_.darts), *(f"v{v}" for v in range(map_.vertex_count))]
     assert sorted(texts) == sorted(names)
+
+
+def test_edges_that_must_cross_do():
+    for map_ in MAPS:
+        if map_.genus:
+            assert crossings(map_) >= 1
+            assert planar(map_).unbent - planar(map_).own >= 4 * map_.genus

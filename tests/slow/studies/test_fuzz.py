@@ -56,3 +56,10 @@ def test_a_time_limit_leaves_an_unfinished_sample_inconclusive():
     report = fuzz("algorithm1", edges=60, runs=100_000, time_limit=0.5)
     assert (report.verdict, report.exit_code) == ("inconclusive", 3)
     assert "time limit of 0.5 s" in report.ending.reason
+
+
+@pytest.mark.processes
+def test_a_finding_is_confirmed_by_a_second_play(tmp_path):
+    (tmp_path / "gives_up.py").write_text("def explore(first):\n    return\n    yield")
+    found, *_ = fuzz(f"{tmp_path / 'gives_up.py'}:explore", edges=4, runs=2).findings
+    assert (found.law, found.confirmed) == ("no-estimate", True)

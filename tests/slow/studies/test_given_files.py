@@ -74,3 +74,18 @@ def test_a_hundred_thousand_worlds_stream(tmp_path):
     assert most(100_000) - most(1000) < 99_000 * 80
     report = allworlds.check("folding", worlds=files[20_000])
     assert (report.worlds, report.verdict.value) == (20_000, "holds")
+
+
+def test_past_findings_of_other_worlds_are_beyond_the_scope(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.py").write_text(WRONG)
+    one, other = (
+        write(tmp_path / f"{name}.jsonl", as_json(name)) for name in ("theta", "theta-torus")
+    )
+    options = {"task": "cover:edges", "corpus": "findings", "workers": 1}
+    first = allworlds.check("mine.py:goes_on", worlds=one, **options)
+    again = allworlds.check("mine.py:goes_on", worlds=one, **options)
+    assert again.past.report.reproduced == first.past.report.written
+    third = allworlds.check("mine.py:goes_on", worlds=other, **options)
+    assert third.past.report.beyond_scope == first.past.report.written
+    assert third.findings[0].world.labels.name == "theta-torus"

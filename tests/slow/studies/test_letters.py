@@ -21,3 +21,13 @@ def test_constant_words_of_degree_five_have_twins_from_five_edges_on(tmp_path):
     options = {"lighthouse": "word:1", "degree_marked": 5, "vertices": 5, "out": tmp_path}
     assert search(edges=4, **options).status == "unsat"
     assert search(edges=5, **options).status == "sat"
+
+
+@pytest.mark.parametrize(
+    ("kind", "vertices", "degree"),
+    # The second is blank at degree 1: v0 is not always known.
+    [("door", 1, 4), ("word:1*0", 2, 2)],
+)
+def test_words_that_are_no_powers_have_none(tmp_path, kind, vertices, degree):
+    found = search(lighthouse=kind, edges=2, vertices=vertices, degree_marked=degree, out=tmp_path)
+    assert (found.status, found.pair) == ("unsat", None)

@@ -5,6 +5,8 @@ import json
 import pytest
 
 import allworlds
+from allworlds.reports.formats import file_of
+from allworlds.testing import assert_explores
 from studies import test_own_models as quick
 from studies.test_own_models import ASKED, WRONG
 
@@ -34,3 +36,15 @@ def test_workers_and_run_directories_change_nothing(folder, asked):
     for shard in (0, 1):
         allworlds.check("mine.py:walks", shard=(shard, 2), run=f"{shard}", **asked)
     assert allworlds.merge("0", "1").to_json()["rows"] == one.to_json()["rows"]
+
+
+def test_one_run_with_its_page_and_a_pytest_take_them(folder):
+    (finding,) = allworlds.check("mine.py:walks", **WRONG).findings
+    run = allworlds.run("mine.py:walks", finding.world, task=WRONG["task"])
+    assert run.finding.law == "task"
+    page = file_of("html", run)
+    assert "done is said" in page
+    assert "models.py:says?word=home" in page
+    assert_explores("mine.py:walks", **ASKED)
+    with pytest.raises(AssertionError, match="task"):
+        assert_explores("mine.py:walks", **WRONG)

@@ -5,7 +5,16 @@ import pytest
 from allworlds.outcome import Verdict
 from allworlds.studies.fuzz import fuzz
 from studies import test_two_vertices as quick
-from studies.test_two_vertices import CLUSTER, LAWS, NATURAL, check
+from studies.test_two_vertices import (
+    CLUSTER,
+    LAWS,
+    NATURAL,
+    NoQuery,
+    NoSearch,
+    QueryNotUndone,
+    TwoMarksSuffice,
+    check,
+)
 
 pytestmark = pytest.mark.usefixtures("no_orphans", "without_workers")
 
@@ -76,3 +85,13 @@ def test_a_sample_refutes_the_natural_explorer_and_shrinks_to_the_smallest_world
     assert report.verdict is Verdict.REFUTED
     map_ = report.findings[0].world.map
     assert (map_.edge_count, map_.vertex_count) == (3, 2)
+
+
+@pytest.mark.parametrize("wrong", [NoQuery, NoSearch, QueryNotUndone, TwoMarksSuffice])
+def test_with_one_thing_done_wrong_the_explorer_is_refuted(wrong):
+    def explore(first, *, choices):
+        marks = [lambda seen, n=n: seen.marks == n for n in (1, 2)]
+        return (yield from wrong(first, *marks, choices).explore())
+
+    report = check(explore, edges=3, lighthouse="cluster:single=true")
+    assert report.verdict is Verdict.REFUTED

@@ -25,3 +25,16 @@ def test_a_page_is_one_small_file_with_a_walk_to_step_along(verb, pages):
     for node in root.all():
         for name, value in node.attributes.items():
             assert name == "xmlns" or "//" not in value
+
+
+@pytest.mark.parametrize("verb", WALKS)
+def test_every_step_of_every_walk_is_at_a_dart_of_each_picture(verb, pages):
+    for viewer in read(pages[verb]).all(class_="viewer"):
+        frames = [n for n in viewer.all("div") if "data-follows" in n.attributes]
+        assert frames
+        for drawn in frames:
+            darts = {
+                g.attributes["data-dart"] for g in drawn.all("g") if "data-dart" in g.attributes
+            }
+            for item in viewer.all("li"):
+                assert item.attributes[f"data-{drawn.attributes['data-follows']}"] in darts

@@ -10,6 +10,7 @@ import pytest
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.judging.findings.finding import Finding
 from allworlds.studies.check.exhaustive import check
+from allworlds.studies.explain import explain
 from html_tree import read
 from reports.web import test_page as quick
 from reports.web.test_page import mutant, page
@@ -82,3 +83,20 @@ def test_a_finding_reads_back_from_the_page_and_is_equal(refuted, root):
     assert Finding.from_json(records[0]).key == refuted.findings[0].key
     summary = json.loads(root.one(id="report-json").text)
     assert {**summary, "findings": records} == refuted.to_json()
+
+
+def test_the_list_of_the_walk_has_one_item_a_step(refuted, root):
+    for finding, walk in zip(refuted.findings, root.all("ol"), strict=True):
+        items = list(walk.all("li"))
+        assert len(items) == len(finding.transcript.steps) + 1
+        assert ["data-moved" in item.attributes for item in items] == [
+            i > 0 for i in range(len(items))
+        ]
+        sensed = [finding.transcript.first, *(p for _, p in finding.transcript.steps)]
+        for item, percept in zip(items, sensed, strict=True):
+            assert item.one(class_="sensed").text == f"sensed: {percept}"
+            signs = {c.attributes["class"] for c in item.all("span")} & {"fits", "misfits"}
+            assert len(signs) == (1 if finding.law in ("map", "pose") else 0)
+        marked = [i for i, item in enumerate(items) if item.attributes.get("class") == "parting"]
+        parting = explain(finding).step
+        assert marked == ([] if parting is None else [parting])
