@@ -13,6 +13,7 @@ from allworlds.engines import limits, sweep, units
 from allworlds.engines.engine_table import ReadyEngine, local_or_dask
 from allworlds.inputs import checks, requests
 from allworlds.maps import classes
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.quotient import class_size
 from allworlds.notations.given import GivenOptions
 from allworlds.studies.ambiguity.members import (
@@ -21,7 +22,14 @@ from allworlds.studies.ambiguity.members import (
     projection_of,
     twins,
 )
-from allworlds.studies.ambiguity.sensed_classes import Placed, matrices, named
+from allworlds.studies.ambiguity.sensed_classes import (
+    Placed,
+    SensedWorlds,
+    compiled_name,
+    laid_out,
+    matrices,
+    named,
+)
 from allworlds.world.lighthouses import kinds
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.selection import WhereOptions, tried_kind
@@ -110,13 +118,14 @@ class SensedParts(Struct, forbid_unknown_fields=True):
         for look, name in other.looks.items():
             self._meet(look, name)
 
-    def meet(self, worlds: Sequence[Placed], *, counted: bool) -> None:
+    def meet(self, worlds: SensedWorlds, *, counted: bool) -> None:
         """Take in worlds with equally many edges; those of a look are counted, if they can be."""
-        names = named(worlds, matrices(worlds))
-        for (map_, place), (look, name, sheets) in zip(worlds, names, strict=True):
-            self.sizes[name] = map_.edge_count, map_.vertex_count
+        edges = worlds.sigma.shape[1] // 2
+        for i, (look, name, sheets) in enumerate(named(worlds)):
+            self.sizes[name] = edges, worlds.vertices[i]
             if counted and sheets > 1 and look not in self.counted:
-                quotient = projection_of(World(map_, place, 0)).quotient
+                map_ = CombinatorialMap.trusted(*(each[i].tolist() for each in worlds[:2]))
+                quotient = projection_of(World(map_, Position(0), 0)).quotient
                 self.counted[look] = class_size(quotient)
             self._meet(look, name)
 
@@ -185,7 +194,13 @@ class PartBySensing(Struct, frozen=True):
 
     def parts(self, unit: AnyUnit) -> Iterator[SensedParts]:
         """The maps of the unit, some at a time."""
-        for maps, worlds in batches(unit, self.extent, self.kind):
+        kind = self.kind.as_class
+        if isinstance(unit, units.LevelUnit) and compiled_name(kind, self.extent):
+            several = laid_out(unit, self.extent, kind)
+        else:
+            placed = batches(unit, self.extent, self.kind)
+            several = ((maps, matrices(worlds)) for maps, worlds in placed)
+        for maps, worlds in several:
             found = SensedParts(maps)
             found.meet(worlds, counted=self.counted)
             yield found
@@ -392,7 +407,7 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         for edges in sorted({self._met.sizes[name][0] for name in names}):
             for unit in units.units_of_level(self.extent, edges):
                 for _, worlds in batches(unit, self.extent, self.kind):
-                    several = named(worlds, matrices(worlds))
+                    several = named(matrices(worlds))
                     for placed, (look, name, _) in zip(worlds, several, strict=True):
                         if name in names:
                             alike = found.setdefault(look, {})
