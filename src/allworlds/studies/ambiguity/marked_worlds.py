@@ -1,7 +1,7 @@
 """Every marked world of a class, and which of them look alike."""
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from typing import Annotated, TypeAlias, TypeVar
 
 from msgspec import Struct, field

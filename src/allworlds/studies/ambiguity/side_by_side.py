@@ -41,12 +41,7 @@ class SensorsRequest(ManyWorldsOptions):
 
     lighthouses: Annotated[
         requests.Converted[Sequence[kinds.GivenLighthouse], tuple[kinds.LighthouseKind, ...]],
-        requests.Argument(
-            "",
-            "LIGHTHOUSE...",
-            f"{LEGAL}.",
-            repeated=True,
-        ),
+        requests.Argument("", "LIGHTHOUSE...", f"{LEGAL}.", repeated=True),
     ] = requests.Converted(_kinds, ())
 
 
