@@ -11,24 +11,18 @@ from typing_extensions import override
 from allworlds import document as doc, outcome
 from allworlds.engines import limits, sweep, units
 from allworlds.engines.engine_table import ReadyEngine, local_or_dask
+from allworlds.engines.kernel import capabilities
 from allworlds.inputs import checks, requests
 from allworlds.maps import classes
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.quotient import class_size
 from allworlds.notations.given import GivenOptions
+from allworlds.studies.ambiguity import sensed_classes as arrays
 from allworlds.studies.ambiguity.members import (
     ComparedWorlds,
     ensure_motions_decide,
     projection_of,
     twins,
-)
-from allworlds.studies.ambiguity.sensed_classes import (
-    Placed,
-    SensedWorlds,
-    compiled_name,
-    laid_out,
-    matrices,
-    named,
 )
 from allworlds.world.lighthouses import kinds
 from allworlds.world.lighthouses.marked import Position
@@ -118,10 +112,10 @@ class SensedParts(Struct, forbid_unknown_fields=True):
         for look, name in other.looks.items():
             self._meet(look, name)
 
-    def meet(self, worlds: SensedWorlds, *, counted: bool) -> None:
+    def meet(self, worlds: arrays.SensedWorlds, *, counted: bool) -> None:
         """Take in worlds with equally many edges; those of a look are counted, if they can be."""
         edges = worlds.sigma.shape[1] // 2
-        for i, (look, name, sheets) in enumerate(named(worlds)):
+        for i, (look, name, sheets) in enumerate(arrays.named(worlds)):
             self.sizes[name] = edges, worlds.vertices[i]
             if counted and sheets > 1 and look not in self.counted:
                 map_ = CombinatorialMap.trusted(*(each[i].tolist() for each in worlds[:2]))
@@ -195,25 +189,25 @@ class PartBySensing(Struct, frozen=True):
     def parts(self, unit: AnyUnit) -> Iterator[SensedParts]:
         """The maps of the unit, some at a time."""
         kind = self.kind.as_class
-        if isinstance(unit, units.LevelUnit) and compiled_name(kind, self.extent):
-            several = laid_out(unit, self.extent, kind)
+        if isinstance(unit, units.LevelUnit) and arrays.compiled_name(kind, self.extent):
+            several = arrays.laid_out(unit, self.extent, kind)
         else:
-            placed = batches(unit, self.extent, self.kind)
-            several = ((maps, matrices(worlds)) for maps, worlds in placed)
+            found = batches(unit, self.extent, self.kind)
+            several = ((maps, arrays.matrices(worlds)) for maps, worlds in found)
         for maps, worlds in several:
-            found = SensedParts(maps)
-            found.meet(worlds, counted=self.counted)
-            yield found
+            part = SensedParts(maps)
+            part.meet(worlds, counted=self.counted)
+            yield part
 
 
 def batches(
     unit: AnyUnit, extent: classes.Extent, kind: kinds.LighthouseKind
-) -> Iterator[tuple[int, list[Placed]]]:
+) -> Iterator[tuple[int, list[arrays.Placed]]]:
     """The worlds of a unit, some at a time, with the number of maps in which they are.
 
     At least once, even if there are none.
     """
-    maps, worlds = 0, list[Placed]()
+    maps, worlds = 0, list[arrays.Placed]()
     for map_, places in unit.placed(extent, kind.as_class):
         maps += 1
         worlds += ((map_, place) for _, place in places)
@@ -334,7 +328,7 @@ def census(request: CensusRequest) -> AmbiguityCensus:
     Raises:
         InputError: naming the offending option and what would be legal.
 
-    Cost: some 30 microseconds a rooted map and place, and 300 bytes of memory.
+    Cost: some 30 microseconds a rooted map and place, in compiled code 7; and 300 bytes of memory.
     """
     return CensusSweep(request).answer(request.run)
 
@@ -355,6 +349,11 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
     @override
     def ready(self) -> ReadyEngine:
         extent = self.extent
+        if arrays.compiled_name(self.kind.as_class, extent):
+            from allworlds.engines.kernel import compiling, engine as kernel
+
+            if not compiling.is_compiled(kernel.lay_out):
+                self.listener.notice(capabilities.COMPILING)
         every = extent.map_class is classes.MapClass.MAPS and not (extent.where or extent.given)
         engine = PartBySensing(extent, self.kind, every and self.kind.name == Position.kind)
         return ReadyEngine(local_or_dask(self.request.dask, self.deadline), engine)
@@ -407,7 +406,7 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         for edges in sorted({self._met.sizes[name][0] for name in names}):
             for unit in units.units_of_level(self.extent, edges):
                 for _, worlds in batches(unit, self.extent, self.kind):
-                    several = named(matrices(worlds))
+                    several = arrays.named(arrays.matrices(worlds))
                     for placed, (look, name, _) in zip(worlds, several, strict=True):
                         if name in names:
                             alike = found.setdefault(look, {})

@@ -53,7 +53,7 @@ class SensedWorlds(NamedTuple):
 
     def chosen(self, rows: Any) -> "SensedWorlds":
         """Return the matrices of some of them, by their numbers."""
-        return SensedWorlds(*(matrix[rows] for matrix in self[:3]), (), ())
+        return SensedWorlds(self.sigma[rows], self.alpha[rows], self.sensed[rows], (), ())
 
 
 def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
@@ -77,16 +77,13 @@ def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
     sensed = [[numbers[id(percept)] for percept in percepts] for percepts in every]
     permutations = ([map_.sigma for map_, _ in worlds], [map_.alpha for map_, _ in worlds])
     shape = len(worlds), len(worlds[0][0].sigma) if worlds else 0
-    made = (np.array(rows, np.int64).reshape(shape) for rows in (*permutations, sensed))
+    made = [np.array(rows, np.int64).reshape(shape) for rows in (*permutations, sensed)]
     told = [place.told(map_) for map_, place in worlds]
-    return SensedWorlds(*made, told, [map_.vertex_count for map_, _ in worlds])
+    return SensedWorlds(made[0], made[1], made[2], told, [m.vertex_count for m, _ in worlds])
 
 
 def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
-    """The kernel's name of a lighthouse, if that is to make the worlds; else empty.
-
-    Of letters by the bearing it is that of the door.
-    """
+    """The kernel's name of a lighthouse (of letters the door's), if it is to make the worlds."""
     name = Door.kind if issubclass(kind, SensedByBearing) else kind_of(kind)
     able = name in capabilities.LIGHTHOUSES and not (extent.given or extent.where)
     large = COMPILED_FROM <= extent.levels[-1] <= capabilities.MOST_EDGES
@@ -110,36 +107,31 @@ def laid_out(
 
     from allworlds.engines.kernel import engine, records
 
-    edges, of, name = unit.edges, extent.map_class, compiled_name(kind, extent)
-    asked = edges, extent.vertex_limit(edges), of.simple, of.planar, "", name, "fifo", ()
-    level = records.Level(*asked, [[[0]]], (0,) * (edges + 2))
-    (job, robot, heads, laid), at = _room(edges, get_ident()), np.arange(2 * edges)
+    of, name, at = extent.map_class, compiled_name(kind, extent), np.arange(2 * unit.edges)
+    asked = unit.edges, extent.vertex_limit(unit.edges), of.simple, of.planar, "", name, "fifo", ()
+    level = records.Level(*asked, [[[0]]], (0,) * (unit.edges + 2))
+    job, robot, heads, laid = _room(unit.edges, get_ident())
     job.gluing = job.world = job.number = 0
     engine.set_up(job, robot, level)
     wanted = engine.unit_of(level, unit.prefix)
     while job.until:
-        first_run = int(job.number)
-        job.until = first_run + records.LONGEST_STRETCH
+        before = int(job.number)
+        job.until = before + records.LONGEST_STRETCH
         runs = engine.lay_out(job, wanted, heads, laid)
-        without = int(job.number) - first_run - runs
         rows = laid[:runs].reshape(-1, len(at), records.WIDE).astype(np.int64)
         first, alpha, degree, marks, bearing = np.moveaxis(rows, 2, 0)
-        other = (rows[1:, :, :2] != rows[:-1, :, :2]).any(axis=(1, 2))
-        if issubclass(kind, SensedByBearing) and runs:
+        if issubclass(kind, SensedByBearing):
             words = [word_of(kind.pattern, d) + (0,) * (len(at) - d) for d in range(1, len(at) + 1)]
             back = (marks.argmax(axis=1)[:, None] - at) % degree[:, :1]
             marks = np.where(first == 0, np.array(words)[degree - 1, back], 0)
+        maps = int((rows[1:, :, :2] != rows[:-1, :, :2]).any(axis=(1, 2)).sum()) + (runs > 0)
         told = [None if each < 0 else each for each in heads[:runs, records.RUN_TOLD].tolist()]
-        yield (
-            without + int(other.sum()) + (runs > 0),
-            SensedWorlds(
-                first + (at - first + 1) % degree,
-                alpha,
-                (marks << BITS | bearing) << BITS | degree,
-                told,
-                (first == at).sum(axis=1).tolist(),
-            ),
-        )
+        sigma = first + (at - first + 1) % degree
+        sensed = (marks << BITS | bearing) << BITS | degree
+        vertices = (first == at).sum(axis=1).tolist()
+        # A map without a place has its number, too.
+        without = int(job.number) - before - runs
+        yield maps + without, SensedWorlds(sigma, alpha, sensed, told, vertices)
 
 
 def _ranks(keys: Matrix) -> Matrix:
@@ -182,13 +174,8 @@ def classes(worlds: SensedWorlds) -> Matrix:
 def numbered(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> tuple[Matrix, Matrix]:
     """For each class its number, and for each number a dart of its class.
 
-    Classes are numbered from the root's on: the oldest numbered one has the class to which sigma
-    leads numbered, then that to which alpha does.
-
-    Args:
-        worlds: each with one root.
-        of: for each dart its class.
-        roots: for each world a dart.
+    Classes are numbered from that of the world's root on: the oldest numbered one has the class to
+    which sigma leads numbered, then that to which alpha does; ``of`` is the class of each dart.
 
     Cost: O(m) a world.
     """
@@ -214,9 +201,8 @@ def numbered(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> tuple[Matrix, M
 def rooted_codes(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> Iterator[bytes]:
     """For each world the code of its quotient, rooted at the class of a dart.
 
-    The code holds for each class, by their numbers, those to which sigma and alpha lead and what is
-    sensed, so equal codes mean that one quotient is the other, root included.  The arguments and
-    the cost are those of :func:`numbered`.
+    The code holds for each class, by :func:`numbered`, those to which sigma and alpha lead and what
+    is sensed, so equal codes mean that one quotient is the other, root included.
     """
     import numpy as np
 
@@ -230,8 +216,8 @@ def rooted_codes(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> Iterator[by
 
 def digest(code: bytes, told: Told = None) -> str:
     """A name for a code, with what is told before the start."""
-    plain = told is None or isinstance(told, int)
-    text = ("" if told is None else str(told)) if plain else json.dumps(told, sort_keys=True)
+    said = "" if told is None else told
+    text = str(said) if isinstance(said, int | str) else json.dumps(said, sort_keys=True)
     return blake2b(text.encode() + b"\0" + code, digest_size=16).hexdigest()
 
 
