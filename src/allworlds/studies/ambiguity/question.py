@@ -244,13 +244,13 @@ def letters_at(place: base.Lighthouse, map_: combinatorial.CombinatorialMap) -> 
 
 def _ensure_at_v0(asked: Question) -> None:
     """Raise InputError if other things are sensed in a small map than the letters, in some turn."""
-    for map_ in (map_ for edges in range(1, TRIED_EDGES + 1) for map_ in rooted_maps(edges)):
+    most = min(asked.edges, TRIED_EDGES)
+    for map_ in (map_ for edges in range(1, most + 1) for map_ in rooted_maps(edges)):
         for place in asked.kind.places(map_, 0):
             letters, word = letters_at(place, map_), asked.words.get(map_.degree_at[0], ())
             marks = [p.marks for p in place.percepts(map_) if p.marks or p.bearing is not None]
             turned = letters in [word[k:] + word[:k] for k in range(len(word))]
-            alone = turned and 0 not in marks and place.told(map_) is None
-            if not alone or len(marks) > sum(map(bool, letters)):
+            if not turned or 0 in marks or len(marks) > sum(map(bool, letters)) or place.told(map_):
                 raise InputError(
                     f"lighthouse {show(asked.lighthouse)} does not show marks at v0 alone, by the "
                     f"bearing and the degree, in {map_}; of others 'ambiguity census' makes all "
