@@ -3,9 +3,12 @@
 import pytest
 
 import allworlds
+from allworlds.engines import units
 from allworlds.inputs.checks import InputError
 from allworlds.reports.formats import text
+from allworlds.studies.ambiguity import marked_worlds, sensed_classes
 from allworlds.world import worlds
+from allworlds.world.lighthouses.kinds import lighthouse_kind
 from bruteforce import rooted_maps_by_permutations
 from models import HEARD, PARITY
 
@@ -224,3 +227,60 @@ def test_verbs_of_ambiguity_are_imported_from_a_package_of_that_name():
 
     assert imported is census
     assert allworlds.ambiguity.census is census
+
+
+def made_twice(kind, edges, map_class):
+    """The worlds of a level by compiled code, and one by one, each with the number of maps."""
+    kind = lighthouse_kind(kind)
+    request = marked_worlds.CensusRequest(lighthouse=kind, edges=5, map_class=map_class)
+    maps, several = [0, 0], ([], [])
+    for unit in units.units_of_level(request.extent, edges):
+        compiled = sensed_classes.laid_out(unit, request.extent, kind.as_class)
+        plain = marked_worlds.batches(unit, request.extent, kind)
+        found = compiled, ((count, sensed_classes.matrices(some)) for count, some in plain)
+        for i, parts in enumerate(found):
+            for count, part in parts:
+                maps[i] += count
+                matrices = (each.reshape(-1, 2 * edges).tolist() for each in part[:3])
+                several[i].extend(zip(*matrices, part.told, part.vertices, strict=True))
+    return maps, several
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [
+        *("none", "position", "directional", "door", "natural", "cluster", "cluster:single=true"),
+        *("compass", "word:12", "word:10*", "word:021*"),
+    ],
+)
+@pytest.mark.parametrize(("edges", "map_class"), [(3, "maps"), (4, "simple")])
+def test_worlds_of_compiled_code_are_those_that_are_made_one_by_one(kind, edges, map_class):
+    pytest.importorskip("numba")
+    (one, other), (compiled, plain) = made_twice(kind, edges, map_class)
+    assert one == other > 0
+    assert compiled == plain
+
+
+def test_letters_that_are_turned_the_other_way_are_noticed(monkeypatch):
+    pytest.importorskip("numba")
+    turned = lambda pattern, degree: word_of(pattern, degree)[::-1]  # noqa: E731  # short
+    word_of = sensed_classes.word_of
+    monkeypatch.setattr(sensed_classes, "word_of", turned)
+    _, (compiled, plain) = made_twice("word:10*", 3, "maps")
+    assert compiled != plain
+
+
+def test_which_censuses_are_made_by_compiled_code(folder, monkeypatch):
+    pytest.importorskip("numba")
+
+    def name(kind, **asked):
+        request = marked_worlds.CensusRequest(lighthouse=kind, **{"edges": 5, **asked})
+        return sensed_classes.compiled_name(request.lighthouse.as_class, request.extent)
+
+    assert name("position") == "position"
+    assert name("word:12") == "door"
+    assert name("cluster:single=true") == "cluster-single"
+    assert not any([name("labels"), name("position+told:n"), name("parity.py:Copy")])
+    assert not any([name("door", edges=4), name("door", edges=13), name("door", where="trees")])
+    monkeypatch.setattr(sensed_classes, "lack_of", lambda *_: "lacks numba")
+    assert not name("door")

@@ -2,6 +2,7 @@ import json
 import os
 import stat
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -105,6 +106,28 @@ def test_bad_input_is_refused_in_one_line_that_names_it(tmp_path, options, messa
         allworlds.search(**asked)
     assert message in str(refusal.value)
     assert "\n" not in str(refusal.value)
+
+
+SENSORS = Path(__file__).parents[2] / "papers" / "minimal_information" / "sensors.py"
+
+
+@pytest.mark.parametrize("sensor", ["Bit?of=behind", "Glow", "Face", "Features"])
+def test_a_sensor_that_looks_further_is_refused_in_one_line(sensor):
+    with pytest.raises(InputError, match="does not show marks at v0 alone") as refusal:
+        question(f"{SENSORS}:{sensor}", "maps", 3, 2)
+    assert "\n" not in str(refusal.value)
+
+
+def test_letters_are_those_of_a_star():
+    assert question("door", "maps", 3, 2).words == {
+        1: (1,),
+        2: (1, 0),
+        3: (1, 0, 0),
+        4: (1, 0, 0, 0),
+    }
+    assert question("word:12", "maps", 3, 2).words[3] == (1, 2, 1)
+    assert question(f"{SENSORS}:Half", "maps", 3, 2).words[3] == (1, 1, 2)
+    assert question("position", "maps", 3, 2).words == {}
 
 
 def script(path, body):

@@ -32,3 +32,9 @@ def test_twenty_two_of_two_hundred_and_three_sensors_are_the_weakest():
         ("neighbour", "other"),
         ("door", "neighbour", "next"),
     }
+
+
+@pytest.mark.long
+def test_with_five_edges_three_of_the_weakest_have_twins():
+    report = weakest(f"{SENSORS}:Features", edges=5)
+    assert (report.sufficient, len(report.minimal)) == (135, 19)

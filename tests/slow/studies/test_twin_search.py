@@ -12,7 +12,7 @@ from allworlds.world import Compass, Directional, Nothing, Position, World
 from allworlds.world.bisimulation import same_world_from, sensed
 from searches import question
 from small import long
-from studies.test_twin_search import needs_python_sat, sizes
+from studies.test_twin_search import SENSORS, needs_python_sat, sizes
 
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
 
@@ -203,3 +203,21 @@ def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class
     assert (result.status, result.exit_code) == ("sat", 0)
     assert sizes(result) == [found, found]
     assert [found.status for found in result.levels].count("unsat") >= edges - 1
+
+
+@pytest.mark.parametrize(
+    ("sensor", "edges", "status"),
+    [
+        ("Half", 2, "unsat"),
+        ("AtDegree?word=12", 2, "unsat"),  # degrees without a word are no worlds of it
+        ("AtDegree?word=123123", 3, "sat"),
+        ("DoorBut?degree=2", 2, "sat"),
+    ],
+)
+def test_a_sensor_of_ones_own_is_searched_as_the_census_finds_it(tmp_path, sensor, edges, status):
+    name = f"{SENSORS}:{sensor}"
+    asked = {"lighthouse": name, "vertices": edges + 1, "edges": edges}
+    found = allworlds.search(out=tmp_path, **asked)
+    rows = allworlds.ambiguity.census(edges=edges, lighthouse=name).rows
+    assert (found.status, any(row.ambiguous_worlds for row in rows)) == (status, status == "sat")
+    assert found.lighthouse == name

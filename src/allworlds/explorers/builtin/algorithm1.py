@@ -206,10 +206,7 @@ def nobody(_event: str) -> None:
 
 
 def algorithm1(
-    first: Percept,
-    *,
-    choices: Choices | None = None,
-    notice: Callable[[str], None] = nobody,
+    first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Walk[Estimate]:
     """Explore from a directional lighthouse; return an estimate equal to the world, pose included.
 
@@ -376,10 +373,7 @@ Recognised: TypeAlias = Callable[[Percept], bool]
 
 
 def algorithm1_cluster(
-    first: Percept,
-    *,
-    choices: Choices | None = None,
-    notice: Callable[[str], None] = nobody,
+    first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Walk[Estimate]:
     """Explore from a marker cluster: one marker lies at v0, two at v1.
 

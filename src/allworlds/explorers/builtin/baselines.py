@@ -23,10 +23,7 @@ from allworlds.protocol.choices import Choices
 
 
 def dfs(
-    first: Percept,
-    *,
-    choices: Choices | None = None,
-    notice: Callable[[str], None] = nobody,
+    first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Walk[Estimate]:
     """Explore under labels: the number tells the vertex, and the bearing the dart of entry.
 
@@ -73,10 +70,7 @@ def dfs(
 
 
 def dudek91(
-    first: Percept,
-    *,
-    choices: Choices | None = None,
-    notice: Callable[[str], None] = nobody,
+    first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Walk[Estimate]:
     """Explore a simple world with one marker in hand that can be taken up again.
 

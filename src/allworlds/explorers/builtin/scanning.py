@@ -17,10 +17,7 @@ from allworlds.protocol.choices import Choices
 
 
 def algorithm1_door(
-    first: Percept,
-    *,
-    choices: Choices | None = None,
-    notice: Callable[[str], None] = nobody,
+    first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Walk[Estimate]:
     """Explore from a door, which is sensed only by who has just come in by it.
 
@@ -33,10 +30,7 @@ def algorithm1_door(
 
 
 def algorithm1_word(
-    first: Percept,
-    *,
-    choices: Choices | None = None,
-    notice: Callable[[str], None] = nobody,
+    first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Walk[Estimate]:
     """Explore from a vertex with letters by the bearing, whatever they are.
 

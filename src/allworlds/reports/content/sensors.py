@@ -121,26 +121,15 @@ def weakest_content(found: AmbiguityWeakest) -> parts.ReportContent:
         f"{found.sufficient} of {words.plural(found.coarsenings, 'coarsening')} suffice, "
         f"in every world {of_the_class(found.extent)}, {len(found.minimal)} of them minimal"
     )
+    header = ["letters", "features, | between letters", "m of twins below"]
+    table = parts.Table(header, rows, "Minimal sensors: with two letters as one there are twins")
+    seen = parts.Section("seen", "", [table, parts.fact("scope", _scope(found.extent))])
     return parts.ReportContent(
         "allworlds ambiguity weakest",
         found.scope.finest,
         found,
         parts.Headline("WEAKEST", said),
-        [
-            parts.Section(
-                "seen",
-                "",
-                [
-                    parts.Table(
-                        ["letters", "features, | between letters", "m of twins below"],
-                        rows,
-                        "Minimal sensors: with two letters as one there are twins",
-                    ),
-                    parts.fact("scope", _scope(found.extent)),
-                ],
-            ),
-            *_pictures((_letters(one.letters), one.twins) for one in found.refuted),
-        ],
+        [seen, *_pictures((_letters(one.letters), one.twins) for one in found.refuted)],
         rows=lambda: parts.CsvRows(
             {"letters": int, "features": str},
             [[len(one.letters), _letters(one.letters)] for one in found.minimal],

@@ -12,16 +12,8 @@ from allworlds.inputs import checks, requests
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Percept
+from allworlds.studies.ambiguity import sensed_classes as many
 from allworlds.studies.ambiguity.members import ensure_motions_decide
-from allworlds.studies.ambiguity.sensed_classes import (
-    BITS,
-    Matrix,
-    Placed,
-    SensedWorlds,
-    classes,
-    matrices,
-    rooted_codes,
-)
 from allworlds.studies.ambiguity.side_by_side import AlikePair, ManyWorldsOptions, worlds_of_level
 from allworlds.world.lighthouses import base, kinds
 from allworlds.world.selection import tried_kind
@@ -134,9 +126,9 @@ class FinestLevel(NamedTuple):
         roots: for each world the number of its rooted map.
     """
 
-    worlds: list[Placed]
-    arrays: SensedWorlds
-    features: Matrix
+    worlds: list[many.Placed]
+    arrays: many.SensedWorlds
+    features: many.Matrix
     roots: list[int]
 
     def looks(self, letters: Letters, rows: Sequence[int]) -> Iterator[bytes]:
@@ -144,9 +136,9 @@ class FinestLevel(NamedTuple):
         import numpy as np
 
         some = self.arrays.chosen(rows)
-        sensed = np.array(letters)[self.features[rows]] << BITS | some.sensed
+        sensed = np.array(letters)[self.features[rows]] << many.BITS | some.sensed
         coarser = some._replace(sensed=sensed)
-        return rooted_codes(coarser, classes(coarser), np.zeros(len(rows), np.int64))
+        return many.rooted_codes(coarser, many.classes(coarser), np.zeros(len(rows), np.int64))
 
 
 Met: TypeAlias = tuple[int, int]
@@ -287,14 +279,14 @@ def _levels(
     for edges in request.extent.levels:
         found = worlds_of_level(request, request.extent, edges, kind)
         worlds = [world for some in found for world in some]
-        sensed = [place.percepts(map_) for map_, place in worlds]
-        for (map_, place), percepts in zip(worlds, sensed, strict=True):
-            odd = [p for p in percepts if p.bearing is not None or p.marks >= count]
-            if odd or place.told(map_) is not None:
-                what = f"senses {odd[0]}" if odd else f"tells {place.told(map_)}"
-                raise checks.InputError(f"{checks.show(str(kind))} {what}; legal is {SHAPE}")
+        arrays, one = many.matrices(worlds), 1 << many.BITS
+        features, bearings = arrays.sensed >> 2 * many.BITS, arrays.sensed >> many.BITS & one - 1
+        for row, dart in np.argwhere((bearings > 0) | (features >= count))[:1]:
+            odd = worlds[row][1].percepts(worlds[row][0])[dart]
+            raise checks.InputError(f"{checks.show(str(kind))} senses {odd}; legal is {SHAPE}")
+        if told := [each for each in arrays.told if each is not None]:
+            raise checks.InputError(f"{checks.show(str(kind))} tells {told[0]}; legal is {SHAPE}")
         roots = [number.setdefault(map_, len(number)) for map_, _ in worlds]
         if worlds:
-            features = np.array([[p.marks for p in percepts] for percepts in sensed])
-            degrees = np.array([[p.degree for p in percepts] for percepts in sensed])
-            yield FinestLevel(worlds, matrices(worlds)._replace(sensed=degrees), features, roots)
+            degrees = arrays.sensed & one - 1
+            yield FinestLevel(worlds, arrays._replace(sensed=degrees), features, roots)

@@ -15,8 +15,8 @@ that is entered at two darts which look alike; :func:`forbid_other_start` exclud
 dart, that the second world is the first one started elsewhere.
 """
 
-from collections.abc import Sequence
-from itertools import combinations, product
+from collections.abc import Mapping, Sequence
+from itertools import chain, combinations, product
 from math import prod
 from pathlib import Path
 from typing import TypeAlias
@@ -25,7 +25,6 @@ from msgspec import Struct
 
 from allworlds.studies.ambiguity.question import Question, Size, Sizes
 from allworlds.world.lighthouses.base import Where
-from allworlds.world.lighthouses.marked import word_of
 
 Literal: TypeAlias = int
 """A variable ``1, 2, ...``, or its negative."""
@@ -413,9 +412,9 @@ def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, Pair]:
             formula.section("turning is free: the starts are reference darts")
             formula.clauses += [(block[0],) for block in pointed]
     letters: tuple[Block, ...] = ()
-    if question.pattern:
+    if question.words:
         worlds = enumerate((one, two), 1)
-        letters = tuple(_letters(formula, name, question.pattern, world) for name, world in worlds)
+        letters = tuple(_letters(formula, name, question.words, world) for name, world in worlds)
     pair = Pair(question, one, two, pointed, letters)
     _bisimulation(formula, pair)
     if one.size.edges == two.size.edges:
@@ -459,20 +458,21 @@ def _reference_darts(formula: Formula, name: str, where: Where, world: OneWorld)
     return pointed
 
 
-def _letters(formula: Formula, name: int, pattern: str, world: OneWorld) -> Block:
+def _letters(
+    formula: Formula, name: int, words: Mapping[int, tuple[int, ...]], world: OneWorld
+) -> Block:
     """Require the letters of a word at v0, where the start is at bearing 0, and none elsewhere."""
-    digits, (darts, degrees) = sorted({*pattern} - {"0", "*"}), world.degree.shape
-    has = formula.block(f"letter{name}", (darts, len(digits)), f"x has one of {','.join(digits)}")
+    found, (darts, degrees) = sorted({*chain(*words.values())} - {0}), world.degree.shape
+    meaning = f"x has one of {','.join(map(str, found))}"
+    has = formula.block(f"letter{name}", (darts, len(found)), meaning)
     formula.section(f"world {name} has its letters")
-    for x, (letter, digit) in product(range(darts), enumerate(digits)):
-        formula.add(-has[x, letter], world.vertex[x, 0])
-        for degree in range(1, degrees):
-            at_v0 = (-world.vertex[x, 0], -world.degree[x, degree])
-            word = word_of(pattern, degree)
-            for place in range(degree):
-                there = word[-place] == int(digit)
-                sensed = has[x, letter] if there else -has[x, letter]
-                formula.add(*at_v0, -world.place[x, place], sensed)
+    formula.clauses += [(-world.degree[0, d],) for d in range(1, degrees) if d not in words]
+    for x, (number, letter) in product(range(darts), enumerate(found)):
+        formula.add(-has[x, number], world.vertex[x, 0])
+        for degree, place in ((d, i) for d in range(1, degrees) for i in range(d) if d in words):
+            sensed = has[x, number] if words[degree][-place] == letter else -has[x, number]
+            at = -world.vertex[x, 0], -world.degree[x, degree], -world.place[x, place]
+            formula.add(*at, sensed)
     return has
 
 

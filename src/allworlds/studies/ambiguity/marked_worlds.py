@@ -1,7 +1,7 @@
 """Every marked world of a class, and which of them look alike."""
 
 from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from typing import Annotated, TypeAlias, TypeVar
 
 from msgspec import Struct, field
@@ -11,17 +11,19 @@ from typing_extensions import override
 from allworlds import document as doc, outcome
 from allworlds.engines import limits, sweep, units
 from allworlds.engines.engine_table import ReadyEngine, local_or_dask
+from allworlds.engines.kernel import capabilities
 from allworlds.inputs import checks, requests
 from allworlds.maps import classes
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.quotient import class_size
 from allworlds.notations.given import GivenOptions
+from allworlds.studies.ambiguity import sensed_classes as arrays
 from allworlds.studies.ambiguity.members import (
     ComparedWorlds,
     ensure_motions_decide,
     projection_of,
     twins,
 )
-from allworlds.studies.ambiguity.sensed_classes import Placed, matrices, named
 from allworlds.world.lighthouses import kinds
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.selection import WhereOptions, tried_kind
@@ -110,13 +112,14 @@ class SensedParts(Struct, forbid_unknown_fields=True):
         for look, name in other.looks.items():
             self._meet(look, name)
 
-    def meet(self, worlds: Sequence[Placed], *, counted: bool) -> None:
+    def meet(self, worlds: arrays.SensedWorlds, *, counted: bool) -> None:
         """Take in worlds with equally many edges; those of a look are counted, if they can be."""
-        names = named(worlds, matrices(worlds))
-        for (map_, place), (look, name, sheets) in zip(worlds, names, strict=True):
-            self.sizes[name] = map_.edge_count, map_.vertex_count
+        edges = worlds.sigma.shape[1] // 2
+        for i, (look, name, sheets) in enumerate(arrays.named(worlds)):
+            self.sizes[name] = edges, worlds.vertices[i]
             if counted and sheets > 1 and look not in self.counted:
-                quotient = projection_of(World(map_, place, 0)).quotient
+                map_ = CombinatorialMap.trusted(*(each[i].tolist() for each in worlds[:2]))
+                quotient = projection_of(World(map_, Position(0), 0)).quotient
                 self.counted[look] = class_size(quotient)
             self._meet(look, name)
 
@@ -185,20 +188,26 @@ class PartBySensing(Struct, frozen=True):
 
     def parts(self, unit: AnyUnit) -> Iterator[SensedParts]:
         """The maps of the unit, some at a time."""
-        for maps, worlds in batches(unit, self.extent, self.kind):
-            found = SensedParts(maps)
-            found.meet(worlds, counted=self.counted)
-            yield found
+        kind = self.kind.as_class
+        if isinstance(unit, units.LevelUnit) and arrays.compiled_name(kind, self.extent):
+            several = arrays.laid_out(unit, self.extent, kind)
+        else:
+            found = batches(unit, self.extent, self.kind)
+            several = ((maps, arrays.matrices(worlds)) for maps, worlds in found)
+        for maps, worlds in several:
+            part = SensedParts(maps)
+            part.meet(worlds, counted=self.counted)
+            yield part
 
 
 def batches(
     unit: AnyUnit, extent: classes.Extent, kind: kinds.LighthouseKind
-) -> Iterator[tuple[int, list[Placed]]]:
+) -> Iterator[tuple[int, list[arrays.Placed]]]:
     """The worlds of a unit, some at a time, with the number of maps in which they are.
 
     At least once, even if there are none.
     """
-    maps, worlds = 0, list[Placed]()
+    maps, worlds = 0, list[arrays.Placed]()
     for map_, places in unit.placed(extent, kind.as_class):
         maps += 1
         worlds += ((map_, place) for _, place in places)
@@ -319,7 +328,7 @@ def census(request: CensusRequest) -> AmbiguityCensus:
     Raises:
         InputError: naming the offending option and what would be legal.
 
-    Cost: some 30 microseconds a rooted map and place, and 300 bytes of memory.
+    Cost: some 30 microseconds a rooted map and place, in compiled code 7; and 300 bytes of memory.
     """
     return CensusSweep(request).answer(request.run)
 
@@ -340,6 +349,11 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
     @override
     def ready(self) -> ReadyEngine:
         extent = self.extent
+        if arrays.compiled_name(self.kind.as_class, extent):
+            from allworlds.engines.kernel import compiling, engine as kernel
+
+            if not compiling.is_compiled(kernel.lay_out):
+                self.listener.notice(capabilities.COMPILING)
         every = extent.map_class is classes.MapClass.MAPS and not (extent.where or extent.given)
         engine = PartBySensing(extent, self.kind, every and self.kind.name == Position.kind)
         return ReadyEngine(local_or_dask(self.request.dask, self.deadline), engine)
@@ -392,7 +406,7 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         for edges in sorted({self._met.sizes[name][0] for name in names}):
             for unit in units.units_of_level(self.extent, edges):
                 for _, worlds in batches(unit, self.extent, self.kind):
-                    several = named(worlds, matrices(worlds))
+                    several = arrays.named(arrays.matrices(worlds))
                     for placed, (look, name, _) in zip(worlds, several, strict=True):
                         if name in names:
                             alike = found.setdefault(look, {})

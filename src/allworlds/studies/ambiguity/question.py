@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, NamedTuple
 
@@ -20,8 +21,11 @@ from allworlds.inputs.checks import (
 )
 from allworlds.inputs.requests import EFFORT, OUTPUT, SCOPE, Option
 from allworlds.maps import classes, combinatorial
+from allworlds.maps.build import named_map
+from allworlds.maps.enumeration import rooted_maps
 from allworlds.words import plural
 from allworlds.world.lighthouses import base, composed, kinds, marked
+from allworlds.world.selection import TRIED_EDGES, tried_kind
 
 
 def motion_list(text: str) -> tuple[int, ...]:
@@ -39,8 +43,8 @@ class SearchRequest(ListenerOptions, TimeLimitOptions, classes.ClassOptions):
         Option(
             SCOPE,
             "KIND",
-            "The lighthouse, sensed besides degrees: none, position, compass, directional, door or "
-            "word:PATTERN.",
+            "The lighthouse, sensed besides degrees: none, position, compass, directional, door, "
+            "word:PATTERN, or FILE.py:Class with marks at v0 alone.",
         ),
     ]
     vertices: Annotated[int, Option(SCOPE, "N", "At most N vertices.", parse=integer_of)]
@@ -138,7 +142,7 @@ class Sizes(NamedTuple):
         )
 
 
-class Question(Struct, frozen=True):
+class Question(Struct, frozen=True, dict=True):
     """Is there a pair of different worlds that no motion separates?
 
     Attributes:
@@ -160,22 +164,26 @@ class Question(Struct, frozen=True):
     @property
     def sensing(self) -> base.Sensing:
         """The kind of marker that is sensed besides the degree."""
-        kind = self.kind
-        assert issubclass(kind, base.ReferenceLighthouse)
-        words = (marked.word_of(self.pattern, degree) for degree in range(1, 2 * self.edges + 1))
-        if self.pattern and not all(map(any, words)):  # there is no letter that shows v0
-            return base.Sensing(base.Where.NOWHERE, bearing=False)
-        return kind.sensing
+        kind, shown = self.kind, all(map(any, self.words.values()))  # else v0 may look like others
+        if shown and issubclass(kind, base.ReferenceLighthouse):
+            return kind.sensing
+        return base.Sensing(base.Where.AT_V0 if shown else base.Where.NOWHERE, bearing=False)
 
     @property
     def kind(self) -> type[base.Lighthouse]:
         """The kind of lighthouse as a type."""
         return kinds.lighthouse_kind(self.lighthouse).as_class
 
-    @property
-    def pattern(self) -> str:
-        """The pattern of the letters; empty where there are none."""
-        return self.kind.pattern if issubclass(self.kind, marked.SensedByBearing) else ""
+    @cached_property
+    def words(self) -> Mapping[int, tuple[int, ...]]:
+        """For each degree of v0 the letters of the bearings from 0 on; empty if there are none.
+
+        They are the marks at the hub of a star at the first place of the lighthouse.
+        """
+        stars = [named_map(f"star-{d}") for d in range(1, 2 * self.edges + 1)]
+        none = self.lighthouse in SEARCHED
+        first = {} if none else {map_: [*self.kind.places(map_, 0)][:1] for map_ in stars}
+        return {map_.edge_count: letters_at(on[0], map_) for map_, on in first.items() if on}
 
     def sizes(self) -> Iterator[Sizes]:
         """The pairs of sizes that are to be searched, the smaller first.
@@ -228,14 +236,37 @@ class Question(Struct, frozen=True):
         )
 
 
+def letters_at(place: base.Lighthouse, map_: combinatorial.CombinatorialMap) -> tuple[int, ...]:
+    """The marks that are sensed at dart 0 and the others of its vertex, anticlockwise."""
+    seen = place.percepts(map_)
+    return tuple(seen[map_.turn(0, -bearing)].marks for bearing in range(map_.degree_at[0]))
+
+
+def _ensure_at_v0(asked: Question) -> None:
+    """Raise InputError if other things are sensed in a small map than the letters, in some turn."""
+    most = min(asked.edges, TRIED_EDGES)
+    for map_ in (map_ for edges in range(1, most + 1) for map_ in rooted_maps(edges)):
+        for place in asked.kind.places(map_, 0):
+            letters, word = letters_at(place, map_), asked.words.get(map_.degree_at[0], ())
+            marks = [p.marks for p in place.percepts(map_) if p.marks or p.bearing is not None]
+            turned = letters in [word[k:] + word[:k] for k in range(len(word))]
+            if not turned or 0 in marks or len(marks) > sum(map(bool, letters)) or place.told(map_):
+                raise InputError(
+                    f"lighthouse {show(asked.lighthouse)} does not show marks at v0 alone, by the "
+                    f"bearing and the degree, in {map_}; of others 'ambiguity census' makes all "
+                    "small worlds"
+                )
+
+
 def question_of(request: SearchRequest) -> Question:
     """The question that a request asks.
 
     Raises:
         InputError: naming the offending value and what would be legal.
     """
-    lettered = str(request.lighthouse).partition(":")[0] in LETTERS
-    if request.lighthouse not in SEARCHED and not lettered:
+    name, own, _ = str(request.lighthouse).partition(":")
+    own = own if own and name not in kinds.LIGHTHOUSES and tried_kind(request.lighthouse) else ""
+    if request.lighthouse not in SEARCHED and not own and name not in LETTERS:
         more = (
             ", of which there are formulas; 'ambiguity census' takes every lighthouse, and makes "
             "all small worlds"
@@ -258,7 +289,9 @@ def question_of(request: SearchRequest) -> Question:
     for name, degree in degrees.items():
         if degree is not None and an_integer(name, degree) < 1:
             raise InputError(f"{name} = {show(degree)}, but every vertex has at least 1 dart")
-    if asked.pattern and asked.walk:
+    if own:
+        _ensure_at_v0(asked)
+    if asked.words and asked.walk:
         raise InputError(f"there is no walk with --lighthouse {asked.lighthouse}; leave it out")
     for step in asked.walk:
         if step.present and not asked.sensing.marks_v0:

@@ -5,13 +5,20 @@ A row of a matrix is a world, a column a dart.  Every world is rooted at dart 0,
 
 import json
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from hashlib import blake2b
+from threading import get_ident
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from allworlds.inputs.checks import InputError, show
+from allworlds.engines.engine_table import COMPILED_FROM, COMPILER, kind_of
+from allworlds.engines.kernel import capabilities
+from allworlds.engines.units import LevelUnit
+from allworlds.inputs.checks import InputError, lack_of, show
+from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Percept, Told
 from allworlds.world.lighthouses.base import Lighthouse
+from allworlds.world.lighthouses.marked import Door, SensedByBearing, word_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -34,15 +41,19 @@ class SensedWorlds(NamedTuple):
     Attributes:
         sigma, alpha: the permutations.
         sensed: for each dart a number that stands for what is sensed there, with the degree.
+        told: for each world what is told before the start.
+        vertices: their numbers.
     """
 
     sigma: Matrix
     alpha: Matrix
     sensed: Matrix
+    told: Sequence[Told]
+    vertices: Sequence[int]
 
     def chosen(self, rows: Any) -> "SensedWorlds":
-        """Return some of them, by their numbers."""
-        return SensedWorlds(*(matrix[rows] for matrix in self))
+        """Return the matrices of some of them, by their numbers."""
+        return SensedWorlds(self.sigma[rows], self.alpha[rows], self.sensed[rows], (), ())
 
 
 def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
@@ -66,8 +77,61 @@ def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
     sensed = [[numbers[id(percept)] for percept in percepts] for percepts in every]
     permutations = ([map_.sigma for map_, _ in worlds], [map_.alpha for map_, _ in worlds])
     shape = len(worlds), len(worlds[0][0].sigma) if worlds else 0
-    made = (np.array(rows, np.int64).reshape(shape) for rows in (*permutations, sensed))
-    return SensedWorlds(*made)
+    made = [np.array(rows, np.int64).reshape(shape) for rows in (*permutations, sensed)]
+    told = [place.told(map_) for map_, place in worlds]
+    return SensedWorlds(made[0], made[1], made[2], told, [m.vertex_count for m, _ in worlds])
+
+
+def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
+    """The kernel's name of a lighthouse (of letters the door's), if it is to make the worlds."""
+    name = Door.kind if issubclass(kind, SensedByBearing) else kind_of(kind)
+    able = name in capabilities.LIGHTHOUSES and not (extent.given or extent.where)
+    large = COMPILED_FROM <= extent.levels[-1] <= capabilities.MOST_EDGES
+    return name if able and large and not lack_of(*COMPILER) else ""
+
+
+@lru_cache(4)
+def _room(edges: int, thread: int) -> tuple[Any, ...]:  # noqa: ARG001  # each has its own
+    """The memory of compiled code: a job, a robot that does not move, and the worlds."""
+    from allworlds.engines.kernel import records
+
+    made = records.Stretch.of(edges)
+    return records.new(records.JOB), records.new(records.ROBOT), made.heads, made.worlds
+
+
+def laid_out(
+    unit: LevelUnit, extent: Extent, kind: type[Lighthouse]
+) -> Iterator[tuple[int, SensedWorlds]]:
+    """The worlds of a unit, some at a time, with the number of maps; made by compiled code."""
+    import numpy as np
+
+    from allworlds.engines.kernel import engine, records
+
+    of, name, at = extent.map_class, compiled_name(kind, extent), np.arange(2 * unit.edges)
+    asked = unit.edges, extent.vertex_limit(unit.edges), of.simple, of.planar, "", name, "fifo", ()
+    level = records.Level(*asked, [[[0]]], (0,) * (unit.edges + 2))
+    job, robot, heads, laid = _room(unit.edges, get_ident())
+    job.gluing = job.world = job.number = 0
+    engine.set_up(job, robot, level)
+    wanted = engine.unit_of(level, unit.prefix)
+    while job.until:
+        before = int(job.number)
+        job.until = before + records.LONGEST_STRETCH
+        runs = engine.lay_out(job, wanted, heads, laid)
+        rows = laid[:runs].reshape(-1, len(at), records.WIDE).astype(np.int64)
+        first, alpha, degree, marks, bearing = np.moveaxis(rows, 2, 0)
+        if issubclass(kind, SensedByBearing):
+            words = [word_of(kind.pattern, d) + (0,) * (len(at) - d) for d in range(1, len(at) + 1)]
+            back = (marks.argmax(axis=1)[:, None] - at) % degree[:, :1]
+            marks = np.where(first == 0, np.array(words)[degree - 1, back], 0)
+        maps = int((rows[1:, :, :2] != rows[:-1, :, :2]).any(axis=(1, 2)).sum()) + (runs > 0)
+        told = [None if each < 0 else each for each in heads[:runs, records.RUN_TOLD].tolist()]
+        sigma = first + (at - first + 1) % degree
+        sensed = (marks << BITS | bearing) << BITS | degree
+        vertices = (first == at).sum(axis=1).tolist()
+        # A map without a place has its number, too.
+        without = int(job.number) - before - runs
+        yield maps + without, SensedWorlds(sigma, alpha, sensed, told, vertices)
 
 
 def _ranks(keys: Matrix) -> Matrix:
@@ -97,7 +161,7 @@ def classes(worlds: SensedWorlds) -> Matrix:
     found, darts = _ranks(worlds.sensed), worlds.sigma.shape[1]
     left = np.arange(len(found))
     while len(left):
-        sigma, alpha, _ = worlds.chosen(left)
+        sigma, alpha = worlds.sigma[left], worlds.alpha[left]
         before = found[left]
         keys = (before * darts + np.take_along_axis(before, sigma, 1)) * darts
         after = _ranks(keys + np.take_along_axis(before, alpha, 1))
@@ -107,47 +171,53 @@ def classes(worlds: SensedWorlds) -> Matrix:
     return found
 
 
-def rooted_codes(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> Iterator[bytes]:
-    """For each world the code of its quotient, rooted at the class of a dart.
+def numbered(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> tuple[Matrix, Matrix]:
+    """For each class its number, and for each number a dart of its class.
 
-    Classes are numbered from the root's on: the oldest numbered one has the class to which sigma
-    leads numbered, then that to which alpha does.  The code holds for each class these two and
-    what is sensed, so equal codes mean that one quotient is the other, root included.
-
-    Args:
-        worlds: each with one root.
-        of: for each dart its class.
-        roots: for each world a dart.
+    Classes are numbered from that of the world's root on: the oldest numbered one has the class to
+    which sigma leads numbered, then that to which alpha does; ``of`` is the class of each dart.
 
     Cost: O(m) a world.
     """
     import numpy as np
 
     (count, darts), every = worlds.sigma.shape, np.arange(len(roots))
-    sizes = of.max(axis=1) + 1
-    number, known = np.full((count, darts), -1), np.ones(count, np.int64)
-    dart_of = np.zeros((count, darts), np.int64)
-    number[every, of[every, roots]], dart_of[:, 0] = 0, roots
-    codes = np.zeros((count, darts, 3), np.int64)
+    sizes, known = of.max(axis=1) + 1, np.ones(count, np.int64)
+    number, order = np.full((count, darts), -1), np.zeros((count, darts), np.int64)
+    number[every, of[every, roots]], order[:, 0] = 0, roots
     for x in range(int(sizes.max(initial=0))):
         rows = every[sizes > x]
-        dart = dart_of[rows, x]
-        for column, permutation in enumerate(worlds[:2]):
+        dart = order[rows, x]
+        for permutation in worlds[:2]:
             to = permutation[rows, dart]
             into = of[rows, to]
             new = number[rows, into] < 0
             fresh, at = rows[new], known[rows[new]]
-            number[fresh, into[new]], dart_of[fresh, at] = at, to[new]
+            number[fresh, into[new]], order[fresh, at] = at, to[new]
             known[fresh] += 1
-            codes[rows, x, column] = number[rows, into]
-        codes[rows, x, 2] = worlds.sensed[rows, dart]
-    for size, code in zip(sizes.tolist(), codes, strict=True):
+    return number, order
+
+
+def rooted_codes(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> Iterator[bytes]:
+    """For each world the code of its quotient, rooted at the class of a dart.
+
+    The code holds for each class, by :func:`numbered`, those to which sigma and alpha lead and what
+    is sensed, so equal codes mean that one quotient is the other, root included.
+    """
+    import numpy as np
+
+    number, order = numbered(worlds, of, roots)
+    at = np.arange(len(roots))[:, None]
+    ends = (number[at, of[at, permutation[at, order]]] for permutation in worlds[:2])
+    codes = np.stack((*ends, worlds.sensed[at, order]), axis=2)
+    for size, code in zip((of.max(axis=1) + 1).tolist(), codes, strict=True):
         yield code[:size].tobytes()
 
 
 def digest(code: bytes, told: Told = None) -> str:
     """A name for a code, with what is told before the start."""
-    text = "" if told is None else json.dumps(told, sort_keys=True)
+    said = "" if told is None else told
+    text = str(said) if isinstance(said, int | str) else json.dumps(said, sort_keys=True)
     return blake2b(text.encode() + b"\0" + code, digest_size=16).hexdigest()
 
 
@@ -166,23 +236,23 @@ class NamedWorld(NamedTuple):
     sheets: int
 
 
-def named(worlds: Sequence[Placed], arrays: SensedWorlds) -> Iterator[NamedWorld]:
-    """The names of worlds with equally many darts, of which these are the matrices."""
+def named(worlds: SensedWorlds) -> Iterator[NamedWorld]:
+    """The names of worlds with equally many darts."""
     import numpy as np
 
-    if not worlds:
+    count, told = len(worlds.sigma), worlds.told
+    if not count:
         return
-    told = [place.told(map_) for map_, place in worlds]
-    of = classes(arrays)
-    looks = rooted_codes(arrays, of, np.zeros(len(worlds), np.int64))
-    least = [""] * len(worlds)
+    of = classes(worlds)
+    looks = rooted_codes(worlds, of, np.zeros(count, np.int64))
+    least = [""] * count
     rows, roots = np.nonzero(of == 0)
     darts = of.shape[1]
     step = max(1, ENTRIES // darts)
     for first in range(0, len(rows), step):
         some = rows[first : first + step]
         each = np.broadcast_to(np.arange(darts), (len(some), darts))
-        codes = rooted_codes(arrays.chosen(some), each, roots[first : first + step])
+        codes = rooted_codes(worlds.chosen(some), each, roots[first : first + step])
         for row, code in zip(some.tolist(), codes, strict=True):
             name = digest(code, told[row])
             least[row] = min(least[row], name) if least[row] else name

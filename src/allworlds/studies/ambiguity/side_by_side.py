@@ -41,12 +41,7 @@ class SensorsRequest(ManyWorldsOptions):
 
     lighthouses: Annotated[
         requests.Converted[Sequence[kinds.GivenLighthouse], tuple[kinds.LighthouseKind, ...]],
-        requests.Argument(
-            "",
-            "LIGHTHOUSE...",
-            f"{LEGAL}.",
-            repeated=True,
-        ),
+        requests.Argument("", "LIGHTHOUSE...", f"{LEGAL}.", repeated=True),
     ] = requests.Converted(_kinds, ())
 
 
@@ -163,7 +158,7 @@ class Sensor(Struct):
     def meet(self, worlds: Sequence[Placed], number: dict[CombinatorialMap, int]) -> None:
         """Take in more worlds, in the order of their sizes."""
         arrays = matrices(worlds)
-        rows = zip(worlds, named(worlds, arrays), arrays.sensed.tolist(), strict=True)
+        rows = zip(worlds, named(arrays), arrays.sensed.tolist(), strict=True)
         for (map_, place), found, sensed in rows:
             root, told = number.setdefault(map_, len(number)), place.told(map_)
             self.worlds.append((map_, place))

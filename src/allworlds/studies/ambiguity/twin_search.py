@@ -102,7 +102,7 @@ class SearchResult(EndedReport, kw_only=True):
     question: doc.NotInDocument[Question]
 
     @doc.computed
-    def lighthouse(self) -> Annotated[str, doc.one_of(*SEARCHED)]:
+    def lighthouse(self) -> doc.Text:
         """Its kind."""
         return self.question.lighthouse
 
@@ -199,7 +199,7 @@ def _world(
     if pointed and asked.sensing.where is Where.AT_V0:
         _only(references)
     map_ = CombinatorialMap(sigma, alpha)
-    place = asked.kind.usual(map_, 0) if asked.pattern else SEARCHED[asked.lighthouse](references)
+    place = asked.kind.usual(map_, 0) if asked.words else SEARCHED[asked.lighthouse](references)
     return World(map_, place, 0)
 
 
