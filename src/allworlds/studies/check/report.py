@@ -5,7 +5,6 @@ witnesses, and the most expensive runs.
 """
 
 from collections.abc import Iterator, Mapping
-from pathlib import Path
 from typing import Annotated, Literal, TypeAlias, get_args
 
 from typing_extensions import override
@@ -91,6 +90,7 @@ class ManyWorlds(ListenerOptions, Limits, RuleOptions, selection.LighthouseOptio
 
 
 class CheckRequest(
+    tally_sweep.CorpusOptions,
     RunDirectoryOptions,
     ClusterOptions,
     ManyWorlds,
@@ -139,15 +139,6 @@ class CheckRequest(
             parse=checks.integer_of,
         ),
     ] = requests.Converted(positive("max-findings"), 1)
-    corpus: Annotated[
-        str | Path | None,
-        requests.Option(
-            requests.RARE_EFFORT,
-            "DIR",
-            "A directory of findings, which are tried first; new ones are added to it.",
-            apart=True,
-        ),
-    ] = None
 
     @property
     def extent(self) -> Extent:
