@@ -184,7 +184,7 @@ class FuzzSweep(TallySweep[CheckReport]):
 
     def __init__(self, request: FuzzRequest, scope: Scope, subject: loading.Subject) -> None:
         super().__init__(request, scope, subject)
-        self._tally = self.empty()
+        self._tally, self._bred = self.empty(), 0
 
     @override
     @classmethod
@@ -203,8 +203,8 @@ class FuzzSweep(TallySweep[CheckReport]):
             yield SweptLevel(edges, end - begin, batches(sample, begin, end))
             until = end // BLOCK
             if until > blocks and is_bred_for(subject):
-                begins = range(blocks * BLOCK, until * BLOCK, BLOCK)
-                yield SweptLevel(edges, 0, [*bred_of(sample, begins)], of=Bred)
+                mine = [*bred_of(sample, range(blocks * BLOCK, until * BLOCK, BLOCK))]
+                yield SweptLevel(edges, 0, mine, of=len(mine) * BRED)
                 blocks = until
 
     @override
@@ -221,11 +221,12 @@ class FuzzSweep(TallySweep[CheckReport]):
     @override
     def finish(self, level: SweptLevel, total: Tally) -> Ending | None:
         self.leave(level, total)
+        self._bred += level.of or 0
         return Completed() if self._tally.findings else None
 
     @override
     def leave(self, level: SweptLevel, total: Tally) -> None:
-        if level.of is Bred:  # they do not count
+        if level.of is not None:  # bred worlds do not count
             total = Tally(total.keep, findings=total.findings, remarks=total.remarks)
         self._tally.add(total)
 
@@ -260,6 +261,7 @@ class FuzzSweep(TallySweep[CheckReport]):
             tally=self._tally,
             levels=(),
             past=self.corpus,
+            offspring=self._bred,
             seconds=tuple(self.seconds),
         )
 

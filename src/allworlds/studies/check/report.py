@@ -285,6 +285,7 @@ class CheckReport(sweep.PortionReport):
     past: NotInDocument[tally_sweep.UserCorpus | None] = None
     symmetry: NotInDocument[str] = ""
     seconds: NotInDocument[tuple[float, ...]] = ()
+    offspring: NotInDocument[int] = 0
 
     @computed
     def verdict(self) -> Verdict:
@@ -371,6 +372,11 @@ class CheckReport(sweep.PortionReport):
     def covered(self) -> IfAny[tuple[CoveredRow, ...]]:
         """Of a sample: how far its worlds reach, a row for each feature."""
         return tuple(covered_rows(self.tally.covered))
+
+    @computed
+    def bred(self) -> IfAny[Natural | None]:
+        """Of a sample: worlds that were bred from its draws; they are not among its worlds."""
+        return self.offspring or None
 
     @computed
     def corpus(self) -> tally_sweep.CorpusReport | None:
