@@ -1,11 +1,20 @@
 """How soon random worlds refute planted slips: the mixture of ``fuzz`` beside the one before it.
 
     python benchmarks/planted.py [--edges M] [--runs R] [--seed S] [--old] [--mix NAMES] [--limit S]
+    python benchmarks/planted.py --hard
+    python benchmarks/planted.py --shrink M
 
 Each slip is planted in three explorers: Algorithm 1, its variant for a marker cluster, and
 Algorithm 1 depth first.  A line for each slip has the number of the first run that is wrong in
 each; the last line has the rate that is found.  ``--old`` draws as ``fuzz`` did before the mixture.
 ``--limit`` ends the drawing for each explorer after so many seconds.
+
+``--hard`` plants slips that the mixture seldom finds in some hundred worlds, and tells for each
+whether the worlds that ``fuzz`` breeds from the first block of draws find it.
+
+``--shrink`` makes findings smaller whose smallest world, of all with up to M edges, is known: a
+line for each slip with the size of that world, the one that is reached from some 50 to 60 edges,
+and seconds of the processor.
 
 Up to the first wrong belief a planted explorer does what the right one does.  So the right one is
 run once in each world, and tells which slips would have been wrong: :func:`wrong_in`.
@@ -21,17 +30,24 @@ from random import Random
 from typing import Any
 
 from allworlds.corpus.explorers import ConfirmedTooEarly
-from allworlds.engines.units import Sample
+from allworlds.engines.lanes import workers_for
+from allworlds.engines.limits import Limits
+from allworlds.engines.tally import Examiner
+from allworlds.engines.units import Sample, Scope
 from allworlds.explorers.builtin.algorithm1 import Algorithm1, TwoVertices, Walk
+from allworlds.explorers.loading import in_process_subject
 from allworlds.judging.episode import AroundExplorer
+from allworlds.judging.findings.finding import place_of
+from allworlds.judging.findings.rules import Rules
 from allworlds.maps import build, families
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.enumeration import rooted_maps
 from allworlds.maps.mixture import default_mix, glued, lattice, rerooted
 from allworlds.protocol import playing
 from allworlds.protocol.actions import Estimate, Move, Percept
 from allworlds.protocol.choices import Choices
-from allworlds.studies.fuzz import batches
+from allworlds.studies import fuzz
 from allworlds.world.lighthouses import kinds
 from allworlds.world.world import World
 
@@ -41,12 +57,29 @@ from allworlds.world.world import World
 class Plain(Algorithm1):
     """Algorithm 1."""
 
-    fits = 0
+    fits = rejected = length = 0
+    passes: frozenset[tuple[int, ...]] = frozenset()
+
+    def test_all(self, hypotheses: list[int]) -> Walk[int | None]:
+        """Lines 7-17; of a pass that closes an edge it is noted how that came about."""
+        self.rejected = self.length = 0
+        partner = yield from super().test_all(hypotheses)
+        if partner is not None:
+            degree, vertices = self.s.expected[partner].degree, len(self.s.first)
+            met = (degree, self.rejected, self.length, vertices // 4)
+            self.passes |= {met}
+            self.closes(*met)
+        return partner
+
+    def closes(self, degree: int, rejected: int, length: int, fours: int) -> None:
+        """Hear of a pass that closes an edge."""
 
     def try_path(self, partner: int, path: list[int]) -> Walk[tuple[list[int], bool]]:
         """Lines 10-13; of a wrong hypothesis it is noted how many steps have fitted."""
         motions, matched = yield from super().try_path(partner, path)
+        self.length = len(path)
         if not matched:
+            self.rejected += 1
             self.fits = max(self.fits, len(motions) - 1)
         return motions, matched
 
@@ -103,6 +136,30 @@ def wrong_where(kind: type[Plain], holds: Callable[[CombinatorialMap], bool]) ->
             return Estimate(build.cycle(1), 0) if holds(right.map) else right
 
     return AnswersLoop
+
+
+def wrong_behind(kind: type[Plain], met: tuple[int, ...]) -> type[Plain]:
+    """The explorer that answers with a loop after a pass that meets four conditions."""
+
+    class AnswersLoopBehind(kind):  # type: ignore[valid-type,misc]
+        wrong = False
+
+        def closes(self, degree: int, rejected: int, length: int, fours: int) -> None:
+            if degree != met[0]:
+                return
+            if rejected != met[1]:
+                return
+            if length != met[2]:
+                return
+            if fours != met[3]:
+                return
+            self.wrong = True
+
+        def answer(self) -> Estimate:
+            right = super().answer()
+            return Estimate(build.cycle(1), 0) if self.wrong else right
+
+    return AnswersLoopBehind
 
 
 def explorer(kind: type[Plain]) -> Callable[..., Any]:
@@ -169,6 +226,19 @@ SLIPS: dict[str, Callable[[type[Plain]], type[Plain]]] = {
 }
 """Every slip: plants it."""
 
+LATE = (24, 32)
+"""Numbers of fitting steps that are rare."""
+
+BEHIND = ((8, 4, 2, 3), (7, 2, 5, 2), (8, 5, 4, 1), (9, 3, 3, 4), (6, 9, 6, 3), (5, 1, 5, 9))
+"""Four conditions, each a line of its own: the degree, hypotheses rejected, the length of the test,
+and the vertices by fours.  About one world of a thousand meets them."""
+
+HARD: dict[str, Callable[[type[Plain]], type[Plain]]] = {
+    **{f"belief after {n}": lambda kind, n=n: believing(kind, n) for n in LATE},  # type: ignore[misc]
+    **{f"behind {met}": lambda kind, met=met: wrong_behind(kind, met) for met in BEHIND},  # type: ignore[misc]
+}
+"""Slips that are hard to find."""
+
 
 def wrong_in(kind: type[Plain], world: World) -> set[str]:
     """The slips that show in a world, of those planted in an explorer."""
@@ -179,9 +249,11 @@ def wrong_in(kind: type[Plain], world: World) -> set[str]:
         return (yield from played[0].explore())
 
     playing.play_run(AroundExplorer(world), explore, Choices(), 10**6, [0, 0])
-    return {f"belief after {n}" for n in BELIEFS if n <= played[0].fits} | {
-        name for name, holds in PROPERTIES.items() if holds(world.map)
-    }
+    return (
+        {f"belief after {n}" for n in (*BELIEFS, *LATE) if n <= played[0].fits}
+        | {name for name, holds in PROPERTIES.items() if holds(world.map)}
+        | {f"behind {met}" for met in BEHIND if met in played[0].passes}
+    )
 
 
 # ---------------------------------------------------------------- samples
@@ -229,7 +301,8 @@ def sample(options: argparse.Namespace, kind: Any) -> Iterator[World | None]:
         return
     extent = Extent(MapClass.MAPS, options.edges)
     mix = tuple(options.mix.split(",")) if options.mix else default_mix(extent)
-    for batch in batches(Sample(options.runs, options.seed, mix=mix), 1):
+    least = getattr(options, "min_edges", 1)
+    for batch in fuzz.batches(Sample(options.runs, options.seed, least, mix=mix)):
         for map_, places in batch.placed(extent, kind):
             yield World(map_, places[0][1], 0) if places else None
 
@@ -238,13 +311,88 @@ def first_wrong(options: argparse.Namespace, name: str) -> tuple[dict[str, int],
     """The first run in which each slip shows, of an explorer; and the number of runs."""
     kind, lighthouse = EXPLORERS[name]
     found: dict[str, int] = {}
+    wanted = HARD if options.hard else SLIPS
     end, runs = time.monotonic() + options.limit, 0
     for runs, world in enumerate(sample(options, kinds.lighthouse_kind(lighthouse).as_class), 1):
-        for slip in wrong_in(kind, world) if world else ():
+        for slip in wrong_in(kind, world) & {*wanted} if world else ():
             found.setdefault(slip, runs)
-        if len(found) == len(SLIPS) or time.monotonic() > end:
+        if len(found) == len(wanted) or time.monotonic() > end:
             break
     return found, runs
+
+
+def found_by_breeding(options: argparse.Namespace, name: str, slip: str) -> bool:
+    """Whether a world bred from the first block of the sample seems to refute."""
+    kind, lighthouse = EXPLORERS[name]
+    extent, rules = Extent(MapClass.MAPS, options.edges), Rules(lighthouse, bound="none")
+    block = fuzz.Bred(fuzz.Batch(options.seed, 0, fuzz.FIRST, default_mix(extent)))
+    subject = in_process_subject(explorer(HARD[slip](kind)))
+    return any(True for _ in fuzz.bred(block, Scope(extent, rules), subject, Limits()))
+
+
+def show_hard(options: argparse.Namespace) -> None:
+    """A line for each hard slip: the first run that is wrong, and whether a bred world is."""
+    block, more, bred, every = fuzz.BLOCK, fuzz.BLOCK + fuzz.BRED, [0, 0, 0], 0
+    options.runs = more
+    for name in options.only.split(",") if options.only else EXPLORERS:
+        found, _ = first_wrong(options, name)
+        for slip in HARD:
+            run, by_breeding = found.get(slip, more + 1), found_by_breeding(options, name, slip)
+            hits = run <= block, run <= more, run <= block or by_breeding
+            bred, every = [a + b for a, b in zip(bred, hits, strict=True)], every + 1
+            drawn = str(run) if run <= more else "-"
+            print(f"{name:<12}{slip:<24}{drawn:>6}{'bred' if by_breeding else '-':>6}", flush=True)
+    drawn, longer, both = bred
+    print(
+        f"of {every}: {block} draws {drawn}, {more} draws {longer}, {block} draws and bred {both}"
+    )
+
+
+# ---------------------------------------------------------------- shrinking
+
+
+def smallest_worlds(name: str, edges: int) -> dict[str, tuple[int, int]]:
+    """Edges and vertices of the smallest world in which each slip shows, of all with few edges."""
+    kind, lighthouse = EXPLORERS[name]
+    found: dict[str, tuple[int, int]] = {}
+    for map_ in (map_ for m in range(1, edges + 1) for map_ in rooted_maps(m)):
+        size = map_.edge_count, map_.vertex_count
+        for place in kinds.lighthouse_kind(lighthouse).as_class.places(map_, 0):
+            for slip in wrong_in(kind, World(map_, place, 0)):
+                found[slip] = min(size, found.get(slip, size))
+    return found
+
+
+def shrunk(options: argparse.Namespace, name: str) -> Iterator[tuple[str, Any, Any, float, float]]:
+    """Each slip whose smallest world is known, with the world at which the shrinker ends.
+
+    It begins with the first large world of the sample that refutes.  Yielded are the slip, the
+    smallest size, the one that is reached, and seconds of the processor and by the clock.
+    """
+    kind, lighthouse = EXPLORERS[name]
+    least, limits = smallest_worlds(name, options.shrink), Limits(workers=1)
+    rules = Rules(lighthouse, bound="none")
+    for world in sample(options, rules.kind):
+        for slip in sorted(wrong_in(kind, world) & {*least} & {*SLIPS} if world else ()):
+            subject = in_process_subject(explorer(SLIPS[slip](kind)))
+            examiner, size = Examiner(subject, rules), least.pop(slip)
+            outcome = examiner.examine(world, Choices())
+            finding = examiner.finding(world, place_of(world), outcome)
+            began = time.process_time(), time.monotonic()
+            with workers_for(subject, limits, None) as workers:
+                scope = Scope(Extent(MapClass.MAPS, options.edges), rules)
+                reached = fuzz.smallest_from(finding, workers, scope).key[:2]
+            yield slip, size, reached, time.process_time() - began[0], time.monotonic() - began[1]
+
+
+def show_shrunk(options: argparse.Namespace) -> None:
+    """A line for each slip: its smallest world, and the one that is reached."""
+    right = every = 0
+    for name in options.only.split(",") if options.only else EXPLORERS:
+        for slip, size, reached, seconds, _ in shrunk(options, name):
+            right, every = right + (size == reached), every + 1
+            print(f"{name:<12}{slip:<24}{size!s:>8}{reached!s:>9}{seconds:>8.1f} s", flush=True)
+    print(f"{right} of {every} end at the smallest world: {right / max(every, 1):.0%}")
 
 
 def main(line: list[str] | None = None) -> None:
@@ -256,7 +404,17 @@ def main(line: list[str] | None = None) -> None:
     parser.add_argument("--old", action="store_true", help="as before the mixture")
     parser.add_argument("--mix", help="as that of fuzz")
     parser.add_argument("--limit", type=float, default=1e9, help="seconds for each explorer")
+    parser.add_argument("--shrink", type=int, metavar="M", help="slips with a world of M edges")
+    parser.add_argument("--hard", action="store_true", help="slips that are hard to find")
+    parser.add_argument("--only", help="these explorers")
     options = parser.parse_args(line)
+    if options.hard:
+        show_hard(options)
+        return
+    if options.shrink:
+        options.min_edges = options.edges * 4 // 5
+        show_shrunk(options)
+        return
     tables = {name: first_wrong(options, name) for name in EXPLORERS}
     print(f"{'slip':<24}" + "".join(f"{name:>12}" for name in EXPLORERS))
     for slip in SLIPS:

@@ -324,7 +324,7 @@ def test_every_class_is_counted_enumerated_drawn_and_told(map_class):
 
 @pytest.mark.parametrize("map_class", MapClass)
 def test_random_worlds_of_every_class_are_drawn(map_class):
-    (batch,) = batches(Sample(runs=6), 1)
+    (batch,) = batches(Sample(runs=6))
     drawn = [map_ for map_, _ in batch.placed(Extent(map_class, 4), LIGHTHOUSES["directional"])]
     assert len(drawn) == 6
     assert all(map(map_class.includes, drawn))

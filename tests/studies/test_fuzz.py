@@ -52,11 +52,11 @@ def test_a_sample_without_any_place_of_the_lighthouse_is_vacuous():
 def test_a_shard_without_a_run_says_so(tmp_path):
     (tmp_path / "runs").mkdir()
     reports = [fuzz(edges=4, runs=2, shard=(k, 3), run=tmp_path / f"runs/{k}") for k in range(3)]
-    assert [report.runs for report in reports] == [0, 1, 1]
+    assert [report.runs for report in reports] == [2, 0, 0]
     assert [text_of(report, 100).split()[0] for report in reports] == [
+        "NOT-REFUTED",
         "EMPTY",
-        "NOT-REFUTED",
-        "NOT-REFUTED",
+        "EMPTY",
     ]
     assert merge(*(tmp_path / "runs").iterdir()).to_json() == fuzz(edges=4, runs=2).to_json()
 
@@ -94,8 +94,8 @@ def test_whoever_listens_is_told_of_every_world():
             told.append(worlds)
 
     fuzz(edges=6, runs=150, listener=Listening())
-    assert told[0] == (6, 150)
-    assert sum(told[1:]) == 150
+    assert [each for each in told if each in [(6, 64), (6, 86)]] == [(6, 64), (6, 86)]
+    assert sum(each for each in told if each not in [(6, 64), (6, 86)]) == 150
 
 
 @pytest.mark.parametrize(

@@ -24,7 +24,7 @@ EACH = ("belief after 1", "belief after 3", "3 parallel edges", "two alike to de
 
 def options(**given):
     return argparse.Namespace(
-        **{"edges": 12, "runs": 16, "seed": 5, "mix": None, "limit": 9e9} | given
+        **{"edges": 12, "runs": 16, "seed": 5, "mix": None, "limit": 9e9, "hard": False} | given
     )
 
 

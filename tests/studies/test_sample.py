@@ -9,7 +9,7 @@ from allworlds.maps import CombinatorialMap, MapClass, random_map, rooted_code, 
 from allworlds.maps.classes import Extent
 from allworlds.maps.mixture import PARTS, glued, rerooted
 from allworlds.studies.check.covered import telling_apart
-from allworlds.studies.fuzz import batches, fuzz
+from allworlds.studies.fuzz import batches, fuzz, waves
 from allworlds.world import Directional
 
 CLASSES = pytest.mark.parametrize("map_class", list(MapClass))
@@ -21,19 +21,27 @@ def code(map_):
 
 def drawn(map_class, edges, runs, seed=0):
     extent = Extent(map_class, edges)
-    parts = batches(Sample(runs, seed), 1)
+    parts = batches(Sample(runs, seed))
     return [placed for batch in parts for placed in batch.placed(extent, Directional)]
 
 
 @pytest.mark.parametrize(("runs", "count"), [(60, 3), (1000, 7), (2, 3), (64, 1)])
-def test_shards_share_the_run_numbers_evenly_and_are_cut_where_they_are_joined(runs, count):
-    parts = [[*batches(Sample(runs, portion=Shard(k, count)), count)] for k in range(count)]
-    sizes = [sum(batch.last - batch.first for batch in part) for part in parts]
+def test_shards_share_the_pieces_evenly_and_join_to_the_whole(runs, count):
+    parts = [[*batches(Sample(runs, portion=Shard(k, count)))] for k in range(count)]
+    sizes = [len(part) for part in parts]
     assert max(sizes) - min(sizes) <= 1
-    every = [batch for part in parts for batch in part]
-    assert every == [*batches(Sample(runs), count)]
+    every = sorted((batch for part in parts for batch in part), key=lambda batch: batch.first)
+    assert every == [*batches(Sample(runs))]
     numbers = [run for batch in every for run in range(batch.first, batch.last)]
     assert numbers == [*range(runs)]
+
+
+@pytest.mark.parametrize(
+    ("runs", "told"),
+    [(1, [(0, 1)]), (300, [(0, 64), (64, 256), (256, 300)]), (256, [(0, 64), (64, 256)])],
+)
+def test_each_wave_of_draws_is_four_times_as_large_as_all_before(runs, told):
+    assert [*waves(runs)] == told
 
 
 def test_a_longer_sample_begins_with_the_shorter():
@@ -44,9 +52,9 @@ def test_a_longer_sample_begins_with_the_shorter():
 @pytest.mark.parametrize("least", [7])
 def test_no_world_of_a_sample_is_smaller_than_it_is_to_be(map_class, least):
     # No lattice has 14 edges of which none is taken away: other maps take its place.
-    (batch,) = batches(Sample(30, min_edges=least), 1)
-    sizes = [map_.edge_count for map_, _ in batch.placed(Extent(map_class, 14), Directional)]
-    assert len(sizes) == 30
+    first, _ = batches(Sample(30, min_edges=least))
+    sizes = [map_.edge_count for map_, _ in first.placed(Extent(map_class, 14), Directional)]
+    assert len(sizes) == 16
     assert min(sizes) >= least
     assert max(sizes) <= 14
 
@@ -148,7 +156,7 @@ def test_a_part_draws_its_worlds_whatever_else_is_in_the_mixture():
 
 
 def placed(mix, runs, seed=0):
-    for batch in batches(Sample(runs, seed, mix=mix), 1):
+    for batch in batches(Sample(runs, seed, mix=mix)):
         yield from batch.placed(Extent(MapClass.MAPS, 20), Directional)
 
 

@@ -24,6 +24,7 @@ from allworlds.cli.output import (
     answered,
     complain,
     emit,
+    ensure_directory,
     output_of,
     prepare_streams,
     printable,
@@ -94,6 +95,7 @@ def plain_command(verb: Verb) -> Callable[..., int]:
     function = verb.function
 
     def command(request: Any, *, output: OutputGroup) -> int:
+        ensure_directory(getattr(request, "corpus", None))
         report = answered(function, request, output)
         return emit(report, output, getattr(request, "workers", None))
 

@@ -1,27 +1,12 @@
 """The command check."""
 
-from pathlib import Path
-from tempfile import TemporaryFile
 from typing import Annotated
 
 import allworlds
-from allworlds.cli.output import OutputGroup, answered, emit
-from allworlds.inputs.checks import InputError, a_path, show
+from allworlds.cli.output import OutputGroup, answered, emit, ensure_directory
+from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import EFFORT, Option
 from allworlds.studies.check.report import CheckRequest
-
-
-def ensure_directory(name: str | Path | None) -> None:
-    """Make the directory if it is missing. It is bad input if no file can be written there."""
-    if name is None:
-        return
-    path = a_path("corpus", name)
-    try:
-        path.mkdir(parents=True, exist_ok=True)
-        with TemporaryFile(dir=path):
-            pass
-    except OSError as error:
-        raise InputError(f"corpus {show(name)} cannot be written: {error.strerror}") from None
 
 
 def check(

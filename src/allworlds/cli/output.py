@@ -11,6 +11,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field, make_dataclass
 from functools import cache, cached_property
 from pathlib import Path
+from tempfile import TemporaryFile
 from typing import Annotated, Any, ClassVar, Self, TypeVar
 
 from allworlds import document as doc, outcome, verbs, words
@@ -348,3 +349,16 @@ def _bar() -> Any:
         TextColumn("left"),
         console=Console(stderr=True),
     )
+
+
+def ensure_directory(name: str | Path | None) -> None:
+    """Make the directory if it is missing. It is bad input if no file can be written there."""
+    if name is None:
+        return
+    path = a_path("corpus", name)
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+        with TemporaryFile(dir=path):
+            pass
+    except OSError as error:
+        raise InputError(f"corpus {show(name)} cannot be written: {error.strerror}") from None

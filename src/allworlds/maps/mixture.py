@@ -193,6 +193,35 @@ def _spoiled(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
     return other or map_
 
 
+def mutated(map_: CombinatorialMap, most: int, random: Random) -> CombinatorialMap:
+    """The map after one to four changes: an edge less, contracted, crossed or more, another root.
+
+    An edge more joins two corners of the map, or two of its dual, so that it splits a vertex.
+
+    Args:
+        map_: to be changed.
+        most: the largest number of edges.
+        random: the source of all choices.
+    """
+    for _ in range(random.choice((1, 1, 2, 4))):
+        change = random.randrange(6)
+        if change < 2 and map_.edge_count < most:
+            map_ = _with_more(map_.dual(), random).dual() if change else _with_more(map_, random)
+        else:
+            map_ = rerooted(map_, random) if change == 2 else _spoiled(map_, random)
+    return map_
+
+
+def _with_more(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
+    """The map with one edge more, between random corners."""
+    sigma = [*map_.sigma]
+    for new in (len(sigma), len(sigma) + 1):
+        at = random.randrange(new)
+        sigma.append(sigma[at])
+        sigma[at] = new
+    return CombinatorialMap.trusted(sigma, [*map_.alpha, new, new - 1])
+
+
 PARTS: dict[str, Generator] = {
     "uniform": families.random_map,
     "cover": cover,

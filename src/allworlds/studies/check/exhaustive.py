@@ -23,7 +23,7 @@ from allworlds.engines.engine_table import (
 )
 from allworlds.engines.job_records import Identity
 from allworlds.engines.limits import deadline_after
-from allworlds.inputs.checks import InputError, a_path, show
+from allworlds.inputs.checks import InputError
 from allworlds.inputs.requests import answers
 from allworlds.judging.findings.finding import labelled
 from allworlds.maps import classes
@@ -48,15 +48,8 @@ def check(request: CheckRequest) -> CheckReport:
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    run, corpus = request.run, request.corpus
     job, chosen = _job(request, request.listener.notice, request.max_findings)
-    sweep = CheckSweep(request, job, chosen)
-    if run is not None and corpus is not None:
-        raise InputError(
-            f"corpus {show(str(corpus))} cannot be given with run {show(str(run))}: what is in the "
-            "one would change what the other keeps; give one of them"
-        )
-    return sweep.answer(run)
+    return CheckSweep(request, job, chosen).answer(request.run)
 
 
 @answers(CheckRequest)
@@ -112,8 +105,6 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
     def __init__(self, request: CheckRequest, job: Job, engine: EngineKind) -> None:
         super().__init__(request, job.scope, job.subject, job.keep, job.scope.extent)
         self._engine = engine
-        named = request.corpus
-        self._corpus = None if named is None else tally_sweep.UserCorpus(a_path("corpus", named))
         self._tally = self.empty()
         self._levels: list[int] = []
         self._gate: list[GateCell] = []
@@ -142,13 +133,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
     @override
     def begin(self) -> outcome.Ending | None:
         """Try past findings."""
-        job, corpus = self.job, self._corpus
-        if corpus is not None:
-            past = corpus.retry(job.subject, job.limits, self.scope)
-            self._tally.findings = past[: job.keep]
-            if len(self._tally.findings) >= job.keep:
-                return outcome.Stopped("past findings stand")
-        return None
+        return self.retry_past(self._tally)
 
     @override
     def finish(self, level: units.SweptLevel, total: tally.Tally) -> outcome.Ending | None:
@@ -177,17 +162,14 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
     @override
     def conclude(self, ending: outcome.Ending) -> outcome.Ending:
         """Confirm the findings, and store them."""
-        corpus, like = self._corpus, self.scope.like
+        corpus, like = self.corpus, self.scope.like
         self._tally.findings = [
             doc.replace(found, world=labelled(found.world, like(found.world)))
             for found in self._tally.findings
         ]
         known = corpus.holds if corpus is not None else None
         unrepeated = self.confirmation.settle(self._tally, known)
-        if corpus is not None:
-            for lost in corpus.write(self._tally.findings):
-                self._tally.remark(lost)
-                self.listener.notice(lost)
+        self.keep_new(self._tally)
         if unrepeated and not self._tally.findings and isinstance(ending, outcome.Completed):
             return outcome.Stopped(tally_sweep.UNREPEATED)
         return ending
@@ -202,7 +184,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
             tally=self._tally,
             levels=tuple(self._levels),
             cells=tuple(self._gate),
-            past=self._corpus,
+            past=self.corpus,
             symmetry=self._engine.symmetry(self.scope, self.job.subject),
             seconds=tuple(self.seconds),
         )

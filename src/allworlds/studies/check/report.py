@@ -5,7 +5,6 @@ witnesses, and the most expensive runs.
 """
 
 from collections.abc import Iterator, Mapping
-from pathlib import Path
 from typing import Annotated, Literal, TypeAlias, get_args
 
 from typing_extensions import override
@@ -91,6 +90,7 @@ class ManyWorlds(ListenerOptions, Limits, RuleOptions, selection.LighthouseOptio
 
 
 class CheckRequest(
+    tally_sweep.CorpusOptions,
     RunDirectoryOptions,
     ClusterOptions,
     ManyWorlds,
@@ -139,15 +139,6 @@ class CheckRequest(
             parse=checks.integer_of,
         ),
     ] = requests.Converted(positive("max-findings"), 1)
-    corpus: Annotated[
-        str | Path | None,
-        requests.Option(
-            requests.RARE_EFFORT,
-            "DIR",
-            "A directory of findings, which are tried first; new ones are added to it.",
-            apart=True,
-        ),
-    ] = None
 
     @property
     def extent(self) -> Extent:
@@ -294,6 +285,7 @@ class CheckReport(sweep.PortionReport):
     past: NotInDocument[tally_sweep.UserCorpus | None] = None
     symmetry: NotInDocument[str] = ""
     seconds: NotInDocument[tuple[float, ...]] = ()
+    offspring: NotInDocument[int] = 0
 
     @computed
     def verdict(self) -> Verdict:
@@ -380,6 +372,11 @@ class CheckReport(sweep.PortionReport):
     def covered(self) -> IfAny[tuple[CoveredRow, ...]]:
         """Of a sample: how far its worlds reach, a row for each feature."""
         return tuple(covered_rows(self.tally.covered))
+
+    @computed
+    def bred(self) -> IfAny[Natural | None]:
+        """Of a sample: worlds that were bred from its draws; they are not among its worlds."""
+        return self.offspring or None
 
     @computed
     def corpus(self) -> tally_sweep.CorpusReport | None:

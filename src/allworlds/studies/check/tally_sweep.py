@@ -16,6 +16,7 @@ from typing import Annotated, Any, TypeVar
 from msgspec import Struct, field
 from typing_extensions import override
 
+from allworlds import outcome
 from allworlds.document import Document, IfAny, Text, about, replace
 from allworlds.engines import lanes, single, sweep, tally, units
 from allworlds.engines.engine_table import Job
@@ -142,6 +143,20 @@ class Confirmation(Struct, frozen=True):
 
 
 # ---------------------------------------------------------------- findings of earlier checks
+
+
+class CorpusOptions(requests.Request):
+    """The part of a request that names the corpus."""
+
+    corpus: Annotated[
+        str | Path | None,
+        requests.Option(
+            requests.RARE_EFFORT,
+            "DIR",
+            "A directory of findings, which are tried first; new ones are added to it.",
+            apart=True,
+        ),
+    ] = None
 
 
 class UserCorpus(Struct):
@@ -336,6 +351,7 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
 
     Attributes:
         job: all of that, for an engine.
+        corpus: where past findings are and new ones go; None without one.
     """
 
     def __init__(
@@ -350,6 +366,31 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
         self.scope = scope
         notice = self.listener.notice
         self.job = Job(scope, subject, request.limits, keep, self.deadline, notice, request.dask)
+        named = getattr(request, "corpus", None)
+        self.corpus = None if named is None else UserCorpus(checks.a_path("corpus", named))
+        if named is not None and request.run is not None:
+            raise checks.InputError(
+                f"corpus {checks.show(str(named))} cannot be given with run "
+                f"{checks.show(str(request.run))}: what is in the one would change what the other "
+                "keeps; give one of them"
+            )
+
+    def retry_past(self, total: tally.Tally) -> outcome.Ending | None:
+        """Try past findings. Those that stand are in the total; enough of them end the job."""
+        job = self.job
+        if self.corpus is not None:
+            past = self.corpus.retry(job.subject, job.limits, self.scope)
+            total.findings = past[: job.keep]
+            if len(total.findings) >= job.keep:
+                return outcome.Stopped("past findings stand")
+        return None
+
+    def keep_new(self, total: tally.Tally) -> None:
+        """Add new findings to the corpus; a remark tells what it could not take."""
+        if self.corpus is not None:
+            for lost in self.corpus.write(total.findings):
+                total.remark(lost)
+                self.listener.notice(lost)
 
     @override
     def parameters(self) -> dict[str, Any]:

@@ -1,0 +1,94 @@
+"""Worlds that are bred from draws, towards lines of an explorer that few worlds run."""
+
+from random import Random
+
+import pytest
+
+from allworlds import Estimate
+from allworlds.engines.limits import Limits
+from allworlds.engines.single import subject_of
+from allworlds.engines.units import Scope
+from allworlds.explorers.builtin.algorithm1 import Algorithm1
+from allworlds.inputs.checks import InputError
+from allworlds.judging.episode import AroundExplorer
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps import MapClass
+from allworlds.maps.build import cycle, named_map
+from allworlds.maps.classes import Extent
+from allworlds.maps.mixture import mutated
+from allworlds.protocol import playing
+from allworlds.protocol.choices import Choices
+from allworlds.protocol.code_lines import LinesPlay, TracedPlay
+from allworlds.studies.fuzz import fuzz, is_bred_for
+from allworlds.world import Directional
+from allworlds.world.world import World
+
+EXTENT = Extent(MapClass.MAPS, 12)
+SCOPE = Scope(EXTENT, Rules())
+
+
+class Late(Algorithm1):
+    def answer(self):
+        answer = super().answer()
+        if answer.map.vertex_count != 6:
+            return answer
+        if max(answer.map.degrees) != 5:
+            return answer
+        if answer.map.loop_count != 2:
+            return answer
+        if answer.map.genus != 1:
+            return answer
+        return Estimate(cycle(1), 0)
+
+
+def late(first, choices=None, *_):
+    return (yield from Late(first, choices).explore())
+
+
+def is_late(map_):
+    return (map_.vertex_count, max(map_.degrees), map_.loop_count, map_.genus) == (6, 5, 2, 1)
+
+
+def test_worlds_are_bred_for_a_users_explorer_in_python_alone():
+    assert is_bred_for(subject_of(late, Limits()))
+    for name in ("algorithm1", "exec:cat"):
+        assert not is_bred_for(subject_of(name, Limits()))
+    assert fuzz("algorithm1", edges=3, runs=256).bred is None
+
+
+def test_a_mutant_is_a_map_of_the_size_that_is_allowed():
+    random, map_, sizes = Random(3), named_map("cube"), set()
+    for _ in range(200):
+        map_ = mutated(map_, 12, random)
+        type(map_)(map_.sigma, map_.alpha)  # is a map
+        sizes.add(map_.edge_count)
+    assert max(sizes) == 12
+    assert len(sizes) > 3
+
+
+def test_lines_noted_once_are_those_that_a_whole_trace_has():
+    ran = []
+    for traced in (TracedPlay(), LinesPlay()):
+        around = AroundExplorer(World(named_map("cube"), Directional(0), 0))
+        playing.play_run(around, traced.player(late), Choices(), 9999, [0, 0])
+        ran.append({place for place in traced.ran if place[0] == __file__})
+    assert ran[0] == ran[1]
+    assert ran[0]
+
+
+def test_what_stands_in_the_corpus_is_tried_first_and_new_findings_go_there(tmp_path):
+    def gives_up(first):
+        return
+        yield
+
+    sample = {"edges": 4, "runs": 70, "corpus": tmp_path}
+    found, again = fuzz(gives_up, **sample), fuzz(gives_up, **sample)
+    (kept,) = tmp_path.iterdir()
+    assert (found.corpus.written, again.corpus.reproduced) == ((kept.name,), (kept.name,))
+    assert found.findings[0].key == again.findings[0].key
+    assert (found.runs, again.runs) == (64, 0)  # the first wave; none
+    assert again.verdict == "refuted"
+    right = fuzz("algorithm1", **sample)
+    assert (right.corpus.fixed, right.runs) == ((kept.name,), 70)
+    with pytest.raises(InputError, match="cannot be given with run"):
+        fuzz(**sample, run=tmp_path / "run")
