@@ -134,25 +134,35 @@ LEVELS = {
 
 
 def runner_commands(content: parts.ReportContent) -> str:
-    """Commands, one for each finding at the explorer's file and line; else for the verdict."""
+    """Commands, one for each finding at its line, as in SARIF; else for the verdict."""
     from allworlds.reports.content.single_run import headline_of
 
     report: Any = content.result  # of a check
     head = content.headline
     assert head is not None
     root, place = _project(report.explorer)
-    at = {"file": place.named_from(root), "line": str(place.line)} if place else {}
     shown = [
-        (headline_of(found), plain_text.finding_in_words(found, WIDTH, i))
+        (headline_of(found), plain_text.finding_in_words(found, WIDTH, i), _at(found, place, root))
         for i, found in enumerate(report.findings, 1)
     ]
     kind, commands = "error" if shown else LEVELS.get(report.verdict, "notice"), []
-    for title, said in shown or [(f"allworlds: {head.word}", f"{report.explorer}: {head.text}")]:
-        named = (
-            f"{name}={_escaped(value, ':,')}" for name, value in {**at, "title": title}.items()
-        )
-        commands.append(f"::{kind} {','.join(named)}::{_escaped(said)}\n")
+    verdict = f"allworlds: {head.word}", f"{report.explorer}: {head.text}", place
+    for title, said, at in shown or [verdict]:
+        where = {"file": at.named_from(root), "line": str(at.line)} if at else {}
+        named = {**where, "title": title}.items()
+        told = ",".join(f"{name}={_escaped(value, ':,')}" for name, value in named)
+        commands.append(f"::{kind} {told}::{_escaped(said)}\n")
     return "".join(commands)
+
+
+def _at(finding: Finding, place: SourceLine | None, root: Path) -> SourceLine | None:
+    """The first wrong line, if it is known and stands in the repository; else that place."""
+    from allworlds.reports.content.single_run import wrong_line
+    from allworlds.studies.explain import explain
+
+    file, _, line = wrong_line(finding, explain(finding).step).rpartition(":")
+    wrong = SourceLine(Path(file).resolve(), int(line)) if file else None
+    return wrong if wrong and wrong.is_in(root) and wrong.file.is_file() else place
 
 
 def _escaped(text: str, more: str = "") -> str:
@@ -223,13 +233,9 @@ def sarif(content: parts.ReportContent) -> str:
 
 
 def _result(number: int, finding: Finding, place: SourceLine | None, root: Path) -> dict[str, Any]:
-    from allworlds.reports.content.single_run import headline_of, wrong_line
-    from allworlds.studies.explain import explain
+    from allworlds.reports.content.single_run import headline_of
 
-    file, _, line = wrong_line(finding, explain(finding).step).rpartition(":")
-    wrong = SourceLine(Path(file).resolve(), int(line)) if file else None
-    if wrong and wrong.is_in(root) and wrong.file.is_file():
-        place = wrong
+    place = _at(finding, place, root)
     text = plain_text.finding_in_words(finding, WIDTH, number)
     head = f"{headline_of(finding)}."
     if place is None:
