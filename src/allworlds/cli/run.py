@@ -2,6 +2,7 @@
 
 import re
 import sys
+from functools import partial
 from typing import Annotated, Any
 
 import allworlds
@@ -20,7 +21,7 @@ from allworlds.studies.run import (
     ensure_debuggable,
     ensure_step,
 )
-from allworlds.world.named import names_of_worlds
+from allworlds.world.named import names_of_worlds, world_named
 
 
 class RunWords(ProgramWords):
@@ -149,16 +150,19 @@ def play(request: PlayRequest, *, output: OutputGroup) -> int:
     that of Algorithm 1.
     """
     page = dict(output.named).get("html")
-    asked = request if page else doc.replace(request, player=_asked)
+    world = world_named(request.world, request.lighthouse, request.seed, request.holes)
+    labels = world.lighthouse.labels_vertices
+    asked = request if page else doc.replace(request, player=partial(_asked, labels))
     return emit(doc.replace(answer(allworlds.play, asked), path=page), output)
 
 
 LEGAL = "a number, drop, pick, write K with a number K, or an empty line to end"
 
 
-def _asked(percept: Percept, refused: str) -> Drop | Move | Pick | Write | None:
+def _asked(labels: bool, percept: Percept, refused: str) -> Drop | Move | Pick | Write | None:
     """Read the next action from stdin; prompts go to stderr."""
-    _say(f"that cannot be done: {refused}\n" if refused else f"you sense: {percept}\n")
+    sensed = f"you sense: {percept.in_words(labels=labels)}"
+    _say(f"that cannot be done: {refused}\n" if refused else f"{sensed}\n")
     while True:
         _say("> ")
         line = sys.stdin.readline().strip()

@@ -53,7 +53,7 @@ function notes(first, steps, conclusions, movable) {
     }
     const shift = (i - j + one.degree) % one.degree;
     if (!movable && one.marks !== two.marks) {
-      doubts.push(`of places ${place} and ${other} one is marked otherwise`);
+      doubts.push(`other marks or labels are sensed at place ${other} than at place ${place}`);
     }
     if (one.bearing !== null && two.bearing !== null) {
       if ((two.bearing + shift - one.bearing) % one.degree) {
