@@ -71,12 +71,7 @@ VERBS = (
         panel=EVERYDAY,
         has=(ROWS, CASES, FINDINGS),
     ),
-    Verb(
-        "run",
-        "run",
-        "Run an explorer in one world, step by step.",
-        panel=EVERYDAY,
-    ),
+    Verb("run", "run", "Run an explorer in one world, step by step.", panel=EVERYDAY),
     Verb(
         "fuzz",
         "check",
@@ -90,18 +85,8 @@ VERBS = (
             "refutes it. Exit code 0: not refuted by the sample, 1: refuted."
         ),
     ),
-    Verb(
-        "replay",
-        "replay",
-        "Run a finding again: is it reproduced or fixed?",
-        panel=EVERYDAY,
-    ),
-    Verb(
-        "explain",
-        "explain",
-        "Explain a finding in plain words.",
-        panel=EVERYDAY,
-    ),
+    Verb("replay", "replay", "Run a finding again: is it reproduced or fixed?", panel=EVERYDAY),
+    Verb("explain", "explain", "Explain a finding in plain words.", panel=EVERYDAY),
     Verb(
         "init",
         "init",
@@ -292,6 +277,6 @@ GROUPS = {
         "allworlds ambiguity class wheel-4",
         "Worlds that look alike to a robot, with proofs.",
         ALIKE,
-    ),
+    )
 }
 """The groups of verbs of two words, by the first."""

@@ -52,8 +52,7 @@ class RunWords(ProgramWords):
         ),
     ] = False
     pdb: Annotated[
-        bool,
-        Option(RARE_SCOPE, "", "After the report play again, in the debugger; see --step."),
+        bool, Option(RARE_SCOPE, "", "After the report play again, in the debugger; see --step.")
     ] = False
     step: Annotated[
         int,

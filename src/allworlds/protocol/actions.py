@@ -336,12 +336,7 @@ class ExplorerFault(Exception):
     """
 
     def __init__(
-        self,
-        law: FaultLaw,
-        seen: str,
-        detail: str = "",
-        *,
-        machine: bool = False,
+        self, law: FaultLaw, seen: str, detail: str = "", *, machine: bool = False
     ) -> None:
         super().__init__(seen)
         self.law = law

@@ -1,19 +1,18 @@
 """One run: ``run`` plays it in one world, step by step, ``replay`` plays it again.
 
 A replayed run is that of a finding, or of an entry of the corpus.  In ``play`` the reader is the
-robot, in a page with costs beside the player's.
+robot, in a page with the cost of Algorithm 1 beside the player's.
 """
 
 import os
 import re
 import sys
-from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterable, Sequence
 from dataclasses import KW_ONLY
-from enum import StrEnum
 from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds import document as doc
-from allworlds.document import Document, Natural, Report, about, computed
+from allworlds.document import Natural, Report, about, computed
 from allworlds.engines import limits, single
 from allworlds.engines.tally import Examiner, name_run
 from allworlds.explorers import loading, sources
@@ -29,7 +28,6 @@ from allworlds.judging.findings.finding import (
 )
 from allworlds.judging.findings.rules import RuleOptions
 from allworlds.judging.laws.law_table import LawName
-from allworlds.maps.build import covering_walk
 from allworlds.outcome import Facts
 from allworlds.protocol.actions import Action, IllegalAction, Percept, Transcript
 from allworlds.studies.check import hints
@@ -306,38 +304,17 @@ VARIANTS = {
 """Algorithm 1 for each lighthouse that it is written for."""
 
 
-class Walker(StrEnum):
-    """Whose cost it is."""
+def _cost_of_algorithm1(world: World) -> int | None:
+    """The cost of Algorithm 1 in the world; None for a larger one, or where it is not written.
 
-    ALGORITHM_1 = "algorithm1"
-    EVERY_EDGE = "every-edge"
-
-
-class CostBeside(Document):
-    """The cost of somebody else in the world that is played."""
-
-    who: Annotated[
-        Walker,
-        about(
-            "`algorithm1`; `every-edge`: the shortest walk from the start along every edge, for "
-            "which one must know the map"
-        ),
-    ]
-    cost: Annotated[Natural, about("traversals")]
-
-
-def _costs(world: World) -> Iterator[CostBeside]:
-    """The costs of Algorithm 1, where it is known, and of the shortest walk along every edge.
-
-    Cost: seconds at most; larger worlds do not have the first.
+    Cost: seconds at most.
     """
     kind = world.lighthouse.kind
-    if world.map.edge_count <= LARGEST and kind in VARIANTS:
-        subject = single.subject_of(VARIANTS[kind], limits.Limits())
-        rules = RuleOptions().rules_of(subject, kinds.kind_of(world.lighthouse))
-        cost = single.single_run(subject, world, rules, (), limits.Limits()).cost
-        yield CostBeside(who=Walker.ALGORITHM_1, cost=cost)
-    yield CostBeside(who=Walker.EVERY_EDGE, cost=covering_walk(world.map, world.start))
+    if world.map.edge_count > LARGEST or kind not in VARIANTS:
+        return None
+    subject = single.subject_of(VARIANTS[kind], limits.Limits())
+    rules = RuleOptions().rules_of(subject, kinds.kind_of(world.lighthouse))
+    return single.single_run(subject, world, rules, (), limits.Limits()).cost
 
 
 Player: TypeAlias = Callable[[Percept, str], Action | None]
@@ -356,9 +333,9 @@ class Play(Report, kw_only=True):
     transcript: Annotated[Transcript, about("the actions and percepts; for a page only the start")]
 
     @computed
-    def costs(self) -> tuple[CostBeside, ...]:
-        """Of others in the same world."""
-        return tuple(_costs(self.world))
+    def algorithm1(self) -> Natural | None:
+        """The traversals of Algorithm 1 in the same world; null: it is not run there."""
+        return _cost_of_algorithm1(self.world)
 
 
 class PlayRequest(requests.Request, kw_only=False):

@@ -158,7 +158,7 @@ def percept(degree, marks=0, bearing=None):
     ("moves", "conclusions", "percepts", "why"),
     [
         ([0], [[[0, 0], [1, 0]]], [percept(1, 1, 0), percept(2)], "degrees 1 and 2"),
-        ([0], [[[0, 0], [1, 1]]], [percept(2, 1, 0), percept(2)], "is marked otherwise"),
+        ([0], [[[0, 0], [1, 1]]], [percept(2, 1, 0), percept(2)], "other marks or labels"),
         (
             [0],
             [[[0, 0], [1, 1]]],

@@ -73,8 +73,7 @@ class CodeLines(doc.Document, forbid_unknown_fields=False, kw_only=True):
     ]
     checkpoints: Annotated[doc.IfAny[tuple[str, ...]], doc.about("of each checkpoint")] = ()
     alone: Annotated[
-        doc.IfAny[tuple[str, ...]],
-        doc.about("lines that run here, and in none of some right runs"),
+        doc.IfAny[tuple[str, ...]], doc.about("lines that run here, and in none of some right runs")
     ] = ()
     right: Annotated[doc.Natural, doc.about("how many right runs these were")]
     sources: Annotated[tuple[str, ...], doc.about("each of these places with the text of its line")]
@@ -116,11 +115,7 @@ class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True
         EXPECTED,
         doc.about("a rooted map for `map` and `pose`, an integer for `bound`, else a sentence"),
     ] = NOT_RECORDED
-    seen: Annotated[
-        Any,
-        SEEN,
-        doc.about("the same of what was found"),
-    ] = NOT_RECORDED
+    seen: Annotated[Any, SEEN, doc.about("the same of what was found")] = NOT_RECORDED
     confirmed: Annotated[
         bool, doc.about("a fresh process did the same, from the recorded percepts alone")
     ] = False
@@ -162,8 +157,7 @@ class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True
         doc.about("the lines of the explorer's code, if it is in Python and ran again alike"),
     ] = None
     tried: Annotated[
-        doc.IfAny[str],
-        doc.about("options with which the check, as was tried, breaks no law"),
+        doc.IfAny[str], doc.about("options with which the check, as was tried, breaks no law")
     ] = ""
     at: doc.NotInDocument[int | None] = None
     under: doc.NotInDocument[Rules | None] = None
@@ -337,11 +331,7 @@ class FindingWords(Request):
     number: Annotated[
         int,
         Option(
-            SCOPE,
-            "K",
-            "Which finding of a report: 1 is the smallest.",
-            "finding",
-            parse=integer_of,
+            SCOPE, "K", "Which finding of a report: 1 is the smallest.", "finding", parse=integer_of
         ),
     ] = 1
 

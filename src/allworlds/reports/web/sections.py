@@ -290,8 +290,6 @@ def _block(block: Block, name: str) -> Iterator[ET.Element]:
             if block.command:
                 yield _copier("Copy the command", f"{name}-{block.name}")
         case DataRecord():
-            summary = tag("summary", "The transcript, as it was recorded")
-            yield tag("details", summary, _lines(block.log, f"{name}-transcript"))
             yield _copier(block.title, f"{name}-json")
             yield record(block.document, class_="finding", id=f"{name}-json")
 

@@ -222,7 +222,6 @@ function drawCosts() {
       return row;
     }),
   );
-  at("costs-words").textContent = world.costs.said;
 }
 
 function drawLog() {
