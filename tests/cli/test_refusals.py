@@ -320,3 +320,18 @@ def test_a_current_directory_that_is_no_more_is_told_of(refused, tmp_path, monke
     gone.rmdir()
     said = refused("check", "--exec", "cat", "--edges", 1)
     assert "the current directory has been removed" in said
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("run --exec ./robot theta --pdb", "--pdb is for Python; elsewhere: gdb -ex "),
+        ("run --native ./robot.so theta --pdb", "-ex run --args python -m allworlds run ..."),
+        ("run theta --pdb", "--pdb stops in an explorer of yours alone, not in algorithm1"),
+        ("run shield:robot.py theta --pdb", "alone, not in shield:robot.py"),
+        ("run robot.py theta --step 3", "--step 3 is where --pdb stops; give both"),
+        ("run robot.py theta --step x --pdb", "'x' is not an integer"),
+    ],
+)
+def test_the_debugger_is_for_explorers_of_the_users_in_python(refused, words, said):
+    assert said in refused(*words.split())

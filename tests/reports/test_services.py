@@ -1,5 +1,6 @@
 """Output for GitHub's runner: Markdown, and commands on stderr."""
 
+import json
 import re
 
 import pytest
@@ -82,12 +83,16 @@ def test_no_line_of_a_file_is_a_command_because_of_an_explorer(form, tmp_path):
     assert not any({"\u200b", "\u202e"} & {*line} for line in lines)
 
 
-def test_a_finding_is_an_error_at_the_line_of_the_explorer(refuted, line):
+def test_a_finding_is_an_error_at_its_first_wrong_line(refuted, line):
     lines = runner_commands(refuted).splitlines()
     assert len(lines) == 2
+    results = json.loads(file_of("sarif", refuted))["runs"][0]["results"]
+    places = [result["locations"][0]["physicalLocation"]["region"] for result in results]
+    told = [int(read(each)[1]["line"]) for each in lines]
+    assert told == [place["startLine"] for place in places] == [line + 3, line]
     for i, (told, finding) in enumerate(zip(lines, refuted.findings, strict=True), 1):
         kind, properties, message = read(told)
-        assert (kind, properties["file"], properties["line"]) == ("error", "mine.py", str(line))
+        assert (kind, properties["file"]) == ("error", "mine.py")
         assert properties["title"].startswith(
             f"mine.py:explore breaks the law '{finding.law}' in a world"
         )

@@ -94,6 +94,14 @@ def test_a_number_is_written_where_the_lighthouse_has_room_for_it(capsys, monkey
     assert "'write two' is not one of" in said.err
 
 
+def test_nothing_is_called_marked_where_vertices_have_labels(capsys, monkeypatch):
+    monkeypatch.setattr(sys, "stdin", io.StringIO("1\n\n"))
+    assert call(["play", "theta", "--lighthouse", "labels"]) == 0
+    said = capsys.readouterr()
+    assert "you sense: degree 3, label 1, bearing 0\n> you sense: degree 3, label 2" in said.err
+    assert "mark" not in said.out + said.err
+
+
 def test_a_page_is_written_and_nothing_is_played(tmp_path, capsys):
     page = tmp_path / "play.html"
     assert call(["play", "theta", "-o", str(page)]) == 0

@@ -2,16 +2,26 @@
 
 import re
 import sys
+from functools import partial
 from typing import Annotated, Any
 
 import allworlds
 from allworlds import Drop, Move, Percept, Pick, Write, document as doc
 from allworlds.cli.output import OutputGroup, complain, emit, printable
 from allworlds.explorers.sources import ProgramWords, names_explorer
-from allworlds.inputs.checks import InputError, show
-from allworlds.inputs.requests import OUTPUT, SCOPE, Argument, Option, answer, values_of
-from allworlds.studies.run import PlayRequest, ReplayRequest, RunOptions, RunRequest, WorldNames
-from allworlds.world.named import names_of_worlds
+from allworlds.inputs.checks import InputError, integer_of, show
+from allworlds.inputs.requests import OUTPUT, RARE_SCOPE, SCOPE, Argument, Option, answer, values_of
+from allworlds.studies.run import (
+    PlayRequest,
+    ReplayRequest,
+    RunOptions,
+    RunRequest,
+    WorldNames,
+    debug,
+    ensure_debuggable,
+    ensure_step,
+)
+from allworlds.world.named import names_of_worlds, world_named
 
 
 class RunWords(ProgramWords):
@@ -41,6 +51,18 @@ class RunWords(ProgramWords):
             "no-walk",
         ),
     ] = False
+    pdb: Annotated[
+        bool, Option(RARE_SCOPE, "", "After the report play again, in the debugger; see --step.")
+    ] = False
+    step: Annotated[
+        int,
+        Option(
+            RARE_SCOPE,
+            "N",
+            "With --pdb: stop where the explorer begins to choose step N.",
+            parse=integer_of,
+        ),
+    ] = 1
 
     def request(self, asked: RunOptions) -> RunRequest:
         """One run of that explorer in that world.
@@ -53,7 +75,12 @@ class RunWords(ProgramWords):
             family=asked.family is not None,
             program=self.named(None) is not None,
         )
-        return RunRequest(self.named_or_default(explorer), world, **values_of(RunOptions, asked))
+        name = self.named_or_default(explorer)
+        if self.pdb:
+            ensure_debuggable(name)
+        elif self.step != 1:
+            raise InputError(f"--step {self.step} is where --pdb stops; give both")
+        return RunRequest(name, world, **values_of(RunOptions, asked))
 
 
 def run(words: RunWords, *, asked: RunOptions, output: OutputGroup) -> int:
@@ -63,9 +90,14 @@ def run(words: RunWords, *, asked: RunOptions, output: OutputGroup) -> int:
     """
     names: Any = names_of_worlds() if words.listed else None
     told = WorldNames(**names) if names else answer(allworlds.run, words.request(asked))
-    if words.without_walk and not isinstance(told, WorldNames):
-        told = doc.replace(told, shows_walk=False)
-    return emit(told, output)
+    if isinstance(told, WorldNames):
+        return emit(told, output)
+    if words.pdb:
+        ensure_step(told, words.step)
+    code = emit(doc.replace(told, shows_walk=not words.without_walk), output)
+    if words.pdb:
+        debug(told, words.step)
+    return code
 
 
 _WORLDS = "a WORLD is inline JSON, @file, or a name such as k4, wheel:4, theta-torus"
@@ -117,16 +149,19 @@ def play(request: PlayRequest, *, output: OutputGroup) -> int:
     that of Algorithm 1.
     """
     page = dict(output.named).get("html")
-    asked = request if page else doc.replace(request, player=_asked)
+    world = world_named(request.world, request.lighthouse, request.seed, request.holes)
+    labels = world.lighthouse.labels_vertices
+    asked = request if page else doc.replace(request, player=partial(_asked, labels))
     return emit(doc.replace(answer(allworlds.play, asked), path=page), output)
 
 
 LEGAL = "a number, drop, pick, write K with a number K, or an empty line to end"
 
 
-def _asked(percept: Percept, refused: str) -> Drop | Move | Pick | Write | None:
+def _asked(labels: bool, percept: Percept, refused: str) -> Drop | Move | Pick | Write | None:
     """Read the next action from stdin; prompts go to stderr."""
-    _say(f"that cannot be done: {refused}\n" if refused else f"you sense: {percept}\n")
+    sensed = f"you sense: {percept.in_words(labels=labels)}"
+    _say(f"that cannot be done: {refused}\n" if refused else f"{sensed}\n")
     while True:
         _say("> ")
         line = sys.stdin.readline().strip()

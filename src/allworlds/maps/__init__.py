@@ -67,7 +67,6 @@ from allworlds.lazy import open_door
 if TYPE_CHECKING:
     from allworlds.maps.build import (
         contracted as contracted,
-        covering_walk as covering_walk,
         deleted as deleted,
         from_cycles as from_cycles,
         from_rotation as from_rotation,

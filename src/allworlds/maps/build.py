@@ -17,7 +17,6 @@ from allworlds.maps.combinatorial import (
     CombinatorialMap,
     Dart,
     InvalidMap,
-    distances,
     numbering,
     unreached,
 )
@@ -406,27 +405,3 @@ def _rebuilt(
         return CombinatorialMap(sigma, alpha)
     except InvalidMap:
         return None
-
-
-def covering_walk(map_: CombinatorialMap, start: Dart) -> int:
-    """The fewest traversals of a walk from the vertex of a dart along every edge, to any end.
-
-    A walk goes along each edge once, and again along shortest paths between the vertices at which
-    it would be stuck: those of odd degree, except for its two ends.
-
-    Cost: that of a matching of these vertices, a fraction of a second for 100 of them.
-    """
-    import networkx as nx  # 'import allworlds' stays fast
-
-    first = map_.vertex_of[start]
-    # With the edges that are gone along again, all vertices but the two ends have even degree.
-    # The end is free, so one of these stays without a partner: they are odd in number.
-    odd = {vertex for vertex, degree in enumerate(map_.degrees) if degree % 2} ^ {first}
-    alone = -1
-    graph = nx.Graph()
-    for vertex in sorted(odd):
-        far = distances(map_, vertex)
-        graph.add_weighted_edges_from((vertex, w, far[w]) for w in odd if w > vertex)
-        graph.add_edge(vertex, alone, weight=0)
-    again: int = sum(graph.edges[pair]["weight"] for pair in nx.min_weight_matching(graph))
-    return map_.edge_count + again

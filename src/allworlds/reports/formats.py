@@ -12,8 +12,9 @@ import os
 import re
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 from urllib.parse import quote
 from xml.etree import ElementTree as ET
 
@@ -125,34 +126,40 @@ def _legal(text: str) -> str:
     return _FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", words.escaped(text))
 
 
-LEVELS = {
-    Verdict.ERROR: "error",
-    Verdict.VACUOUS: "error",
-    Verdict.INCONCLUSIVE: "warning",
-}
+LEVELS = {Verdict.ERROR: "error", Verdict.VACUOUS: "error", Verdict.INCONCLUSIVE: "warning"}
 """How loud a verdict is that is no finding; the others say nothing that needs a notification."""
 
 
 def runner_commands(content: parts.ReportContent) -> str:
-    """Commands, one for each finding at the explorer's file and line; else for the verdict."""
+    """Commands, one for each finding at its line, as in SARIF; else for the verdict."""
     from allworlds.reports.content.single_run import headline_of
 
     report: Any = content.result  # of a check
     head = content.headline
     assert head is not None
     root, place = _project(report.explorer)
-    at = {"file": place.named_from(root), "line": str(place.line)} if place else {}
     shown = [
-        (headline_of(found), plain_text.finding_in_words(found, WIDTH, i))
+        (headline_of(found), plain_text.finding_in_words(found, WIDTH, i), _at(found, place, root))
         for i, found in enumerate(report.findings, 1)
     ]
     kind, commands = "error" if shown else LEVELS.get(report.verdict, "notice"), []
-    for title, said in shown or [(f"allworlds: {head.word}", f"{report.explorer}: {head.text}")]:
-        named = (
-            f"{name}={_escaped(value, ':,')}" for name, value in {**at, "title": title}.items()
-        )
-        commands.append(f"::{kind} {','.join(named)}::{_escaped(said)}\n")
+    verdict = f"allworlds: {head.word}", f"{report.explorer}: {head.text}", place
+    for title, said, at in shown or [verdict]:
+        where = {"file": at.named_from(root), "line": str(at.line)} if at else {}
+        named = {**where, "title": title}.items()
+        told = ",".join(f"{name}={_escaped(value, ':,')}" for name, value in named)
+        commands.append(f"::{kind} {told}::{_escaped(said)}\n")
     return "".join(commands)
+
+
+def _at(finding: Finding, place: SourceLine | None, root: Path) -> SourceLine | None:
+    """The first wrong line, if it is known and stands in the repository; else that place."""
+    from allworlds.reports.content.single_run import wrong_line
+    from allworlds.studies.explain import explain
+
+    file, _, line = wrong_line(finding, explain(finding).step).rpartition(":")
+    wrong = SourceLine(Path(file).resolve(), int(line)) if file else None
+    return wrong if wrong and wrong.is_in(root) and wrong.file.is_file() else place
 
 
 def _escaped(text: str, more: str = "") -> str:
@@ -223,13 +230,9 @@ def sarif(content: parts.ReportContent) -> str:
 
 
 def _result(number: int, finding: Finding, place: SourceLine | None, root: Path) -> dict[str, Any]:
-    from allworlds.reports.content.single_run import headline_of, wrong_line
-    from allworlds.studies.explain import explain
+    from allworlds.reports.content.single_run import headline_of
 
-    file, _, line = wrong_line(finding, explain(finding).step).rpartition(":")
-    wrong = SourceLine(Path(file).resolve(), int(line)) if file else None
-    if wrong and wrong.is_in(root) and wrong.file.is_file():
-        place = wrong
+    place = _at(finding, place, root)
     text = plain_text.finding_in_words(finding, WIDTH, number)
     head = f"{headline_of(finding)}."
     if place is None:
@@ -285,80 +288,37 @@ def content_of(result: Any) -> parts.ReportContent:
     return _maker(type(result))(result)
 
 
+MAKERS = {
+    "check.check_content": ("CheckReport", "TimeEstimate"),
+    "single_run.run_content": ("SingleRun", "WorldNames"),
+    "single_run.replay_content": ("Replay",),
+    "single_run.explain_content": ("Explanation",),
+    "plain.init_content": ("Skeleton", "LedgerSkeleton", "Header"),
+    "plain.status_content": ("Standing",),
+    "compare.compare_content": ("Comparison", "Growth"),
+    "sizes.worst_content": ("WorstReport",),
+    "sizes.count_content": ("Census",),
+    "ambiguity.twins_content": ("ComparedWorlds",),
+    "ambiguity.class_content": ("AmbiguityClass",),
+    "ambiguity.census_content": ("AmbiguityCensus",),
+    "ambiguity.search_content": ("SearchResult",),
+    "sensors.sensors_content": ("AmbiguitySensors",),
+    "sensors.weakest_content": ("AmbiguityWeakest",),
+    "ledger.ledger_content": ("LedgerReport",),
+}
+"""The functions of ``content`` that make contents, each with the names of its reports."""
+
+
 def _maker(kind: type) -> Callable[[Any], parts.ReportContent]:
     """The function that makes it; of a report without words of its own keys and rows are shown."""
-    match kind.__name__:  # which no other class of this package has
-        case "CheckReport" | "TimeEstimate":
-            from allworlds.reports.content.check import check_content
+    if kind.__name__ == "Play":
+        from allworlds.reports.web.play import play_content
 
-            return check_content
-        case "SingleRun" | "WorldNames":
-            from allworlds.reports.content.single_run import run_content
-
-            return run_content
-        case "Replay":
-            from allworlds.reports.content.single_run import replay_content
-
-            return replay_content
-        case "Explanation":
-            from allworlds.reports.content.single_run import explain_content
-
-            return explain_content
-        case "Skeleton" | "LedgerSkeleton" | "Header":
-            from allworlds.reports.content.plain import init_content
-
-            return init_content
-        case "Play":
-            from allworlds.reports.web.play import play_content
-
-            return play_content
-        case "Standing":
-            from allworlds.reports.content.plain import status_content
-
-            return status_content
-        case "Comparison" | "Growth":
-            from allworlds.reports.content.compare import compare_content
-
-            return compare_content
-        case "WorstReport":
-            from allworlds.reports.content.sizes import worst_content
-
-            return worst_content
-        case "Census":
-            from allworlds.reports.content.sizes import count_content
-
-            return count_content
-        case "ComparedWorlds":
-            from allworlds.reports.content.ambiguity import twins_content
-
-            return twins_content
-        case "AmbiguityClass":
-            from allworlds.reports.content.ambiguity import class_content
-
-            return class_content
-        case "AmbiguityCensus":
-            from allworlds.reports.content.ambiguity import census_content
-
-            return census_content
-        case "SearchResult":
-            from allworlds.reports.content.ambiguity import search_content
-
-            return search_content
-        case "AmbiguitySensors":
-            from allworlds.reports.content.sensors import sensors_content
-
-            return sensors_content
-        case "AmbiguityWeakest":
-            from allworlds.reports.content.sensors import weakest_content
-
-            return weakest_content
-        case "LedgerReport":
-            from allworlds.reports.content.ledger import ledger_content
-
-            return ledger_content
-    from allworlds.reports.content.plain import plain_content
-
-    return plain_content
+        return play_content
+    found = (name for name, kinds in MAKERS.items() if kind.__name__ in kinds)
+    module, _, function = next(found, "plain.plain_content").partition(".")
+    made = getattr(import_module(f"allworlds.reports.content.{module}"), function)
+    return cast("Callable[[Any], parts.ReportContent]", made)
 
 
 def text(result: Any, width: int) -> str:

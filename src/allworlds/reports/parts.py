@@ -415,12 +415,10 @@ class DataRecord(Struct, frozen=True):
     Attributes:
         title: what can be copied.
         document: a JSON object.
-        log: what it holds, line by line.
     """
 
     title: str
     document: Mapping[str, Any]
-    log: str
 
 
 Block: TypeAlias = (

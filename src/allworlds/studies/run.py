@@ -1,28 +1,33 @@
 """One run: ``run`` plays it in one world, step by step, ``replay`` plays it again.
 
 A replayed run is that of a finding, or of an entry of the corpus.  In ``play`` the reader is the
-robot, in a page with costs beside the player's.
+robot, in a page with the cost of Algorithm 1 beside the player's.
 """
 
 import os
 import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+import sys
+from collections.abc import Callable, Generator, Iterable, Sequence
 from dataclasses import KW_ONLY
-from enum import StrEnum
 from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds import document as doc
-from allworlds.document import Document, Natural, Report, about, computed
+from allworlds.document import Natural, Report, about, computed
 from allworlds.engines import limits, single
+from allworlds.engines.tally import Examiner, name_run
 from allworlds.explorers import loading, sources
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs import checks, requests
 from allworlds.inputs.checks import InputError, an_integer, show
 from allworlds.inputs.requests import RULES, SCOPE, Converted, Option, OptionGroup, answers
-from allworlds.judging.findings.finding import Finding, FindingOptions, recorded_trail
+from allworlds.judging.findings.finding import (
+    Finding,
+    FindingOptions,
+    canonical_world,
+    recorded_trail,
+)
 from allworlds.judging.findings.rules import RuleOptions
 from allworlds.judging.laws.law_table import LawName
-from allworlds.maps.build import covering_walk
 from allworlds.outcome import Facts
 from allworlds.protocol.actions import Action, IllegalAction, Percept, Transcript
 from allworlds.studies.check import hints
@@ -112,6 +117,66 @@ def _asked_hash_seed() -> int | None:
     """The hash seed that the environment names; None if it names none."""
     seed = os.environ.get(loading.HASH_SEED, "")
     return int(seed) if re.fullmatch("[0-9]{1,9}", seed) else None
+
+
+GDB = (
+    "gdb -ex 'set breakpoint pending on' -ex 'set follow-fork-mode child' -ex 'break FUNCTION' "
+    "-ex run --args python -m allworlds run ..."
+)
+"""The command that stops in a program or a library, which another process runs."""
+
+
+def ensure_debuggable(name: str) -> None:
+    """Raise InputError if that is no explorer of the user's in Python, in which pdb can stop."""
+    if loading.is_program(name) or loading.is_library(name):
+        raise InputError(f"--pdb is for Python; elsewhere: {GDB}")
+    if loading.entry_of(name) or loading.has_shield(name):
+        raise InputError(f"--pdb stops in an explorer of yours alone, not in {name}")
+
+
+def ensure_step(run: single.SingleRun, step: int) -> None:
+    """Raise InputError if the explorer has chosen no such step; the last one is its answer."""
+    last = len(run.outcome.episode.transcript.steps) + 1
+    if not 1 <= step <= last:
+        raise InputError(f"--step {step} is not from 1 to {last}, where this run ends")
+
+
+class _Stopping:
+    """A generator in which the debugger stops after so many more percepts."""
+
+    def __init__(self, walk: Generator[Any, Any, Any], left: int) -> None:
+        self._walk, self._left, self.close = walk, left, walk.close
+
+    def send(self, reply: Any) -> Any:
+        """Go on to the next message."""
+        self._left -= reply is not None
+        if not self._left:
+            from pdb import Pdb  # which takes long
+
+            self._left = -1
+            debugger = Pdb(skip=["allworlds", "allworlds.*"])
+            debugger.reset()
+            sys.settrace(debugger.trace_dispatch)
+        return self._walk.send(reply)
+
+
+def debug(run: single.SingleRun, step: int) -> None:
+    """Play a run once more, in this process; the debugger stops where it begins to choose a step.
+
+    Whatever the explorer does then, the report of the run stays as it is.
+    """
+    subject = loading.load(run.explorer)
+    explore: Any = subject.explore
+
+    def stopping(first: Percept, **offered: Any) -> Any:
+        return _Stopping(explore(first, **offered), step - 1)
+
+    world = canonical_world(run.world)
+    choices = run.rules.choices(name_run(run.rules, world), run.choices)
+    try:
+        Examiner(doc.replace(subject, explore=stopping), run.rules).examine(world, choices)
+    finally:
+        sys.settrace(None)
 
 
 class AnotherExplorer(sources.ProgramWords):
@@ -239,38 +304,17 @@ VARIANTS = {
 """Algorithm 1 for each lighthouse that it is written for."""
 
 
-class Walker(StrEnum):
-    """Whose cost it is."""
+def _cost_of_algorithm1(world: World) -> int | None:
+    """The cost of Algorithm 1 in the world; None for a larger one, or where it is not written.
 
-    ALGORITHM_1 = "algorithm1"
-    EVERY_EDGE = "every-edge"
-
-
-class CostBeside(Document):
-    """The cost of somebody else in the world that is played."""
-
-    who: Annotated[
-        Walker,
-        about(
-            "`algorithm1`; `every-edge`: the shortest walk from the start along every edge, for "
-            "which one must know the map"
-        ),
-    ]
-    cost: Annotated[Natural, about("traversals")]
-
-
-def _costs(world: World) -> Iterator[CostBeside]:
-    """The costs of Algorithm 1, where it is known, and of the shortest walk along every edge.
-
-    Cost: seconds at most; larger worlds do not have the first.
+    Cost: seconds at most.
     """
     kind = world.lighthouse.kind
-    if world.map.edge_count <= LARGEST and kind in VARIANTS:
-        subject = single.subject_of(VARIANTS[kind], limits.Limits())
-        rules = RuleOptions().rules_of(subject, kinds.kind_of(world.lighthouse))
-        cost = single.single_run(subject, world, rules, (), limits.Limits()).cost
-        yield CostBeside(who=Walker.ALGORITHM_1, cost=cost)
-    yield CostBeside(who=Walker.EVERY_EDGE, cost=covering_walk(world.map, world.start))
+    if world.map.edge_count > LARGEST or kind not in VARIANTS:
+        return None
+    subject = single.subject_of(VARIANTS[kind], limits.Limits())
+    rules = RuleOptions().rules_of(subject, kinds.kind_of(world.lighthouse))
+    return single.single_run(subject, world, rules, (), limits.Limits()).cost
 
 
 Player: TypeAlias = Callable[[Percept, str], Action | None]
@@ -289,9 +333,9 @@ class Play(Report, kw_only=True):
     transcript: Annotated[Transcript, about("the actions and percepts; for a page only the start")]
 
     @computed
-    def costs(self) -> tuple[CostBeside, ...]:
-        """Of others in the same world."""
-        return tuple(_costs(self.world))
+    def algorithm1(self) -> Natural | None:
+        """The traversals of Algorithm 1 in the same world; null: it is not run there."""
+        return _cost_of_algorithm1(self.world)
 
 
 class PlayRequest(requests.Request, kw_only=False):

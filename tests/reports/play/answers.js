@@ -1,8 +1,7 @@
 "use strict";
 // Answers, line by line, what the scripts of the page say; the tests ask.
-const { begin, sensed, refusal, step, notes, openDarts, estimate, isWorld } = require(
-  `${process.argv[2]}/robot.js`,
-);
+const { begin, sensed, refusal, step, said, named, actionNamed } = require(`${process.argv[2]}/world.js`);
+const { notes, openDarts, estimate, isWorld } = require(`${process.argv[2]}/robot.js`);
 const { place, box } = require(`${process.argv[2]}/spots.js`);
 const readline = require("readline");
 
@@ -16,6 +15,8 @@ function after(world, state, action) {
 const ANSWERS = {
   begin: ({ world }) => [begin(world), sensed(world, begin(world))],
   steps: ({ world, asked }) => asked.map(([state, action]) => after(world, state, action)),
+  said: ({ world, percepts }) => percepts.map((percept) => said(world, percept)),
+  actions: ({ names }) => names.map((name) => [actionNamed(name), named(actionNamed(name))]),
   notes: ({ first, steps, conclusions, movable, world, dart }) => {
     const known = notes(first, steps, conclusions, movable);
     const found = estimate(known);

@@ -9,7 +9,8 @@ import pytest
 
 from allworlds.inputs.checks import InputError
 from allworlds.reports.formats import text
-from allworlds.reports.web.play import costs_data, game as game_page, world_data
+from allworlds.reports.web.play import costs_data, game as game_page
+from allworlds.reports.web.sections import world_data
 from allworlds.studies.run import play
 from allworlds.world import LIGHTHOUSES
 from html_tree import Reader

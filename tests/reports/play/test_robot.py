@@ -3,14 +3,14 @@
 import pytest
 
 import allworlds
-from allworlds import CombinatorialMap, Estimate, Move
+from allworlds import CombinatorialMap, Estimate, Move, Percept
 from allworlds.judging.laws.folding import fold
 from allworlds.maps import rooted_isomorphism
 from allworlds.protocol.actions import Drop, Pick, Write
-from allworlds.reports.web.play import world_data
-from allworlds.world import Directional, IllegalAction, State, World
+from allworlds.reports.web.sections import world_data
+from allworlds.world import LIGHTHOUSES, Directional, IllegalAction, State, World
 from allworlds.world.lighthouses.kinds import lighthouse_kind
-from small import EDGE, LOOP, PLANE, TORUS, all_maps
+from small import EDGE, LOLLIPOP, LOOP, PLANE, TORUS, all_maps
 
 
 def state_json(state):
@@ -156,7 +156,7 @@ def percept(degree, marks=0, bearing=None):
     ("moves", "conclusions", "percepts", "why"),
     [
         ([0], [[[0, 0], [1, 0]]], [percept(1, 1, 0), percept(2)], "degrees 1 and 2"),
-        ([0], [[[0, 0], [1, 1]]], [percept(2, 1, 0), percept(2)], "is marked otherwise"),
+        ([0], [[[0, 0], [1, 1]]], [percept(2, 1, 0), percept(2)], "other marks or labels"),
         (
             [0],
             [[[0, 0], [1, 1]]],
@@ -189,3 +189,25 @@ def test_states_are_those_of_python():
         "hand": 2,
         "written": [],
     }
+
+
+MAPS = TORUS, PLANE, EDGE, LOOP, LOLLIPOP
+
+
+@pytest.mark.parametrize("kind", LIGHTHOUSES)
+def test_what_is_sensed_has_the_words_of_the_texts(kind, ask):
+    places = ((map_, each) for map_ in MAPS for each in LIGHTHOUSES[kind].places(map_, 0))
+    map_, lighthouse = next(places)
+    world, labels = World(map_, lighthouse, 0), lighthouse.labels_vertices
+    percepts = [Percept(3, marks, bearing) for marks in range(4) for bearing in (None, 0, 2)]
+    told = ask(
+        what="said", world=world_data(world), percepts=[percept.to_json() for percept in percepts]
+    )
+    assert told == [percept.in_words(labels=labels) for percept in percepts]
+
+
+def test_an_action_is_known_by_its_name(ask):
+    actions = [Move(0), Move(12), Drop(), Pick(), Write(3)]
+    assert ask(what="actions", names=[*map(str, actions)]) == [
+        [action_json(action), str(action)] for action in actions
+    ]

@@ -126,7 +126,7 @@ def test_whatever_an_explorer_says_is_text():
     assert not re.search("[\0\x1b\ud800\ufffe\u202e]", text)
     root = read(text)
     scripts = [block.attributes.get("type") for block in root.all("script")]
-    assert scripts == ["application/json"] * 2 + [None]
+    assert scripts == ["application/json"] * 3 + [None]
     assert not list(root.all("b", title='x"')), "no element comes from the text"
     assert legal(escaped(HOSTILE)) in root.one("h1").text
     assert legal(escaped(HOSTILE)) in root.one(id="finding-1-detail").text

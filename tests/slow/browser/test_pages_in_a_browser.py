@@ -200,10 +200,64 @@ def test_pictures_without_a_walk_fit_their_boxes_and_sentences_are_flushed_left(
         assert set(page.eval_on_selector_all("td, th", aligned)) == {"right"}
 
 
+def test_one_can_go_another_way_and_come_back(shows):
+    with shows("a finding") as page:
+        page.locator(".another summary").first.click()
+        page.locator(".slider").first.fill("1")
+        viewer = page.locator(".viewer").first
+        offered = viewer.locator(".another button")
+        at_first = robots(page)
+        assert [text for text in offered.all_text_contents() if text.endswith("(as it did)")]
+        other = next(b for b in offered.all() if not b.text_content().endswith("(as it did)"))
+        gone = other.text_content()
+        other.focus()
+        page.keyboard.press("Enter")
+        said = viewer.locator(".now").text_content()
+        item = viewer.locator(".another li")
+        assert said.startswith(f"Another way, step 2: {gone}; at v")
+        assert item.count() == 1
+        assert item.locator(".sensed").text_content() in said
+        # The robot has gone in the picture of the world, and not in that of the answer.
+        assert robots(page) == [item.get_attribute("data-robot"), *at_first[1:]]
+        assert page.evaluate("document.activeElement.matches('.another button')")
+        page.get_by_role("button", name="Back to step 1").click()
+        assert step(page) == 1
+        assert robots(page) == at_first
+        assert viewer.locator(".another li").count() == 0
+
+
+def test_to_go_as_the_explorer_did_leads_to_what_it_has_sensed(shows):
+    with shows("genus 1") as page:
+        page.locator(".slider").fill("0")
+        page.locator(".another summary").click()
+        for at in range(1, page.locator(".viewer > .walk li").count()):
+            item = page.locator(".viewer > .walk li").nth(at)
+            name = item.locator(".motion").text_content()
+            page.get_by_role("button", name=re.compile(rf"^{name}\b")).first.click()
+            other = page.locator(".another li").last
+            for part in (".motion", ".place", ".sensed"):
+                assert other.locator(part).text_content() == item.locator(part).text_content()
+            assert other.get_attribute("data-robot") == item.get_attribute("data-robot")
+
+
+def test_on_a_phone_another_way_is_gone_in_the_picture_of_the_world(shows):
+    with shows("a finding", PHONE) as page:
+        page.get_by_role("button", name="The answer").first.click()
+        page.locator(".another summary").first.click()
+        for _ in range(6):
+            page.locator(".another button").first.click()
+        figure = page.locator(".viewer:first-of-type figure:visible")
+        assert "The world" in figure.text_content()
+        assert page.evaluate("document.documentElement.scrollWidth") <= PHONE["width"]
+
+
 @pytest.mark.parametrize("name", PAGES)
 @pytest.mark.parametrize("colours", ["light", long("dark")])
 def test_contrast_and_roles_are_as_the_guidelines_ask(name, colours, shows):
     with shows(name, color_scheme=colours, bypass_csp=True) as page:
+        for another in page.locator(".another summary").all():
+            another.click()
+            page.locator(".another button:visible").first.click()
         found = axe.Axe().run(page)["violations"]
         told = [(rule["id"], rule["nodes"][0]["html"][:200]) for rule in found]
         assert told == []

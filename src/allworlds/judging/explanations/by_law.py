@@ -2,7 +2,6 @@
 
 import re
 from collections import Counter
-from collections.abc import Iterator
 
 from allworlds.explorers.loading import is_library, is_program
 from allworlds.inputs.checks import InputError
@@ -448,62 +447,23 @@ def tell_open_darts(story: Story) -> list[str]:
 def another_world(world: World, transcript: actions.Transcript) -> World | None:
     """A world that is not this one, and agrees with the log; None if the log determines it.
 
-    The other world extends the folded log: its open darts are joined with each other, or lead to
-    new vertices.  Of these worlds it is one with the fewest edges, and simple if the world is.
+    In the other world each open dart of the folded log leads to a new vertex; if that is this
+    world, the first one leads over such a vertex to another one.  It is simple if this world is.
 
-    Cost: exponential in the number of these darts at the worst; the first try is nearly always
-    another world.
+    Cost: linear in the log, but for the folding.
     """
     folded, bearing = folding.fold(transcript), transcript.first.bearing
     if not folded.open_darts:
         return None
     assert bearing is not None
-    return next(
-        World(map_, Directional(map_.turn(0, bearing)), 0)
-        for map_ in _completions(folded)
-        if (map_.is_simple or not world.map.is_simple)
-        and not rooted_isomorphism(map_, 0, world.map, world.start)
-    )
-
-
-def _completions(folded: folding.Folded) -> Iterator[CombinatorialMap]:
-    """The folded log with every open dart joined or led to a new vertex, fewest edges first."""
-    unsettled = [dart for dart, end in enumerate(folded.alpha) if dart == end]
-    for leaves in range(len(unsettled) % 2, len(unsettled) + 1, 2):
-        for pairs in _matchings(unsettled, leaves):
-            yield _completed(folded, pairs)
-    # Leaves everywhere may be the world itself; then one of them goes on.
-    yield _completed(folded, [], longer=unsettled[0])
-
-
-def _matchings(darts: list[Dart], leaves: int) -> Iterator[list[tuple[Dart, Dart]]]:
-    """Every way to pair the darts with ``leaves`` of them left over."""
-    if not darts:
-        yield []
-        return
-    first, *others = darts
-    for other in others if len(darts) > leaves else ():
-        for pairs in _matchings([dart for dart in others if dart != other], leaves):
-            yield [(first, other), *pairs]
-    if leaves:
-        yield from _matchings(others, leaves - 1)
-
-
-def _completed(
-    folded: folding.Folded, pairs: list[tuple[Dart, Dart]], longer: Dart | None = None
-) -> CombinatorialMap:
-    """The folded log with these darts joined; each of the others leads to a leaf.
-
-    From one dart a ``longer`` way of two edges leads there, if it is named.
-    """
     sigma, alpha = [*folded.sigma], [*folded.alpha]
-    for a, b in pairs:
-        alpha[a], alpha[b] = b, a
-    if longer is not None:
+    map_ = completed(sigma, alpha)
+    if rooted_isomorphism(map_, 0, world.map, world.start):
+        longer = next(dart for dart, end in enumerate(alpha) if dart == end)
         alpha[longer] = new = len(sigma)
-        sigma += [new + 1, new, new + 2]
-        alpha += [longer, new + 2, new + 1]
-    return completed(sigma, alpha)
+        sigma += [new + 1, new]
+        map_ = completed(sigma, [*alpha, longer, new + 1])
+    return World(map_, Directional(map_.turn(0, bearing)), 0)
 
 
 def tell_folding(story: Story) -> Telling:
@@ -521,14 +481,9 @@ def tell_folding(story: Story) -> Telling:
 
 def tell_bound(story: Story) -> Telling:
     """Tell that the answer is right, whose bound was exceeded, and the uses of the traversals."""
-    cost, back = story.transcript.cost, story.steps_back
-    made = plural(cost, "traversal")
-    sentences = [
-        *tell_whose_bound(story.finding),
-        f"The robot made {made}: {cost - back} forward and {back} back along the way it came.",
-        f"Of those forward {len(story.discoveries)} found a new edge.",
-    ]
-    return Telling(sentences)
+    made, new = plural(story.transcript.cost, "traversal"), len(story.discoveries)
+    used = f"The robot made {made}, of which {new} found a new edge."
+    return Telling([*tell_whose_bound(story.finding), used])
 
 
 def tell_whose_bound(finding: Finding) -> list[str]:

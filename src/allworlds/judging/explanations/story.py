@@ -54,22 +54,6 @@ class Walked:
                 first.setdefault(min(arrived, self.map.alpha[arrived]), step)
         return (*first.values(),)
 
-    @property
-    def steps_back(self) -> int:
-        """The number of traversals that take back the last one not yet taken back."""
-        back, path = 0, list[Dart]()
-        for action, before, arrived in zip(
-            self.transcript.actions, self.walked, self.walked[1:], strict=False
-        ):
-            if type(action) is not Move:
-                continue
-            if path and self.map.turn(before, action.k) == path[-1]:
-                path.pop()
-                back += 1
-            else:
-                path.append(arrived)
-        return back
-
     def in_words(self, percept: Percept) -> str:
         """The percept in the words of the world's lighthouse."""
         return percept.in_words(labels=self.world.lighthouse.labels_vertices)
@@ -341,13 +325,13 @@ def _edge_misplaced(belief: Belief) -> Slip | None:
 
 def _edge_missing(belief: Belief) -> Slip | None:
     """Recognise an answer that lacks one edge of the world, or has a vertex in its place."""
-    world, answer = belief.story.map, belief.answer.map
-    for d, less in _without_an_edge(deleted, world, answer):
-        ends = f"darts {d} and {world.alpha[d]}"
-        sentence = f"The answer lacks one edge of the world: that of {ends}."
+    story, answer = belief.story, belief.answer.map
+    alpha = story.map.alpha
+    for d, less in _without_an_edge(deleted, story.map, answer):
+        sentence = f"The answer lacks one edge of the world: that of darts {d} and {alpha[d]}."
         return Slip("edge missing", sentence, answer, less)
-    for d, less in _without_an_edge(contracted, world, answer):
-        ends = f"{belief.story.vertex(d)} and {belief.story.vertex(world.alpha[d])}"
+    for d, less in _without_an_edge(contracted, story.map, answer):
+        ends = f"{story.vertex(d)} and {story.vertex(alpha[d])}"
         sentence = f"The answer takes {ends} for one vertex, and has no edge between them."
         return Slip("one vertex for two", sentence, answer, less)
     return None

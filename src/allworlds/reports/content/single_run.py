@@ -194,12 +194,7 @@ def headline_of(finding: Finding) -> str:
 
 
 def finding_section(
-    finding: Finding,
-    number: int = 1,
-    origin: str = "",
-    *,
-    title: str = "",
-    checked: bool = True,
+    finding: Finding, number: int = 1, origin: str = "", *, title: str = "", checked: bool = True
 ) -> Section:
     """Everything about a finding, as one section.
 
@@ -214,9 +209,6 @@ def finding_section(
 
     story, explanation = Story(finding), explain(finding)
     title = title or f"Finding {number}: {headline_of(finding)}"
-    transcript = finding.transcript
-    actions = ["start", *map(str, transcript.actions)]
-    log = [f"{a}: {story.in_words(p)}" for a, p in zip(actions, story.sensed, strict=True)]
     said = "Copy the finding as JSON, for replay and explain"
     blocks = [
         _law(finding, explanation.step),
@@ -226,7 +218,7 @@ def finding_section(
         Quote("command", "reproduce", finding.reproduce, command=True),
         *_detail(finding),
         *printed(finding.output, finding.detail),
-        DataRecord(said, finding.to_json(), "\n".join(log)),
+        DataRecord(said, finding.to_json()),
     ]
     return Section(f"finding-{number}", title, blocks)
 

@@ -7,8 +7,8 @@
     what a page looks like, the keys that step along a walk, and room for pictures;
 ``play``, ``play.html``, ``play.css``
     the page in which the reader is the robot and draws a map from the percepts;
-``robot.js``
-    what a robot does and senses, and what it concludes: it knows nothing of pages, and is held
+``world.js``, ``robot.js``
+    what a robot does and senses, and what it concludes: they know nothing of pages, and are held
     against the worlds in Python;
 ``spots.js``, ``view.js``
     where the places of the notes are drawn, and what is seen of the game.

@@ -76,6 +76,82 @@ function makePicture(frame) {
   return { frame, fit, draw };
 }
 
+function made(name, text, attributes = {}) {
+  const part = document.createElement(name);
+  part.textContent = text;
+  for (const [key, value] of Object.entries(attributes)) part.setAttribute(key, value);
+  return part;
+}
+
+const MOST_NUMBERS = 16; // So many of the numbers that can be written are offered.
+
+// Another way than the explorer's, from the step that is shown: the world answers, as in world.js,
+// and the explorer is not asked. `tell` is given the steps of that way, each time there is one
+// more, and `back` leads back to the walk. What comes back is to be called with each step that is
+// shown; null where the page has no such world.
+function otherWay(viewer, items, tell, back) {
+  const data = viewer.querySelector(".ways");
+  if (!data) return null;
+  const world = JSON.parse(data.textContent);
+  const walked = items.slice(1).map((item) => actionNamed(item.querySelector(".motion").textContent));
+  const whole = made("details", "", { class: "another" });
+  const row = made("p", "", { class: "rows", role: "group", "aria-label": "Ways to go" });
+  const list = made("ol", "", { class: "walk", role: "list", "aria-label": "The other way" });
+  let from, state;
+
+  function offer() {
+    const { degree } = sensed(world, state);
+    const actions = [...Array(degree).keys()].map((k) => ({ move: k }));
+    if (world.hand) actions.push({ drop: true }, { pick: true });
+    for (let k = 0; k < Math.min(world.states, MOST_NUMBERS); k += 1) actions.push({ write: k });
+    const buttons = actions.filter((action) => !refusal(world, state, action)).map((action) => {
+      const its = !list.children.length && walked[from] && named(walked[from]) === named(action);
+      const button = made("button", named(action) + (its ? " (as it did)" : ""), { type: "button" });
+      button.addEventListener("click", () => go(action));
+      return button;
+    });
+    if (list.children.length) {
+      const button = made("button", `Back to step ${from}`, { type: "button" });
+      button.addEventListener("click", () => back(from));
+      buttons.push(button);
+    }
+    const focused = [...row.children].indexOf(document.activeElement);
+    row.replaceChildren(...buttons);
+    if (focused >= 0) buttons[Math.min(focused, buttons.length - 1)].focus();
+  }
+
+  function go(action) {
+    state = step(world, state, action);
+    const item = made("li", "");
+    item.append(
+      made("span", from + list.children.length + 1, { class: "step" }),
+      made("span", named(action), { class: "motion" }),
+      made("span", world.places[state.dart], { class: "place" }),
+      made("span", `sensed: ${said(world, sensed(world, state))}`, { class: "sensed" }),
+    );
+    item.dataset.robot = state.dart;
+    if (action.move !== undefined) item.dataset.moved = "";
+    list.append(item);
+    list.scrollTop = list.scrollHeight;
+    offer();
+    tell(from, [...list.children]);
+  }
+
+  whole.append(made("summary", "Go another way"), row, list);
+  viewer.querySelector(".controls").before(whole);
+  // On a phone the picture of the world may be behind another one.
+  whole.addEventListener("toggle", () => {
+    if (whole.open) viewer.querySelector(".tabs button")?.click();
+    offer();
+  });
+  return (current) => {
+    from = current;
+    state = walked.slice(0, from).reduce((at, action) => step(world, at, action), begin(world));
+    list.replaceChildren();
+    offer();
+  };
+}
+
 function makeViewer(viewer) {
   const items = [...viewer.querySelectorAll(".walk > li")];
   const list = viewer.querySelector(".walk");
@@ -88,6 +164,8 @@ function makeViewer(viewer) {
   let current = 0;
   let timer = 0;
   let zoom = 1;
+  const another = otherWay(viewer, items, aside, (from) => show(from));
+  const wordsOf = (item) => [...item.children].slice(1).map((part) => part.textContent).join("; ");
 
   function show(step) {
     items[current].removeAttribute("aria-current");
@@ -95,8 +173,8 @@ function makeViewer(viewer) {
     const item = items[current];
     item.setAttribute("aria-current", "step");
     for (const picture of pictures) picture.draw(items, current);
-    const words = [...item.children].slice(1).map((part) => part.textContent);
-    now.textContent = `Step ${current} of ${last}: ${words.join("; ")}`;
+    if (another) another(current);
+    now.textContent = `Step ${current} of ${last}: ${wordsOf(item)}`;
     slider.value = current;
     slider.setAttribute("aria-valuetext", now.textContent);
     // Only the list is scrolled, never the page.
@@ -104,6 +182,16 @@ function makeViewer(viewer) {
     if (top < list.scrollTop) list.scrollTop = top;
     const below = top + item.offsetHeight - list.clientHeight;
     if (below > list.scrollTop) list.scrollTop = below;
+  }
+
+  // The robot goes on from a step of the walk in another way, in the picture of the world.
+  function aside(from, steps) {
+    stop();
+    const way = [...items.slice(0, from + 1), ...steps];
+    for (const { frame, draw } of pictures) {
+      if (frame.dataset.follows === "robot") draw(way, way.length - 1);
+    }
+    now.textContent = `Another way, step ${way.length - 1}: ${wordsOf(way[way.length - 1])}`;
   }
 
   function stop() {

@@ -10,8 +10,9 @@ from importlib.resources import files
 from typing import Any
 from xml.etree import ElementTree as ET
 
+from allworlds.judging.explanations.story import Walked
 from allworlds.maps.combinatorial import CombinatorialMap
-from allworlds.protocol.actions import Move
+from allworlds.protocol.actions import Move, Pick
 from allworlds.reports.drawing.curve import plot
 from allworlds.reports.drawing.layout import Layout, drawn_beside
 from allworlds.reports.drawing.positions import laid_out
@@ -33,6 +34,8 @@ from allworlds.reports.parts import (
 )
 from allworlds.version import __version__
 from allworlds.words import number
+from allworlds.world.lighthouses import composed, kinds
+from allworlds.world.world import World
 
 LARGEST = 1_000_000
 """Bytes of a page.  A document with which it would be larger is left out, and the page says so."""
@@ -59,7 +62,10 @@ def framed(
         style: what this page adds to the style of all.
         script: what this page has in place of the script by which keys step along its walks.
     """
-    style, script = read("style.css") + style, read("fit.js") + (script or read("script.js"))
+    style, script = (
+        read("style.css") + style,
+        read("fit.js") + (script or read("world.js") + read("script.js")),
+    )
     word, said, name = verdict or ("", "", "")
     policy = (
         f"default-src 'none'; style-src {_hash(style)}; script-src {_hash(script)}; "
@@ -210,16 +216,20 @@ def _steps(walk: ShownWalk, name: str, views: Mapping[str, View]) -> ET.Element:
     )
 
 
+def _at(walked: Walked) -> str:
+    """The word before a place, which a vertex with a name does without."""
+    return "" if walked.world.labels.vertices else "at "
+
+
 def _step(walk: ShownWalk, i: int, name: str) -> ET.Element:
     walked, parts = walk.walked, i == walk.parting
-    at = "" if walked.world.labels.vertices else "at "
     action = walked.transcript.steps[i - 1][0] if i else None
     line = [tag("small", f" ({place})") for place in ["", *walk.lines][i : i + 1] if place]
     item = tag(
         "li",
         tag("a", str(i), href=f"#{name}", class_="step", aria_label=f"step {i}"),
         tag("span", str(action) if action else "start", class_="motion"),
-        tag("span", f"{at}{walked.arrival(i)}", class_="place"),
+        tag("span", f"{_at(walked)}{walked.arrival(i)}", class_="place"),
         tag("span", f"sensed: {walked.in_words(walked.sensed[i])}", *line, class_="sensed"),
         id=name,
         class_="parting" if parts else None,
@@ -280,8 +290,6 @@ def _block(block: Block, name: str) -> Iterator[ET.Element]:
             if block.command:
                 yield _copier("Copy the command", f"{name}-{block.name}")
         case DataRecord():
-            summary = tag("summary", "The transcript, as it was recorded")
-            yield tag("details", summary, _lines(block.log, f"{name}-transcript"))
             yield _copier(block.title, f"{name}-json")
             yield record(block.document, class_="finding", id=f"{name}-json")
 
@@ -332,6 +340,8 @@ def _walk(walk: ShownWalk, name: str) -> Iterator[ET.Element]:
         yield tag("p", f"The first {number(LONGEST - 1)} of {number(steps)} steps are shown.")
     moving = [view for view in walk.views if not view.still]
     views = {view.name if i else "robot": view for i, view in enumerate(moving)}
+    walked, data = walk.walked, world_data(walk.walked.world)
+    places = [f"{_at(walked)}{walked.place(dart)}" for dart in walked.map.darts]
     said = [part for sentence in walk.sentences for part in (tag("bdi", sentence), " ")]
     # What is said about the pictures stands before them, and on a phone behind them.
     yield tag(
@@ -342,11 +352,41 @@ def _walk(walk: ShownWalk, name: str) -> Iterator[ET.Element]:
         ET.fromstring(read("controls.html")),  # noqa: S314  # our own file
         tag("p", KEYS, class_="keys", hidden="hidden"),
         _steps(walk, name, views),
+        *([record({**data, "places": places}, class_="ways")] if data else []),
         class_="viewer",
         role="group",
         tabindex="0",
         aria_label=f"{walk.title}. {KEYS}",
     )
+
+
+def world_data(world: World) -> dict[str, Any] | None:
+    """Data of the world for ``world.js``, whatever the lighthouse.
+
+    None for a lighthouse of the user's under which the robot leaves marks.
+    """
+    map_ = world.map
+    marking = next((part for part in kinds.parts_of(world.lighthouse) if part.leaves_marks), None)
+    if marking is not None and marking.code is not None:
+        return None
+    written = marking if isinstance(marking, composed.Whiteboard) else None
+    spots = None
+    if written:
+        spots = [written.place_of_number(map_, dart) for dart in map_.darts]
+    elif isinstance(marking, composed.Movable) and marking.distinct:
+        spots = list(map_.vertex_of)
+    return {
+        "sigma": list(map_.sigma),
+        "alpha": list(map_.alpha),
+        "vertex": list(map_.vertex_of),
+        "percepts": [percept.to_json() for percept in world.percepts],
+        "start": world.start,
+        "labels": world.lighthouse.labels_vertices,
+        "hand": world.lighthouse.in_hand,
+        "pick": not world.lighthouse.refusal(Pick(), 1, 0),
+        "states": written.states if written else 0,
+        "spots": spots,
+    }
 
 
 def _figures(walk: ShownWalk, name: str, views: Mapping[str, View]) -> Iterator[ET.Element]:

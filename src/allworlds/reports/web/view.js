@@ -1,4 +1,5 @@
-// The page in which the reader is the robot: it shows what robot.js says, and passes clicks on.
+// The page in which the reader is the robot: it shows what world.js and robot.js say, and passes
+// clicks on.
 
 const world = JSON.parse(document.getElementById("play-json").textContent);
 const SVG = "http://www.w3.org/2000/svg";
@@ -19,19 +20,6 @@ function element(name, attributes, ...children) {
 const at = (id) => document.getElementById(id);
 const round = (x) => Math.round(x * 10) / 10;
 const polar = (x, y, r, angle) => [round(x + r * Math.cos(angle)), round(y + r * Math.sin(angle))];
-
-function said({ degree, marks, bearing }) {
-  const marker = world.labels ? `label ${marks}` : marks > 1 ? `marks ${marks}` : "marked";
-  const parts = [`degree ${degree}`];
-  if (marks) parts.push(marker);
-  if (bearing !== null) parts.push(`bearing ${bearing}`);
-  return parts.join(", ");
-}
-
-function named(action) {
-  if (action.write !== undefined) return `write ${action.write}`;
-  return action.drop ? "drop" : action.pick ? "pick" : `move ${action.move}`;
-}
 
 // Something that acts when it is clicked, or when Enter or the space bar is pressed on it.
 function acting(made, label, act) {
@@ -86,9 +74,9 @@ function drawSensed(behind) {
   );
   const drawn = { viewBox: "0 0 300 300", width: 300, height: 300, class: "map", role: "group" };
   at("sensed").replaceChildren(
-    element("svg", { ...drawn, "aria-label": `You sense: ${said(now())}` }, ...parts, here),
+    element("svg", { ...drawn, "aria-label": `You sense: ${said(world, now())}` }, ...parts, here),
   );
-  at("sensed-words").textContent = `You sense: ${said(now())}.`;
+  at("sensed-words").textContent = `You sense: ${said(world, now())}.`;
 }
 
 // ---------------------------------------------------------------- the notes
@@ -226,7 +214,7 @@ const moves = () => log.filter(({ action }) => action.move !== undefined).length
 // What others walk in this world tells something of it, and so comes at the end.
 function drawCosts() {
   at("costs").hidden = !claimed && !uncovered;
-  const bound = world.bound === null ? [] : [["the bound of this world", world.bound]];
+  const bound = world.costs.bound === null ? [] : [["the bound of this world", world.costs.bound]];
   at("cost-rows").replaceChildren(
     ...[["you", moves()], ...world.costs.others, ...bound].map(([who, cost]) => {
       const row = document.createElement("tr");
@@ -234,7 +222,6 @@ function drawCosts() {
       return row;
     }),
   );
-  at("costs-words").textContent = world.costs.said;
 }
 
 function drawLog() {
@@ -242,7 +229,7 @@ function drawLog() {
   at("log").replaceChildren(
     ...lines.map(([action, percept]) => {
       const item = document.createElement("li");
-      item.textContent = `${action}: ${said(percept)}`;
+      item.textContent = `${action}: ${said(world, percept)}`;
       return item;
     }),
   );
