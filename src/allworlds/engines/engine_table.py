@@ -206,9 +206,8 @@ def obstacle(scope: Scope, subject: Subject) -> str:
 
 def kind_of(kind: type[base.Lighthouse]) -> str:
     """The kernel's name of a kind of lighthouse."""
-    if kinds.LIGHTHOUSES.get(kind.kind) is kind:
-        return kind.kind
-    return f"{kind.kind}-single"
+    single = "-single" if kind.chosen == {"single": True} else ""
+    return kind.kind + single if single or not kind.chosen else ""
 
 
 def walks(scope: Scope, subject: Subject, edges: int) -> bool:

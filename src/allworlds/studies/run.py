@@ -264,7 +264,7 @@ def _costs(world: World) -> Iterator[CostBeside]:
 
     Cost: seconds at most; larger worlds do not have the first.
     """
-    kind = world.lighthouse.kind
+    kind = world.lighthouse.written
     if world.map.edge_count <= LARGEST and kind in VARIANTS:
         subject = single.subject_of(VARIANTS[kind], limits.Limits())
         rules = RuleOptions().rules_of(subject, kinds.kind_of(world.lighthouse))

@@ -106,7 +106,7 @@ def world_data(world: World) -> dict[str, Any]:
         "pick": not world.lighthouse.refusal(Pick(), 1, 0),
         "states": written.states if written else 0,
         "spots": spots,
-        "bound": bound_named(world.lighthouse.default_bound).of(map_, world.start),
+        "bound": bound_named(world.lighthouse.as_kind.default_bound).of(map_, world.start),
     }
 
 

@@ -234,7 +234,8 @@ def question_of(request: SearchRequest) -> Question:
     Raises:
         InputError: naming the offending value and what would be legal.
     """
-    lettered = str(request.lighthouse).partition(":")[0] in LETTERS
+    kind, _, options = str(request.lighthouse).partition(":")
+    lettered = kind in LETTERS and "start=" not in options
     if request.lighthouse not in SEARCHED and not lettered:
         more = (
             ", of which there are formulas; 'ambiguity census' takes every lighthouse, and makes "
