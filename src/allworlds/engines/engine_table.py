@@ -24,7 +24,7 @@ from allworlds.explorers.sources import content_digest, not_alike, with_content
 from allworlds.inputs.checks import InputError, lack_of, not_one_of, show
 from allworlds.judging.laws.law_table import LAWS
 from allworlds.maps.classes import MapClass
-from allworlds.world.lighthouses import base, kinds, marked
+from allworlds.world.lighthouses import base, marked
 
 
 def _parts(engine: UnitEngine, unit: Any) -> Iterator[PartialResult]:

@@ -211,11 +211,12 @@ class Subject(Struct, frozen=True, weakref=True):
     @property
     def lighthouse(self) -> str:
         """The lighthouse under which it is run unless another is named."""
-        own = entry_of(innermost(self.name)) if self.name.startswith(ELSEWHERE) else self.own
+        searches = self.name.startswith(ELSEWHERE)
+        own = entry_of(innermost(self.name)) if searches else self.own
         kind = own.lighthouse if own else LIGHTHOUSE
-        if own is self.own or kind.partition(":")[0] not in SHOW_V0:
-            return kind
-        return f"{kind}{',' if ':' in kind else ':'}{ANYWHERE}"
+        if searches and kind.partition(":")[0] in SHOW_V0:
+            return f"{kind}{',' if ':' in kind else ':'}{ANYWHERE}"
+        return kind
 
     @property
     def step_budget(self) -> int | None:

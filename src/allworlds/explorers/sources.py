@@ -380,7 +380,8 @@ class ExplorerWords(ProgramWords):
             "A built-in name, module:attribute, path/to/file.py:attribute or an entry point "
             "(default: algorithm1); shield:EXPLORER makes any of them right under the directional "
             "lighthouse; elsewhere:EXPLORER first looks for v0, within 100,000 traversals (with "
-            "--lighthouse directional:start=any). If the file has one generator function, path/to/file.py is enough.",
+            "--lighthouse directional:start=any). If the file has one generator function, "
+            "path/to/file.py is enough.",
         ),
     ] = None
 

@@ -1,8 +1,8 @@
-"""An explorer for a robot that starts elsewhere: it looks for v0, and there another explorer begins.
+"""An explorer for a robot that starts elsewhere: it looks for v0, and there another one begins.
 
-All words of motions are tried, shorter ones first, of one length in the order of their letters; each
-is taken back as far as the next one differs from it.  The way back is known by the edge by which
-the robot has come: where every dart of a vertex was tried in turn, the next one is that edge.
+All words of motions are tried, shorter ones first, of one length in the order of their letters;
+each is taken back as far as the next one differs from it.  The way back is known by the edge by
+which the robot has come: where every dart of a vertex was tried in turn, the next one is that edge.
 
 Cost of the search: less than 8 D^d traversals, for a distance d to v0 and a largest degree D > 1.
 For to try all words of up to L motions costs at most T(L) = D (2 + T(L - 1)) < 4 D^L.

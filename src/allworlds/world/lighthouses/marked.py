@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import count, islice, product
-from typing import Annotated, Any, ClassVar, Literal, Self, TypeAlias
+from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
 from msgspec import Meta
 from typing_extensions import override
@@ -41,7 +41,7 @@ class MarkedStart(base.ReferenceLighthouse):
 
     @classmethod
     def homes(cls, map_: CombinatorialMap, start: Dart) -> Sequence[Dart]:
-        """One dart of each vertex that may be v0: the first in canonical numbering from the start."""
+        """One dart of each vertex that may be v0, the first in canonical numbering."""
         return [*first_darts(map_, start).values()] if cls.start == "any" else [start]
 
     @classmethod
