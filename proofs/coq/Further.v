@@ -11,7 +11,7 @@ From Allworlds Require Import Ambiguity Regluing RegluingCount MassFormula Twins
   Folding OpenDarts.
 From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVertices Cluster Laying.
 From Allworlds Require Import NaturalLighthouse FoldingProgram SameWorld Checker TwoVerticesChecker.
-From Allworlds Require Import Shield DecisionTrees Words Sensors OneBit Door Scan.
+From Allworlds Require Import Shield DecisionTrees Words Sensors OneBit Door Scan Elsewhere.
 From Allworlds Require Import Minimality PlanarMinimality.
 From Allworlds Require SensorTwins.
 Set Implicit Arguments.
@@ -669,3 +669,31 @@ Theorem cost_of_the_door (W : lighthouse_world) : let n := vertices W in let m :
   door_bound W + 2 * m = \sum_(1 <= s < n) (s + 2 * s * (2 * m - 2 * (s - 1))) +
     \sum_(1 <= i < (m - (n - 1)).+1) (n + 2 * n * (2 * m - 2 * (n - 1) - 2 * (i - 1))).
 Proof. exact: conj (first_bearing_lt W) (door_bound_sum W). Qed.
+
+(* ==== The robot elsewhere (Sections I, II.B and VIII) ==== *)
+
+(* A robot that starts at any dart x of the world, and does not know where v0 is: it tries all words of motions,
+   shorter ones first, and takes each back.  In every world, from every start, it comes to v0, after some log t,
+   and from there on does what the explorer X does there. *)
+Theorem marker_is_found_from_everywhere (W : lighthouse_world) (x : W) E (X : explorer percept E) :
+  exists t z, at_same_vertex (start : W) z /\ forall budget,
+  episode (elsewhere X) (rooted x) (@percept_of W) (size t + budget) =
+    let: (t', e, z') := episode X (rooted z) (@percept_of W) budget in (t ++ t', e, z').
+Proof. exact: elsewhere_finds. Qed.
+
+(* So who is right from v0 is right from everywhere: the map is the world's, and the place in it the robot's. *)
+Theorem right_from_everywhere E (meaning : E -> rooted_map) (X : explorer percept E) :
+  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
+  forall (W : lighthouse_world) (x : W), right meaning (elsewhere X) (rooted x) (@percept_of W).
+Proof. exact: elsewhere_right. Qed.
+
+(* The cost for Algorithm 1, where a word of at most L motions leads to v0, and no degree is above D: (1) + (2),
+   and for the search less than 8 D^L, if D is not 1. *)
+Theorem cost_from_elsewhere (W : lighthouse_world) (pol : policy) D L (x : W) budget :
+  (forall d : W, degree d <= D) -> (exists2 w, size w <= L & at_same_vertex start (walk w x)) ->
+  let bound := search_cost D L + paper_bound (vertices W) (edges W) in
+  (bound <= budget -> exists transcript answer z,
+   [/\ episode (elsewhere (algorithm1 pol)) (rooted x) (@percept_of W) budget = (transcript, Some answer, z),
+       size transcript <= bound, valid answer & isomorphic (denote answer) (rooted z)]) /\
+  (1 < D -> search_cost D L + 8 <= 8 * D ^ L).
+Proof. by move=> le near bound; split; [exact: elsewhere_algorithm1 | exact: search_cost_le]. Qed.

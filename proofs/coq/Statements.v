@@ -141,7 +141,7 @@ From Allworlds Require Import Ambiguity Regluing RegluingCount MassFormula Twins
   Folding OpenDarts.
 From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVertices Cluster Laying.
 From Allworlds Require Import NaturalLighthouse FoldingProgram SameWorld Checker TwoVerticesChecker.
-From Allworlds Require Import Shield DecisionTrees Words Sensors OneBit Door Scan.
+From Allworlds Require Import Shield DecisionTrees Words Sensors OneBit Door Scan Elsewhere.
 From Allworlds Require Import Minimality PlanarMinimality.
 From Allworlds Require Import Further.
 
@@ -613,3 +613,23 @@ Check (@cost_of_the_door :
   first_bearing W < degree (@start W) /\
   door_bound W + 2 * m = \sum_(1 <= s < n) (s + 2 * s * (2 * m - 2 * (s - 1))) +
     \sum_(1 <= i < (m - (n - 1)).+1) (n + 2 * n * (2 * m - 2 * (n - 1) - 2 * (i - 1)))).
+
+Check (@marker_is_found_from_everywhere :
+  forall (W : lighthouse_world) (x : W) E (X : explorer percept E),
+  exists t z, at_same_vertex (start : W) z /\ forall budget,
+  episode (elsewhere X) (rooted x) (@percept_of W) (size t + budget) =
+    let: (t', e, z') := episode X (rooted z) (@percept_of W) budget in (t ++ t', e, z')).
+
+Check (@right_from_everywhere :
+  forall E (meaning : E -> rooted_map) (X : explorer percept E),
+  (forall W : lighthouse_world, right meaning X (rooted (@start W)) (@percept_of W)) ->
+  forall (W : lighthouse_world) (x : W), right meaning (elsewhere X) (rooted x) (@percept_of W)).
+
+Check (@cost_from_elsewhere :
+  forall (W : lighthouse_world) (pol : policy) D L (x : W) budget,
+  (forall d : W, degree d <= D) -> (exists2 w, size w <= L & at_same_vertex start (walk w x)) ->
+  let bound := search_cost D L + paper_bound (vertices W) (edges W) in
+  (bound <= budget -> exists transcript answer z,
+   [/\ episode (elsewhere (algorithm1 pol)) (rooted x) (@percept_of W) budget = (transcript, Some answer, z),
+       size transcript <= bound, valid answer & isomorphic (denote answer) (rooted z)]) /\
+  (1 < D -> search_cost D L + 8 <= 8 * D ^ L)).

@@ -4,7 +4,8 @@
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Explorers MassFormula PathWorlds.
-From Bounds Require Import Matchings Gluings Bouquets Cautious.
+From Allworlds Require Import Algorithm.
+From Bounds Require Import Matchings Gluings Bouquets Cautious CautiousAlgorithm.
 From Bounds Require Import Corridors CorridorWorlds CorridorLogs CorridorBounds.
 Set Implicit Arguments.
 Unset Strict Implicit.
@@ -68,6 +69,15 @@ Theorem cautious_explorers_walk_further k E (meaning : E -> rooted_map) (X : exp
   episode X (rooted (@start (hanging a))) (@percept_of (hanging a)) budget = (t, Some e, z) ->
   k.+1 * (2 * k.+1 + 1) <= size t.
 Proof. exact: cautious_needs. Qed.
+
+(* Algorithm 1 is one: under every policy it is cautious, and finds the map of every world.  So it makes as many. *)
+Theorem algorithm1_is_cautious k pol :
+  [/\ cautious k (algorithm1 pol),
+      (forall W : lighthouse_world, finds_map denote (algorithm1 pol) (rooted (@start W)) (@percept_of W)) &
+  exists a : loop_matching k, forall budget t e z,
+  episode (algorithm1 pol) (rooted (@start (hanging a))) (@percept_of (hanging a)) budget = (t, Some e, z) ->
+  k.+1 * (2 * k.+1 + 1) <= size t].
+Proof. exact: cautious_algorithm1. Qed.
 
 (* Corridors: v0 of degree 2, 2F near hubs, F = f+1 far ones, all of one even degree 12F+6+2e; two edges join each
    to the next, the other darts of near hubs are loops, and those of far ones are matched in any way. *)

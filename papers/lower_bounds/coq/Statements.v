@@ -4,7 +4,8 @@
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Maps Percepts RootedMaps Explorers MassFormula PathWorlds.
-From Bounds Require Import Matchings Gluings Bouquets Cautious.
+From Allworlds Require Import Algorithm.
+From Bounds Require Import Matchings Gluings Bouquets Cautious CautiousAlgorithm.
 From Bounds Require Import Corridors CorridorWorlds CorridorLogs CorridorBounds.
 From Bounds Require Import Main.
 Set Implicit Arguments.
@@ -53,6 +54,14 @@ Check (@cautious_explorers_walk_further :
   exists a : loop_matching k, forall budget t e z,
   episode X (rooted (@start (hanging a))) (@percept_of (hanging a)) budget = (t, Some e, z) ->
   k.+1 * (2 * k.+1 + 1) <= size t).
+
+Check (@algorithm1_is_cautious :
+  forall k pol,
+  [/\ cautious k (algorithm1 pol),
+      (forall W : lighthouse_world, finds_map denote (algorithm1 pol) (rooted (@start W)) (@percept_of W)) &
+  exists a : loop_matching k, forall budget t e z,
+  episode (algorithm1 pol) (rooted (@start (hanging a))) (@percept_of (hanging a)) budget = (t, Some e, z) ->
+  k.+1 * (2 * k.+1 + 1) <= size t]).
 
 Check (@corridors_exist :
   forall f e,

@@ -24,7 +24,7 @@ from allworlds.explorers.sources import content_digest, not_alike, with_content
 from allworlds.inputs.checks import InputError, lack_of, not_one_of, show
 from allworlds.judging.laws.law_table import LAWS
 from allworlds.maps.classes import MapClass
-from allworlds.world.lighthouses import base, kinds, marked
+from allworlds.world.lighthouses import base, marked
 
 
 def _parts(engine: UnitEngine, unit: Any) -> Iterator[PartialResult]:
@@ -206,9 +206,8 @@ def obstacle(scope: Scope, subject: Subject) -> str:
 
 def kind_of(kind: type[base.Lighthouse]) -> str:
     """The kernel's name of a kind of lighthouse."""
-    if kinds.LIGHTHOUSES.get(kind.kind) is kind:
-        return kind.kind
-    return f"{kind.kind}-single"
+    single = "-single" if kind.chosen == {"single": True} else ""
+    return kind.kind + single if single or not kind.chosen else ""
 
 
 def walks(scope: Scope, subject: Subject, edges: int) -> bool:

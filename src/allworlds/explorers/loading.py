@@ -37,7 +37,12 @@ ENTRY_POINTS = "allworlds.explorers"
 EXEC = "exec:"
 NATIVE = "native:"
 SHIELD = "shield:"
-"""The beginnings of the names of programs, of shared libraries, and of explorers with a shield."""
+ELSEWHERE = "elsewhere:"
+"""The beginnings of the names of programs, of shared libraries, of explorers with a shield, and of
+those that first look for v0."""
+
+ELSEWHERE_BUDGET = 100_000
+"""The step budget of explorers that look for v0, which takes some exponential of its distance."""
 
 SHIELD_BOUND = "9*paper"
 """The bound that every explorer with a shield keeps."""
@@ -73,10 +78,17 @@ def has_shield(name: str) -> bool:
     return name.startswith(SHIELD)
 
 
+def wrapped(name: str) -> tuple[str, str]:
+    """The wrapper of an explorer's name, ``shield:`` or ``elsewhere:``, or none, and the rest."""
+    found = next((each for each in (SHIELD, ELSEWHERE) if name.startswith(each)), "")
+    return found, name.removeprefix(found)
+
+
 def innermost(name: str) -> str:
-    """The name without shields."""
-    while has_shield(name):
-        name = name.removeprefix(SHIELD)
+    """The name without wrappers."""
+    wrapper = SHIELD
+    while wrapper:
+        wrapper, name = wrapped(name)
     return name
 
 
@@ -108,11 +120,15 @@ def own_bound(name: str, lighthouse: str) -> str | None:
     that the explorer is written for.
 
     Raises:
-        InputError: if it has a shield, which helps under the directional lighthouse alone.
+        InputError: if it has a shield, which helps under the directional lighthouse alone, or looks
+            for v0, where nothing shows it.
     """
+    if name.startswith(ELSEWHERE):
+        return _bound_elsewhere(name.removeprefix(ELSEWHERE), str(lighthouse))
     own = entry_of(name)
     written_for = own.lighthouse if own else LIGHTHOUSE
-    fits = str(lighthouse).partition(":")[0] == written_for.partition(":")[0]
+    kind, _, options = str(lighthouse).partition(":")
+    fits = kind == written_for.partition(":")[0] and ANYWHERE not in options
     if has_shield(name):
         if not fits:
             raise InputError(
@@ -120,6 +136,30 @@ def own_bound(name: str, lighthouse: str) -> str | None:
             )
         return SHIELD_BOUND
     return own.bound if own and fits else None
+
+
+ANYWHERE = "start=any"
+"""The option of a lighthouse under which the robot starts at any vertex."""
+
+SHOW_V0 = {"directional": "d", "cluster": "d", "door": "(d+1)"}
+"""The lighthouses that show one mark at v0, and the motions to there at most, by the diameter d."""
+
+
+def _bound_elsewhere(inside: str, lighthouse: str) -> str | None:
+    """The bound of an explorer that looks for v0, and there begins another one."""
+    parts = [part.partition(":") for part in lighthouse.split("+")]
+    if not any(kind in SHOW_V0 for kind, _, _ in parts):
+        raise InputError(
+            f"{ELSEWHERE}EXPLORER looks for one mark, which the lighthouses {', '.join(SHOW_V0)} "
+            f"show at v0, and not {show(lighthouse)}"
+        )
+    kind, colon, options = parts[0]
+    there = kind + colon + ",".join(each for each in options.split(",") if each != ANYWHERE)
+    bound = own_bound(inside, there) or ("paper" if kind == LIGHTHOUSE else None)
+    if bound is None or len(parts) > 1:
+        return None
+    bound = bound.replace("two-vertices", "paper + 2*m**2 + 2*d0").replace("d0", "D")
+    return f"{bound} + 8*D**{SHOW_V0[kind]}"
 
 
 # ---------------------------------------------------------------- subjects
@@ -150,7 +190,7 @@ class Subject(Struct, frozen=True, weakref=True):
 
     @property
     def own(self) -> BuiltIn | None:
-        """Its entry among the built-in explorers; None for a user's explorer, or with a shield."""
+        """Its entry among the built-in explorers; None for a user's explorer, or in a wrapper."""
         return entry_of(self.name)
 
     @property
@@ -171,11 +211,18 @@ class Subject(Struct, frozen=True, weakref=True):
     @property
     def lighthouse(self) -> str:
         """The lighthouse under which it is run unless another is named."""
-        return self.own.lighthouse if self.own else LIGHTHOUSE
+        searches = self.name.startswith(ELSEWHERE)
+        own = entry_of(innermost(self.name)) if searches else self.own
+        kind = own.lighthouse if own else LIGHTHOUSE
+        if searches and kind.partition(":")[0] in SHOW_V0:
+            return f"{kind}{',' if ':' in kind else ':'}{ANYWHERE}"
+        return kind
 
     @property
     def step_budget(self) -> int | None:
         """The explorer's own step budget; None if the usual one is large enough."""
+        if self.name.startswith(ELSEWHERE):
+            return ELSEWHERE_BUDGET
         return self.own.step_budget if self.own else None
 
     @property
@@ -219,6 +266,15 @@ def with_shield(inside: Subject) -> Subject:
         explore = Shield(explore)
     name, keywords = SHIELD + inside.name, inside.keywords - {"notice"}
     return replace(inside, name=name, keywords=keywords, explore=explore)
+
+
+def with_search(inside: Subject) -> Subject:
+    """The explorer that looks for v0, and there begins another one."""
+    from allworlds.explorers.builtin.elsewhere import Elsewhere
+
+    explore = None if inside.explore is None else Elsewhere(inside.explore)
+    keywords = inside.keywords - {"notice"}
+    return replace(inside, name=ELSEWHERE + inside.name, keywords=keywords, explore=explore)
 
 
 def in_process_subject(explore: Callable[..., Any]) -> Subject:
@@ -331,10 +387,13 @@ def load(
     Raises:
         InputError: if there is none, it does not import, or it is no generator function.
     """
-    if has_shield(name):
+    wrapper, inside = wrapped(name)
+    if wrapper:
+        import allworlds.explorers.builtin.elsewhere
         import allworlds.explorers.builtin.folding  # noqa: F401  # no file opens after some explorers
 
-        return with_shield(load(name.removeprefix(SHIELD), answer_timeout, source))
+        loaded = load(inside, answer_timeout, source)
+        return with_shield(loaded) if wrapper == SHIELD else with_search(loaded)
     if entry_of(name):
         return built_in(name)
     if is_program(name):

@@ -25,14 +25,13 @@ from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.loading import (
     EXEC,
     NATIVE,
-    SHIELD,
     Subject,
     command_or_path,
     entry_point,
-    has_shield,
     innermost,
     is_library,
     is_program,
+    wrapped,
 )
 from allworlds.explorers.program import Program
 from allworlds.inputs.checks import (
@@ -56,7 +55,7 @@ MOST_OF_A_COMMAND = 20
 def names_explorer(text: str) -> bool:
     """Whether a text has the form of an explorer's name; whether there is one is not checked."""
     plain = text.partition("?")[0]
-    if has_shield(text) or plain in BUILT_IN or entry_point(plain) or plain.endswith(".py"):
+    if wrapped(text)[0] or plain in BUILT_IN or entry_point(plain) or plain.endswith(".py"):
         return True
     return bool(re.fullmatch(r"(.+\.py|[^\W\d]\w*(\.[^\W\d]\w*)*):[^\W\d][\w.]*", plain))
 
@@ -69,8 +68,9 @@ def whole_name(name: str) -> str:
     Raises:
         InputError: if the file has several, is not there, or is no Python.
     """
-    if has_shield(name):
-        return SHIELD + whole_name(name.removeprefix(SHIELD))
+    wrapper, inside = wrapped(name)
+    if wrapper:
+        return wrapper + whole_name(inside)
     if not name.endswith(".py") or ":" in name:
         return name
     if not Path(name).exists():
@@ -225,7 +225,7 @@ def _source(file: Path) -> Path | None:
 
 
 def _files_named(name: str) -> list[Path]:
-    """The files that the name without a shield stands for, which may be missing.
+    """The files that the name without wrappers stands for, which may be missing.
 
     Raises:
         InputError: if there is no such module.
@@ -277,7 +277,7 @@ def content_digest(subject: Subject) -> str:
     """SHA-256 of the explorer's text, or of the digests of its files, in hexadecimal.
 
     The files of a program are the program itself and those that its command names.
-    A shield comes with this package, and changes with its version alone: the digest is that of the
+    A wrapper comes with this package, and changes with its version alone: the digest is that of the
     explorer inside.
     For a module it is the module's own file: imported modules are not included.
 
@@ -379,7 +379,9 @@ class ExplorerWords(ProgramWords):
             "[EXPLORER]",
             "A built-in name, module:attribute, path/to/file.py:attribute or an entry point "
             "(default: algorithm1); shield:EXPLORER makes any of them right under the directional "
-            "lighthouse. If the file has one generator function, path/to/file.py is enough.",
+            "lighthouse; elsewhere:EXPLORER first looks for v0, within 100,000 traversals (with "
+            "--lighthouse directional:start=any). If the file has one generator function, "
+            "path/to/file.py is enough.",
         ),
     ] = None
 

@@ -309,7 +309,7 @@ def _cost_of_algorithm1(world: World) -> int | None:
 
     Cost: seconds at most.
     """
-    kind = world.lighthouse.kind
+    kind = world.lighthouse.written
     if world.map.edge_count > LARGEST or kind not in VARIANTS:
         return None
     subject = single.subject_of(VARIANTS[kind], limits.Limits())

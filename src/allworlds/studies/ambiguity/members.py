@@ -441,10 +441,10 @@ def class_of(request: ClassRequest) -> AmbiguityClass:
 
 
 def _checked(world: World, limit: int, universe: MapClass) -> None:
-    if not isinstance(world.lighthouse, Position | Directional):
+    if world.lighthouse.written not in (Position.kind, Directional.kind):
         raise InputError(
             f"'ambiguity class' takes the lighthouses position and directional, not "
-            f"{world.lighthouse.kind}: a class may have no end where it is not known that one "
+            f"{world.lighthouse.written}: a class may have no end where it is not known that one "
             "vertex looks like no other; see 'ambiguity census'"
         )
     if an_integer("limit", limit) < 1:

@@ -264,9 +264,10 @@ def question_of(request: SearchRequest) -> Question:
     Raises:
         InputError: naming the offending value and what would be legal.
     """
-    name, own, _ = str(request.lighthouse).partition(":")
+    name, own, options = str(request.lighthouse).partition(":")
     own = own if own and name not in kinds.LIGHTHOUSES and tried_kind(request.lighthouse) else ""
-    if request.lighthouse not in SEARCHED and not own and name not in LETTERS:
+    lettered = name in LETTERS and "start=" not in options
+    if request.lighthouse not in SEARCHED and not own and not lettered:
         more = (
             ", of which there are formulas; 'ambiguity census' takes every lighthouse, and makes "
             "all small worlds"

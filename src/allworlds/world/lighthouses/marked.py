@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import count, islice, product
-from typing import Annotated, Any, ClassVar, Self
+from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 
 from msgspec import Meta
 from typing_extensions import override
@@ -20,26 +20,47 @@ from allworlds.world.lighthouses.options import InvalidWorld, ensure_legal, the_
 
 # ---------------------------------------------------------------- at one or two vertices
 
+StartsAt: TypeAlias = Annotated[
+    IfAny[Literal["v0", "any"]], about("whether the robot starts at v0, or anywhere; else v0")
+]
+
 
 class MarkedStart(base.ReferenceLighthouse):
-    """A lighthouse at the start's vertex v0, of which all that is sensed follows from its dart."""
+    """A lighthouse at one vertex v0, of which all that is sensed follows from its dart.
+
+    The robot starts at v0; under the option ``start=any`` of some kinds v0 is any vertex.
+    """
 
     dart: Dart
+    start: Any = "v0"
+
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        if cls.start == "any":
+            cls.folds, cls.default_bound = False, "none"
+
+    @classmethod
+    def homes(cls, map_: CombinatorialMap, start: Dart) -> Sequence[Dart]:
+        """One dart of each vertex that may be v0, the first in canonical numbering."""
+        return [*first_darts(map_, start).values()] if cls.start == "any" else [start]
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[MarkedStart]:
         """One place for each bearing ``0..deg(v0)-1``."""
         place: Any = cls
-        for bearing in range(map_.degree_at[start]):
-            yield place(map_.turn(start, bearing))
+        for home in cls.homes(map_, start):
+            for bearing in range(map_.degree_at[home]):
+                yield place(map_.turn(home, bearing))
 
     @override
     def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:
         return {self.dart: 1} if self.sensing.marks else {}
 
     def legal_darts(self, map_: CombinatorialMap, start: Dart) -> Sequence[Dart]:
-        """The darts at which it can stand: those of the start's vertex."""
-        return map_.vertices[map_.vertex_of[start]]
+        """The darts at which it can stand: those of each vertex that may be v0."""
+        kind: Any = self.as_kind
+        homes: Sequence[Dart] = kind.homes(map_, start)
+        return [dart for home in homes for dart in map_.vertices[map_.vertex_of[home]]]
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
         """Raise InvalidWorld unless its options are legal, and its dart is one of those."""
@@ -58,11 +79,17 @@ class TowardsNeighbour(MarkedStart):
     @override
     def legal_darts(self, map_: CombinatorialMap, start: Dart) -> Sequence[Dart]:
         owner, alpha = map_.vertex_of, map_.alpha
-        ends = {owner[alpha[p.dart]] for p in self.as_kind.places(map_, start)}  # type: ignore[attr-defined]  # of its kind
-        return [dart for dart in map_.vertices[owner[start]] if owner[alpha[dart]] in ends]
+        darts = [place.dart for place in self.as_kind.places(map_, start)]  # type: ignore[attr-defined]  # of its kind
+        pairs = {(owner[dart], owner[alpha[dart]]) for dart in darts}
+        all_ = super().legal_darts(map_, start)
+        return [dart for dart in all_ if (owner[dart], owner[alpha[dart]]) in pairs]
 
-    def believed(self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer) -> Self:
+    def believed(
+        self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer
+    ) -> base.Lighthouse | None:
         """The lighthouse in the same direction from the start, even if it may not stand there."""
+        if self.start == "any":
+            return super().believed(map_, start, walk)
         dart = walk.map.turn(walk.trail[0], map_.offset(start, self.dart))
         return replace(self, dart=dart)  # type: ignore[type-var]
 
@@ -88,7 +115,7 @@ class Position(MarkedStart):
         yield cls(start)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Directional(MarkedStart):
     """One marker at the start vertex v0 that points to one of its darts.
 
@@ -97,6 +124,7 @@ class Directional(MarkedStart):
     """
 
     dart: base.StandsAt
+    start: StartsAt = "v0"
 
     kind: ClassVar[str] = "directional"
     sensing: ClassVar[base.Sensing] = base.Sensing(base.Where.AT_V0, bearing=True)
@@ -133,7 +161,7 @@ class SensedByBearing(MarkedStart):
         return tuple(actions.Percept(map_.degree_at[d], at_v0.get(d, 0)) for d in map_.darts)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Door(SensedByBearing):
     """One marked dart of the start vertex v0, sensed only by who has just come in by it.
 
@@ -141,6 +169,7 @@ class Door(SensedByBearing):
     """
 
     dart: base.StandsAt
+    start: StartsAt = "v0"
 
     kind: ClassVar[str] = "door"
     pattern: ClassVar[str] = "10*"  # type: ignore[misc]  # of a word it is an option
@@ -177,6 +206,7 @@ class Cluster(TowardsNeighbour):
     single: Annotated[
         IfAny[bool], about("whether exactly one edge joins v0 and v1; else false")
     ] = False
+    start: StartsAt = "v0"
 
     kind: ClassVar[str] = "cluster"
     sensing: ClassVar[base.Sensing] = base.Sensing(base.Where.AT_V0_AND_V1, bearing=False)
@@ -184,13 +214,14 @@ class Cluster(TowardsNeighbour):
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Cluster]:
         """One place for each dart of v0 that leads to another vertex, clockwise."""
-        v0 = map_.vertex_of[start]
-        around = [map_.turn(start, bearing) for bearing in range(map_.degree_at[start])]
-        beyond = {dart: map_.vertex_of[map_.alpha[dart]] for dart in around}
-        edges = Counter(beyond.values())
-        for dart, v1 in beyond.items():
-            if v1 != v0 and (edges[v1] == 1 or not cls.single):
-                yield cls(dart)
+        for home in cls.homes(map_, start):
+            v0 = map_.vertex_of[home]
+            around = [map_.turn(home, bearing) for bearing in range(map_.degree_at[home])]
+            beyond = {dart: map_.vertex_of[map_.alpha[dart]] for dart in around}
+            edges = Counter(beyond.values())
+            for dart, v1 in beyond.items():
+                if v1 != v0 and (edges[v1] == 1 or not cls.single):
+                    yield cls(dart)
 
     @override
     def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:
@@ -230,6 +261,14 @@ class Natural(TowardsNeighbour):
 
 
 # ---------------------------------------------------------------- at every vertex
+
+
+def first_darts(map_: CombinatorialMap, start: Dart) -> dict[int, Dart]:
+    """By vertex its first dart, in canonical numbering from the start."""
+    first: dict[int, Dart] = {}
+    for dart in numbering(map_.sigma, map_.alpha, start):
+        first.setdefault(map_.vertex_of[dart], dart)
+    return first
 
 
 class AtEveryVertex(base.ReferenceLighthouse):
@@ -341,10 +380,7 @@ class Labels(AtEveryVertex):
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Labels]:
         """One place: vertices and their first darts in canonical numbering from ``start``."""
-        first: dict[int, Dart] = {}
-        for dart in numbering(map_.sigma, map_.alpha, start):
-            first.setdefault(map_.vertex_of[dart], dart)
-        yield cls(tuple(first.values()))
+        yield cls(tuple(first_darts(map_, start).values()))
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer) -> Labels:  # noqa: ARG002  # sensed
         """The labels sensed at the first visit of each vertex; 0 for vertices never visited."""

@@ -44,7 +44,7 @@ class FieldOption(NamedTuple):
     Attributes:
         default: the value where none is given; its type is that of every value.
         limits: of an integer, or the pattern of a text; None: there are none.
-        legal: of a tuple, the words that it may hold, each once.
+        legal: the words of which it is one; of a tuple, those that it may hold, each once.
         always: whether a document holds it even if it is the default.
     """
 
@@ -98,6 +98,8 @@ class FieldOption(NamedTuple):
         elif not isinstance(value, kind):
             wrong = "neither true nor false" if kind is bool else "not a text"
             raise InvalidWorld(f"{what} = {show(value)} is {wrong}")
+        elif self.legal and value not in self.legal:
+            raise InvalidWorld(f"{what} = {show(value)}; legal are {' and '.join(self.legal)}")
         elif (
             self.limits
             and self.limits.pattern
