@@ -5,9 +5,19 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations, product
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import Any, TypeAlias
 
-from allworlds import Choices, CombinatorialMap, World, ambiguity, check, run, worlds, worst
+from allworlds import (
+    Choices,
+    CombinatorialMap,
+    Percept,
+    World,
+    ambiguity,
+    check,
+    run,
+    worlds,
+    worst,
+)
 from allworlds.claims import (
     Algorithm1,
     EverySchedule,
@@ -123,29 +133,70 @@ def not_both(_: Means, *, edges: int) -> Found:
     begins with a motion counted from y, and the percepts end with a bearing at v0.
     """
     pairs = same_motions = same_percepts = both = 0
-    for m in range(1, edges + 1):
-        for map_ in rooted_maps(m):
-            world = World(map_, "directional")
-            for explored in _explored_parts(map_):
-                plans = [
-                    (dart, _plan(world, dart, path))
-                    for dart in _open_darts(map_, explored)
-                    for path in _simple_paths(map_, explored, map_.vertex_of[dart])
-                    if path
-                ]
-                for (dart, (motions, percepts)), (other, (moved, seen)) in combinations(plans, 2):
-                    if dart == other:
-                        continue
-                    pairs += 1
-                    same_motions += motions == moved
-                    same_percepts += percepts == seen
-                    both += motions == moved and percepts == seen
+    for _world, _goals, plans in _tests(edges):
+        for (dart, (motions, percepts)), (other, (moved, seen)) in combinations(plans, 2):
+            if dart == other:
+                continue
+            pairs += 1
+            same_motions += motions == moved
+            same_percepts += percepts == seen
+            both += motions == moved and percepts == seen
     witnesses = {
         "pairs": pairs,
         "with the same motions": same_motions,
         "with the same percepts": same_percepts,
     }
     return Found(truth(both == 0), witnesses)
+
+
+def marker_on_the_way(_: Means, *, edges: int) -> Found:
+    """Walk every test until it meets the marker, or another degree than is expected.
+
+    In every state the robot follows each open dart; every other one with the degree and the marks
+    that it senses there is a hypothesis, and is tested on each simple path.
+    """
+    true = met = alone = wrong = 0
+    for world, goals, plans in _tests(edges):
+        map_, percepts = world.map, world.percepts
+        for goal, (hypothesis, (motions, expected)) in product(goals, plans):
+            at = map_.alpha[goal]
+            if hypothesis == goal or not _alike(percepts[at], expected[0]):
+                continue
+            holds = at == hypothesis
+            true += holds
+            for motion, planned in zip(motions[:-1], expected[1:], strict=False):
+                at = map_.alpha[map_.turn(at, motion)]
+                if percepts[at].marks:
+                    met += 1
+                    alone += percepts[at].degree == planned.degree
+                    wrong += holds
+                if percepts[at] != planned:
+                    break
+    seen = {"true hypotheses": true, "tests that meet it": met, "where the degree agrees": alone}
+    return Found(truth(wrong == 0), seen)
+
+
+def _alike(one: Percept, other: Percept) -> bool:
+    return (one.degree, one.marks) == (other.degree, other.marks)
+
+
+_Plan: TypeAlias = tuple[list[int], list[Percept]]
+
+
+def _tests(edges: int) -> Iterator[tuple[World, list[int], list[tuple[int, _Plan]]]]:
+    """Every state: its open darts, and the tests of each on all simple paths that are not empty."""
+    for m in range(1, edges + 1):
+        for map_ in rooted_maps(m):
+            world = World(map_, "directional")
+            for explored in _explored_parts(map_):
+                darts = _open_darts(map_, explored)
+                plans = [
+                    (dart, _plan(world, dart, path))
+                    for dart in darts
+                    for path in _simple_paths(map_, explored, map_.vertex_of[dart])
+                    if path
+                ]
+                yield world, darts, plans
 
 
 def _explored_parts(map_: CombinatorialMap) -> Iterator[frozenset[int]]:
@@ -183,10 +234,10 @@ def _simple_paths(
                 yield (dart, *rest)
 
 
-def _plan(world: World, entry: int, path: tuple[int, ...]) -> tuple[list[int], list[object]]:
+def _plan(world: World, entry: int, path: tuple[int, ...]) -> _Plan:
     """The motions of a test and the percepts that it expects, with the vertex where it begins."""
     at, motions = entry, []
-    expected: list[object] = [world.percepts[entry]]
+    expected = [world.percepts[entry]]
     for dart in path:
         motions.append(world.map.offset(at, dart))
         at = world.map.alpha[dart]

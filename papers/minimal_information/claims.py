@@ -9,6 +9,7 @@ from algorithm import (
     direction_needed,
     every_schedule,
     lighthouse_suffices,
+    marker_on_the_way,
     no_twins_smt,
     no_twins_with_direction,
     not_both,
@@ -54,6 +55,7 @@ from decided import certificate, theorem
 from measured import (
     below_bound,
     gap_parts,
+    means_above_2m,
 )
 from position import (
     cycles,
@@ -67,6 +69,7 @@ from position import (
     position_tells_cycles,
     two_door_rooms,
 )
+from readings import signature_readings
 from two_vertices import (
     cluster,
     cluster_multigraphs,

@@ -70,8 +70,15 @@ class _Nearest(_Policy):
         return min(range(len(cost)), key=cost.__getitem__, default=0)
 
 
-POLICIES = {"fifo": _Policy, "lifo": _Lifo, "nearest": _Nearest}
-"""Which dart leaves U next."""
+class _Last(_Policy):
+    """The last option of every kind: in a test a longest path."""
+
+    def choose(self, kind: str, options: Sized, cost: Sequence[int] | None) -> int:  # noqa: ARG002
+        return len(options) - 1
+
+
+POLICIES = {"fifo": _Policy, "lifo": _Lifo, "nearest": _Nearest, "last": _Last}
+"""Which dart leaves U next; ``last`` answers the other choices, too."""
 
 
 class Played(NamedTuple):

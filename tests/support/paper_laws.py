@@ -95,6 +95,41 @@ def test_no_function_reads_what_is_expected():
         assert not re.search(r"ledger|\btoml", code), path.name
 
 
+ROOT = PAPER.parents[1]
+
+
+def stated_in(folder):
+    """The theorems that ``Statements.v`` of a folder pins, each with the file that has it."""
+    pinned = re.findall(r"^Check \(@(\w+) :", (folder / "Statements.v").read_text(), re.MULTILINE)
+    named = {
+        name: file.relative_to(ROOT).as_posix()
+        for file in (folder / "Main.v", folder / "Further.v")
+        if file.exists()
+        for name in re.findall(r"^Theorem (\w+)", file.read_text(), re.MULTILINE)
+    }
+    return {name: named[name] for name in pinned if name in named}
+
+
+def pointers(source):
+    """The theorems that a source names, each with its file."""
+    for names, file in re.findall(r"([\w, ]+) \(([\w/]+\.v)\)", source.partition("theorem")[2]):
+        for name in re.findall(r"\w+", names):
+            yield name, file
+
+
+def test_a_theorem_that_a_claim_points_to_stands_there_and_is_pinned():
+    pinned = {}
+    for folder in (ROOT / "proofs" / "coq", PAPER / "coq"):
+        if folder.exists():
+            pinned |= stated_in(folder)
+    met = [(claim.id, *one) for claim in CLAIMS for one in pointers(claim.source)]
+    assert [one for one in met if pinned.get(one[1]) != one[2]] == []
+    assert len(met) > len(CLAIMS) / 3
+    assert all(claim.source.count("theorem") == 1 for claim in CLAIMS if "theorem" in claim.source)
+    decided = {name for one in CLAIMS for name in one.quick.bounds.get("names", ())}
+    assert decided <= pinned.keys()
+
+
 REFERS = re.compile(r"(The same|So (does|do|is|are)|It|They|That|These|Those|This|Such|There)\b")
 """The beginnings of a sentence that is understood beside another one alone."""
 

@@ -8,6 +8,7 @@ from paper_claims import CLAIMS
 from paper_laws import (
     really_fails_when_changed,
     test_a_statement_says_by_itself_what_is_claimed,  # noqa: F401
+    test_a_theorem_that_a_claim_points_to_stands_there_and_is_pinned,  # noqa: F401
     test_each_expected_verdict_and_number_matters,  # noqa: F401
     test_every_claim_has_its_function_and_every_function_its_claim,  # noqa: F401
     test_no_function_reads_what_is_expected,  # noqa: F401

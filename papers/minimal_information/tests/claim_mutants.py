@@ -14,9 +14,10 @@ import algorithm
 import beyond
 import complexity
 import correctness
-import measured  # noqa: F401  # it looks at what is changed in passes
+import measured
 import passes
 import position
+import readings
 import two_vertices
 import worlds_and_motions
 from allworlds import CombinatorialMap, Move, World, ambiguity, check, worlds
@@ -31,6 +32,7 @@ from allworlds.studies.worst.every_schedule import EverySchedule
 from allworlds.world import Compass
 from formulas import paper_bound
 from paper_claims import (
+    BY_NAME,
     Mutant,
     algorithm1_is,
     checked,
@@ -123,7 +125,28 @@ def a_step_less(self: Any) -> int:
     return int(self._best(frozenset(), self._v0)) - 1
 
 
-right_rows = algorithm.worst_rows
+right_rows, right_paths = algorithm.worst_rows, algorithm._simple_paths
+right_parts, right_map_of = measured.parts_of_gap, measured.map_of
+LIMITS = BY_NAME["gap-parts"].quick.bounds["percent"]
+
+
+def beyond_v0(map_: CombinatorialMap, explored: Any, *rest: Any) -> Any:
+    """Simple paths to v0, and behind each of them an edge of v0, out and back."""
+    for path in right_paths(map_, explored, *rest):
+        yield path
+        doors = [dart for dart in map_.vertices[0] if dart in explored]
+        yield from ((*path, dart, map_.alpha[dart]) for dart in doors)
+
+
+def less_walk(world: World, met: Any) -> tuple[int, ...]:
+    """The parts of the gap, with the walks to known ends a traversal less."""
+    *others, walks = right_parts(world, met)
+    return *others, walks - 1
+
+
+def cycles_for_k6(text: str, **asked: Any) -> CombinatorialMap:
+    """The graphs of a family, but cycles in the place of the smallest dense ones."""
+    return right_map_of("cycle:9") if text == "dense:6" else right_map_of(text, **asked)
 
 
 def a_quarter(means: Any, edges: int) -> Any:
@@ -285,6 +308,11 @@ MUTANTS = (
     Mutant("three-cases", "a test that matches at its first step is believed",
            ((algorithm, "check", algorithm1_is(wrong.ConfirmedTooEarly)),),
            {"edges": 4}, slow=True),
+    Mutant("signature-readings", "the direction is not compared at v0",
+           ((readings.WithoutDirection, "agrees", lambda *_: True),),
+           {"edges": 2, "policies": ["fifo"]}),
+    Mutant("marker-on-the-way", "paths go on from v0, out and back",
+           ((algorithm, "_simple_paths", beyond_v0),), {"edges": 3}),
     Mutant("tests-decide", "the direction is not compared",
            ((EverySchedule, "_sensed", bearing_ignored),), {"edges": 3}),
     Mutant("not-both", "the direction is not sensed",
@@ -365,8 +393,12 @@ MUTANTS = (
     Mutant("below-bound", "goes back and forth in each pass",
            ((passes, "Watched", WatchedLingering),),
            {"families": ["lattice:3x3"], "seeds": 1, "share": 0.25}),
-    Mutant("gap-parts", "nearly all of the gap is tests never made",
-           changed={"share": 0.95}),
+    Mutant("gap-parts", "half of the gap is shorter walks",
+           changed={"percent": {**LIMITS, "walks to ends": [50, 100]}}),
+    Mutant("gap-parts", "a walk is charged once too often",
+           ((measured, "parts_of_gap", less_walk),)),
+    Mutant("means-above-2m", "the line is 4m", changed={"times": 4}),
+    Mutant("means-above-2m", "a cycle among the graphs", ((measured, "map_of", cycles_for_k6),)),
     # VIII
     Mutant("cluster", "the answer is mirrored",
            ((two_vertices, "check", checked(mirrored("algorithm1-cluster"))),)),

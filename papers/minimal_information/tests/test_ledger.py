@@ -11,6 +11,7 @@ from paper_claims import BY_NAME, CLAIMS
 from paper_laws import (
     really_fails_when_changed,
     test_a_statement_says_by_itself_what_is_claimed,  # noqa: F401
+    test_a_theorem_that_a_claim_points_to_stands_there_and_is_pinned,  # noqa: F401
     test_each_expected_verdict_and_number_matters,  # noqa: F401
     test_every_claim_has_its_function_and_every_function_its_claim,  # noqa: F401
     test_no_function_reads_what_is_expected,  # noqa: F401
@@ -56,6 +57,8 @@ SMALL = {
     "position-not-enough": {"pairs": ["pair-two-loops", "pair-k4"]},
     "lighthouse-suffices": {"edges": 2},
     "every-schedule": {"edges": 1, "most_expensive": 2},
+    "signature-readings": {"edges": 2, "policies": ["fifo"]},
+    "marker-on-the-way": {"edges": 3},
     "tests-decide": {"edges": 3},
     "not-both": {"edges": 3},
     "direction-needed": {},
@@ -71,6 +74,12 @@ SMALL = {
     "bound": {"edges": 2},
     "order-reached": {"family": "thick:4", "to": 30, "growing": 0.5},
     "below-bound": {"families": ["lattice:3x3"], "seeds": 1, "share": 1.0},
+    "means-above-2m": {
+        "families": ["lattice:3x3"],
+        "seeds": 1,
+        "policies": ["fifo"],
+        "times": 2,
+    },
     "cluster": {"edges": 4},
     "natural": {"edges": 4},
     "cluster-multigraphs": {"edges": 2},
@@ -88,7 +97,6 @@ def test_a_claim_holds_in_a_small_scope_too(name):
     [
         ("movable-marker-multigraphs", {"edges": 2}),
         ("natural-multigraphs", {"edges": 4}),
-        ("gap-parts", {"families": ["lattice:4x4"], "seeds": 1, "share": 0.9}),
         ("order-reached", {"family": "thick:4", "to": 30, "growing": 9.0}),
     ],
 )
