@@ -72,6 +72,7 @@ def game(play: Play) -> str:
 
 def costs_data(play: Play) -> dict[str, Any]:
     """The cost of Algorithm 1, where it is run, and the bound, for the script."""
-    bound = bound_named(play.world.lighthouse.as_kind.default_bound).of(play.world.map, play.world.start)
+    world = play.world
+    bound = bound_named(world.lighthouse.as_kind.default_bound).of(world.map, world.start)
     others = [] if play.algorithm1 is None else [["Algorithm 1", play.algorithm1]]
     return {"others": others, "bound": bound}
