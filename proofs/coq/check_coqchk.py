@@ -1,6 +1,7 @@
 """Checks the compiled files with coqchk; exit 1 unless it accepts them and reports no axiom.
 
-Usage: check_coqchk.py FILE.v ...   (in the folder of the compiled files)
+Usage: check_coqchk.py FILE.v ...   (in the folder of the compiled files; files of another folder
+that _CoqProject names may be among them)
 """
 
 import pathlib
@@ -19,9 +20,10 @@ MUST_BE_NONE = (
 
 def main() -> int:
     """The exit code."""
-    own = libraries()["."]
-    modules = [f"{own}.{pathlib.Path(name).stem}" for name in sys.argv[1:]]
-    folders = [word for pair in libraries().items() for word in ("-Q", *pair)]
+    known = libraries()
+    paths = map(pathlib.Path, sys.argv[1:])
+    modules = [f"{known[str(path.parent)]}.{path.stem}" for path in paths]
+    folders = [word for pair in known.items() for word in ("-Q", *pair)]
     # PlanarMinimality.v needs the virtual machine, which coqc has used too.
     options = ["-silent", "-o", "-bytecode-compiler", "yes", *folders]
     command = ["coqchk", *options, *modules]

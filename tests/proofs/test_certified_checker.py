@@ -65,6 +65,21 @@ def test_a_check_that_has_not_been_finished_is_no_outcome(checker, monkeypatch):
         checker.package_outcome(mutant, 1)
 
 
+def test_an_explorer_that_only_one_has_seen_to_be_no_function_decides_nothing(checker, monkeypatch):
+    (mutant,) = (m for m in checker.WRONG_EXPLORERS if m.name == "state-kept")
+    monkeypatch.setattr(checker, "WRONG_EXPLORERS", (mutant,))
+    monkeypatch.setattr(checker, "EQUIVALENT_EXPLORERS", ())
+    held = {"verdict": "holds", "runs": 1, "open": []}
+    monkeypatch.setattr(checker, "asked", lambda *_: held)
+    for verdict in ("no function", "refuted"):
+        monkeypatch.setattr(checker, "package_outcome", lambda *_, v=verdict: checker.Outcome(v))
+        if verdict == "refuted":
+            assert not checker.checkers_agree(1)
+            continue
+        with pytest.raises(checker.NoVerdict, match="only one has seen state-kept answer"):
+            checker.checkers_agree(1)
+
+
 def impostor(folding, tmp_path, monkeypatch, lie):
     """The package's own folding in the place of the extracted one, but for a lie."""
     program = tmp_path / "folding"
