@@ -177,12 +177,7 @@ class Part:
 
 
 def conformance(
-    explore: Explorer,
-    *,
-    edges: int = EDGES,
-    drawn: int = 50,
-    drawn_edges: int = 10,
-    **options: Any,
+    explore: Explorer, *, edges: int = EDGES, drawn: int = 50, drawn_edges: int = 10, **options: Any
 ) -> list[Part]:
     """The parts of the conformance kit, from the cheapest to the most expensive.
 

@@ -68,11 +68,7 @@ class Seeded:
         return self._random.randrange(count) if count else 0
 
 
-POLICIES: dict[str, type[Fifo | Lifo | Nearest]] = {
-    "fifo": Fifo,
-    "lifo": Lifo,
-    "nearest": Nearest,
-}
+POLICIES: dict[str, type[Fifo | Lifo | Nearest]] = {"fifo": Fifo, "lifo": Lifo, "nearest": Nearest}
 """Every policy that has no seed, by its name."""
 
 SEEDED = "random:SEED"

@@ -236,18 +236,13 @@ class WorldOptions(Request):
     seed: Annotated[
         int | None,
         Option(
-            SCOPE,
-            "S",
-            "Seed for families that are drawn at random [default: 0].",
-            parse=integer_of,
+            SCOPE, "S", "Seed for families that are drawn at random [default: 0].", parse=integer_of
         ),
     ] = None
     lighthouse: Annotated[
         Converted[GivenLighthouse | None, LighthouseKind | None],
         Option(
-            SCOPE,
-            "KIND",
-            "The lighthouse, if the world names none [default: the explorer's own].",
+            SCOPE, "KIND", "The lighthouse, if the world names none [default: the explorer's own]."
         ),
     ] = Converted(kind_if_any, None)
     place: Annotated[
