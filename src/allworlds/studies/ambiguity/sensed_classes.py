@@ -92,7 +92,7 @@ def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
     return name if able and large and not lack_of(*COMPILER) else ""
 
 
-@lru_cache(4)
+@lru_cache(16)
 def _room(edges: int, thread: int) -> tuple[Any, ...]:  # noqa: ARG001  # each has its own
     """The memory of compiled code: a job, a robot that does not move, and the worlds."""
     from allworlds.engines.kernel import records
