@@ -250,7 +250,7 @@ def made_twice(kind, edges, map_class):
     "kind",
     [
         *("none", "position", "directional", "door", "natural", "cluster", "cluster:single=true"),
-        *("compass", "word:12", "word:10*", "word:021*"),
+        *("compass", "labels", "word:12", "word:10*", "word:021*"),
     ],
 )
 @pytest.mark.parametrize(("edges", "map_class"), [(3, "maps"), (4, "simple")])
@@ -280,7 +280,7 @@ def test_which_censuses_are_made_by_compiled_code(folder, monkeypatch):
     assert name("position") == "position"
     assert name("word:12") == "door"
     assert name("cluster:single=true") == "cluster-single"
-    assert not any([name("labels"), name("position+told:n"), name("parity.py:Copy")])
+    assert not any([name("movable"), name("position+told:n"), name("parity.py:Copy")])
     assert not any([name("door", edges=4), name("door", edges=13), name("door", where="trees")])
     monkeypatch.setattr(sensed_classes, "lack_of", lambda *_: "lacks numba")
     assert not name("door")

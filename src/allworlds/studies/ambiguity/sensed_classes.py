@@ -18,7 +18,8 @@ from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Percept, Told
 from allworlds.world.lighthouses.base import Lighthouse
-from allworlds.world.lighthouses.marked import Door, SensedByBearing, word_of
+from allworlds.world.lighthouses.composed import Nothing
+from allworlds.world.lighthouses.marked import Door, Labels, SensedByBearing, word_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -85,12 +86,13 @@ def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
 def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
     """The kernel's name of a lighthouse (of letters the door's), if it is to make the worlds."""
     name = Door.kind if issubclass(kind, SensedByBearing) else kind_of(kind)
+    name = Nothing.kind if kind is Labels else name
     able = name in capabilities.LIGHTHOUSES and not (extent.given or extent.where)
     large = COMPILED_FROM <= extent.levels[-1] <= capabilities.MOST_EDGES
     return name if able and large and not lack_of(*COMPILER) else ""
 
 
-@lru_cache(4)
+@lru_cache(16)
 def _room(edges: int, thread: int) -> tuple[Any, ...]:  # noqa: ARG001  # each has its own
     """The memory of compiled code: a job, a robot that does not move, and the worlds."""
     from allworlds.engines.kernel import records
@@ -131,7 +133,21 @@ def laid_out(
         vertices = (first == at).sum(axis=1).tolist()
         # A map without a place has its number, too.
         without = int(job.number) - before - runs
-        yield maps + without, SensedWorlds(sigma, alpha, sensed, told, vertices)
+        worlds = SensedWorlds(sigma, alpha, sensed, told, vertices)
+        yield maps + without, _labelled(worlds, first) if kind is Labels else worlds
+
+
+def _labelled(worlds: SensedWorlds, first: Matrix) -> SensedWorlds:
+    """The worlds under labels: vertices and their first darts are met in canonical order."""
+    import numpy as np
+
+    at, degree = np.broadcast_to(np.arange(first.shape[1]), first.shape), worlds.sensed
+    number, order = numbered(worlds, at, at[:, 0])
+    together = first[:, :, None] == first[:, None, :]
+    least = np.where(together, number[:, None, :], first.shape[1]).min(axis=2)
+    marks = ((number == least)[:, None, :] & (number[:, None, :] <= least[:, :, None])).sum(axis=2)
+    bearing = (np.take_along_axis(order, least, 1) - at) % degree + 1
+    return worlds._replace(sensed=(marks << BITS | bearing) << BITS | degree)
 
 
 def _ranks(keys: Matrix) -> Matrix:
