@@ -9,7 +9,7 @@ from allworlds import Estimate, Move
 from allworlds.engines.engine_table import kind_of
 from allworlds.explorers.builtin import elsewhere as module
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.explorers.builtin.elsewhere import Elsewhere
+from allworlds.explorers.builtin.elsewhere import FromElsewhere
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.loading import ELSEWHERE_BUDGET, Subject, built_in, own_bound, with_search
 from allworlds.explorers.sources import content_digest, names_explorer, whole_name
@@ -124,7 +124,7 @@ def test_the_compiled_engine_does_not_take_them_for_others():
 
 @pytest.mark.parametrize(("kind", "inside"), SHOWING_V0.items())
 def test_the_robot_finds_the_map_from_everywhere(kind, inside):
-    assert answers(Elsewhere(BUILT_IN[inside].explore), worlds(2, kind)) == {"right"}
+    assert answers(FromElsewhere(BUILT_IN[inside].explore), worlds(2, kind)) == {"right"}
 
 
 def test_algorithm_1_alone_needs_to_start_at_v0():
@@ -135,7 +135,7 @@ def test_algorithm_1_alone_needs_to_start_at_v0():
 def test_at_v0_the_search_costs_nothing():
     for world in worlds(2):
         if world.first.marks:
-            assert played(Elsewhere(algorithm1), world)[0] == played(algorithm1, world)[0]
+            assert played(FromElsewhere(algorithm1), world)[0] == played(algorithm1, world)[0]
 
 
 def cost_of_search(degree, motions):
@@ -151,7 +151,7 @@ def test_the_search_keeps_its_bound():
     for m in (1, 2, 3):
         for world in worlds(2) if m < 3 else worlds(3)[::40]:
             map_ = world.map
-            steps = played(Elsewhere(algorithm1), world)[0].cost
+            steps = played(FromElsewhere(algorithm1), world)[0].cost
             limit = cost_of_search(max(map_.degrees), map_.diameter)
             assert steps <= limit + paper_bound(map_.vertex_count, map_.edge_count)
     for degree in range(2, 6):
@@ -165,7 +165,7 @@ def test_all_words_of_a_length_are_tried_and_taken_back():
         allworlds.CombinatorialMap([1, 2, 0, 4, 3, 5], [3, 5, 4, 0, 2, 1]), "none"
     )
     state, seen, visited = world.initial, world.first, []
-    walk = Elsewhere(algorithm1).tried(seen.degree, 2, 0)
+    walk = FromElsewhere(algorithm1).tried(seen.degree, 2, 0)
     try:
         action = next(walk)
         while True:
@@ -183,7 +183,7 @@ def test_all_words_of_a_length_are_tried_and_taken_back():
 # ---------------------------------------------------------------- mutants of the search
 
 
-class WrongWayBack(Elsewhere):
+class WrongWayBack(FromElsewhere):
     """After the words behind a dart it goes back as if it had just come."""
 
     def tried(self, degree, longest, due):
@@ -199,7 +199,7 @@ class WrongWayBack(Elsewhere):
         return None, due
 
 
-class EvenWordsOnly(Elsewhere):
+class EvenWordsOnly(FromElsewhere):
     """It leaves words of odd lengths out: it looks only after every second motion."""
 
     def tried(self, degree, longest, due, *, looks=False):
@@ -215,14 +215,14 @@ class EvenWordsOnly(Elsewhere):
         return None, due
 
 
-class LastDartForgotten(Elsewhere):
+class LastDartForgotten(FromElsewhere):
     """It leaves the last dart of each vertex out."""
 
     def tried(self, degree, longest, due):
         return (yield from super().tried(max(degree - 1, 1), longest, due))
 
 
-class NeverFar(Elsewhere):
+class NeverFar(FromElsewhere):
     """It tries words of one motion, again and again."""
 
     def tried(self, degree, longest, due):
@@ -243,7 +243,7 @@ def test_wrong_searches_are_refuted(mutant, sigma, alpha, dart):
     place = {"kind": "directional", "dart": dart, "start": "any"}
     world = World.from_json({"sigma": sigma, "alpha": alpha, "lighthouse": place})
     assert played(mutant(algorithm1), world)[1] == "none"
-    assert played(Elsewhere(algorithm1), world)[1] == "right"
+    assert played(FromElsewhere(algorithm1), world)[1] == "right"
 
 
 # ---------------------------------------------------------------- its name, its rules
@@ -257,7 +257,7 @@ def test_the_name_of_a_search_is_read_like_that_of_a_shield(tmp_path):
     subject = with_search(built_in("algorithm1"))
     assert (subject.name, subject.keywords) == ("elsewhere:algorithm1", {"choices"})
     assert content_digest(subject) == "built-in"
-    assert isinstance(subject.explore, module.Elsewhere)
+    assert isinstance(subject.explore, module.FromElsewhere)
 
 
 def test_a_search_brings_its_lighthouse_and_its_budget():
@@ -305,7 +305,7 @@ def test_an_answer_says_where_the_robot_ends():
     """It goes back to the start at last: ``here`` is right there too."""
 
     def and_back(first):
-        estimate = yield from Elsewhere(algorithm1)(first)
+        estimate = yield from FromElsewhere(algorithm1)(first)
         yield Move(0)
         map_ = estimate.map
         return Estimate(map_, map_.alpha[estimate.here])

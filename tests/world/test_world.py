@@ -350,7 +350,7 @@ def test_kinds_are_found_by_name():
     assert lighthouse_from_json({"kind": "directional", "dart": 2}, PATH, 1) == Directional(2)
     with pytest.raises(InvalidWorld, match=r"'Directional' is not one of .*directional"):
         lighthouse_kind("Directional")
-    with pytest.raises(InvalidWorld, match="'directional' has no option 'markers'; it has none"):
+    with pytest.raises(InvalidWorld, match="'directional' has no option 'markers'; legal: start"):
         lighthouse_kind("directional:markers=2")
 
 

@@ -270,9 +270,9 @@ def with_shield(inside: Subject) -> Subject:
 
 def with_search(inside: Subject) -> Subject:
     """The explorer that looks for v0, and there begins another one."""
-    from allworlds.explorers.builtin.elsewhere import Elsewhere
+    from allworlds.explorers.builtin.elsewhere import FromElsewhere
 
-    explore = None if inside.explore is None else Elsewhere(inside.explore)
+    explore = None if inside.explore is None else FromElsewhere(inside.explore)
     keywords = inside.keywords - {"notice"}
     return replace(inside, name=ELSEWHERE + inside.name, keywords=keywords, explore=explore)
 

@@ -17,7 +17,7 @@ from allworlds.explorers.builtin.algorithm1 import Walk
 from allworlds.protocol.actions import Move, Percept
 
 
-class Elsewhere:
+class FromElsewhere:
     """An explorer that begins at v0, wherever the robot starts.
 
     Attributes:
