@@ -32,6 +32,7 @@ from allworlds.document import replace
 from allworlds.maps.combinatorial import CombinatorialMap, isomorphism
 from allworlds.reports.drawing.svg import picture
 from allworlds.reports.parts import Scene, scene_of, walk_in_answer, walk_in_world
+from allworlds.words import size as words_of_size
 from allworlds.world import Directional, World, world_named
 from allworlds.world.named import own_corpus
 
@@ -325,11 +326,11 @@ def _card(live: Live, report: dict[str, Any]) -> Iterator[str]:
     said = f"Verdict: **{report['verdict']}**."
     for found in report["findings"][:1]:
         finding = Finding.from_json(found)
-        size = f"{finding.world.map.edge_count} edges, {finding.world.map.vertex_count} vertices"
+        size = words_of_size(finding.world.map.edge_count, finding.world.map.vertex_count)
         said = f"Verdict: **{report['verdict']}**, law `{finding.law}`."
         scenes = refutation(finding)
         beside = ", and beside it the answer" if len(scenes) > 1 else ""
-        caption = f"The smallest world that refutes it ({size}){beside}."
+        caption = f"The smallest world that refutes it, with {size}{beside}."
         yield drawing(*scenes, caption=caption) + "\n"
     yield f"{said} [Open the page](live/{live.name}.html)"
 

@@ -143,6 +143,7 @@ def test_a_slip_in_a_word_of_a_fixed_set_is_told(refused, verb, option, tmp_path
         ("compare algorithm1 --family gird --to 20", "lattice"),
         ("init new --lang pyton", "python"),
         ("init new --lang js", "javascript"),
+        ("fuzz --edges 3 --mix planr", "planar"),
         ("ambiguity search --vertices 2 --edges 2 --lighthouse positon", "position"),
     ],
 )

@@ -158,7 +158,7 @@ PRINTED = {"as_json", "quiet", "verbose", "events", "help", "help_all", "files"}
 ONLY_CLI = {
     "check": {"estimate", "explorer", "command", "native"},
     "fuzz": {"explorer", "command", "native"},
-    "run": {"arguments", "command", "native", "listed", "without_walk"},
+    "run": {"arguments", "command", "native", "listed", "without_walk", "pdb", "step"},
     "replay": {"explorer", "command", "native", "file", "number"},
     "explain": {"file"},
     "compare": {"command", "native"},

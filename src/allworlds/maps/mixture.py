@@ -9,7 +9,7 @@ from math import isqrt
 from random import Random
 from typing import TypeAlias
 
-from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.checks import InputError, not_one_of, show
 from allworlds.maps import build, families
 from allworlds.maps.classes import Condition, Extent, MapClass, narrowing
 from allworlds.maps.combinatorial import CombinatorialMap, rooted_code, unreached
@@ -272,9 +272,8 @@ def mix_named(given: object) -> tuple[str, ...] | None:
         return None
     names = (given,) if isinstance(given, str) or not isinstance(given, Iterable) else (*given,)
     for i, name in enumerate(names):
-        if name not in (*PARTS, HISTORIES):
-            known = f"{', '.join(PARTS)} and {HISTORIES}"
-            raise InputError(f"mix: {show(name)} is not one of {known}")
+        if name not in (known := (*PARTS, HISTORIES)):
+            raise not_one_of("mix", name, known)
         if name in names[:i]:
             raise InputError(f"mix: {show(name)} stands there twice")
     return names

@@ -97,6 +97,8 @@ function otherWay(viewer, items, tell, back) {
   const whole = made("details", "", { class: "another" });
   const row = made("p", "", { class: "rows", role: "group", "aria-label": "Ways to go" });
   const list = made("ol", "", { class: "walk", role: "list", "aria-label": "The other way" });
+  // Below the list: whoever clicks twice at one place does not go back.
+  const leave = made("button", "", { type: "button" });
   let from, state;
 
   function offer() {
@@ -110,13 +112,10 @@ function otherWay(viewer, items, tell, back) {
       button.addEventListener("click", () => go(action));
       return button;
     });
-    if (list.children.length) {
-      const button = made("button", `Back to step ${from}`, { type: "button" });
-      button.addEventListener("click", () => back(from));
-      buttons.push(button);
-    }
-    const focused = [...row.children].indexOf(document.activeElement);
+    const focused = [...row.children, leave].indexOf(document.activeElement);
     row.replaceChildren(...buttons);
+    leave.textContent = `Back to step ${from}`;
+    leave.hidden = !list.children.length;
     if (focused >= 0) buttons[Math.min(focused, buttons.length - 1)].focus();
   }
 
@@ -137,7 +136,8 @@ function otherWay(viewer, items, tell, back) {
     tell(from, [...list.children]);
   }
 
-  whole.append(made("summary", "Go another way"), row, list);
+  whole.append(made("summary", "Go another way"), row, list, leave);
+  leave.addEventListener("click", () => back(from));
   viewer.querySelector(".controls").before(whole);
   // On a phone the picture of the world may be behind another one.
   whole.addEventListener("toggle", () => {
