@@ -24,7 +24,6 @@ from allworlds.engines.limits import (
     TimeIsUp,
     deadline_after,
 )
-from allworlds.engines.player import ONCE
 from allworlds.engines.players import Lost, Setup
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import (
@@ -59,7 +58,7 @@ from allworlds.maps.mixture import (
 )
 from allworlds.notations.given import Placed
 from allworlds.outcome import Completed, Ending
-from allworlds.protocol.code_lines import Place
+from allworlds.protocol.code_lines import ONCE, Place
 from allworlds.studies.check import hints
 from allworlds.studies.check.covered import features
 from allworlds.studies.check.report import CheckReport, ManyWorlds
