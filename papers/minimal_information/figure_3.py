@@ -228,7 +228,7 @@ class Holes(Struct, frozen=True):
         ):
             axes.plot(edges, values, style, color="black", linewidth=1, label=label)
         axes.set(title=TITLES[name], xlabel="edges", ylabel="traversals")
-        if scale == "log":
+        if scale == "log" and edges:
             axes.set(xscale="log", yscale="log")
             axes.set_xticks(edges, labels=list(map(str, edges)))
             axes.set_xticks([], minor=True)
