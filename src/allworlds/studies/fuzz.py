@@ -117,7 +117,7 @@ def fuzz(request: FuzzRequest) -> CheckReport:
 
     The report is a sample's: at best ``not-refuted``, never complete.  The sample depends on
     the class, ``where``, ``edges``, ``min_edges``, ``mix``, ``runs`` and ``seed`` alone.  It ends
-    after the first 64, 256, 1024, ... runs of which one refutes.  The finding is the smallest that
+    after the first 16, 64, 256, ... runs of which one refutes.  The finding is the smallest that
     the shrinker reaches from the smallest refuting world of these; that may have fewer than
     ``min_edges`` edges.  Shrinking ends with the time limit.  Of an explorer in Python worlds are
     bred, too: see :func:`bred`.
@@ -467,11 +467,13 @@ def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Findin
 
 # ---------------------------------------------------------------- the sample
 
-BATCH = 16
+BATCH = 8
 """The runs that one worker does at a time."""
 
-FIRST = 64
-"""The runs of the first wave, and of a block those that have offspring."""
+EARLY = 16
+"""The runs of the first wave.  A wrong explorer in a world with 50 edges may go on until its budget
+of some 500,000 traversals: 64 draws with 40 to 60 edges took more than six minutes of a processor.
+"""
 
 PATIENCE = 100
 """The number of maps of one part that are rejected before histories are used."""
@@ -481,10 +483,10 @@ LONGEST = 2000
 
 
 def waves(runs: int) -> Iterator[tuple[int, int]]:
-    """The first run of each wave, and the first of the next: 0, 64, 256, 1024, ..."""
+    """The first run of each wave, and the first of the next: 0, 16, 64, 256, ..."""
     begin = 0
     while begin < runs:
-        end = min(max(FIRST, 4 * begin), runs)
+        end = min(max(EARLY, 4 * begin), runs)
         yield begin, end
         begin = end
 
@@ -563,8 +565,8 @@ class Batch(Struct, frozen=True):
 
 # ---------------------------------------------------------------- bred worlds
 
-BLOCK, BRED = 256, 192
-"""The draws of a block, and the worlds that are bred from its first ones."""
+BLOCK, FIRST, BRED = 256, 64, 192
+"""The draws of a block, the first ones of which others are bred, and the number of these."""
 
 GENERATION = 16
 """The worlds that are bred before their parents are chosen anew."""
