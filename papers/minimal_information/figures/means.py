@@ -1,6 +1,6 @@
 """Print the means of figure 3's data, a line for each family, size and explorer.
 
-    python papers/minimal_information/figures.py 3 --graphs 30 --places 4 --out figure-3.svg
+    python papers/minimal_information/figures.py 3 --graphs 9 --places 4 --out figure-3.svg
     python papers/minimal_information/figures/means.py figure-3.csv > figure-3-means.csv
 
 The data themselves have a line for each run. A world counts with its mean over the directions of

@@ -40,9 +40,6 @@ READY, LOGS, PART, REFUSAL, FAILURE, NO_ROOM = b"RLPEFN"
 """The letters of the answers: the explorer is loaded; the logs of a batch; the log so far; bad
 input; a mistake of ours; the second logs of a library do not fit."""
 
-ONCE = "once"
-"""In place of True, where lines are asked for without the turns in which they run."""
-
 NO_RUN = -1
 """The number of the run in progress where there is none."""
 
@@ -176,7 +173,7 @@ def played(
     logs: list[bytes] = [b""] * batch["runs"]
     traced = list["TracedPlay"]()
     if batch["lines"]:
-        from allworlds.protocol.code_lines import LinesPlay, TracedPlay, written
+        from allworlds.protocol.code_lines import ONCE, LinesPlay, TracedPlay, written
     for number in batch["order"]:
         world, told, over, budget, name, script = batch["rows"][number]
         beat[0] = number

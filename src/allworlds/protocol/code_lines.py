@@ -21,6 +21,9 @@ Place: TypeAlias = tuple[str, int]
 
 NOWHERE: Place = ("", 0)
 
+ONCE = "once"
+"""In place of True, where lines are asked for without the turns in which they run."""
+
 _OURS = (__file__.rpartition("protocol")[0], sysconfig.get_path("stdlib"))
 
 

@@ -1,6 +1,6 @@
 """``fuzz``: worlds far beyond the exhaustive bound, and the way back to small ones."""
 
-from collections import Counter
+from collections import Counter, deque
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import count, islice, takewhile
@@ -24,7 +24,6 @@ from allworlds.engines.limits import (
     TimeIsUp,
     deadline_after,
 )
-from allworlds.engines.player import ONCE
 from allworlds.engines.players import Lost, Setup
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import (
@@ -59,7 +58,7 @@ from allworlds.maps.mixture import (
 )
 from allworlds.notations.given import Placed
 from allworlds.outcome import Completed, Ending
-from allworlds.protocol.code_lines import Place
+from allworlds.protocol.code_lines import ONCE, Place
 from allworlds.studies.check import hints
 from allworlds.studies.check.covered import features
 from allworlds.studies.check.report import CheckReport, ManyWorlds
@@ -118,7 +117,7 @@ def fuzz(request: FuzzRequest) -> CheckReport:
 
     The report is a sample's: at best ``not-refuted``, never complete.  The sample depends on
     the class, ``where``, ``edges``, ``min_edges``, ``mix``, ``runs`` and ``seed`` alone.  It ends
-    after the first 64, 256, 1024, ... runs of which one refutes.  The finding is the smallest that
+    after the first 16, 64, 256, ... runs of which one refutes.  The finding is the smallest that
     the shrinker reaches from the smallest refuting world of these; that may have fewer than
     ``min_edges`` edges.  Shrinking ends with the time limit.  Of an explorer in Python worlds are
     bred, too: see :func:`bred`.
@@ -321,8 +320,7 @@ AS_FAR, LEAST = 2, 100
 many traversals more."""
 
 FEW = 4
-"""The worlds with a piece less that one worker tries at a time, and twice as many in a wave; the
-first worlds of a line that may have offspring."""
+"""The worlds with a piece less that one worker tries at a time, and twice as many in a wave."""
 
 
 def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
@@ -469,11 +467,13 @@ def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Findin
 
 # ---------------------------------------------------------------- the sample
 
-BATCH = 16
+BATCH = 8
 """The runs that one worker does at a time."""
 
-FIRST = 64
-"""The runs of the first wave, and of a block those that have offspring."""
+EARLY = 16
+"""The runs of the first wave.  A wrong explorer in a world with 50 edges may go on until its budget
+of some 500,000 traversals: 64 draws with 40 to 60 edges took more than six minutes of a processor.
+"""
 
 PATIENCE = 100
 """The number of maps of one part that are rejected before histories are used."""
@@ -483,10 +483,10 @@ LONGEST = 2000
 
 
 def waves(runs: int) -> Iterator[tuple[int, int]]:
-    """The first run of each wave, and the first of the next: 0, 64, 256, 1024, ..."""
+    """The first run of each wave, and the first of the next: 0, 16, 64, 256, ..."""
     begin = 0
     while begin < runs:
-        end = min(max(FIRST, 4 * begin), runs)
+        end = min(max(EARLY, 4 * begin), runs)
         yield begin, end
         begin = end
 
@@ -565,14 +565,14 @@ class Batch(Struct, frozen=True):
 
 # ---------------------------------------------------------------- bred worlds
 
-BLOCK, BRED = 256, 192
-"""The draws of a block, and the worlds that are bred from its first ones."""
+BLOCK, FIRST, BRED = 256, 64, 192
+"""The draws of a block, the first ones of which others are bred, and the number of these."""
 
 GENERATION = 16
 """The worlds that are bred before their parents are chosen anew."""
 
-RAREST = 4
-"""The number of lines of whose first worlds parents are drawn."""
+RAREST, PARENTS = 4, 8
+"""The number of lines of whose last worlds parents are drawn, and of these worlds."""
 
 LONG = 20_000
 """The traversals after which a run is no longer traced."""
@@ -616,14 +616,15 @@ def bred(
     """Yield the bred worlds that seem to refute, towards lines that few worlds run.
 
     The first draws of the block are played and their lines traced; then, a generation at a time,
-    mutants of worlds that were the first to run one of the rarest lines.  The worlds depend on the
-    explorer and on these draws alone.  A player that is lost ends it.
+    mutants of worlds that ran one of the rarest lines.  The worlds depend on the explorer and on
+    these draws alone.  A player that is lost ends it.
 
-    Only lines are a target, since only they help.  Of 48 slips behind four nested conditions that
-    256 draws find 4 times, 64 draws and 192 bred worlds find 14.  Towards a high cost, or long
-    agreement with a wrong hypothesis, the same breeding finds fewer slips than 256 draws (belief
-    after 24 steps: 2 and 2 of 6, draws 4; a cost above 8,000: 4 and 3, draws 5), at up to four
-    times the processor time; those worlds are in the mixture.
+    Only lines are a target, since only they help.  Measured with up to 60 edges: 48 times a slip
+    behind four nested conditions was sought; 256 draws found 4, 64 draws and 192 bred worlds 14.
+    With up to 12 edges one such slip is found from 7 of 8 seeds, by 448 draws from one.  Towards a
+    high cost, or long agreement with a wrong hypothesis, breeding finds less than as many draws:
+    belief after 24 steps, depth first, from 2 and 1 of 6 seeds, draws from 4; a cost above 8,000
+    from 4 and 3, draws from 5; at up to four times the processor time.
 
     Cost: 256 traced runs, each some three times a plain one.
     """
@@ -649,7 +650,7 @@ def bred(
                         number, run.world.map, run.place, run.world.lighthouse, first=True
                     )
                     number += 1
-            if not pool.firsts:
+            if not pool.lately:
                 return
     except Lost:
         return
@@ -661,11 +662,11 @@ class _Pool:
     """The worlds from which others are bred.
 
     Attributes:
-        firsts: of each line the first worlds that ran it.
+        lately: of each line the last worlds that ran it.
     """
 
     def __init__(self, unit: Bred, extent: Extent, kind: type[Lighthouse]) -> None:
-        self.firsts: dict[Place, list[CombinatorialMap]] = {}
+        self.lately: dict[Place, deque[CombinatorialMap]] = {}
         self._often = Counter[Place]()
         self._least, self._extent, self._kind = unit.drawn.min_edges, extent, kind
         self._random = Random(f"bred/{unit.key}")  # noqa: S311  # reproducible
@@ -674,14 +675,13 @@ class _Pool:
         """Take in a world, which ran these lines."""
         for line in lines:
             self._often[line] += 1
-            if self._often[line] <= FEW:
-                self.firsts.setdefault(line, []).append(map_)
+            self.lately.setdefault(line, deque(maxlen=PARENTS)).append(map_)
 
     def bred(self) -> Iterator[Placed]:
         """A generation, each with a random place of the lighthouse."""
-        rarest = sorted(self.firsts, key=lambda line: (self._often[line], line))[:RAREST]
+        rarest = sorted(self.lately, key=lambda line: (self._often[line], line))[:RAREST]
         for _ in range(GENERATION):
-            parent = self._random.choice(self.firsts[self._random.choice(rarest)])
+            parent = self._random.choice(self.lately[self._random.choice(rarest)])
             child = self._child(parent)
             places = list(enumerate(self._kind.places(child, 0)))
             yield child, [self._random.choice(places)] if places else []

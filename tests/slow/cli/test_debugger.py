@@ -5,8 +5,6 @@ import re
 
 import pytest
 
-pytestmark = pytest.mark.no_cover
-
 STAR = """\
 from allworlds import Checkpoint, CombinatorialMap, Estimate, Move
 

@@ -186,8 +186,8 @@ def _of_sample(report: CheckReport) -> Iterator[tuple[str, str]]:
         return
     yield "mixture", f"{', '.join(sample.mix)}; in turn, each with the seed {sample.seed}"
     if report.bred:
-        bred = "towards lines of the explorer that few worlds run; they do not count"
-        yield "bred", f"{plural(report.bred, 'world')} from the draws, {bred}"
+        bred = "from the draws, towards lines of code that few run; not counted"
+        yield "bred", f"{plural(report.bred, 'world')} {bred}"
     if report.verdict is Verdict.NOT_REFUTED and sample.portion == units.WHOLE:
         chance = (
             f"not refuted in {plural(report.runs, 'fresh draw')}: with 95 % confidence a draw of "
