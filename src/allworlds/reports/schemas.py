@@ -23,16 +23,7 @@ from allworlds.engines.engine_table import ENGINES
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import JUDGED, PRECEDENCE
 from allworlds.maps.classes import MapClass
-from allworlds.protocol.actions import (
-    AtStart,
-    Dropped,
-    Estimate,
-    Moved,
-    Picked,
-    RootedMap,
-    Transcript,
-    Wrote,
-)
+from allworlds.protocol import actions
 from allworlds.studies.check.exhaustive import TimeEstimate
 from allworlds.studies.run import WorldNames
 from allworlds.world import named, world
@@ -45,7 +36,7 @@ DRAFT = "https://json-schema.org/draft/2020-12/schema"
 
 WRITTEN_AS = {
     world.World: world.WorldDocument,
-    Estimate: RootedMap,
+    actions.Estimate: actions.RootedMap,
     Path: doc.Text,
 }
 """The JSON that is written in place of a value that is no JSON."""
@@ -101,7 +92,7 @@ def pages() -> dict[str, Any]:
         "merge": Union[tuple(merged)],  # noqa: UP007  # of as many as there are
         "finding": Finding,
         "world": world.WorldDocument,
-        "transcript": Transcript,
+        "transcript": actions.Transcript,
         "made-by": doc.MadeBy,
         "manifest": named.Manifest,
     }
@@ -140,7 +131,7 @@ class Shapes:
             return Annotated[Any, Meta(extra_json_schema={"anyOf": files})]
         if tp in WRITTEN_AS:
             return self.of(WRITTEN_AS[tp])
-        if tp is Transcript:
+        if tp is actions.Transcript:
             return self._transcript()
         if tp is Lighthouse:
             ours = [self._lighthouse(kind) for kind in kinds.LIGHTHOUSES.values()]
@@ -211,7 +202,16 @@ class Shapes:
         return self._made[kind]
 
     def _transcript(self) -> Any:
-        first, *rest = (self._struct(row) for row in (AtStart, Moved, Dropped, Picked, Wrote))
+        first, *rest = (
+            self._struct(row)
+            for row in (
+                actions.AtStart,
+                actions.Moved,
+                actions.Dropped,
+                actions.Picked,
+                actions.Wrote,
+            )
+        )
         self.also |= {row.__name__: row for row in (first, *rest)}
         return Annotated[
             list[Any],

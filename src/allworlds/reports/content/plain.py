@@ -7,47 +7,38 @@ from allworlds import document as doc, words
 from allworlds.engines.units import WHOLE
 from allworlds.inputs.checks import show
 from allworlds.judging.tasks import MAP
-from allworlds.reports.parts import (
-    Block,
-    Cell,
-    CsvRows,
-    FactList,
-    Headline,
-    Paragraph,
-    Quote,
-    ReportContent,
-    Section,
-    Table,
-)
+from allworlds.reports import parts
 from allworlds.studies import init, merge
 
 NOT_IN_DOCUMENT = ("schema", "made_by", "verdict", "exit_code")
 """Keys that stand in the headline, or are of no use to people."""
 
 
-def plain_content(report: doc.Report) -> ReportContent:
+def plain_content(report: doc.Report) -> parts.ReportContent:
     """A fact for each key of the document, and a table for each list of objects."""
     facts: list[tuple[str, str]] = []
-    tables: list[Block] = []
-    rows = CsvRows({}, [])
+    tables: list[parts.Block] = []
+    rows = parts.CsvRows({}, [])
     for key, value in report.to_json().items():
         if key in NOT_IN_DOCUMENT or value is None:
             continue
         if isinstance(value, list) and value and all(isinstance(row, dict) for row in value):
             header = [*value[0]]
             cells = [[_cell(row.get(name)) for name in header] for row in value]
-            tables.append(Table(header, cells, words.plural(len(value), key.removesuffix("s"))))
+            tables.append(
+                parts.Table(header, cells, words.plural(len(value), key.removesuffix("s")))
+            )
             rows = rows if rows.columns else _rows(header, value)
         else:
             facts.append((key, str(_cell(value))))
     verdict = str(getattr(report, "verdict", ""))
-    headline = Headline(verdict.upper(), "", verdict) if verdict else None
-    section = Section("seen", "", [*tables, *([FactList(facts)] if facts else [])])
+    headline = parts.Headline(verdict.upper(), "", verdict) if verdict else None
+    section = parts.Section("seen", "", [*tables, *([parts.FactList(facts)] if facts else [])])
     verb = f"allworlds {type(report).__name__.lower()}"
-    return ReportContent(verb, "", report, headline, [section], rows=lambda: rows)
+    return parts.ReportContent(verb, "", report, headline, [section], rows=lambda: rows)
 
 
-def _rows(names: Sequence[str], objects: Sequence[dict[str, Any]]) -> CsvRows:
+def _rows(names: Sequence[str], objects: Sequence[dict[str, Any]]) -> parts.CsvRows:
     """A row for each object; columns that hold anything but numbers are texts."""
     columns = {}
     for name in names:
@@ -60,14 +51,14 @@ def _rows(names: Sequence[str], objects: Sequence[dict[str, Any]]) -> CsvRows:
         ]
         for one in objects
     ]
-    return CsvRows(columns, rows)
+    return parts.CsvRows(columns, rows)
 
 
-def _cell(value: Any) -> Cell:
+def _cell(value: Any) -> parts.Cell:
     return value if value is None or type(value) in (int, str) else show(value)
 
 
-def status_content(standing: merge.Standing) -> ReportContent:
+def status_content(standing: merge.Standing) -> parts.ReportContent:
     """Progress, rate, and results so far."""
     units, worlds = standing.units, standing.worlds
     so_far = "" if standing.state == "finished" else " so far"
@@ -89,8 +80,8 @@ def status_content(standing: merge.Standing) -> ReportContent:
         facts.append(("worst", f"{words.plural(worst.cost, 'traversal')}{so_far}, with {where}"))
     if standing.findings:
         facts.append(("findings", f"{words.number(standing.findings)}{so_far}"))
-    seen = Section("seen", "", [FactList(facts)])
-    return ReportContent("allworlds status", standing.verb, standing, None, [seen])
+    seen = parts.Section("seen", "", [parts.FactList(facts)])
+    return parts.ReportContent("allworlds status", standing.verb, standing, None, [seen])
 
 
 def _job(standing: merge.Standing) -> str:
@@ -108,18 +99,24 @@ def _job(standing: merge.Standing) -> str:
     return f"{f'{standing.verb} {standing.explorer}'.strip()}: {', '.join(scope)}{shard}"
 
 
-def init_content(begun: init.Skeleton | init.LedgerSkeleton | init.Header) -> ReportContent:
+def init_content(begun: init.Skeleton | init.LedgerSkeleton | init.Header) -> parts.ReportContent:
     """The header line by line; or the written files, and the next commands."""
     if isinstance(begun, init.Header):
         subject, name = "header", "header"
-        blocks: list[Block] = [Quote("header", "", begun.header.rstrip("\n"))]
+        blocks: list[parts.Block] = [parts.Quote("header", "", begun.header.rstrip("\n"))]
     else:
         facts = [("written", ", ".join(begun.files))]
-        subject, name, last = "ledger", "next", list[Block]()
+        subject, name, last = "ledger", "next", list[parts.Block]()
         if isinstance(begun, init.Skeleton):
             subject = begun.explorer
             facts.append(("needs", ", ".join(begun.language.needs)))
             wrong = "is wrong so far: the check draws the smallest world that refutes it."
-            last = [Paragraph(f"{begun.explorer} {wrong}")]
-        blocks = [FactList(facts), Quote("next", "next", begun.check, command=True), *last]
-    return ReportContent("allworlds init", subject, begun, None, [Section(name, "", blocks)])
+            last = [parts.Paragraph(f"{begun.explorer} {wrong}")]
+        blocks = [
+            parts.FactList(facts),
+            parts.Quote("next", "next", begun.check, command=True),
+            *last,
+        ]
+    return parts.ReportContent(
+        "allworlds init", subject, begun, None, [parts.Section(name, "", blocks)]
+    )

@@ -18,29 +18,8 @@ from allworlds.maps.build import completed
 from allworlds.maps.combinatorial import InvalidMap
 from allworlds.protocol.actions import Ambiguous, Estimate
 from allworlds.protocol.playing import BUILT, NO_MAP
+from allworlds.reports import parts
 from allworlds.reports.drawing.layout import named_like
-from allworlds.reports.parts import (
-    Block,
-    CsvRows,
-    DataRecord,
-    Elsewhere,
-    FactList,
-    Headline,
-    MapPictures,
-    Paragraph,
-    Quote,
-    ReportContent,
-    Scene,
-    Section,
-    ShownMap,
-    ShownWalk,
-    Table,
-    View,
-    fact,
-    rows_of_walk,
-    walk_in_answer,
-    walk_in_world,
-)
 from allworlds.studies.run import Replay, WorldNames
 from allworlds.world.world import World
 
@@ -48,13 +27,13 @@ if TYPE_CHECKING:
     from allworlds.studies.explain import Explanation
 
 
-def known(run: SingleRun) -> ShownMap | None:
+def known(run: SingleRun) -> parts.ShownMap | None:
     """The map from a run's checkpoints; None if there is none, or if S is not embedded."""
     episode, world = run.outcome.episode, run.world
     if not episode.checkpoints:
         return None
     trail = true_trail(world, episode.transcript)
-    seen = ShownMap({}, {})
+    seen = parts.ShownMap({}, {})
     for step, checkpoint in episode.checkpoints:
         place = embed(world.map, trail[step], checkpoint)
         if isinstance(place, str):
@@ -66,18 +45,22 @@ def known(run: SingleRun) -> ShownMap | None:
     return seen
 
 
-def run_content(run: SingleRun | WorldNames) -> ReportContent:
+def run_content(run: SingleRun | WorldNames) -> parts.ReportContent:
     """One run, with its finding if it breaks a law; or the list of worlds."""
     if isinstance(run, WorldNames):
         named = (("maps", run.maps), ("families", run.families), ("corpus", run.corpus))
-        section = Section("names", "", [FactList([(kind, ", ".join(of)) for kind, of in named])])
+        section = parts.Section(
+            "names", "", [parts.FactList([(kind, ", ".join(of)) for kind, of in named])]
+        )
         rows = [[kind, one] for kind, of in named for one in of]
-        made = CsvRows({"kind": str, "name": str}, rows)
-        return ReportContent("allworlds run", "names", run, None, [section], rows=lambda: made)
-    headline = Headline(run.verdict.value.upper(), _said(run), run.verdict.value)
+        made = parts.CsvRows({"kind": str, "name": str}, rows)
+        return parts.ReportContent(
+            "allworlds run", "names", run, None, [section], rows=lambda: made
+        )
+    headline = parts.Headline(run.verdict.value.upper(), _said(run), run.verdict.value)
     whole = _section(run)
     shown = whole if run.shows_walk or run.finding else doc.replace(whole, blocks=whole.blocks[1:])
-    return ReportContent(
+    return parts.ReportContent(
         "allworlds run",
         run.explorer,
         run,
@@ -88,9 +71,11 @@ def run_content(run: SingleRun | WorldNames) -> ReportContent:
     )
 
 
-def _rows(section: Section) -> CsvRows:
+def _rows(section: parts.Section) -> parts.CsvRows:
     """The steps of the walk of a section."""
-    return rows_of_walk(next(each for each in section.blocks if isinstance(each, ShownWalk)))
+    return parts.rows_of_walk(
+        next(each for each in section.blocks if isinstance(each, parts.ShownWalk))
+    )
 
 
 def _said(run: SingleRun) -> str:
@@ -102,23 +87,23 @@ def _said(run: SingleRun) -> str:
     return f"{cost_words(run)}: no law is broken"
 
 
-def replay_content(replay: Replay) -> ReportContent:
+def replay_content(replay: Replay) -> parts.ReportContent:
     """The run of today. If it breaks no law, only a page shows it, with the recorded run."""
     recorded, run = replay.recorded, replay.again
     again = run.finding
     if again and again.law == recorded.law:
-        said = Headline("REPRODUCED", f"law '{again.law}' is broken again", "refuted")
+        said = parts.Headline("REPRODUCED", f"law '{again.law}' is broken again", "refuted")
     elif again:
         text = f"law '{again.law}' is broken now, where '{recorded.law}' was recorded"
-        said = Headline("REPRODUCED", text, "refuted")
+        said = parts.Headline("REPRODUCED", text, "refuted")
     elif replay.outcome == "not-reproduced":
         text = f"{run.explorer} did the same each time; only a check can show that it is mended"
-        said = Headline("NOT REPRODUCED", text, "inconclusive")
+        said = parts.Headline("NOT REPRODUCED", text, "inconclusive")
     else:
         text = f"{run.explorer} now keeps every law in the recorded world"
-        said = Headline("FIXED", text, "holds")
+        said = parts.Headline("FIXED", text, "holds")
     section = _section(run)
-    return ReportContent(
+    return parts.ReportContent(
         "allworlds replay",
         run.explorer,
         replay,
@@ -138,22 +123,24 @@ def cost_words(run: SingleRun) -> str:
     return f"{words.plural(run.outcome.cost, 'traversal')}{bound}"
 
 
-def _section(run: SingleRun) -> Section:
+def _section(run: SingleRun) -> parts.Section:
     """A run; where it breaks no law its walk is the first block."""
     if run.finding:
         return finding_section(run.finding, checked=False)
     section = run_section(run, "walk-1")
-    laws = fact("laws", ", ".join(run.checked_laws) or nothing_checked(run.rules))
+    laws = parts.fact("laws", ", ".join(run.checked_laws) or nothing_checked(run.rules))
     return doc.replace(section, blocks=[*section.blocks, *printed(run.outcome.output), laws])
 
 
-def run_section(run: SingleRun, name: str, title: str = "") -> Section:
+def run_section(run: SingleRun, name: str, title: str = "") -> parts.Section:
     """A run that breaks no law: its pictures and its walk, and an answer that is no map."""
     world, episode = run.world, run.outcome.episode
     transcript, ending = episode.transcript, episode.ending
     walked = Walked(world, transcript)
-    views = [View("world", "The world", walk_in_world(world, transcript), walked.walked)]
-    agreement, blocks = None, list[Block]()
+    views = [
+        parts.View("world", "The world", parts.walk_in_world(world, transcript), walked.walked)
+    ]
+    agreement, blocks = None, list[parts.Block]()
     seen = known(run)
     if seen is not None:
         title_of_s = "What the explorer knows (S)"
@@ -168,20 +155,20 @@ def run_section(run: SingleRun, name: str, title: str = "") -> Section:
         case Answered(Ambiguous() as quotient):
             blocks += _quotient(quotient)
         case Answered(value):
-            blocks.append(fact("answer", json.dumps(value)))
+            blocks.append(parts.fact("answer", json.dumps(value)))
         case Over():
-            blocks.append(fact("over", f"all is done: {run.rules.task.asks}"))
-    walk = ShownWalk(f"The walk of {run.explorer}", walked, views, agreement=agreement)
-    return Section(name, title, [walk, *blocks])
+            blocks.append(parts.fact("over", f"all is done: {run.rules.task.asks}"))
+    walk = parts.ShownWalk(f"The walk of {run.explorer}", walked, views, agreement=agreement)
+    return parts.Section(name, title, [walk, *blocks])
 
 
-def _quotient(answer: Ambiguous) -> list[Block]:
+def _quotient(answer: Ambiguous) -> list[parts.Block]:
     """An answer that names no map: the quotient that all worlds with equal percepts share."""
     header = ["dart", "sigma", "alpha", "degree", "marks", ""]
     columns = (range(len(answer.sigma)), answer.sigma, answer.alpha, answer.degree, answer.marks)
     rows = [[*row, "here" if row[0] == answer.here else ""] for row in zip(*columns, strict=True)]
     said = "The answer: several worlds look alike, and this is their quotient."
-    return [Paragraph(said), Table(header, rows)]
+    return [parts.Paragraph(said), parts.Table(header, rows)]
 
 
 LONGEST_LIST = 60
@@ -195,7 +182,7 @@ def headline_of(finding: Finding) -> str:
 
 def finding_section(
     finding: Finding, number: int = 1, origin: str = "", *, title: str = "", checked: bool = True
-) -> Section:
+) -> parts.Section:
     """Everything about a finding, as one section.
 
     Args:
@@ -214,16 +201,16 @@ def finding_section(
         _law(finding, explanation.step),
         _walk(story, explanation, f"The walk of finding {number}"),
         *_belief(story),
-        FactList([*_remarks(finding, origin, checked=checked)]),
-        Quote("command", "reproduce", finding.reproduce, command=True),
+        parts.FactList([*_remarks(finding, origin, checked=checked)]),
+        parts.Quote("command", "reproduce", finding.reproduce, command=True),
         *_detail(finding),
         *printed(finding.output, finding.detail),
-        DataRecord(said, finding.to_json()),
+        parts.DataRecord(said, finding.to_json()),
     ]
-    return Section(f"finding-{number}", title, blocks)
+    return parts.Section(f"finding-{number}", title, blocks)
 
 
-def _detail(finding: Finding) -> list[Block]:
+def _detail(finding: Finding) -> list[parts.Block]:
     """The detail of the finding, under what it is."""
     detail = finding.detail
     if finding.law == "no-estimate":
@@ -234,14 +221,14 @@ def _detail(finding: Finding) -> list[Block]:
         title = "the two plays, from where they differ"
     else:
         title = "output on stderr" if is_program(finding.explorer) else "traceback"
-    return [Quote("detail", title, detail)] if detail else []
+    return [parts.Quote("detail", title, detail)] if detail else []
 
 
-def printed(output: str, shown: str = "") -> list[Block]:
+def printed(output: str, shown: str = "") -> list[parts.Block]:
     """The output of the explorer, unless it is shown already."""
     if not output or output.rstrip() in shown:
         return []
-    return [Quote("output", "printed by the explorer", output, prefix="| ")]
+    return [parts.Quote("output", "printed by the explorer", output, prefix="| ")]
 
 
 def nothing_checked(rules: Rules) -> str:
@@ -286,7 +273,7 @@ def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
         yield "only here", f"{'; '.join(lines)} (in none of {runs})"
 
 
-def _law(finding: Finding, step: int | None) -> FactList:
+def _law(finding: Finding, step: int | None) -> parts.FactList:
     """The law, what was expected and seen, where that is no map, and the lines of the code."""
     lines = [*_lines(finding, step)]
     wrong = {
@@ -294,37 +281,37 @@ def _law(finding: Finding, step: int | None) -> FactList:
         "pose": "the answer is the same map, but 'here' is not the robot's dart",
     }.get(finding.law, "")
     if wrong and isinstance(finding.seen, Estimate):
-        return FactList([("law", f"{finding.law}: {wrong}"), *lines])
+        return parts.FactList([("law", f"{finding.law}: {wrong}"), *lines])
     if str(finding.seen).startswith(NO_MAP):
         no_map = f"{finding.law}: the explorer's sigma and alpha are no map"
-        return FactList([("law", no_map), *lines])
+        return parts.FactList([("law", no_map), *lines])
     expected, seen = (
         words.plural(value, "traversal") if isinstance(value, int) else str(value)
         for value in (finding.expected, finding.seen)
     )
     if isinstance(finding.expected, int):
         expected = f"at most {expected}"
-    return FactList([("law", finding.law), ("expected", expected), ("seen", seen), *lines])
+    return parts.FactList([("law", finding.law), ("expected", expected), ("seen", seen), *lines])
 
 
-def _walk(story: Story, explanation: Explanation, title: str) -> ShownWalk:
+def _walk(story: Story, explanation: Explanation, title: str) -> parts.ShownWalk:
     world, transcript = story.world, story.transcript
-    views = [View("world", "The world", walk_in_world(world, transcript), story.walked)]
+    views = [parts.View("world", "The world", parts.walk_in_world(world, transcript), story.walked)]
     elsewhere, agreement = None, None
     if explanation.answer:
         belief = Belief(story)
         views.append(answer_view(world, belief.answer, transcript, belief.walk.trail))
-        elsewhere = Elsewhere("expected by the answer", belief.walk.expected)
+        elsewhere = parts.Elsewhere("expected by the answer", belief.walk.expected)
         agreement = belief.walk.agreement
     elif other := explanation.other:
-        trail, scene = true_trail(other, transcript), walk_in_world(other, transcript)
-        views.append(View("answer", "Another world, with the same percepts", scene, trail))
+        trail, scene = true_trail(other, transcript), parts.walk_in_world(other, transcript)
+        views.append(parts.View("answer", "Another world, with the same percepts", scene, trail))
         # The steps in which both worlds look alike to an observer who sees everything.
         parting = find_parting(story.map, story.walked, other.map, trail, [True] * len(trail))
         agreement = parting.step if parting else len(trail)
     views[1:] = [named_like(views[0], view, agreement or 0) for view in views[1:]]
     code = story.finding.code
-    return ShownWalk(
+    return parts.ShownWalk(
         title,
         story,
         views,
@@ -336,7 +323,7 @@ def _walk(story: Story, explanation: Explanation, title: str) -> ShownWalk:
     )
 
 
-def _belief(story: Story) -> list[Block]:
+def _belief(story: Story) -> list[parts.Block]:
     """The checkpoint beside the world, as both are at its step; none where an answer is shown."""
     finding, shown = story.finding, story.finding.believed
     if shown is None or (finding.step is None and isinstance(finding.seen, Estimate)):
@@ -350,20 +337,20 @@ def _belief(story: Story) -> list[Block]:
         map_ = None
     if map_ is None or shown.here not in map_.darts:
         lists = f"sigma {[*shown.sigma]}, alpha {[*shown.alpha]}, here {shown.here}"
-        return [fact("its S", f"{here}, in its own darts, and no map: {lists}")]
+        return [parts.fact("its S", f"{here}, in its own darts, and no map: {lists}")]
     known = len(shown.sigma)
     names = ["?" if min(darts) >= known else f"s{i}" for i, darts in enumerate(map_.vertices)]
-    scene = Scene(map_, None, shown.here, vertices=names)
+    scene = parts.Scene(map_, None, shown.here, vertices=names)
     title = f"Its S {here}, in its own darts, which are 0 to {known - 1} (?: not explored)"
-    beside = (f"The world {here}", walk_in_world(story.world, until))
-    return [MapPictures([beside, (title, scene)])]
+    beside = (f"The world {here}", parts.walk_in_world(story.world, until))
+    return [parts.MapPictures([beside, (title, scene)])]
 
 
-def answer_view(world: World, answer: Estimate, transcript: Any, trail: Any) -> View:
+def answer_view(world: World, answer: Estimate, transcript: Any, trail: Any) -> parts.View:
     """The picture of an answer, with the walk as it would be there."""
-    scene = walk_in_answer(world, answer, transcript)
+    scene = parts.walk_in_answer(world, answer, transcript)
     note = "R: the robot's place according to the answer"
-    return View("answer", "The answer", scene, trail, note)
+    return parts.View("answer", "The answer", scene, trail, note)
 
 
 def _remarks(finding: Finding, origin: str, *, checked: bool) -> Iterator[tuple[str, str]]:
@@ -384,7 +371,7 @@ def _remarks(finding: Finding, origin: str, *, checked: bool) -> Iterator[tuple[
     yield "origin", origin
 
 
-def explain_content(explanation: Explanation) -> ReportContent:
+def explain_content(explanation: Explanation) -> parts.ReportContent:
     """The broken law, the story in sentences, and the walk in the world and in the answer."""
     finding = explanation.finding
     title = headline_of(finding)
@@ -392,4 +379,6 @@ def explain_content(explanation: Explanation) -> ReportContent:
         which = f"finding {explanation.number} of {explanation.findings}"
         title = f"{title} ({which}; --finding K tells another)"
     section = finding_section(finding, explanation.number, title=title)
-    return ReportContent("allworlds explain", explanation.explorer, explanation, None, [section])
+    return parts.ReportContent(
+        "allworlds explain", explanation.explorer, explanation, None, [section]
+    )

@@ -6,39 +6,34 @@ from xml.etree import ElementTree as ET
 from allworlds.inputs.checks import InputError
 from allworlds.judging.explanations.story import Walked
 from allworlds.judging.laws.bounds import bound_named
+from allworlds.reports import parts
 from allworlds.reports.drawing.svg import record, tag
-from allworlds.reports.parts import (
-    Block,
-    Cell,
-    Headline,
-    ReportContent,
-    Section,
-    ShownWalk,
-    Table,
-    View,
-    scene_of,
-    walk_in_world,
-)
 from allworlds.reports.web.sections import figure, framed, read, world_data
 from allworlds.studies.run import Play
 from allworlds.words import plural
 
 
-def play_content(play: Play) -> ReportContent:
+def play_content(play: Play) -> parts.ReportContent:
     """The path of the page, without a word about the world; or the world and the walk in it."""
     if play.path is not None:
-        headline = Headline("PAGE", f"{play.path}, to be opened in a web browser")
-        return ReportContent("allworlds play", "you", play, headline, [], page=lambda: game(play))
+        headline = parts.Headline("PAGE", f"{play.path}, to be opened in a web browser")
+        return parts.ReportContent(
+            "allworlds play", "you", play, headline, [], page=lambda: game(play)
+        )
     walked = Walked(play.world, play.transcript)
-    scene = walk_in_world(play.world, play.transcript)
-    blocks: list[Block] = [
-        ShownWalk("Your walk", walked, [View("world", "The world", scene, walked.walked)])
+    scene = parts.walk_in_world(play.world, play.transcript)
+    blocks: list[parts.Block] = [
+        parts.ShownWalk(
+            "Your walk", walked, [parts.View("world", "The world", scene, walked.walked)]
+        )
     ]
     if play.transcript.steps:
-        rows: list[list[Cell]] = [["you", play.transcript.cost], *costs_data(play)["others"]]
-        blocks += [Table(["walked by", "traversals"], rows, "Costs in this world")]
-    headline = Headline("PLAYED", plural(play.transcript.cost, "traversal"))
-    return ReportContent("allworlds play", "you", play, headline, [Section("walk-1", "", blocks)])
+        rows: list[list[parts.Cell]] = [["you", play.transcript.cost], *costs_data(play)["others"]]
+        blocks += [parts.Table(["walked by", "traversals"], rows, "Costs in this world")]
+    headline = parts.Headline("PLAYED", plural(play.transcript.cost, "traversal"))
+    return parts.ReportContent(
+        "allworlds play", "you", play, headline, [parts.Section("walk-1", "", blocks)]
+    )
 
 
 def game(play: Play) -> str:
@@ -56,7 +51,7 @@ def game(play: Play) -> str:
         )
     board = ET.fromstring(read("play.html"))  # noqa: S314  # our own file
     (place,) = board.iterfind(".//div[@id='world']")
-    place.append(figure("The world", scene_of(world), "played", "robot"))
+    place.append(figure("The world", parts.scene_of(world), "played", "robot"))
     board.append(record({**data, "costs": costs_data(play)}, id="play-json"))
     lighthouse = f"{world.lighthouse.kind} lighthouse"
     told = "" if world.told is None else f" You are told: {world.told}."

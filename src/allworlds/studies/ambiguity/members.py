@@ -11,19 +11,7 @@ from typing import Annotated, Any, Literal, NamedTuple, Self, TypeAlias
 
 from msgspec import UNSET, UnsetType
 
-from allworlds.document import (
-    Document,
-    Natural,
-    Pair,
-    Positive,
-    Report,
-    Some,
-    Text,
-    about,
-    computed,
-    key,
-    narrowed,
-)
+from allworlds import document as doc
 from allworlds.engines.limits import ListenerOptions
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import EFFORT, Argument, Option, Request, answers
@@ -65,40 +53,42 @@ Relation: TypeAlias = Literal["same", "same-map", "different"]
 """``different``: two maps, or two places of the lighthouse."""
 
 
-class ComparedWorlds(Report):
+class ComparedWorlds(doc.Report):
     """Report of 'twins'.
 
     Two worlds, how they are related, and the proof that they can be told apart, or cannot.
     """
 
-    worlds: Annotated[Pair[World], about("the two, as they were understood")]
+    worlds: Annotated[doc.Pair[World], doc.about("the two, as they were understood")]
     relation: Annotated[
         Relation,
-        about("`same`: one world; `same-map`: one world entered at two darts; `different`"),
+        doc.about("`same`: one world; `same-map`: one world entered at two darts; `different`"),
     ]
     motions: Annotated[
-        tuple[Natural, ...] | UnsetType,
-        about("if distinguishable: the shortest motions that tell them apart"),
+        tuple[doc.Natural, ...] | UnsetType,
+        doc.about("if distinguishable: the shortest motions that tell them apart"),
     ] = UNSET
     percepts: Annotated[
-        Pair[Some[Percept]] | UnsetType,
-        about("with the motions: for each world the percepts at the start and after each of them"),
+        doc.Pair[doc.Some[Percept]] | UnsetType,
+        doc.about(
+            "with the motions: for each world the percepts at the start and after each of them"
+        ),
     ] = UNSET
     told: Annotated[
-        Pair[int | dict[str, int] | None] | UnsetType,
-        about("if that is different: what is told in each world before the start"),
+        doc.Pair[int | dict[str, int] | None] | UnsetType,
+        doc.about("if that is different: what is told in each world before the start"),
     ] = UNSET
     bisimulation: Annotated[
-        Pair[Annotated[tuple[Natural, ...], narrowed(minItems=2)]] | UnsetType,
-        about("if not: for each world the class of each dart"),
+        doc.Pair[Annotated[tuple[doc.Natural, ...], doc.narrowed(minItems=2)]] | UnsetType,
+        doc.about("if not: for each world the class of each dart"),
     ] = UNSET
 
-    @computed
+    @doc.computed
     def distinguishable(self) -> bool:
         """Whether any motion tells them apart."""
         return self.bisimulation is UNSET
 
-    @computed
+    @doc.computed
     def twins(self) -> bool:
         """Different, and not distinguishable."""
         return self.relation == "different" and not self.distinguishable
@@ -321,15 +311,22 @@ def _choices(kinds: Sequence[_Kind]) -> Iterator[tuple[tuple[int, ...], ...]]:
             return
 
 
-class SensedQuotient(Document):
+class SensedQuotient(doc.Document):
     """A rooted quotient: its dart 0 is that of the start."""
 
-    sigma: Annotated[Some[Natural], about("for each class of darts the next one clockwise")]
-    alpha: Annotated[
-        Some[Natural], about("for each class the class at the other end; itself for a semi-edge")
+    sigma: Annotated[
+        doc.Some[doc.Natural],
+        doc.about("for each class of darts the next one clockwise"),
     ]
-    degree: Annotated[Some[Positive], about("the degree at each class")]
-    marks: Annotated[Some[Natural], about("the number of position markers at each class")]
+    alpha: Annotated[
+        doc.Some[doc.Natural],
+        doc.about("for each class the class at the other end; itself for a semi-edge"),
+    ]
+    degree: Annotated[doc.Some[doc.Positive], doc.about("the degree at each class")]
+    marks: Annotated[
+        doc.Some[doc.Natural],
+        doc.about("the number of position markers at each class"),
+    ]
 
     @classmethod
     def of(cls, quotient: Quotient) -> Self:
@@ -338,7 +335,7 @@ class SensedQuotient(Document):
         return cls(sigma=quotient.sigma, alpha=quotient.alpha, degree=quotient.degree, marks=marks)
 
 
-class AmbiguityClass(Report):
+class AmbiguityClass(doc.Report):
     """Report of 'ambiguity class'.
 
     All worlds that no motion tells from a given one.  The others are listed by their codes; all
@@ -346,28 +343,32 @@ class AmbiguityClass(Report):
     automorphisms.
     """
 
-    world: Annotated[World, about("as it was understood")]
-    map_class: Annotated[MapClass, about("the class of maps")] = key(name="class")
-    size: Annotated[Positive, about("the number of worlds in the ambiguity class")]
-    poses: Annotated[Positive, about("how many pairs of a world and a dart where the robot can be")]
-    sheets: Annotated[Positive, about("of the world as a cover of its quotient")]
-    worlds: Annotated[
-        Some[World], about("the given one first; each with start 0, where the robot could be")
+    world: Annotated[World, doc.about("as it was understood")]
+    map_class: Annotated[MapClass, doc.about("the class of maps")] = doc.key(name="class")
+    size: Annotated[doc.Positive, doc.about("the number of worlds in the ambiguity class")]
+    poses: Annotated[
+        doc.Positive,
+        doc.about("how many pairs of a world and a dart where the robot can be"),
     ]
-    quotient: Annotated[SensedQuotient, about("what a robot can know")]
+    sheets: Annotated[doc.Positive, doc.about("of the world as a cover of its quotient")]
+    worlds: Annotated[
+        doc.Some[World],
+        doc.about("the given one first; each with start 0, where the robot could be"),
+    ]
+    quotient: Annotated[SensedQuotient, doc.about("what a robot can know")]
 
-    @computed
+    @doc.computed
     def ambiguous(self) -> bool:
         """Whether another world looks the same."""
         return self.size > 1
 
-    @computed
-    def listed(self) -> Positive:
+    @doc.computed
+    def listed(self) -> doc.Positive:
         """The number of worlds listed."""
         return len(self.worlds)
 
-    @computed
-    def notice(self) -> Text | None:
+    @doc.computed
+    def notice(self) -> doc.Text | None:
         """A remark on worlds left out, if any."""
         return self.left_out
 

@@ -9,23 +9,7 @@ from typing import Annotated, Literal, TypeAlias, get_args
 
 from typing_extensions import override
 
-from allworlds.document import (
-    Bounded,
-    Different,
-    Document,
-    Edges,
-    IfAny,
-    Natural,
-    NotInDocument,
-    Positive,
-    Text,
-    Vertices,
-    WhichShard,
-    about,
-    computed,
-    replace,
-    with_options,
-)
+from allworlds import document as doc
 from allworlds.engines import engine_table, lane, single, sweep
 from allworlds.engines.limits import (
     ClusterOptions,
@@ -54,7 +38,8 @@ from allworlds.world import selection
 from allworlds.world.world import World
 
 SharedFile: TypeAlias = Annotated[
-    IfAny[str], about("the explorer's file, where judges load code from it, too: see trust")
+    doc.IfAny[str],
+    doc.about("the explorer's file, where judges load code from it, too: see trust"),
 ]
 """A key of the scope of every verb that judges runs."""
 
@@ -86,7 +71,7 @@ class ManyWorlds(ListenerOptions, Limits, RuleOptions, selection.LighthouseOptio
         rules = self.rules_of(
             subject, lighthouse, promised=self.map_class.planar, among=Among.of(where)
         )
-        return replace(rules, shared_file=shared_file(subject.name, rules, where))
+        return doc.replace(rules, shared_file=shared_file(subject.name, rules, where))
 
 
 class CheckRequest(
@@ -109,7 +94,7 @@ class CheckRequest(
             "M",
             f"At most M edges (default, unless --vertices is given: {DEFAULT_EDGES}).",
             parse=checks.integer_of,
-            document_type=Bounded,
+            document_type=doc.Bounded,
         ),
     ] = None
     schedules: Annotated[
@@ -118,7 +103,9 @@ class CheckRequest(
             requests.RARE_RULES,
             "one|all",
             "all: every sequence of choices, for an explorer that takes choices.",
-            document_type=Annotated[Schedule, about("the policy's, or every sequence of choices")],
+            document_type=Annotated[
+                Schedule, doc.about("the policy's, or every sequence of choices")
+            ],
         ),
     ] = requests.Converted(checks.a_word("schedules", get_args(Schedule)), "one")
     engine: Annotated[
@@ -152,14 +139,14 @@ class CheckRequest(
         return Extent(self.map_class, edges, self.vertices, self.where, self.given)
 
 
-class GateCell(Document):
+class GateCell(doc.Document):
     """One comparison of the count gate."""
 
-    edges: Edges
-    vertices: Vertices
-    enumerated: Annotated[Natural, about("rooted maps that were visited")]
-    counted: Annotated[Natural, about("those that there are")]
-    source: Annotated[Text, about("says who")]
+    edges: doc.Edges
+    vertices: doc.Vertices
+    enumerated: Annotated[doc.Natural, doc.about("rooted maps that were visited")]
+    counted: Annotated[doc.Natural, doc.about("those that there are")]
+    source: Annotated[doc.Text, doc.about("says who")]
 
     @property
     def agrees(self) -> bool:
@@ -210,61 +197,67 @@ def missing_witnesses(
     return tuple(sorted(event for event in required if not seen.get(event)))
 
 
-class SampleReport(Document):
+class SampleReport(doc.Document):
     """How random worlds were drawn."""
 
-    edges: Annotated[Positive, about("at most so many")]
-    min_edges: Annotated[Positive, about("at least so many")]
-    runs: Annotated[Positive, about("how many worlds were drawn")]
-    seed: Annotated[Natural, about("from which")]
-    mix: Annotated[Different[Text], about("the distributions that come in turn")]
+    edges: Annotated[doc.Positive, doc.about("at most so many")]
+    min_edges: Annotated[doc.Positive, doc.about("at least so many")]
+    runs: Annotated[doc.Positive, doc.about("how many worlds were drawn")]
+    seed: Annotated[doc.Natural, doc.about("from which")]
+    mix: Annotated[doc.Different[doc.Text], doc.about("the distributions that come in turn")]
 
 
 Gated: TypeAlias = tuple[GateCell, ...] | Literal["absent", "deferred to the merge of all shards"]
 """The state of the count gate."""
 
 
-@with_options(CheckRequest)
-class CheckedScope(Document):
+@doc.with_options(CheckRequest)
+class CheckedScope(doc.Document):
     """The scope of a check: every option that its counts and its verdict depend on."""
 
     places: sweep.TriedPlaces
     shared_file: SharedFile
-    shard: WhichShard
-    sample: Annotated[SampleReport | None, about("of `fuzz`: how the worlds were drawn")]
+    shard: doc.WhichShard
+    sample: Annotated[SampleReport | None, doc.about("of `fuzz`: how the worlds were drawn")]
     given: sweep.GivenCount
     sha256: sweep.FileDigests
-    symmetry: Annotated[str | None, about("why one run was counted for several, if it was")]
+    symmetry: Annotated[str | None, doc.about("why one run was counted for several, if it was")]
     gate: Annotated[
         Gated,
-        about("the count gate: one comparison for each (edges, vertices) of the finished levels"),
+        doc.about(
+            "the count gate: one comparison for each (edges, vertices) of the finished levels"
+        ),
     ]
-    complete: Annotated[bool, about("whether every world of the scope was tried")]
-    finished_levels: Annotated[Different[Positive], about("the finished numbers of edges")]
-    stopped: Annotated[str | None, about("why it is not complete; null: it is, or it is a sample")]
+    complete: Annotated[bool, doc.about("whether every world of the scope was tried")]
+    finished_levels: Annotated[
+        doc.Different[doc.Positive], doc.about("the finished numbers of edges")
+    ]
+    stopped: Annotated[
+        str | None, doc.about("why it is not complete; null: it is, or it is a sample")
+    ]
 
 
-class CheckRow(Document):
+class CheckRow(doc.Document):
     """Counts and costs of the worlds of one size."""
 
-    edges: Edges
-    vertices: Vertices
-    worlds: Annotated[Natural, about("rooted maps")]
-    runs: Annotated[Natural, about("worlds x places of the lighthouse")]
-    episodes: Annotated[Natural, about("runs x schedules")]
-    traversals: Annotated[Natural, about("summed over the episodes")]
+    edges: doc.Edges
+    vertices: doc.Vertices
+    worlds: Annotated[doc.Natural, doc.about("rooted maps")]
+    runs: Annotated[doc.Natural, doc.about("worlds x places of the lighthouse")]
+    episodes: Annotated[doc.Natural, doc.about("runs x schedules")]
+    traversals: Annotated[doc.Natural, doc.about("summed over the episodes")]
     traversals_rooted: Annotated[
-        Natural, about("the same at the first place of each rooted map alone")
+        doc.Natural, doc.about("the same at the first place of each rooted map alone")
     ]
-    max_cost: Annotated[Natural, about("the largest cost of an episode")]
+    max_cost: Annotated[doc.Natural, doc.about("the largest cost of an episode")]
     best_cost: Annotated[
-        IfAny[Natural | None],
-        about(
+        doc.IfAny[doc.Natural | None],
+        doc.about(
             "the largest, over the runs, of the cost of the cheapest schedule; where it is left "
             "out, one schedule was tried"
         ),
     ]
-    bound: Annotated[int | None, about("the largest bound of a run; null without a bound")]
+    bound: Annotated[int | None, doc.about("the largest bound of a run; null without a bound")]
 
 
 class CheckReport(sweep.PortionReport):
@@ -276,23 +269,23 @@ class CheckReport(sweep.PortionReport):
     smallest findings, ``cells`` are the comparisons of the count gate.
     """
 
-    explorer: Annotated[Text, about("its name")]
-    engine: Annotated[engine_table.EngineName, about("the engine that ran")]
-    asked: NotInDocument[Scope]
-    tally: NotInDocument[Tally]
-    levels: NotInDocument[tuple[int, ...]]
-    cells: NotInDocument[tuple[GateCell, ...]] = ()
-    past: NotInDocument[tally_sweep.UserCorpus | None] = None
-    symmetry: NotInDocument[str] = ""
-    seconds: NotInDocument[tuple[float, ...]] = ()
-    offspring: NotInDocument[int] = 0
+    explorer: Annotated[doc.Text, doc.about("its name")]
+    engine: Annotated[engine_table.EngineName, doc.about("the engine that ran")]
+    asked: doc.NotInDocument[Scope]
+    tally: doc.NotInDocument[Tally]
+    levels: doc.NotInDocument[tuple[int, ...]]
+    cells: doc.NotInDocument[tuple[GateCell, ...]] = ()
+    past: doc.NotInDocument[tally_sweep.UserCorpus | None] = None
+    symmetry: doc.NotInDocument[str] = ""
+    seconds: doc.NotInDocument[tuple[float, ...]] = ()
+    offspring: doc.NotInDocument[int] = 0
 
-    @computed
+    @doc.computed
     def verdict(self) -> Verdict:
         """About this scope alone."""
         return self.judged
 
-    @computed
+    @doc.computed
     def scope(self) -> CheckedScope:
         """All that was checked."""
         extent, rules, coverage = self.asked.extent, self.asked.rules, self.asked.coverage
@@ -318,72 +311,72 @@ class CheckReport(sweep.PortionReport):
             stopped=self.ending.reason or None,
         )
 
-    @computed
-    def worlds(self) -> Natural:
+    @doc.computed
+    def worlds(self) -> doc.Natural:
         """Rooted maps."""
         return self.tally.worlds
 
-    @computed
-    def runs(self) -> Natural:
+    @doc.computed
+    def runs(self) -> doc.Natural:
         """Worlds x places of the lighthouse."""
         return self.tally.runs
 
-    @computed
-    def episodes(self) -> Natural:
+    @doc.computed
+    def episodes(self) -> doc.Natural:
         """Runs x schedules."""
         return sum(row.episodes for row in self.tally.rows.values())
 
-    @computed
-    def left_out(self) -> Natural:
+    @doc.computed
+    def left_out(self) -> doc.Natural:
         """Worlds without a place for the lighthouse."""
         return self.tally.left_out
 
-    @computed
-    def traversals(self) -> Natural:
+    @doc.computed
+    def traversals(self) -> doc.Natural:
         """Summed over the episodes."""
         return self.tally.traversals
 
-    @computed
-    def checkpoints(self) -> Natural:
+    @doc.computed
+    def checkpoints(self) -> doc.Natural:
         """The number of checkpoints."""
         return self.tally.checkpoints
 
-    @computed
+    @doc.computed
     def rows(self) -> tuple[CheckRow, ...]:
         """One for each (edges, vertices), ascending."""
         return tuple(_rows(self.tally))
 
-    @computed
-    def witnesses(self) -> dict[str, Positive]:
+    @doc.computed
+    def witnesses(self) -> dict[str, doc.Positive]:
         """How often each [event](verdicts.md#witnesses) occurred."""
         return dict(sorted(self.tally.witnesses.items()))
 
-    @computed
-    def missing_witnesses(self) -> Different[Text]:
+    @doc.computed
+    def missing_witnesses(self) -> doc.Different[doc.Text]:
         """Witnesses that must occur and did not."""
         return self.ending.missing if isinstance(self.ending, Completed) else ()
 
-    @computed
-    def remarks(self) -> tuple[Text, ...]:
+    @doc.computed
+    def remarks(self) -> tuple[doc.Text, ...]:
         """Remarks about processes, which refute nothing, each once."""
         return tuple(_remarks(self.tally))
 
-    @computed
-    def covered(self) -> IfAny[tuple[CoveredRow, ...]]:
+    @doc.computed
+    def covered(self) -> doc.IfAny[tuple[CoveredRow, ...]]:
         """Of a sample: how far its worlds reach, a row for each feature."""
         return tuple(covered_rows(self.tally.covered))
 
-    @computed
-    def bred(self) -> IfAny[Natural | None]:
+    @doc.computed
+    def bred(self) -> doc.IfAny[doc.Natural | None]:
         """Of a sample: worlds that were bred from its draws; they are not among its worlds."""
         return self.offspring or None
 
-    @computed
+    @doc.computed
     def corpus(self) -> tally_sweep.CorpusReport | None:
         """Null without ``--corpus``."""
         return self.past.report if self.past else None
 
-    @computed
+    @doc.computed
     def findings(self) -> tuple[Finding, ...]:
         """Ascending by (edges, vertices, canonical code, place, choices)."""
         return tuple(self.tally.findings)

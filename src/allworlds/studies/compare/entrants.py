@@ -13,31 +13,10 @@ from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds import document as doc, outcome
-from allworlds.engines import job_records, single
+from allworlds.engines import job_records, single, sweep, units
 from allworlds.engines.engine_table import Job, ReadyEngine, players_for
 from allworlds.engines.limits import ClusterOptions, RunDirectoryOptions
-from allworlds.engines.sweep import (
-    By,
-    FileDigests,
-    GivenCount,
-    RowOptions,
-    Sweep,
-    SweptReport,
-    TriedPlaces,
-    told_scope,
-    tried_places,
-)
 from allworlds.engines.tally import Outcome, RunCounter, Tally
-from allworlds.engines.units import (
-    WHOLE,
-    PartialResult,
-    Scope,
-    Shard,
-    ShardOptions,
-    SweptLevel,
-    Transport,
-    UnitOfRuns,
-)
 from allworlds.explorers import loading, sources
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, OptionGroup, as_json
@@ -139,7 +118,12 @@ class ContestWorldsOptions(selection.WhereOptions, GivenOptions, classes.ExtentO
 
 
 class CompareRequest(
-    RowOptions, RunDirectoryOptions, ClusterOptions, ManyWorlds, ShardOptions, ContestWorldsOptions
+    sweep.RowOptions,
+    RunDirectoryOptions,
+    ClusterOptions,
+    ManyWorlds,
+    units.ShardOptions,
+    ContestWorldsOptions,
 ):
     """Explorers, and the worlds in which they are compared."""
 
@@ -233,7 +217,7 @@ class UnitOfOne(Struct, frozen=True):
     """A unit of runs that one entrant plays."""
 
     number: int
-    unit: UnitOfRuns
+    unit: units.UnitOfRuns
 
     @property
     def key(self) -> str:
@@ -264,7 +248,7 @@ class CostsOfAll(Struct):
 class SideBySide:
     """The transports of all entrants, by their numbers, as one."""
 
-    def __init__(self, transports: Sequence[Transport]) -> None:
+    def __init__(self, transports: Sequence[units.Transport]) -> None:
         self._transports, self._stack = transports, ExitStack()
 
     def __enter__(self) -> Self:
@@ -280,13 +264,13 @@ class SideBySide:
 
     def map(
         self, engine: Sequence[CostEngine], given: Iterable[UnitOfOne]
-    ) -> Iterator[PartialResult]:
+    ) -> Iterator[units.PartialResult]:
         """Yield the parts of all units as they come. The units of an entrant stand together."""
         for number, own in groupby(given, key=lambda unit: unit.number):
             transport = self._transports[number]
             for part in transport.map(engine[number], (each.unit for each in own)):
                 result = CostsOfAll({number: part.result})
-                yield PartialResult(UnitOfOne(number, part.unit), result, part.last)
+                yield units.PartialResult(UnitOfOne(number, part.unit), result, part.last)
 
 
 Answer = TypeVar("Answer")
@@ -315,9 +299,9 @@ class Entrant(Struct, frozen=True):
         """Another name of the explorer, with the lighthouse behind it."""
         return f"{explorer}{AT}{self.at}" if self.at else explorer
 
-    def scope(self, extent: classes.Extent, portion: Shard = WHOLE) -> Scope:
+    def scope(self, extent: classes.Extent, portion: units.Shard = units.WHOLE) -> units.Scope:
         """The scope of its runs in the worlds of an extent, or in a shard of them."""
-        return Scope(extent, self.rules, coverage=portion)
+        return units.Scope(extent, self.rules, coverage=portion)
 
     def first_world(self, map_: combinatorial.CombinatorialMap) -> world.World:
         """A rooted map with its lighthouse at the first place."""
@@ -362,7 +346,7 @@ class Compared(doc.Document):
     """An explorer of a comparison, with the rules of its runs."""
 
     name: Annotated[doc.Text, doc.about("the explorer's, with `@` and a lighthouse if so named")]
-    places: TriedPlaces
+    places: sweep.TriedPlaces
     shared_file: SharedFile
 
 
@@ -370,12 +354,12 @@ class Compared(doc.Document):
 class ContestScope(doc.Document):
     """The worlds of a comparison."""
 
-    given: GivenCount
-    sha256: FileDigests
+    given: sweep.GivenCount
+    sha256: sweep.FileDigests
     shard: doc.WhichShard
 
 
-class ContestReport(SweptReport, kw_only=True):
+class ContestReport(sweep.SweptReport, kw_only=True):
     """The report of explorers that were run in the same worlds.
 
     ``entrants`` were run; ``by`` says for what there are rows for programs.
@@ -385,7 +369,7 @@ class ContestReport(SweptReport, kw_only=True):
         tuple[Finding, ...], doc.about("the smallest of each explorer that broke a law")
     ] = ()
     entrants: doc.NotInDocument[tuple[Entrant, ...]]
-    by: doc.NotInDocument[By | None] = None
+    by: doc.NotInDocument[sweep.By | None] = None
 
     @doc.computed
     def verdict(self) -> outcome.Verdict:
@@ -399,7 +383,7 @@ class ContestReport(SweptReport, kw_only=True):
             Compared(
                 name=one.name,
                 **one.rules.in_effect,
-                places=tried_places(one.rules.lighthouse, self.extent),
+                places=sweep.tried_places(one.rules.lighthouse, self.extent),
                 shared_file=one.rules.shared_file,
             )
             for one in self.entrants
@@ -408,7 +392,7 @@ class ContestReport(SweptReport, kw_only=True):
     @doc.computed
     def scope(self) -> ContestScope:
         """The worlds in which they were run."""
-        return told_scope(ContestScope, self.request)
+        return sweep.told_scope(ContestScope, self.request)
 
     @property
     @override
@@ -421,7 +405,7 @@ class ContestReport(SweptReport, kw_only=True):
         return [one.name for one in self.entrants]
 
 
-class Contest(Sweep[CostsOfAll, Answer]):
+class Contest(sweep.Sweep[CostsOfAll, Answer]):
     """The sweep of several entrants through the same worlds.
 
     Args:
@@ -477,7 +461,7 @@ class Contest(Sweep[CostsOfAll, Answer]):
         return (cost for tally in total.of.values() for cost in tally.costs_by_size)
 
     @override
-    def leave(self, level: SweptLevel, total: CostsOfAll) -> None:
+    def leave(self, level: units.SweptLevel, total: CostsOfAll) -> None:
         """Store the findings: the smallest of each entrant, in each family that grows."""
         family = getattr(level.of, "number", 0)
         for number, tally in total.of.items():
@@ -486,7 +470,7 @@ class Contest(Sweep[CostsOfAll, Answer]):
                 known.find(found)
 
     @override
-    def list_by(self, by: By) -> None:
+    def list_by(self, by: sweep.By) -> None:
         self.request = doc.replace(self.request, by=by)
 
     def contest(self, ending: outcome.Ending) -> dict[str, Any]:
