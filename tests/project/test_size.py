@@ -21,7 +21,7 @@ class Size(NamedTuple):
 
 
 MOST = {
-    "": Size(code=26_410, lines=45_250, files=184),
+    "": Size(code=26_690, lines=45_620, files=185),
     "engines": Size(code=6_030, lines=9_910, files=32),
     "engines/kernel": Size(code=2_350, lines=3_650, files=13),
 }
@@ -30,7 +30,7 @@ MOST = {
 MOST_OF_PAPERS = 6_500
 """Lines of the papers' programs, without tests."""
 
-MOST_OF_PROOFS = 22_800
+MOST_OF_PROOFS = 22_840
 """Lines of ``.v``, ``.py``, ``.ml`` and ``.smt2`` in ``proofs``."""
 
 
