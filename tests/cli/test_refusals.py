@@ -326,7 +326,10 @@ def test_a_current_directory_that_is_no_more_is_told_of(refused, tmp_path, monke
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("run --exec ./robot theta --pdb", "--pdb is for Python; elsewhere: gdb -ex "),
+        (
+            "run --exec ./robot theta --pdb",
+            "--pdb is for Python; a compiled explorer: gdb -ex ",
+        ),
         ("run --native ./robot.so theta --pdb", "-ex run --args python -m allworlds run ..."),
         ("run theta --pdb", "--pdb stops in an explorer of yours alone, not in algorithm1"),
         ("run shield:robot.py theta --pdb", "alone, not in shield:robot.py"),

@@ -47,7 +47,7 @@ class RunWords(ProgramWords):
         Option(
             OUTPUT,
             "",
-            "Leave out the walk: the steps in the text, and transcript in the JSON.",
+            "Leave out the walk: the steps in the text, but of a finding; transcript in the JSON.",
             "no-walk",
         ),
     ] = False

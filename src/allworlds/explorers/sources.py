@@ -61,7 +61,7 @@ def names_explorer(text: str) -> bool:
 
 
 def whole_name(name: str) -> str:
-    """The name; the function is added to the name of a file that has only one.
+    """The name; the function is added to the name of a file that has only one, but private ones.
 
     If the file defines none, it may import one named ``explore``.
 
@@ -80,7 +80,8 @@ def whole_name(name: str) -> str:
         code = compile(text, name, "exec", dont_inherit=True)
     except (SyntaxError, ValueError, RecursionError) as error:
         raise InputError(f"{show(name)} is no Python: {importing.said(error)}") from None
-    explorers = explorers_in(code) or ["explore"]
+    found = explorers_in(code)
+    explorers = [each for each in found if not each.startswith("_")] or found or ["explore"]
     if len(explorers) == 1:
         return f"{name}:{explorers[0]}"
     legal = ", ".join(f"{name}:{explorer}" for explorer in explorers)

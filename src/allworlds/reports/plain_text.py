@@ -80,7 +80,7 @@ def _found(section: parts.Section, width: int, room: int) -> list[str]:
         if drawn and len(lines) + len(shown) + len(command) <= room:
             lines += shown
             break
-    return [*lines[: room - len(command)], *command, "(-v: the walk, the answer, and the output)"]
+    return [*lines[: room - len(command)], *command, "(check -v: the walk, the answer, the output)"]
 
 
 def content_line(content: parts.ReportContent, width: int) -> str:

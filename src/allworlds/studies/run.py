@@ -7,8 +7,9 @@ robot, in a page with the cost of Algorithm 1 beside the player's.
 import os
 import re
 import sys
-from collections.abc import Callable, Generator, Iterable, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from dataclasses import KW_ONLY
+from types import FrameType
 from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds import document as doc
@@ -129,7 +130,7 @@ GDB = (
 def ensure_debuggable(name: str) -> None:
     """Raise InputError if that is no explorer of the user's in Python, in which pdb can stop."""
     if loading.is_program(name) or loading.is_library(name):
-        raise InputError(f"--pdb is for Python; elsewhere: {GDB}")
+        raise InputError(f"--pdb is for Python; a compiled explorer: {GDB}")
     if loading.entry_of(name) or loading.has_shield(name):
         raise InputError(f"--pdb stops in an explorer of yours alone, not in {name}")
 
@@ -156,8 +157,19 @@ class _Stopping:
             self._left = -1
             debugger = Pdb(skip=["allworlds", "allworlds.*"])
             debugger.reset()
+            for frame in self._waiting():
+                frame.f_trace = debugger.trace_dispatch
+                debugger.set_next(frame)  # the last one is where it stops
             sys.settrace(debugger.trace_dispatch)
         return self._walk.send(reply)
+
+    def _waiting(self) -> Iterator[FrameType]:
+        """The user's generators that wait, from the explorer on through each ``yield from``."""
+        walk: Any = self._walk
+        while frame := getattr(walk, "gi_frame", None):
+            if frame.f_globals.get("__name__", "").partition(".")[0] != "allworlds":
+                yield frame
+            walk = walk.gi_yieldfrom
 
 
 def debug(run: single.SingleRun, step: int) -> None:

@@ -70,3 +70,20 @@ def test_a_step_that_the_run_does_not_have_is_refused(debugged):
         code, out, err = debugged("--step", step, typed=[])
         assert (code, out) == (2, "")
         assert err == f"allworlds: --step {step} is not from 1 to 7, where this run ends\n"
+
+
+INNER = STAR.replace(
+    "        yield Move(1 if door else 0)\n        yield Move(0)\n",
+    "        yield from _go(door)\n",
+).replace(
+    "\n\ndef explore",
+    "\n\ndef _go(way):\n    yield Move(1 if way else 0)\n    yield Move(0)\n\n\ndef explore",
+)
+
+
+def test_it_stops_in_the_innermost_generator_that_waits(debugged, tmp_path):
+    (tmp_path / "star.py").write_text(INNER)
+    _, out, _ = debugged("--step", "4", typed=["p way", "up", "p door", "c"])
+    session = out.partition("\n> ")[2]
+    assert "_go()" in session.splitlines()[0]
+    assert next(line for line in session.splitlines() if line.startswith("(Pdb) ")) == "(Pdb) 1"

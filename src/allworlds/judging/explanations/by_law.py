@@ -140,8 +140,8 @@ def tell_nondeterministic(story: Story) -> Telling:
 
 
 SHOW = (
-    "A checkpoint after each edge would show the first wrong S; where the explorer shows them, all "
-    "of them fit the world."
+    "No checkpoint is wrong, or none is shown: one after each edge tells where the explorer's map "
+    "goes wrong first."
 )
 """The advice for a walk without an end and without a wrong checkpoint."""
 

@@ -252,9 +252,7 @@ def _laws(report: CheckReport) -> str:
     if published:
         return f"{laws}; {plural(published, 'checkpoint')}"
     left = [law for law in rules.applying if law not in checked]
-    return laws + (
-        f"; not checked, because the explorer shows no checkpoint: {listed(left)}" if left else ""
-    )
+    return laws + (f"; not, as no checkpoint is shown: {listed(left)}" if left else "")
 
 
 def _gate(report: CheckReport) -> str:
