@@ -42,6 +42,11 @@ def long(*values):
     return pytest.param(*values, marks=pytest.mark.long)
 
 
+def every_eighth(values):
+    """Parameters of which all but each eighth are left to ``nox -s full``."""
+    return [value if i % 8 == 0 else long(value) for i, value in enumerate(values)]
+
+
 def all_maps(most):
     """Every rooted map with at most so many edges."""
     return [map_ for edges in range(1, most + 1) for map_ in rooted_maps(edges)]

@@ -15,6 +15,8 @@ from printed import without_made_by
 from recorded.record import least
 from small import long
 
+pytestmark = pytest.mark.long
+
 tmp = quick.tmp
 
 PAPER = Path(__file__).parents[3] / "papers" / "minimal_information"

@@ -21,7 +21,7 @@ from allworlds.maps.classes import Extent
 from allworlds.maps.counting import rooted_maps as counted
 from allworlds.maps.enumeration import Gluing, prefixes
 
-pytestmark = pytest.mark.usefixtures("compiled")
+pytestmark = [pytest.mark.long, pytest.mark.usefixtures("compiled")]
 
 
 @pytest.fixture(autouse=True)

@@ -8,6 +8,8 @@ from allworlds.studies.explain import explain
 from judging import test_another_world as quick
 from small import long
 
+pytestmark = pytest.mark.long
+
 
 @pytest.mark.parametrize("map_class", [long("maps")])
 def test_in_every_small_world_and_for_every_short_walk_it_is_another_and_senses_the_same(map_class):

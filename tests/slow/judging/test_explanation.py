@@ -5,6 +5,8 @@ import pytest
 from allworlds.studies.explain import explain
 from judging.test_explanation import MUTANTS
 
+pytestmark = pytest.mark.long
+
 
 @pytest.mark.parametrize("name", MUTANTS)
 def test_every_mutants_finding_is_explained_under_its_law(name, finding_of):

@@ -7,6 +7,8 @@ from allworlds.studies.explain import explain
 from judging import test_slips as quick
 from judging.test_slips import mirrored, spoiling
 
+pytestmark = pytest.mark.long
+
 
 @pytest.fixture(scope="module", params=quick.LATER)
 def findings(request):
