@@ -131,6 +131,6 @@ def test_a_coqc_that_comes_to_no_verdict_is_neither_accepted_nor_refused(
         assert checked(trees, file) == code
         assert capsys.readouterr().out.startswith(word)
     monkeypatch.undo()
-    monkeypatch.setattr(trees, "COQ", tmp_path)
+    monkeypatch.setattr(files, "COQ", tmp_path)
     assert checked(trees, file) == 2
     assert "not built: make -C proofs/coq" in capsys.readouterr().err

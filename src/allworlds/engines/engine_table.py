@@ -207,7 +207,8 @@ def obstacle(scope: Scope, subject: Subject) -> str:
 def kind_of(kind: type[base.Lighthouse]) -> str:
     """The kernel's name of a kind of lighthouse."""
     single = "-single" if kind.chosen == {"single": True} else ""
-    return kind.kind + single if single or not kind.chosen else ""
+    known = isinstance(kind.kind, str) and (single or not kind.chosen)  # not one that is composed
+    return kind.kind + single if known else ""
 
 
 def walks(scope: Scope, subject: Subject, edges: int) -> bool:

@@ -300,7 +300,7 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
             smaller = _smallest(refute, _smaller(scope, finding, [map_, *build.moved(map_)]))
         if smaller:
             yield smaller
-    extent, most = scope.extent, finding.world.map.edge_count - 1
+    extent, most = scope.extent, finding.world.map.edge_count
     for edges in range(1, min(EVERY, most) + 1):
         maps = rooted_maps(edges, extent.map_class, where=extent.where)
         smallest = _smallest(refute, _smaller(scope, finding, maps))
