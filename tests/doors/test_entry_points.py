@@ -79,3 +79,19 @@ def installed(tmp_path):
         return done.returncode, done.stdout, done.stderr
 
     return allworlds
+
+
+@pytest.mark.parametrize(
+    ("option", "name", "offered"),
+    [
+        ("--lighthouse", "my-harbour", "my-parity"),
+        ("--task", "my-letter", "my-word"),
+        ("--where", "my-big", "my-small"),
+    ],
+)
+def test_a_name_that_nobody_offers_is_refused_with_those_that_are(installed, option, name, offered):
+    code, out, err = installed("check", option, name, "--edges", 1)
+    assert (code, out) == (2, "")
+    assert len(err.splitlines()) == 1
+    assert f"'{name}' is not one of" in err
+    assert offered in err

@@ -2,4 +2,21 @@
 
 import pytest
 
+from allworlds.engines.limits import Limits
+from allworlds.engines.single import played_again, subject_of
+from allworlds.studies.check.exhaustive import check
+
 pytestmark = pytest.mark.processes
+
+
+def test_an_answer_that_is_no_map_is_not_confirmed_by_one_that_is(tmp_path):
+    module = tmp_path / "mended.py"
+    head = "from allworlds.explorers.builtin.algorithm1 import algorithm1\n\ndef explore(first):\n"
+    walk = f"{head}    estimate = yield from algorithm1(first)\n"
+    module.write_text(f"{walk}    return 7\n")
+    (found,) = check(f"{module}:explore", edges=1).findings
+    assert (found.law, found.confirmed) == ("no-estimate", True)
+    module.write_text(f"{walk}    return estimate\n")
+    explore = f"{module}:explore"
+    again = played_again(found, subject_of(explore, Limits()), Limits())
+    assert again.law == "nondeterministic"

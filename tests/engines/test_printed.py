@@ -135,3 +135,11 @@ def test_the_limit_is_that_of_the_escaped_text():
                 assert int(lost) == len(printed) - kept
                 assert len(before) > KEPT // 6
                 assert len(after) > KEPT // 6
+
+
+def test_what_a_program_writes_to_stderr_is_kept(tmp_path):
+    file = tmp_path / "program.sh"
+    answer = '{"estimate": {"sigma": [0, 1], "alpha": [1, 0], "here": 7}}'
+    file.write_text(f"while read line; do echo hears >&2; echo '{answer}'; done\n")
+    (finding,) = check(f"exec:sh {file}", edges=1).findings
+    assert finding.output == "hears\n"

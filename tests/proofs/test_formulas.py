@@ -98,13 +98,23 @@ def producer_says(asked, level, starts):
 
 
 @pytest.mark.parametrize(
-    ("map_class", "edges"), [("maps", 1), ("planar", 2), ("simple", 3), ("planar-simple", 3)]
+    ("lighthouse", "map_class", "edges"),
+    [
+        ("directional", "maps", 1),
+        ("directional", "planar", 2),
+        ("directional", "simple", 3),
+        ("directional", "planar-simple", 3),
+        ("compass", "maps", 2),
+        ("position", "maps", 2),
+    ],
 )
-def test_two_encoders_write_the_same_clauses_about_small_worlds(world, twins, map_class, edges):
+def test_two_encoders_write_the_same_clauses_about_small_worlds(
+    world, twins, lighthouse, map_class, edges
+):
     """Also those that follow from others, by which no model is lost and none is won."""
-    asked = question("directional", map_class, edges + 1, edges)
+    asked = question(lighthouse, map_class, edges + 1, edges)
     for level in asked.sizes():
-        mine = world.Asked("directional", map_class)
+        mine = world.Asked(lighthouse, map_class)
         sizes = tuple(world.size_of(mine, size.edges) for size in level)
         clauses = twins.twin_clauses(mine, sizes)
         formula = producer_says(asked, level, [])

@@ -232,3 +232,17 @@ def test_the_laws_of_one_run_are_those_of_which_something_was_checked():
 
     assert laws("algorithm1") == "map, pose, invariant-1, invariant-2, variant, folding, bound"
     assert laws("folding") == "map, pose, folding"
+
+
+def test_a_sample_has_no_gate_and_says_so(wrong):
+    text = text_of(fuzz("algorithm1", edges=4, runs=2), 100)
+    assert "gate       absent: a sample is not to be counted" in text
+    assert "the two plays" not in text_of(check(wrong("raises"), edges=1), 100)
+
+
+def test_of_many_choices_the_first_are_told_and_how_many_follow(wrong):
+    found = check(wrong("right"), edges=1, bound="0").findings[0]
+    for choices, end in ((60, " 1\n"), (61, ", and 1 more\n"), (75, ", and 15 more\n")):
+        told = finding_text(replace(found, choices=(1,) * choices), 1000)
+        (line,) = (line for line in told.splitlines() if line.startswith("choices"))
+        assert (line + "\n").endswith(end)

@@ -347,5 +347,13 @@ def test_a_corpus_cannot_be_given_with_a_run_directory(tmp_path):
     assert not any(tmp_path.iterdir())
 
 
+def test_a_corpus_file_that_was_changed_is_refused_by_name(tmp_path, wrong):
+    check(wrong("raises"), edges=1, corpus=tmp_path)
+    (file,) = tmp_path.glob("*.json")
+    file.write_text(file.read_text() + "\n")
+    with pytest.raises(InputError, match=f"{file.name}.* has been changed since it was written"):
+        check(wrong("raises"), edges=1, corpus=tmp_path)
+
+
 def test_a_huge_bound_costs_nothing_when_a_finding_ends_the_check(explorers):
     assert check(explorers("everywhere"), edges=100_000).levels == (1,)

@@ -64,3 +64,11 @@ def test_of_worlds_that_grow_one_is_shown_again_with_its_lighthouse():
 def test_a_name_that_is_none_is_refused(names, error):
     with pytest.raises(InputError, match=re.escape(error)):
         compare(*names, edges=1)
+
+
+def test_the_world_that_differs_most_is_lit_by_the_lighthouse_of_the_first():
+    for first, second, kind in (
+        ("algorithm1", "algorithm1-door", "directional"),
+        ("algorithm1-door", "algorithm1", "door"),
+    ):
+        assert compare(first, second, edges=2).differ_most.world.lighthouse.kind == kind

@@ -4,8 +4,9 @@ import pickle
 
 import pytest
 
+from allworlds.document import replace
 from allworlds.protocol.actions import Drop, Move, Percept, Pick, Write
-from allworlds.world import IllegalAction, InvalidWorld, World, worlds
+from allworlds.world import Directional, IllegalAction, InvalidWorld, World, worlds
 from allworlds.world.lighthouses.kinds import kind_of, lighthouse_from_json, lighthouse_kind
 from small import EDGE, LOLLIPOP, PATH, TORUS, TRIANGLE, all_maps
 
@@ -166,3 +167,10 @@ def test_it_has_what_its_parts_allow_unless_another_part_adds_to_it(name, leaves
     place = next(kind.places(PATH, 0))
     assert place.as_kind.leaves_open == leaves_open
     assert place.as_kind.leaves_marks == kind.leaves_marks == ("movable" in name)
+
+
+def test_a_part_that_cannot_stand_where_it_is_said_to_is_refused():
+    composed = lighthouse_kind("position+told:n").as_class.usual(TRIANGLE, 0)
+    composed.check(TRIANGLE, 0)
+    with pytest.raises(InvalidWorld):
+        replace(composed, parts=(Directional(99), *composed.parts[1:])).check(TRIANGLE, 0)

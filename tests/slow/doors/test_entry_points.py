@@ -39,19 +39,3 @@ def test_what_a_distribution_offers_is_used_by_its_name(installed):
     code, out, _ = installed(*CHECK, "--task", "my-word?word=there", "--workers", 1)
     (finding,) = json.loads(out)["findings"]
     assert (code, finding["law"], finding["seen"]) == (1, "task", "here is said")
-
-
-@pytest.mark.parametrize(
-    ("option", "name", "offered"),
-    [
-        ("--lighthouse", "my-harbour", "my-parity"),
-        ("--task", "my-letter", "my-word"),
-        ("--where", "my-big", "my-small"),
-    ],
-)
-def test_a_name_that_nobody_offers_is_refused_with_those_that_are(installed, option, name, offered):
-    code, out, err = installed("check", option, name, "--edges", 1)
-    assert (code, out) == (2, "")
-    assert len(err.splitlines()) == 1
-    assert f"'{name}' is not one of" in err
-    assert offered in err

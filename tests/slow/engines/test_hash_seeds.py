@@ -5,8 +5,7 @@ import json
 import pytest
 
 from allworlds.engines.lane import GOES_BY_HASHES, SECOND
-from allworlds.engines.limits import Limits, Listener
-from allworlds.engines.single import played_again, subject_of
+from allworlds.engines.limits import Listener
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.run import replay
@@ -121,16 +120,3 @@ def test_the_finding_of_a_play_that_another_does_not_repeat_has_both(tmp_path):
         assert "first play, from step" in found.detail
         assert "second play, from step" in found.detail
     assert laws == {"nondeterministic"}
-
-
-def test_an_answer_that_is_no_map_is_not_confirmed_by_one_that_is(tmp_path):
-    module = tmp_path / "mended.py"
-    head = "from allworlds.explorers.builtin.algorithm1 import algorithm1\n\ndef explore(first):\n"
-    walk = f"{head}    estimate = yield from algorithm1(first)\n"
-    module.write_text(f"{walk}    return 7\n")
-    (found,) = check(f"{module}:explore", edges=1).findings
-    assert (found.law, found.confirmed) == ("no-estimate", True)
-    module.write_text(f"{walk}    return estimate\n")
-    explore = f"{module}:explore"
-    again = played_again(found, subject_of(explore, Limits()), Limits())
-    assert again.law == "nondeterministic"
