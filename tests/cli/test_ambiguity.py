@@ -63,6 +63,7 @@ def test_a_class_past_its_limit_has_a_notice_on_stderr_and_an_exact_size(cli):
     assert cli("ambiguity", "class", "wheel-4", "--json")[2] == ""
 
 
+@pytest.mark.usefixtures("compiled")
 def test_the_census_counts_inside_a_class(cli):
     code, out, err = cli("ambiguity", "census", "--edges", "6", "--class", "simple", "--json")
     assert (code, err) == (0, "")

@@ -9,9 +9,31 @@ Left out are the kernel, which is compiled, and what other processes run.
 import importlib.util
 import json
 import os
+import sys
+from importlib.machinery import PathFinder
 from pathlib import Path
 
 import pytest
+
+
+class Marking:
+    """Finds the modules of the package, and marks them.
+
+    pytest would rewrite them first, where the package is installed: its distribution has a plugin.
+    """
+
+    def __init__(self, marks, files):
+        self.marks, self.files = marks, files
+
+    def find_spec(self, name, path=None, target=None):
+        from slipcover.importer import SlipcoverLoader
+
+        if name.partition(".")[0] != "allworlds":
+            return None
+        spec = PathFinder.find_spec(name, path, target)
+        if spec and spec.origin and self.files.matches(spec.origin):
+            spec.loader = SlipcoverLoader(self.marks, spec.loader, spec.origin)
+        return spec
 
 
 class Covered:
@@ -28,7 +50,7 @@ class Covered:
         files = slipcover.FileMatcher([package], ["*/engines/kernel/*"])
         self.slipcover, self.least, self.found = slipcover, least, None
         self.marks = slipcover.Slipcover(source=[str(package)], omit=files.omit, branch=True)
-        slipcover.ImportManager(self.marks, files).__enter__()
+        sys.meta_path.insert(0, Marking(self.marks, files))
 
     def add(self, found):
         """What another process of these tests has run, too."""
