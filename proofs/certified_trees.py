@@ -46,8 +46,8 @@ from allworlds.engines.players import Unsettled
 from allworlds.engines.single import subject_of
 from allworlds.explorers.loading import Subject, built_in, in_process_subject
 from allworlds.inputs.checks import InputError
-from allworlds.judging.episode import Answered, Fault, default_step_budget, ending_of, fault_of
-from allworlds.judging.laws.bounds import bound_named, paper_bound
+from allworlds.judging.episode import Answered, Fault, ending_of, fault_of
+from allworlds.judging.laws.bounds import bound_named, default_step_budget, paper_bound
 from allworlds.log import Log
 from allworlds.protocol.actions import Estimate, Move, Percept
 from allworlds.words import plural

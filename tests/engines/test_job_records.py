@@ -13,7 +13,7 @@ from allworlds.engines.tally import AtRun, Row, Tally
 from allworlds.inputs.checks import InputError
 from allworlds.maps import Quotient
 from allworlds.protocol.actions import Percept
-from allworlds.studies.ambiguity.marked_worlds import SensedParts
+from allworlds.studies.ambiguity.census_sweep import SensedParts
 from allworlds.studies.compare.entrants import CostsOfAll, CostTally
 from allworlds.studies.count import Counted
 from allworlds.studies.worst.compiled_engine import ScheduleCostsBySize

@@ -11,7 +11,7 @@ from kept_jobs import EXPLORERS
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
-CENSUS = "allworlds.studies.ambiguity.marked_worlds"
+CENSUS = "allworlds.studies.ambiguity.census_sweep"
 
 
 def wrong(name):

@@ -8,7 +8,7 @@ from fractions import Fraction
 import pytest
 
 from allworlds.inputs.checks import InputError
-from allworlds.judging.laws.bounds import Bound, bound_named, paper_bound
+from allworlds.judging.laws.bounds import Bound, bound_named, default_step_budget, paper_bound
 from allworlds.maps import named_map
 from small import LOLLIPOP
 
@@ -373,3 +373,8 @@ def test_what_python_thinks_of_a_text_besides_is_not_told(text):
     # Warnings are errors in tests, and would be another one than this.
     with pytest.raises(InputError, match="bound"):
         bound_named(text)
+
+
+def test_the_default_step_budget():
+    assert default_step_budget(1) == 108
+    assert default_step_budget(100) == 900

@@ -5,7 +5,7 @@ import signal
 import pytest
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.judging.episode import Answered, Fault, default_step_budget, play
+from allworlds.judging.episode import Answered, Fault, play
 from allworlds.maps import CombinatorialMap, InvalidMap, from_cycles, rooted_maps
 from allworlds.protocol.actions import (
     Ambiguous,
@@ -252,11 +252,6 @@ def test_playing_twice_is_the_same_episode():
     for map_ in rooted_maps(3):
         world = World(map_, Directional(0))
         assert play(world, player, Choices(), 999) == play(world, player, Choices(), 999)
-
-
-def test_the_default_step_budget():
-    assert default_step_budget(1) == 108
-    assert default_step_budget(100) == 900
 
 
 # ---------------------------------------------------------------- raising

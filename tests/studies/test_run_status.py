@@ -98,6 +98,12 @@ def test_worlds_that_no_source_counts_are_at_most_so_many(cli, tmp_path):
 
 
 @pytest.mark.usefixtures("without_workers")
+def test_of_a_shard_its_part_of_all_worlds_is_told(tmp_path):
+    allworlds.check(edges=3, shard=(0, 2), run=tmp_path)
+    assert allworlds.status(tmp_path).worlds.all == 43  # of 86
+
+
+@pytest.mark.usefixtures("without_workers")
 def test_what_is_not_finished_is_told_so_far(cli, tmp_path):
     def ends(edges, worlds):
         if edges == 3:

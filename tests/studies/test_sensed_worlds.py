@@ -6,7 +6,7 @@ import allworlds
 from allworlds.engines import units
 from allworlds.inputs.checks import InputError
 from allworlds.reports.formats import text
-from allworlds.studies.ambiguity import marked_worlds, sensed_classes
+from allworlds.studies.ambiguity import census_sweep, sensed_classes
 from allworlds.world import worlds
 from allworlds.world.lighthouses.kinds import lighthouse_kind
 from bruteforce import rooted_maps_by_permutations
@@ -232,11 +232,11 @@ def test_verbs_of_ambiguity_are_imported_from_a_package_of_that_name():
 def made_twice(kind, edges, map_class):
     """The worlds of a level by compiled code, and one by one, each with the number of maps."""
     kind = lighthouse_kind(kind)
-    request = marked_worlds.CensusRequest(lighthouse=kind, edges=5, map_class=map_class)
+    request = census_sweep.CensusRequest(lighthouse=kind, edges=5, map_class=map_class)
     maps, several = [0, 0], ([], [])
     for unit in units.units_of_level(request.extent, edges):
         compiled = sensed_classes.laid_out(unit, request.extent, kind.as_class)
-        plain = marked_worlds.batches(unit, request.extent, kind)
+        plain = census_sweep.batches(unit, request.extent, kind)
         found = compiled, ((count, sensed_classes.matrices(some)) for count, some in plain)
         for i, parts in enumerate(found):
             for count, part in parts:
@@ -274,7 +274,7 @@ def test_which_censuses_are_made_by_compiled_code(folder, monkeypatch):
     pytest.importorskip("numba")
 
     def name(kind, **asked):
-        request = marked_worlds.CensusRequest(lighthouse=kind, **{"edges": 5, **asked})
+        request = census_sweep.CensusRequest(lighthouse=kind, **{"edges": 5, **asked})
         return sensed_classes.compiled_name(request.lighthouse.as_class, request.extent)
 
     assert name("position") == "position"

@@ -129,11 +129,6 @@ def play(
     return followed(Log(log), world, budget, maps=maps)
 
 
-def default_step_budget(bound: int) -> int:
-    """The traversals after which a run is stopped: 8 x ((1) + (2)) + 100."""
-    return 8 * bound + 100
-
-
 def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episode:
     """The episode of a log, walked in this world.
 

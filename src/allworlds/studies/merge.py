@@ -25,7 +25,7 @@ class MergeRequest(sweep.RowOptions, limits.ListenerOptions):
 
 def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
     """The class of what goes through the units of a verb that a run directory keeps."""
-    from allworlds.studies.ambiguity.marked_worlds import CensusSweep
+    from allworlds.studies.ambiguity.census_sweep import CensusSweep
     from allworlds.studies.check.exhaustive import CheckSweep
     from allworlds.studies.compare.comparison import SameWorlds
     from allworlds.studies.count import CountSweep

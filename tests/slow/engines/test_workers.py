@@ -115,7 +115,7 @@ def test_a_program_that_does_not_end_with_its_input_is_ended(program, tmp_path, 
     assert gone(tmp_path / "pids")
 
 
-@pytest.mark.parametrize("time_limit", [0.3, 1.5])
+@pytest.mark.parametrize("time_limit", [0.3, small.long(1.5)])
 def test_a_program_in_the_middle_of_a_run_is_ended_with_the_check(
     program, tmp_path, gone, time_limit
 ):
@@ -171,7 +171,7 @@ def test_a_crash_in_one_of_two_plays_is_nondeterministic(wrong):
         small.long("hang_gil", "timeout", "silent for 4 s"),
         small.long("hang_regex", "timeout", "silent for 4 s"),
         ("reads", "crash", "EOFError"),
-        ("closes_and_hangs", "crash", "the process's pipe"),
+        small.long("closes_and_hangs", "crash", "the process's pipe"),
         ("sys_exit", "crash", "SystemExit"),
         ("interrupt", "crash", "KeyboardInterrupt"),
         ("deep", "crash", "RecursionError"),

@@ -5,7 +5,6 @@ from collections import Counter
 
 from allworlds.explorers.loading import is_library, is_program
 from allworlds.inputs.checks import InputError
-from allworlds.judging.episode import default_step_budget
 from allworlds.judging.explanations.story import (
     Belief,
     Story,
@@ -18,6 +17,7 @@ from allworlds.judging.explanations.story import (
 )
 from allworlds.judging.findings.finding import Finding, Parting
 from allworlds.judging.laws import bounds, folding
+from allworlds.judging.laws.bounds import default_step_budget
 from allworlds.maps.build import completed
 from allworlds.maps.combinatorial import (
     CombinatorialMap,

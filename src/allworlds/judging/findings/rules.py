@@ -29,8 +29,15 @@ from allworlds.inputs.requests import (
     told_by,
     values_of,
 )
-from allworlds.judging import episode, tasks
-from allworlds.judging.laws.bounds import BOUNDS, NO_BOUND, Bound, bound_named, paper_bound
+from allworlds.judging import tasks
+from allworlds.judging.laws.bounds import (
+    BOUNDS,
+    NO_BOUND,
+    Bound,
+    bound_named,
+    default_step_budget,
+    paper_bound,
+)
 from allworlds.judging.laws.law_table import (
     BOUNDED,
     FOLDS,
@@ -307,7 +314,7 @@ class Rules(RuleOptions, kw_only=False):
         """
         if self.step_budget is not None:
             return self.step_budget
-        usual = episode.default_step_budget(paper_bound(vertices, edges))
+        usual = default_step_budget(paper_bound(vertices, edges))
         brought = self.own_bound or NO_BOUND
         if brought.variables <= {"n", "m"}:
             return max(usual, brought.value(vertices, edges, 0, 0, 0, 0) or 0)

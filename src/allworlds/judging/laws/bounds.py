@@ -15,6 +15,11 @@ VARIABLES = ("n", "m", "d0", "D", "d", "g")
 _NAMES = (*VARIABLES, "paper")
 
 
+def default_step_budget(bound: int) -> int:
+    """The traversals after which a run is stopped: 8 x ((1) + (2)) + 100."""
+    return 8 * bound + 100
+
+
 def paper_bound(vertices: int, edges: int) -> int:
     """The sum of (1) and (2) of Section VI, exactly."""
     growing, closing = paper_terms(vertices, edges)

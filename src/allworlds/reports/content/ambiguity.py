@@ -13,7 +13,7 @@ from allworlds.maps.quotient import Quotient
 from allworlds.protocol import actions
 from allworlds.reports import parts
 from allworlds.reports.content.scope import finished, gate_facts, maps_in_words
-from allworlds.studies.ambiguity import marked_worlds, twin_search
+from allworlds.studies.ambiguity import census_sweep, twin_search
 from allworlds.studies.ambiguity.members import AmbiguityClass, ComparedWorlds, projection_of
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.world import World
@@ -191,7 +191,7 @@ def _quotient(quotient: Quotient) -> tuple[parts.Paragraph, parts.Table]:
     return parts.Paragraph(said), parts.Table(header, rows)
 
 
-def census_content(census: marked_worlds.AmbiguityCensus) -> parts.ReportContent:
+def census_content(census: census_sweep.AmbiguityCensus) -> parts.ReportContent:
     """A row for each number of edges, and the source with which the counts were compared."""
     header = ["marked worlds", "ambiguous", "classes", "largest class"]
     rows = [[row.edges, *_counts(row)] for row in census.rows]
@@ -233,11 +233,11 @@ def census_content(census: marked_worlds.AmbiguityCensus) -> parts.ReportContent
     )
 
 
-def _counts(row: marked_worlds.CensusRow | marked_worlds.CensusCell) -> list[parts.Cell]:
+def _counts(row: census_sweep.CensusRow | census_sweep.CensusCell) -> list[parts.Cell]:
     return [row.marked_worlds, row.ambiguous_worlds, row.classes, row.largest_class or None]
 
 
-def _counted(census: marked_worlds.AmbiguityCensus) -> parts.Headline | None:
+def _counted(census: census_sweep.AmbiguityCensus) -> parts.Headline | None:
     if not census.agrees:
         wrong = [
             f"with {words.plural(row.edges, 'edge')} {words.plural(row.rooted, 'rooted map')} "

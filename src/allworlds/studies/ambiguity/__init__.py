@@ -21,7 +21,7 @@ Modules
 ``members``
     two worlds: a bisimulation or a separation; the class of a world: its members, and how they are
     made from the quotient;
-``marked_worlds``
+``census_sweep``
     the census of a lighthouse, and its parts: worlds by what can be sensed in them;
 ``sensed_classes``
     many worlds at once, in arrays: names of what can be sensed in each;
@@ -39,15 +39,15 @@ from typing import TYPE_CHECKING
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
-    from allworlds.studies.ambiguity.coarsenings import (
-        AmbiguityWeakest as AmbiguityWeakest,
-        weakest as weakest,
-    )
-    from allworlds.studies.ambiguity.marked_worlds import (
+    from allworlds.studies.ambiguity.census_sweep import (
         AmbiguityCensus as AmbiguityCensus,
         CensusCell as CensusCell,
         CensusRow as CensusRow,
         census as census,
+    )
+    from allworlds.studies.ambiguity.coarsenings import (
+        AmbiguityWeakest as AmbiguityWeakest,
+        weakest as weakest,
     )
     from allworlds.studies.ambiguity.members import (
         AmbiguityClass as AmbiguityClass,

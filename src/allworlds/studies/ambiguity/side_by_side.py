@@ -15,7 +15,7 @@ from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.quotient import classes_of_union
 from allworlds.notations.given import GivenOptions
 from allworlds.protocol.actions import Percept
-from allworlds.studies.ambiguity.marked_worlds import batches
+from allworlds.studies.ambiguity.census_sweep import batches
 from allworlds.studies.ambiguity.members import ensure_motions_decide
 from allworlds.studies.ambiguity.sensed_classes import Placed, matrices, named
 from allworlds.world.bisimulation import flaw

@@ -21,10 +21,10 @@ from allworlds.inputs.checks import (
     show,
 )
 from allworlds.inputs.requests import RULES, SCOPE, Argument, Converted, Option, Request, answers
-from allworlds.judging.episode import Answered, default_step_budget, play
+from allworlds.judging.episode import Answered, play
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import RuleOptions, Rules
-from allworlds.judging.laws.bounds import paper_bound
+from allworlds.judging.laws.bounds import default_step_budget, paper_bound
 from allworlds.maps import classes, combinatorial
 from allworlds.notations.given import GivenOptions
 from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit

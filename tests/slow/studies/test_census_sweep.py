@@ -4,8 +4,8 @@ import pytest
 
 import bruteforce
 from allworlds.studies.ambiguity import census
-from studies import test_marked_worlds as quick
-from studies.test_marked_worlds import numbers
+from studies import test_census_sweep as quick
+from studies.test_census_sweep import numbers
 
 
 def second_route(edges, map_class):

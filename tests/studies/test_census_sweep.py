@@ -8,7 +8,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps
 from allworlds.outcome import Disagreement
 from allworlds.studies.ambiguity import census
-from allworlds.studies.ambiguity.marked_worlds import SensedParts
+from allworlds.studies.ambiguity.census_sweep import SensedParts
 from allworlds.studies.ambiguity.members import least_rooting
 
 
