@@ -2,6 +2,7 @@
 
 import pytest
 
+from allworlds.engines.lane import SECOND
 from allworlds.engines.limits import Limits
 from allworlds.engines.single import played_again, subject_of
 from allworlds.studies.check.exhaustive import check
@@ -20,3 +21,14 @@ def test_an_answer_that_is_no_map_is_not_confirmed_by_one_that_is(tmp_path):
     explore = f"{module}:explore"
     again = played_again(found, subject_of(explore, Limits()), Limits())
     assert again.law == "nondeterministic"
+
+
+def test_a_run_is_played_under_more_than_the_two_seeds_that_every_run_has(tmp_path):
+    module = tmp_path / "seeded.py"
+    module.write_text(
+        "import os\nfrom allworlds.explorers.builtin.algorithm1 import algorithm1\n\n"
+        "def explore(first):\n    estimate = yield from algorithm1(first)\n"
+        f"    return estimate if os.environ['PYTHONHASHSEED'] in ('0', '{SECOND}') else 7\n"
+    )
+    (found,) = check(f"{module}:explore", edges=1).findings
+    assert (found.law, found.hash_seed) == ("no-estimate", SECOND + 1)
