@@ -111,7 +111,7 @@ def papers(session: nox.Session) -> None:
 @nox.session
 def proofs(session: nox.Session) -> None:
     """Check every certificate and the Coq development, with times."""
-    session.install(".[proofs]")
+    session.install(".[fast,proofs]")
     certificate, played = f"{session.create_tmp()}/algorithm1.v", ("--against", "algorithm1")
     steps = (
         ("python", "proofs/check.py"),
