@@ -21,7 +21,7 @@ def tried():
         if attack.signal or "--lighthouse" in attack.options:
             continue
         for function in attack.verdicts:
-            kind = attack.name.partition("/")[0], function == ""
+            kind = attack.name.partition("/")[0]
             marks = [pytest.mark.long] if kind in kinds else []
             kinds.add(kind)
             name = f"{attack.name}-{function or 'exec'}"
