@@ -2,22 +2,25 @@
 
 ``python tests/recorded/record.py`` writes the records anew; what then differs is to be meant,
 and told in the commit.  ``test_recorded.py`` compares.  No record depends on the clock, on
-the machine, on where the project lies, or on the number of workers: all commands are run in
-one new directory that holds the explorers, and name it ``.``.
+the machine, on where the project lies, or on the number of workers: each command is done in a new
+directory that holds the explorers.
 """
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
-from concurrent.futures import ThreadPoolExecutor
+from contextlib import ExitStack, chdir, redirect_stderr, redirect_stdout
 from pathlib import Path
+from typing import NamedTuple
+from unittest.mock import patch
 
+from allworlds.cli.app import call
 from allworlds.studies.check.exhaustive import check
 from allworlds.world.named import own_corpus
 
@@ -144,11 +147,16 @@ COMMANDS = {
     "refused-option": "check --egdes 3",
 }
 
-# What must be there before a command: explorers, and reports of other commands, in files.
+# What must be there before a command: explorers, reports of other commands, in files, and what other
+# commands leave in a corpus.
 EXPLORERS = ("explorers.py", "features.py", "program.py")
 FILES = {
     "finding.json": "check explorers.py:first_edge --edges 3 --json",
     "crash.json": "check explorers.py:crashes --edges 3 --json",
+}
+BEFORE = {
+    "check-corpus-again": ["check-corpus"],
+    "check-corpus-mended": ["check-corpus", "check-corpus-again"],
 }
 
 
@@ -182,67 +190,65 @@ COLOURS = {"FORCE_COLOR", "CLICOLOR_FORCE", "PY_COLORS", "NO_COLOR"}
 COLOURS |= {"GITHUB_ACTIONS", "GITHUB_STEP_SUMMARY"}
 
 
-def run(command: str | list[str], directory: str) -> subprocess.CompletedProcess[str]:
+class Said(NamedTuple):
+    """What a command has written, and its exit code."""
+
+    code: int
+    out: str
+    err: str
+
+
+def said(command: str | list[str], directory: str) -> Said:
+    """Do a command there, in this process."""
+    out, err = io.StringIO(), io.StringIO()
     env = {name: value for name, value in os.environ.items() if name not in COLOURS}
-    return subprocess.run(
-        [sys.executable, "-m", "allworlds", *words(command, directory)],
-        cwd=directory,
-        capture_output=True,
-        text=True,
-        check=False,
-        env={**env, "COLUMNS": "100", "PYTHONDONTWRITEBYTECODE": "1", "TERM": "dumb"},
-    )
+    env |= {"COLUMNS": "100", "TERM": "dumb"}
+    with ExitStack() as here:
+        here.enter_context(patch.dict(os.environ, env, clear=True))
+        here.enter_context(patch("sys.stdin", io.StringIO()))
+        for each in (chdir(directory), redirect_stdout(out), redirect_stderr(err)):
+            here.enter_context(each)
+        code = call(words(command, directory))
+    return Said(code, out.getvalue(), err.getvalue())
 
 
-def record(command: str | list[str], directory: str) -> str:
+def record(name: str, directory: str) -> str:
     """One command's record: the command, its exit code, stderr, then stdout."""
-    done = run(command, directory)
+    command = COMMANDS[name]
+    prepare(name, directory)
+    done = said(command, directory)
     try:
-        document = json.loads(done.stdout)
+        document = json.loads(done.out)
         del document["made_by"]
         told = json.dumps(document, indent=1)
     except ValueError:
-        told = done.stdout
-    errors = [line for line in done.stderr.splitlines() if "compiling" not in line]
+        told = done.out
+    errors = [line for line in done.err.splitlines() if "compiling" not in line]
     shown = command if isinstance(command, str) else json.dumps(command)
-    text = "\n".join([f"$ allworlds {shown}", f"exit code {done.returncode}", *errors, told])
+    text = "\n".join([f"$ allworlds {shown}", f"exit code {done.code}", *errors, told])
     text = text.replace(directory, "{directory}").replace(sys.executable, "{python}")
     return re.sub(r"\b\d+\.\d\d\b(?= +\S+\.cnf)", "0.00", text.rstrip()) + "\n"
 
 
-def prepare(directory: str) -> None:
-    """The explorers, and the files that commands read."""
-    for name in EXPLORERS:
-        shutil.copy(HERE / name, directory)
-    run_directory(Path(directory) / "run")
-    for name, command in FILES.items():
-        said = run(command, directory).stdout
-        (Path(directory) / name).write_text(said, encoding="utf-8")
-
-
-def records(names: list[str]) -> dict[str, str]:
-    """The records of these commands, those that share a corpus one after the other."""
-    with tempfile.TemporaryDirectory() as made, ThreadPoolExecutor(2) as threads:
-        directory = str(Path(made).resolve())
-        prepare(directory)
-        corpus = [name for name in names if "corpus" in name]
-        others = {
-            name: threads.submit(record, COMMANDS[name], directory)
-            for name in names
-            if name not in corpus
-        }
-        told = {name: record(COMMANDS[name], directory) for name in corpus}
-        told |= {name: future.result() for name, future in others.items()}
-    return {name: told[name] for name in names}
+def prepare(name: str, directory: str) -> None:
+    """The explorers, and what else the command reads."""
+    for file in EXPLORERS:
+        shutil.copy(HERE / file, directory)
+    for file, command in FILES.items():
+        if file in COMMANDS[name]:
+            (Path(directory) / file).write_text(said(command, directory).out, encoding="utf-8")
+    for earlier in BEFORE.get(name, ()):
+        said(COMMANDS[earlier], directory)
 
 
 def main() -> None:
     names = sys.argv[1:] or [*COMMANDS]
-    told = records(names)
     if not sys.argv[1:]:
         shutil.rmtree(RECORDS, ignore_errors=True)
     RECORDS.mkdir(exist_ok=True)
-    for name, text in told.items():
+    for name in names:
+        with tempfile.TemporaryDirectory() as made:
+            text = record(name, str(Path(made).resolve()))
         (RECORDS / f"{name}.txt").write_text(text, encoding="utf-8")
 
 

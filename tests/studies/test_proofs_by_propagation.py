@@ -2,7 +2,13 @@ from itertools import product
 
 import pytest
 
-from allworlds.studies.ambiguity.proofs import ProofRefused, check_lrat, lrat_of_drat, write_lrat
+from allworlds.studies.ambiguity.proofs import (
+    ProofRefused,
+    RupChecker,
+    check_lrat,
+    lrat_of_drat,
+    write_lrat,
+)
 from allworlds.studies.ambiguity.solvers import (
     python_sat_is_installed,
     solve_here,
@@ -49,6 +55,19 @@ def test_a_line_that_does_not_follow_is_refused_by_its_number(proof, message):
 def test_a_satisfiable_formula_has_no_proof():
     with pytest.raises(ProofRefused):
         lrat_of_drat(3, ALL[1:], ["1 2 0", "1 -2 0", "1 0", "-1 2 0", "2 0", "0"])
+
+
+def test_what_is_assumed_for_one_clause_is_not_known_in_the_next():
+    checker = RupChecker(3, [(2,), (1, 3)])
+    checker.add((1, 2))
+    with pytest.raises(ProofRefused, match="unit propagation does not give"):
+        checker.add((3,))
+
+
+def test_a_derived_clause_waits_for_literals_that_are_not_false_yet():
+    checker = RupChecker(5, [(-1,), (2, 3, 4), (2, 3, -4), (-2, 5), (-2, -5)])
+    for clause in ((1, 2, 3), (3,)):
+        checker.add(clause)
 
 
 @pytest.mark.skipif(not python_sat_is_installed(), reason="python-sat is not installed")
