@@ -284,3 +284,11 @@ def test_a_player_here_is_asked_as_one_elsewhere(module):
     finally:
         elsewhere.close()
     assert here.prints.text == "here\n" * 2
+
+
+def test_more_than_a_socket_holds_is_sent_bit_by_bit(module):
+    one = PlayerProcess(setup_of(module), 0)
+    try:
+        assert len([*answered(one, runs() | {"unknown": bytes(1 << 23)})]) == 1
+    finally:
+        one.close()

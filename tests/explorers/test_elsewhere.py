@@ -1,6 +1,7 @@
 """A robot that starts elsewhere: the lighthouses with ``start=any``, and the search for v0."""
 
 import json
+from inspect import signature
 
 import pytest
 
@@ -311,3 +312,7 @@ def test_an_answer_says_where_the_robot_ends():
         return Estimate(map_, map_.alpha[estimate.here])
 
     assert answers(and_back, worlds(2)) == {"right"}
+
+
+def test_it_takes_the_keywords_of_what_begins_at_v0():
+    assert signature(FromElsewhere(algorithm1)) == signature(algorithm1)

@@ -6,6 +6,7 @@ import pytest
 
 import allworlds
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
+from allworlds.explorers.builtin.quotient import ClassTable, _Learner
 from allworlds.maps import MapClass, named_map, rooted_code, rooted_maps
 from allworlds.protocol.actions import Ambiguous, Drop, Estimate, Move, Pick
 from allworlds.studies.ambiguity import class_of
@@ -114,6 +115,15 @@ def test_a_known_world_is_told_for_what_it_is(map_):
     alone = class_of(World(map_, Position(0))).size == 1
     assert events == ["map" if alone else "ambiguous"]
     assert isinstance(answer, Estimate if alone else Ambiguous)
+
+
+@pytest.mark.parametrize("word", ["a", "sas", "ssasa", "asasa"])
+def test_a_word_back_leads_from_where_a_word_led(word):
+    map_ = named_map("k4")
+    learner = _Learner(None)
+    learner.table = ClassTable(map_.sigma, map_.alpha, (), 0)
+    back = learner._back((*word,), [*map_.degree_at])
+    assert learner.table.after((*word, *back)) == 0 != learner.table.after((*word,))
 
 
 def test_it_brings_a_step_budget_and_another_can_be_named():

@@ -147,8 +147,8 @@ COMMANDS = {
     "refused-option": "check --egdes 3",
 }
 
-# What must be there before a command: explorers, reports of other commands, in files, and what other
-# commands leave in a corpus.
+# What must be there before a command: explorers, reports of other commands, in files, and what
+# other commands leave in a corpus.
 EXPLORERS = ("explorers.py", "features.py", "program.py")
 FILES = {
     "finding.json": "check explorers.py:first_edge --edges 3 --json",

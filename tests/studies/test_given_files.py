@@ -15,7 +15,7 @@ from allworlds.reports.formats import file_of, text
 from allworlds.studies.check.exhaustive import estimate
 from allworlds.studies.worst.every_schedule import EverySchedule
 from allworlds.testing import assert_explores, levels_of
-from allworlds.world.lighthouses.marked import Position
+from allworlds.world.lighthouses.marked import Directional, Position
 from plan_files import NAMES, WRONG, as_json, of, write
 
 
@@ -313,3 +313,14 @@ def test_a_mark_makes_a_test_for_each_size_of_a_file(plans):
     assert [*levels_of({"worlds": plans})] == [2, 3, 5, 6, 8]
     assert [*levels_of({"worlds": plans, "edges": 5})] == [2, 3, 5]
     assert assert_explores("folding", worlds=plans).worlds == 60
+
+
+def test_the_starts_of_each_size_are_added_up(plans):
+    twice_the_edges = {2: 4, 3: 6, 5: 10, 6: 12 + 12, 8: 16}
+    assert worlds_of_files(files_of(plans), None, None).starts == twice_the_edges
+
+
+def test_a_lighthouse_without_a_place_is_at_the_first_dart(tmp_path):
+    file = write(tmp_path / "one.jsonl", as_json("path-3", lighthouse={"kind": "directional"}))
+    (one,) = worlds_of_files(files_of(file), None, None).piece(2, 0)
+    assert one.lighthouse == Directional(0)

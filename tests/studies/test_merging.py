@@ -6,6 +6,8 @@ import allworlds
 from allworlds.engines.limits import Listener
 from allworlds.engines.run_directory import Gap
 from allworlds.inputs.checks import InputError
+from allworlds.studies.merge import sweep_of
+from allworlds.verbs import VERBS
 from kept_jobs import EXPLORERS
 
 pytestmark = pytest.mark.usefixtures("compiled")
@@ -160,3 +162,12 @@ def test_a_shard_says_that_it_cannot_be_merged(report):
             0,
             "allworlds: without --run DIR the report of this shard cannot be merged with others\n",
         )
+
+
+def test_what_a_run_directory_keeps_can_be_merged():
+    for verb in VERBS:
+        if verb.swept:
+            assert sweep_of(verb.name).verb == verb.name
+        else:
+            with pytest.raises(StopIteration):
+                sweep_of(verb.name)

@@ -3,6 +3,7 @@
 import pytest
 
 from allworlds.world import InvalidWorld
+from allworlds.world.named import world_named
 from allworlds.world.selection import tried_kind
 
 MINE = """
@@ -71,3 +72,9 @@ def test_a_lighthouse_that_is_no_function_of_the_world_or_has_no_place_is_refuse
 @pytest.mark.parametrize("kind", ["Honest", "Large"])
 def test_one_that_is_a_function_of_the_world_is_taken_also_if_its_places_are_in_large_maps(kind):
     assert tried_kind(f"mine.py:{kind}").name == f"mine.py:{kind}"
+
+
+def test_the_lighthouse_that_a_world_names_itself_is_tried_too():
+    world = '{"sigma":[0,1],"alpha":[1,0],"start":0,"lighthouse":{"kind":"mine.py:OfNames"}}'
+    with pytest.raises(InvalidWorld, match="with the darts renamed to"):
+        world_named(world)

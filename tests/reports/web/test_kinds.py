@@ -165,9 +165,11 @@ def test_an_explorer_that_no_name_leads_to_has_a_page_without_the_most_expensive
 
 def test_a_page_that_would_be_too_large_leaves_its_document_out(monkeypatch):
     told = run("algorithm1", "theta")
-    monkeypatch.setattr(frame, "LARGEST", 1000)
-    root = read(file_of("html", told))
-    assert not [*root.all(id="report-json")]
+    whole = len(file_of("html", told).encode())
+    for room, held in ((whole, 1), (whole - 1, 0)):
+        monkeypatch.setattr(frame, "LARGEST", room)
+        root = read(file_of("html", told))
+        assert len([*root.all(id="report-json")]) == held
     assert "--json prints it" in root.one("footer").text
 
 
