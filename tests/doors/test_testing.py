@@ -122,6 +122,8 @@ def test_the_kit_has_a_part_for_each_thing_that_is_tried():
         "drawn-maps",
     ]
     assert "every-schedule" not in map(str, conformance("algorithm1"))
+    (every,) = (part for part in conformance(RIGHT, edges=3) if str(part) == "every-schedule")
+    assert (every.play.keywords["edges"], every.play.keywords["schedules"]) == (2, "all")
 
 
 def test_algorithm_1_conforms():

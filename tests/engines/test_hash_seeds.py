@@ -2,6 +2,7 @@
 
 import pytest
 
+from allworlds.engines.judge import side_by_side
 from allworlds.engines.lane import SECOND
 from allworlds.engines.limits import Limits
 from allworlds.engines.single import played_again, subject_of
@@ -32,3 +33,11 @@ def test_a_run_is_played_under_more_than_the_two_seeds_that_every_run_has(tmp_pa
     )
     (found,) = check(f"{module}:explore", edges=1).findings
     assert (found.law, found.hash_seed) == ("no-estimate", SECOND + 1)
+
+
+def test_two_plays_stand_side_by_side_from_eight_steps_before_they_differ():
+    first, second = [*"aaaaaaaaaaaabcdefgh"], [*"aaaaaaaaaaaaxcd"]
+    assert side_by_side((first, "ends"), (second, "stops")).splitlines() == [
+        "first play, from step 5 on: a, a, a, a, a, a, a, a, b, c, d, e, and 3 more",
+        "second play, from step 5 on: a, a, a, a, a, a, a, a, x, c, d, stops",
+    ]

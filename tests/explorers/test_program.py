@@ -171,3 +171,12 @@ def test_last_words_that_come_before_the_first_percept_are_kept(monkeypatch):
         next(program.explore(Percept(1)))
     program.close()
     assert "last words" in fault.value.detail
+
+
+def test_a_program_is_left_to_end_when_its_input_ends(tmp_path):
+    script = tmp_path / "script.py"
+    script.write_text(f"{SCRIPT}open({str(tmp_path / 'ended')!r}, 'w').close()\n")
+    program = Program(f"{sys.executable} {script}", 5.0)
+    episode(program)
+    program.close()
+    assert (tmp_path / "ended").exists()

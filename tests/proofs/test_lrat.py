@@ -43,6 +43,7 @@ def test_a_right_proof_is_verified_by_both_checkers(checkers):
         (["5 1 -1 0 1 2 0", PROOF[1]], "line 1"),  # always true
         (["4 1 0 1 2 0", PROOF[1]], "line 1"),  # a number that is taken
         (["5 1 0 1 2", PROOF[1]], "line 1"),
+        (["5 1 0 1 2 3", PROOF[1]], "line 1"),
         (["5 1 1 2", PROOF[1]], "line 1"),
         (["5 1 0 1 x 0", PROOF[1]], "line 1"),
         (["", *PROOF], "line 1"),

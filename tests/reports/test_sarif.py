@@ -236,6 +236,7 @@ def test_the_workflow_that_runs_comes_first_and_options_before_any_file(
     assert place() == ".github/workflows/z.yml"
     for file in flows.iterdir():
         file.unlink()
+    (tmp_path / "A").mkdir()
     assert place() == "README.md"
     (tmp_path / "pyproject.toml").write_text("[project]\nname = 'x'\n\n[tool.allworlds]\n")
     assert place() == "pyproject.toml"

@@ -78,6 +78,26 @@ def test_so_it_does_in_the_plain_way(plain):
         going_round_gives_sigma(map_)
 
 
+def test_in_the_plain_way_the_darts_of_a_vertex_are_evenly_spread(plain):
+    beginnings = stubs(drawn(GENUS_2))
+    angles = sorted(phase(beginnings[dart][1] - beginnings[dart][0]) for dart in range(8))
+    assert [b - a for a, b in pairwise(angles)] == pytest.approx([pi / 4] * 7, abs=0.02)
+
+
+def test_a_map_is_drawn_with_care_up_to_a_number_of_darts(monkeypatch):
+    map_ = named_map("cube")
+    for most, plain in ((24, False), (23, True)):
+        monkeypatch.setattr(layouts, "MOST_DARTS", most)
+        layouts.layout.cache_clear()
+        drawn_ = layouts.layout(map_, 0)
+        assert ([*drawn_.ways[0]] == [*_on_a_circle(map_).ways[0]]) == plain
+    layouts.layout.cache_clear()
+
+
+def _on_a_circle(map_):
+    return layouts._finished(map_, 0, layouts._round_a_circle(map_))
+
+
 def test_another_cyclic_order_would_be_seen():
     beginnings = stubs(drawn(GENUS_2))
     beginnings[0], beginnings[1] = beginnings[1], beginnings[0]

@@ -3,8 +3,9 @@ from msgspec import structs
 
 from allworlds.document import replace
 from allworlds.maps import named_map
+from allworlds.protocol.actions import Estimate, Move
 from allworlds.reports.formats import brief, text as text_of
-from allworlds.reports.plain_text import finding_in_words as finding_text
+from allworlds.reports.plain_text import LONGEST_WALK, finding_in_words as finding_text
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.count import count
 from allworlds.studies.fuzz import fuzz
@@ -246,3 +247,14 @@ def test_of_many_choices_the_first_are_told_and_how_many_follow(wrong):
         told = finding_text(replace(found, choices=(1,) * choices), 1000)
         (line,) = (line for line in told.splitlines() if line.startswith("choices"))
         assert (line + "\n").endswith(end)
+
+
+@pytest.mark.parametrize(("moves", "cut"), [(LONGEST_WALK - 1, False), (LONGEST_WALK, True)])
+def test_a_walk_is_cut_if_it_has_more_lines_than_are_shown(moves, cut):
+    def explore(first):
+        for _ in range(moves):
+            yield Move(0)
+        return Estimate(named_map("edge"), 0)
+
+    told = run(explore, World(named_map("edge"), Directional(0), 0), bound="none")
+    assert ("more)" in run_text(told, 100)) == cut

@@ -6,7 +6,7 @@ from allworlds.document import replace
 from allworlds.engines.limits import Listener
 from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps
-from allworlds.outcome import Disagreement
+from allworlds.outcome import Disagreement, Stopped
 from allworlds.studies.ambiguity import census
 from allworlds.studies.ambiguity.census_sweep import SensedParts
 from allworlds.studies.ambiguity.members import least_rooting
@@ -130,3 +130,8 @@ def test_the_two_smallest_worlds_of_a_look_are_a_pair_in_whatever_order_they_com
             met.add(SensedParts(0, looks={"look": name}))
         assert met.smallest_pair() == ("small", "middle")
         assert [sorted(found) for found in met.classes()] == [sorted(sizes)]
+
+
+def test_why_rows_are_missing_is_told():
+    found = replace(census(edges=1), ending=Stopped("the time is up"))
+    assert found.to_json()["stopped"] == "the time is up"

@@ -12,7 +12,7 @@ import pytest
 
 from allworlds import check, compare, run
 from allworlds.document import replace
-from allworlds.engines.limits import TimeIsUp
+from allworlds.engines.limits import Listener, TimeIsUp
 from allworlds.engines.players import Unsettled
 from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps
@@ -234,3 +234,26 @@ def test_a_program_and_a_shared_library_are_compared_like_any_other(cli):
     assert code == 0
     assert names == ["algorithm1", f"exec:{program('right')}", f"native:{library}"]
     assert all(row["runs"] for row in document["rows"])
+
+
+def test_a_level_has_the_maps_once_for_each_explorer():
+    class Hears(Listener):
+        def __init__(self):
+            self.heard = []
+
+        def level(self, edges, worlds):
+            self.heard.append([edges, worlds, 0])
+
+        def progress(self, worlds):
+            self.heard[-1][2] += worlds
+
+    listener = Hears()
+    compare("algorithm1", "folding", edges=2, listener=listener)
+    # 2, 10 rooted maps (A000698).
+    assert listener.heard == [[1, 4, 4], [2, 20, 20]]
+
+
+def test_in_every_width_a_row_is_told_apart_by_its_size(report):
+    heads = [line for line in text_of(report, 40).splitlines() if line.startswith("edges  ")]
+    assert len(heads) > 1
+    assert all(line.startswith("edges  vertices  worlds") for line in heads)

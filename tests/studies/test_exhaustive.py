@@ -9,12 +9,15 @@ import pytest
 
 from allworlds.document import replace
 from allworlds.engines.limits import Listener
+from allworlds.engines.units import Scope
 from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap, MapClass, rooted_code, rooted_maps
+from allworlds.maps.classes import Extent
 from allworlds.maps.counting import CountSource
 from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Estimate
 from allworlds.studies.check import exhaustive as checker
+from allworlds.studies.check.tally_sweep import is_inside
 from allworlds.studies.run import run
 from allworlds.world import Directional, World, worlds
 from bruteforce import rooted_maps_by_permutations as every_rooted_map
@@ -357,3 +360,15 @@ def test_a_corpus_file_that_was_changed_is_refused_by_name(tmp_path, wrong):
 
 def test_a_huge_bound_costs_nothing_when_a_finding_ends_the_check(explorers):
     assert check(explorers("everywhere"), edges=100_000).levels == (1,)
+
+
+def test_a_finding_of_another_policy_is_of_this_check_if_all_schedules_are_tried(wrong):
+    (finding,) = check(wrong("raises"), edges=1).findings
+    lifo = replace(finding, under=replace(finding.rules, policy="lifo"))
+    extent = Extent(MapClass.MAPS, 1)
+    inside = [
+        is_inside(found, Scope(extent, finding.rules, schedules))
+        for found in (finding, lifo)
+        for schedules in ("one", "all")
+    ]
+    assert inside == [True, True, False, True]

@@ -4,6 +4,7 @@ import random
 
 import pytest
 
+from allworlds.document import replace
 from allworlds.engines.tally import EnginesDisagree
 from allworlds.engines.units import drawn_units
 from allworlds.maps import MapClass
@@ -37,3 +38,11 @@ def test_pieces_are_drawn_as_often_as_they_have_maps(map_class):
     if not map_class.simple:
         assert min(sizes) > 0
     assert sum(sizes) > 0
+
+
+@pytest.mark.parametrize(
+    ("rate", "seconds"), [(None, None), (4.0, 250.0), (0.5, 2000.0), (1e-299, 1e300)]
+)
+def test_a_guess_is_the_worlds_by_the_rate_and_at_most_what_a_float_holds(rate, seconds):
+    said = replace(estimate(edges=2), worlds=1000, rate=rate)
+    assert said.to_json()["seconds"] == seconds

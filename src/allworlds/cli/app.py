@@ -132,7 +132,6 @@ def grouped(verb: Callable[..., int], name: str) -> Callable[..., int]:
         return verb(**{each.name: _value(each.name, hints[each.name], words) for each in taken})
 
     command.__signature__ = Signature(seen)  # type: ignore[attr-defined]  # for typer
-    command.__annotations__ = {parameter.name: parameter.annotation for parameter in seen}
     return command
 
 

@@ -355,7 +355,7 @@ def _no_map(error: InvalidMap) -> bytes:
     """The entry of an explorer that raised InvalidMap while it built its answer."""
     built = [
         f"{BUILT}in {frame.filename}, line {frame.lineno}, in {frame.name}: {frame.line}"
-        for frame in traceback.extract_tb(error.__traceback__)[2:]
+        for frame in traceback.extract_tb(error.__traceback__)
         if not frame.filename.startswith(_OF_MAPS)
     ]
     detail = "\n\n".join(filter(None, (error.tried, *built[-1:])))

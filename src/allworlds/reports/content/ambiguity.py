@@ -153,8 +153,8 @@ def _walk(
         )
         for i, (name, world, scene, log) in enumerate(zip(names, worlds, scenes, logs, strict=True))
     ]
-    apart = [log.percepts for log in logs if log.percepts != logs[0].percepts]
-    elsewhere = parts.Elsewhere("sensed in B", apart[0]) if apart else None
+    apart = next((log.percepts for log in logs if log.percepts != logs[0].percepts), None)
+    elsewhere = parts.Elsewhere("sensed in B", apart) if apart else None
     walked = Walked(worlds[0], logs[0])
     return parts.ShownWalk("One walk", walked, views, sentences, elsewhere, tour=not apart)
 
