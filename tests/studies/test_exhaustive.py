@@ -8,7 +8,9 @@ from typing import ClassVar
 import pytest
 
 from allworlds.document import replace
+from allworlds.engines.lane import GOES_BY_HASHES
 from allworlds.engines.limits import Listener
+from allworlds.engines.tally import Tally
 from allworlds.engines.units import Scope
 from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap, MapClass, rooted_code, rooted_maps
@@ -17,6 +19,7 @@ from allworlds.maps.counting import CountSource
 from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Estimate
 from allworlds.studies.check import exhaustive as checker
+from allworlds.studies.check.report import _remarks
 from allworlds.studies.check.tally_sweep import is_inside
 from allworlds.studies.run import run
 from allworlds.world import Directional, World, worlds
@@ -372,3 +375,9 @@ def test_a_finding_of_another_policy_is_of_this_check_if_all_schedules_are_tried
         for schedules in ("one", "all")
     ]
     assert inside == [True, True, False, True]
+
+
+def test_a_remark_is_told_with_its_number_and_that_of_hashes_without():
+    tally = Tally(1)
+    tally.remarks.update({GOES_BY_HASHES: 3, "x": 2, "y": 1})
+    assert [*_remarks(tally)] == [*sorted(["x (2 times)", "y", GOES_BY_HASHES])]
