@@ -1,26 +1,23 @@
-"""The verbs ``run``, ``replay`` and ``play``, with its conversation in the terminal."""
+"""The verbs ``run``, with the debugger, ``replay``, and ``play`` with its talk in the terminal."""
 
 import re
 import sys
+from collections.abc import Generator, Iterator
 from functools import partial
+from types import FrameType
 from typing import Annotated, Any
 
 import allworlds
 from allworlds import Drop, Move, Percept, Pick, Write, document as doc
 from allworlds.cli.output import OutputGroup, complain, emit, printable
+from allworlds.engines.single import SingleRun
+from allworlds.engines.tally import Examiner, name_run
+from allworlds.explorers import loading
 from allworlds.explorers.sources import ProgramWords, names_explorer
 from allworlds.inputs.checks import InputError, integer_of, show
 from allworlds.inputs.requests import OUTPUT, RARE_SCOPE, SCOPE, Argument, Option, answer, values_of
-from allworlds.studies.run import (
-    PlayRequest,
-    ReplayRequest,
-    RunOptions,
-    RunRequest,
-    WorldNames,
-    debug,
-    ensure_debuggable,
-    ensure_step,
-)
+from allworlds.judging.findings.finding import canonical_world
+from allworlds.studies.run import PlayRequest, ReplayRequest, RunOptions, RunRequest, WorldNames
 from allworlds.world.named import names_of_worlds, world_named
 
 
@@ -99,6 +96,81 @@ def run(words: RunWords, *, asked: RunOptions, output: OutputGroup) -> int:
         debug(told, words.step)
     return code
 
+
+# ---------------------------------------------------------------- the debugger
+
+GDB = (
+    "gdb -ex 'set breakpoint pending on' -ex 'set follow-fork-mode child' -ex 'break FUNCTION' "
+    "-ex run --args python -m allworlds run ..."
+)
+"""The command that stops in a program or a library, which another process runs."""
+
+
+def ensure_debuggable(name: str) -> None:
+    """Raise InputError if that is no explorer of the user's in Python, in which pdb can stop."""
+    if loading.is_program(name) or loading.is_library(name):
+        raise InputError(f"--pdb is for Python; a compiled explorer: {GDB}")
+    if loading.entry_of(name) or loading.has_shield(name):
+        raise InputError(f"--pdb stops in an explorer of yours alone, not in {name}")
+
+
+def ensure_step(run: SingleRun, step: int) -> None:
+    """Raise InputError if the explorer has chosen no such step; the last one is its answer."""
+    last = len(run.outcome.episode.transcript.steps) + 1
+    if not 1 <= step <= last:
+        raise InputError(f"--step {step} is not from 1 to {last}, where this run ends")
+
+
+class _Stopping:
+    """A generator in which the debugger stops after so many more percepts."""
+
+    def __init__(self, walk: Generator[Any, Any, Any], left: int) -> None:
+        self._walk, self._left, self.close = walk, left, walk.close
+
+    def send(self, reply: Any) -> Any:
+        """Go on to the next message."""
+        self._left -= reply is not None
+        if not self._left:
+            from pdb import Pdb  # which takes long
+
+            self._left = -1
+            debugger = Pdb(skip=["allworlds", "allworlds.*"])
+            debugger.reset()
+            for frame in self._waiting():
+                frame.f_trace = debugger.trace_dispatch
+                debugger.set_next(frame)  # the last one is where it stops
+            sys.settrace(debugger.trace_dispatch)
+        return self._walk.send(reply)
+
+    def _waiting(self) -> Iterator[FrameType]:
+        """The user's generators that wait, from the explorer on through each ``yield from``."""
+        walk: Any = self._walk
+        while frame := getattr(walk, "gi_frame", None):
+            if frame.f_globals.get("__name__", "").partition(".")[0] != "allworlds":
+                yield frame
+            walk = walk.gi_yieldfrom
+
+
+def debug(run: SingleRun, step: int) -> None:
+    """Play a run once more, in this process; the debugger stops where it begins to choose a step.
+
+    Whatever the explorer does then, the report of the run stays as it is.
+    """
+    subject = loading.load(run.explorer)
+    explore: Any = subject.explore
+
+    def stopping(first: Percept, **offered: Any) -> Any:
+        return _Stopping(explore(first, **offered), step - 1)
+
+    world = canonical_world(run.world)
+    choices = run.rules.choices(name_run(run.rules, world), run.choices)
+    try:
+        Examiner(doc.replace(subject, explore=stopping), run.rules).examine(world, choices)
+    finally:
+        sys.settrace(None)
+
+
+# ---------------------------------------------------------------- words
 
 _WORLDS = "a WORLD is inline JSON, @file, or a name such as k4, wheel:4, theta-torus"
 

@@ -187,3 +187,9 @@ def test_of_a_long_walk_the_first_steps_are_told():
 
 def test_letters_go_on_after_z():
     assert [letters(n) for n in (0, 25, 26, 27, 26 + 26 * 26)] == ["a", "z", "aa", "ab", "aaa"]
+
+
+def test_a_walk_of_one_move_is_shown_in_its_picture():
+    told = run("algorithm1", "edge")
+    assert told.outcome.cost == 1
+    assert [*read(file_of("html", told)).all(class_="key walked-key")]

@@ -10,6 +10,6 @@
 ``world.js``, ``robot.js``
     what a robot does and senses, and what it concludes: they know nothing of pages, and are held
     against the worlds in Python;
-``spots.js``, ``view.js``
-    where the places of the notes are drawn, and what is seen of the game.
+``spots.js``, ``play.js``
+    where the places of the notes are drawn; what the game shows, and its buttons.
 """

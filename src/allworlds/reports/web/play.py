@@ -61,7 +61,7 @@ def game(play: Play) -> str:
         [tag("noscript", tag("p", "This page needs JavaScript: it is played.")), board],
         play.to_json(),
         read("play.css"),
-        "".join(map(read, ("world.js", "robot.js", "spots.js", "view.js"))),
+        "".join(map(read, ("world.js", "robot.js", "spots.js", "play.js"))),
     )
 
 
