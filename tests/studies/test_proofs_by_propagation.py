@@ -33,6 +33,11 @@ def test_what_propagation_proves_becomes_an_lrat_proof(tmp_path):
     check_lrat(ALL, lines(steps, tmp_path))
 
 
+def test_a_chain_of_implications_is_written_in_its_order(tmp_path):
+    clauses = [(-1, 2), (-2, 3), (-3, 4), (-4, -1), (1, 5), (1, -5)]
+    check_lrat(clauses, lines(lrat_of_drat(5, clauses, ["-1 0", "0"]), tmp_path))
+
+
 @pytest.mark.parametrize(
     ("proof", "message"),
     [

@@ -346,12 +346,7 @@ def source_of(name: str) -> importing.SourceText | None:
         InputError: if the name is that of no explorer, or the file cannot be read.
     """
     name = innermost(name)
-    if is_program(name):
-        return None
-    if is_library(name):
-        from allworlds.explorers.shared_library import library_path
-
-        library_path(command_or_path(name))
+    if is_program(name) or is_library(name):
         return None
     plain, arguments = importing.arguments_of(name)
     if entry_of(plain) and arguments:
