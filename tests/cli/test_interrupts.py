@@ -90,6 +90,7 @@ def test_twins_that_were_found_before_an_interrupt_are_told(cli, monkeypatch, tm
     code, out, _ = cli(*SEARCH.split(), tmp_path)
     document = json.loads(out)
     assert (code, document["status"], len(document["pair"])) == (130, "sat", 2)
+    assert document["notices"][-1] == "interrupted before fewer vertices were tried"
     assert (tmp_path / "pair.json").exists()
 
 

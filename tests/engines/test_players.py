@@ -92,6 +92,8 @@ def test_a_player_plays_a_batch_in_worlds_and_against_records(module):
         assert [*answered(one, batch_of_records)] == [first]
     finally:
         one.close()
+    with pytest.raises(OSError, match="Bad file descriptor"):
+        os.fstat(one._printed)
 
 
 def judge_record(judged):

@@ -4,13 +4,12 @@ import random
 
 import pytest
 
-from allworlds.document import replace
 from allworlds.engines.tally import EnginesDisagree
 from allworlds.engines.units import drawn_units
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.reports.formats import text as text_of
-from allworlds.studies.check.exhaustive import estimate
+from allworlds.studies.check.exhaustive import Guess, estimate
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -44,5 +43,15 @@ def test_pieces_are_drawn_as_often_as_they_have_maps(map_class):
     ("rate", "seconds"), [(None, None), (4.0, 250.0), (0.5, 2000.0), (1e-299, 1e300)]
 )
 def test_a_guess_is_the_worlds_by_the_rate_and_at_most_what_a_float_holds(rate, seconds):
-    said = replace(estimate(edges=2), worlds=1000, rate=rate)
+    said = Guess(edges=2, engine="python", worlds=1000, sampled=1, rate=rate)
     assert said.to_json()["seconds"] == seconds
+
+
+def test_pieces_are_tried_until_the_time_for_a_sample_is_over(monkeypatch):
+    monkeypatch.setattr("allworlds.studies.check.exhaustive.SECONDS", 600.0)
+    monkeypatch.setattr("allworlds.studies.check.exhaustive.FEW", 20)
+    sampled = []
+    for pieces in (3, 5):
+        monkeypatch.setattr("allworlds.studies.check.exhaustive.PIECES", pieces)
+        sampled.append(estimate(edges=3, engine="python").sampled)
+    assert 0 < sampled[0] < sampled[1]

@@ -40,11 +40,21 @@ def test_sizes_without_any_world_are_left_out():
         # The one world with one edge has two vertices: the first step leads away from v0.
         {"degree_marked": 1, "degree_others": 1, "vertices": 2, "edges": 1}
         | {"motions": (0,), "percepts": ("1P",)},
+        {"vertices": 2, "edges": 2, "motions": (0,), "percepts": ("5A",)},
     ],
 )
 def test_bounds_without_any_world_are_vacuous(tmp_path, bounds):
     result = allworlds.search(lighthouse="position", out=tmp_path, **bounds)
     assert (result.exit_code, result.vacuous, result.certificate) == (4, True, None)
+
+
+def test_twins_fit_the_walk(tmp_path):
+    bounds = {"vertices": 2, "edges": 3, "motions": (0,)}
+    for percept, status in (("1A", "unsat"), ("6P", "sat")):
+        found = allworlds.search(
+            lighthouse="position", percepts=(percept,), out=tmp_path / status, **bounds
+        )
+        assert found.status == status
 
 
 def test_when_the_time_is_over_the_answer_is_unknown_and_never_unsat(tmp_path):
@@ -149,7 +159,7 @@ def test_an_external_solver_whose_proof_is_wrong_is_not_believed(tmp_path):
 
 def test_an_external_solver_whose_model_is_wrong_is_an_internal_error(tmp_path):
     # Variables 1.. are sigma and alpha: all true is no map at all.
-    body = "print('s SATISFIABLE')\nprint('v', *range(1, 200), 0)"
+    body = "print('s SATISFIABLE')\nprint('v', *range(1, 200), 0)\nsys.exit(10)"
     solver = script(tmp_path / "liar", body)
     with pytest.raises(RuntimeError, match="no pair of worlds"):
         allworlds.search(lighthouse="position", vertices=2, edges=1, solver=solver, out=tmp_path)

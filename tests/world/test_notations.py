@@ -253,6 +253,9 @@ def test_a_fat_graph_is_told_by_any_two_of_its_permutations(tmp_path):
     path.write_text(json.dumps(fat | {"faces": [[0, 7, 3, 5, 4, 2], [1], [6]]}))
     with pytest.raises(InputError, match="in faces dart 0 is followed by 7; legal is by 3"):
         read(path)
+    path.write_text(json.dumps(fat | {"edges": fat["edges"][:3]}))
+    with pytest.raises(InputError, match="vertices and edges and faces do not have the same darts"):
+        read(path)
 
 
 @pytest.mark.parametrize(
