@@ -453,36 +453,3 @@ def in_use(path: Path) -> bool:
         finally:
             os.close(lock)
     return False
-
-
-@contextmanager
-def merged(runs: Sequence[str | Path]) -> Iterator[tuple[Identity, Merged]]:
-    """The records of all shards of one job, and the job's identity.
-
-    Raises:
-        InputError: if they are not of one job, or overlap.
-        Gap: if a shard is missing.
-    """
-    if not runs:
-        raise InputError("merge needs at least one run directory")
-    with ExitStack() as stack:
-        paths = [a_path("run", run) for run in runs]
-        directories = [stack.enter_context(reading(path)) for path in paths]
-        first = directories[0]
-        seen: dict[str, Database] = {}
-        for one in directories:
-            if said := first.identity.difference(one.identity):
-                raise InputError(f"{named(one.path)} {said} as {show(str(first.path))}")
-            shard = one.identity.shard
-            if (other := seen.setdefault(shard, one)) is not one:
-                raise InputError(
-                    f"run directories overlap: {show(str(other.path))} and {show(str(one.path))} "
-                    f"are both shard {shard}"
-                )
-        shards = first.identity.shards
-        missing = [f"{k}/{shards}" for k in range(shards) if f"{k}/{shards}" not in seen]
-        if missing:
-            more = f" and {len(missing) - 9} more" if len(missing) > 9 else ""
-            said = f"what is missing is shard {', '.join(missing[:9])}{more}"
-            raise Gap(f"{said}: give the run directory of each shard")
-        yield first.identity, Merged(directories)

@@ -1,7 +1,8 @@
 """Run directories: joined by ``merge``, their progress shown by ``status``."""
 
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
 
@@ -36,9 +37,46 @@ def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
     return next(kind for kind in kinds if kind.verb == verb)
 
 
+@contextmanager
+def shards_of(
+    runs: Sequence[str | Path],
+) -> Iterator[tuple[job_records.Identity, run_directory.Merged]]:
+    """The records of all shards of one job, and the job's identity.
+
+    Raises:
+        InputError: if they are not of one job, or overlap.
+        Gap: if a shard is missing.
+    """
+    if not runs:
+        raise InputError("merge needs at least one run directory")
+    with ExitStack() as stack:
+        paths = [a_path("run", run) for run in runs]
+        directories = [stack.enter_context(run_directory.reading(path)) for path in paths]
+        first = directories[0]
+        seen: dict[str, run_directory.Database] = {}
+        for one in directories:
+            if said := first.identity.difference(one.identity):
+                raise InputError(
+                    f"{run_directory.named(one.path)} {said} as {show(str(first.path))}"
+                )
+            shard = one.identity.shard
+            if (other := seen.setdefault(shard, one)) is not one:
+                raise InputError(
+                    f"run directories overlap: {show(str(other.path))} and {show(str(one.path))} "
+                    f"are both shard {shard}"
+                )
+        shards = first.identity.shards
+        missing = [f"{k}/{shards}" for k in range(shards) if f"{k}/{shards}" not in seen]
+        if missing:
+            more = f" and {len(missing) - 9} more" if len(missing) > 9 else ""
+            said = f"what is missing is shard {', '.join(missing[:9])}{more}"
+            raise run_directory.Gap(f"{said}: give the run directory of each shard")
+        yield first.identity, run_directory.Merged(directories)
+
+
 def _merged(request: MergeRequest) -> Any:
     runs = request.runs
-    with run_directory.merged(runs) as (identity, records):
+    with shards_of(runs) as (identity, records):
         if identity.version != __version__:
             raise InputError(
                 f"run directory {show(str(runs[0]))} is of version {show(identity.version)}, not "
