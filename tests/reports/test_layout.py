@@ -33,6 +33,15 @@ def test_a_column_of_text_is_wrapped():
     ]
 
 
+def test_a_number_is_never_wrapped_however_wide_it_is():
+    assert table(["number", "text"], [[20 * "1", "a few words more"]], "rl", 30) == [
+        "              number  text",
+        f"{20 * '1'}  a few",
+        "                      words",
+        "                      more",
+    ]
+
+
 def test_a_table_that_is_too_wide_is_cut_into_tables_that_begin_with_the_same_columns():
     assert table(HEADER[:3], [row[:3] for row in ROWS], "rrr", 16) == [
         "edges  vertices",

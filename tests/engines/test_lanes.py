@@ -1,0 +1,36 @@
+"""Lanes in processes: every part once, whoever brings it, and nothing is left behind."""
+
+import os
+from collections import Counter
+
+import pytest
+
+from allworlds.engines import lanes, tally, units
+from allworlds.engines.limits import Limits
+from allworlds.engines.single import subject_of
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps import MapClass
+from allworlds.maps.classes import Extent
+from processes import end, workers_of
+
+pytestmark = pytest.mark.processes
+
+SCOPE = units.Scope(Extent(MapClass.MAPS, 3), Rules())
+
+
+@pytest.mark.parametrize("workers", [2, 3])
+def test_each_unit_is_done_once_and_the_processes_end(workers, monkeypatch):
+    monkeypatch.setattr(lanes, "ALONE", 0.0)
+    before = {*workers_of(os.getpid())}
+    pieces = [*units.units_of_level(SCOPE.extent, 3, units.WHOLE)]
+    total, whole, limits = tally.Tally(1), Counter(), Limits(workers=workers)
+    with lanes.workers_for(subject_of("algorithm1", limits), limits) as transport:
+        for part in transport.map(tally.RunCounter(SCOPE, 1), pieces):
+            total.add(part.result)
+            whole[part.unit.key] += part.last
+            at_work = {*workers_of(os.getpid())} - before
+    assert len(at_work) == workers
+    assert whole == Counter(piece.key for piece in pieces)
+    # 74 rooted maps with three edges (A000698).
+    assert total.worlds == 74
+    assert end(lambda: {*workers_of(os.getpid())} - before)
