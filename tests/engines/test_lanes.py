@@ -1,6 +1,7 @@
 """Lanes in processes: every part once, whoever brings it, and nothing is left behind."""
 
 import os
+import signal
 from collections import Counter
 
 import pytest
@@ -34,3 +35,20 @@ def test_each_unit_is_done_once_and_the_processes_end(workers, monkeypatch):
     # 74 rooted maps with three edges (A000698).
     assert total.worlds == 74
     assert end(lambda: {*workers_of(os.getpid())} - before)
+    for pid in at_work:
+        with pytest.raises(ChildProcessError):
+            os.waitpid(pid, os.WNOHANG)
+
+
+def test_the_units_of_a_process_that_is_lost_are_done_again(monkeypatch):
+    monkeypatch.setattr(lanes, "ALONE", 0.0)
+    before = {*workers_of(os.getpid())}
+    pieces = [*units.units_of_level(SCOPE.extent, 3, units.WHOLE)]
+    lost, whole, limits = set(), Counter(), Limits(workers=2)
+    with lanes.workers_for(subject_of("algorithm1", limits), limits) as transport:
+        for part in transport.map(tally.RunCounter(SCOPE, 1), pieces):
+            whole[part.unit.key] += part.last
+            if not lost:
+                lost = {*workers_of(os.getpid())} - before
+                os.kill(max(lost), signal.SIGKILL)
+    assert whole == Counter(piece.key for piece in pieces)
