@@ -56,7 +56,7 @@ def test_a_search_says_that_its_time_is_a_guess(tmp_path):
 
 @pytest.mark.usefixtures("without_workers")
 def test_an_estimate_is_a_document(cli, monkeypatch):
-    monkeypatch.setattr("allworlds.studies.check.exhaustive.SECONDS", 0.01)
+    monkeypatch.setattr("allworlds.studies.check.time_estimate.SECONDS", 0.01)
     asked = ("check", "--edges", 3, "--engine", "python", "--shard", "0/1", "--estimate")
     code, out, _ = cli(*asked, "--json")
     document = json.loads(out)

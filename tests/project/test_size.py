@@ -21,7 +21,7 @@ class Size(NamedTuple):
 
 
 MOST = {
-    "": Size(code=26_700, lines=45_640, files=185),
+    "": Size(code=26_700, lines=45_640, files=186),
     "engines": Size(code=6_030, lines=9_910, files=32),
     "engines/kernel": Size(code=2_350, lines=3_650, files=13),
 }

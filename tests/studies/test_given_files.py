@@ -12,7 +12,7 @@ from allworlds.maps.combinatorial import rooted_code, unrooted_code
 from allworlds.maps.enumeration import history, rooted_maps
 from allworlds.notations.given import files_of, worlds_of_files
 from allworlds.reports.formats import file_of, text
-from allworlds.studies.check.exhaustive import estimate
+from allworlds.studies.check.time_estimate import estimate
 from allworlds.studies.worst.every_schedule import EverySchedule
 from allworlds.testing import assert_explores, levels_of
 from allworlds.world.lighthouses.marked import Directional, Position

@@ -9,7 +9,7 @@ from allworlds.engines.units import drawn_units
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.reports.formats import text as text_of
-from allworlds.studies.check.exhaustive import Guess, estimate
+from allworlds.studies.check.time_estimate import Guess, estimate
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -48,10 +48,10 @@ def test_a_guess_is_the_worlds_by_the_rate_and_at_most_what_a_float_holds(rate, 
 
 
 def test_pieces_are_tried_until_the_time_for_a_sample_is_over(monkeypatch):
-    monkeypatch.setattr("allworlds.studies.check.exhaustive.SECONDS", 600.0)
-    monkeypatch.setattr("allworlds.studies.check.exhaustive.FEW", 20)
+    monkeypatch.setattr("allworlds.studies.check.time_estimate.SECONDS", 600.0)
+    monkeypatch.setattr("allworlds.studies.check.time_estimate.FEW", 20)
     sampled = []
     for pieces in (3, 5):
-        monkeypatch.setattr("allworlds.studies.check.exhaustive.PIECES", pieces)
+        monkeypatch.setattr("allworlds.studies.check.time_estimate.PIECES", pieces)
         sampled.append(estimate(edges=3, engine="python").sampled)
     assert 0 < sampled[0] < sampled[1]

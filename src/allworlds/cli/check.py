@@ -31,7 +31,7 @@ def check(
                 raise InputError(
                     f"{name} {show(value)} has no effect beside --estimate; leave one of them out"
                 )
-        from allworlds.studies.check.exhaustive import estimate as estimated
+        from allworlds.studies.check.time_estimate import estimate as estimated
 
         return emit(answered(estimated, request, output), output, request.workers)
     ensure_directory(request.corpus)

@@ -24,7 +24,7 @@ from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import JUDGED, PRECEDENCE
 from allworlds.maps.classes import MapClass
 from allworlds.protocol import actions
-from allworlds.studies.check.exhaustive import TimeEstimate
+from allworlds.studies.check.time_estimate import TimeEstimate
 from allworlds.studies.run import WorldNames
 from allworlds.world import named, world
 from allworlds.world.lighthouses import kinds, options

@@ -7,7 +7,7 @@ from allworlds.engines.units import level_size
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.reports.formats import text as text_of
-from allworlds.studies.check.exhaustive import Guess, estimate, worlds_of
+from allworlds.studies.check.time_estimate import Guess, estimate, worlds_of
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -55,7 +55,7 @@ WORLDS = {3: 86, 4: 792, 5: 8_954, 6: 119_364}
     ids=["slower", "another engine", "faster", "one alone", "none"],
 )
 def test_what_larger_checks_take_is_told_too(asked, rates, expected, monkeypatch):
-    monkeypatch.setattr("allworlds.studies.check.exhaustive.estimated", measured(*rates))
+    monkeypatch.setattr("allworlds.studies.check.time_estimate.estimated", measured(*rates))
     said = estimate(**asked)
     guesses = (said, *said.larger)
     told = [(guess.edges, guess.engine, guess.sampled, guess.rate) for guess in guesses]
@@ -73,8 +73,8 @@ def test_what_larger_checks_take_is_told_too(asked, rates, expected, monkeypatch
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("engine", ["kernel", "python"])
 def test_an_estimate_is_about_all_worlds(engine, monkeypatch):
-    monkeypatch.setattr("allworlds.studies.check.exhaustive.SECONDS", 0.05)
-    monkeypatch.setattr("allworlds.studies.check.exhaustive.one_larger", lambda _: None)
+    monkeypatch.setattr("allworlds.studies.check.time_estimate.SECONDS", 0.05)
+    monkeypatch.setattr("allworlds.studies.check.time_estimate.one_larger", lambda _: None)
     guess = estimate(edges=4, engine=engine)
     assert guess.worlds == sum(level_size(Extent(MapClass.MAPS, 4), m) for m in range(1, 5))
     assert guess.sampled > 0
@@ -101,5 +101,5 @@ def test_nothing_larger_is_told_where_there_is_nothing_or_too_much(monkeypatch):
         {"edges": 16},
         {"map_class": "simple", "vertices": 3, "edges": 3},
     ):
-        monkeypatch.setattr("allworlds.studies.check.exhaustive.estimated", measured(1.0, 1.0))
+        monkeypatch.setattr("allworlds.studies.check.time_estimate.estimated", measured(1.0, 1.0))
         assert estimate(**asked).larger == ()

@@ -17,17 +17,17 @@ from allworlds.reports.content.scope import (
     option_facts,
     trust,
 )
-from allworlds.studies.check import exhaustive, tally_sweep
+from allworlds.studies.check import tally_sweep, time_estimate
 from allworlds.studies.check.report import CheckReport, GateCell, most_expensive_runs
 from allworlds.words import about, counted, duration, listed, number, plural, size
 
 
-def check_content(report: CheckReport | exhaustive.TimeEstimate) -> parts.ReportContent:
+def check_content(report: CheckReport | time_estimate.TimeEstimate) -> parts.ReportContent:
     """The verdict, the findings, the scope and the counts; or the estimated duration.
 
     On the page of a check that holds also the most expensive runs.
     """
-    if isinstance(report, exhaustive.TimeEstimate):
+    if isinstance(report, time_estimate.TimeEstimate):
         return _estimate(report)
     verb = "fuzz" if isinstance(report.asked.coverage, units.Sample) else "check"
     findings = _findings(report, range(len(report.findings)))
@@ -365,7 +365,7 @@ def _mismatch(cell: GateCell) -> str:
     )
 
 
-def _estimate(guess: exhaustive.TimeEstimate) -> parts.ReportContent:
+def _estimate(guess: time_estimate.TimeEstimate) -> parts.ReportContent:
     """Estimated duration of the check, and of those with more edges if it is known."""
     if guess.seconds is None or guess.rate is None:
         text = "no world of the last level was finished in time: this takes very long"
@@ -379,7 +379,7 @@ def _estimate(guess: exhaustive.TimeEstimate) -> parts.ReportContent:
     if guess.larger:
         names = ("worlds", "takes") if guess.counted else ("worlds <=", "takes <=")
         header = ("edges", names[0], "engine", "sampled", "a second", names[1])
-        every: list[exhaustive.TimeEstimate | exhaustive.Guess] = [guess, *guess.larger]
+        every: list[time_estimate.TimeEstimate | time_estimate.Guess] = [guess, *guess.larger]
         rows = [
             (
                 one.edges,

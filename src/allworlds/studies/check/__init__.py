@@ -1,7 +1,9 @@
 """The check: every world of a class, one explorer, a verdict with its scope.
 
 ``exhaustive``
-    level by level to a report, and how long it will take;
+    level by level to a report;
+``time_estimate``
+    how long it will take;
 ``tally_sweep``
     what it shares with other studies of one explorer in many worlds: run directories, findings
     that are confirmed, and those of earlier checks, which are tried first;

@@ -1,21 +1,15 @@
-"""A check, level by level to a report, in worlds of the user's own, too; and how long it takes."""
+"""A check, level by level to a report, in worlds of the user's own, too."""
 
-import time
 from collections.abc import Callable
-from contextlib import suppress
-from functools import cache
-from itertools import islice
-from random import Random
-from typing import Annotated, Any, TypeAlias
+from typing import Any
 
 from typing_extensions import override
 
 from allworlds import document as doc, outcome
-from allworlds.engines import limits, players, single, tally, units
+from allworlds.engines import limits, single, tally, units
 from allworlds.engines.engine_table import (
     ENGINES,
     EngineKind,
-    EngineName,
     Job,
     ReadyEngine,
     engine_for,
@@ -26,7 +20,6 @@ from allworlds.engines.limits import deadline_after
 from allworlds.inputs.checks import InputError
 from allworlds.inputs.requests import answers
 from allworlds.judging.findings.finding import labelled
-from allworlds.maps import classes
 from allworlds.studies.check import tally_sweep
 from allworlds.studies.check.report import (
     CheckReport,
@@ -48,34 +41,11 @@ def check(request: CheckRequest) -> CheckReport:
     Raises:
         InputError: naming the offending option and what would be legal.
     """
-    job, chosen = _job(request, request.listener.notice, request.max_findings)
+    job, chosen = job_of(request, request.listener.notice, request.max_findings)
     return CheckSweep(request, job, chosen).answer(request.run)
 
 
-@answers(CheckRequest)
-def estimate(request: CheckRequest) -> "TimeEstimate":
-    """Estimate the duration of :func:`check` with these options, from a sample of some seconds.
-
-    And with one edge more, by the engine that would do it.
-
-    Raises:
-        InputError: naming the offending option and what would be legal.
-    """
-    if request.given is not None:
-        raise InputError(f"estimate is of a class, and not of {request.given.words}")
-    once = cache(request.listener.notice)
-    job, chosen = _job(request, once)
-    guess, larger = estimated(job, chosen), tuple[Guess, ...]()
-    if guess.rate and (extent := one_larger(job)):
-        # What an engine cannot do ends the table.
-        with suppress(InputError):
-            larger = (estimated(*_job(doc.replace(request, edges=extent.edges), once)),)
-    counted = units.is_counted(job.scope.extent)
-    first = {name: getattr(guess, name) for name in guess.__struct_fields__}
-    return TimeEstimate(explorer=job.subject.name, larger=larger, counted=counted, **first)
-
-
-def _job(
+def job_of(
     request: CheckRequest, notice: Callable[[str], None], keep: int = 1
 ) -> tuple[Job, EngineKind]:
     """The job of a request, and the engine for it."""
@@ -191,135 +161,3 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
         if report.runs and not self._tally.traversals and report.verdict is outcome.Verdict.HOLDS:
             self.listener.notice("every run holds, and none of them has walked an edge")
         return report
-
-
-# ---------------------------------------------------------------- the time
-
-SECONDS = 2.0
-"""Seconds that a sample takes from its first piece on."""
-
-MOST_SECONDS = 4.0
-"""Seconds that it takes at most, besides compiling, once on a machine; samples are at most two.
-Where no piece is done by then there is no guess."""
-
-FEW, MANY = 200, 200_000
-"""The most worlds in a piece of the sample, played in Python, or by compiled code."""
-
-LONGEST = 1e300
-"""Seconds; what takes longer is said to take as long."""
-
-PIECES = 2000
-
-COUNTABLE = 16
-"""Levels of more edges are not counted for this; that they are many is said without it."""
-
-
-Largest: TypeAlias = Annotated[doc.Positive, doc.about("of the largest worlds")]
-Doer: TypeAlias = Annotated[EngineName, doc.about("the engine that would run it")]
-ToBeTried: TypeAlias = Annotated[
-    doc.Natural,
-    doc.about(
-        "rooted maps that are to be tried; under a condition without a source at most so many"
-    ),
-]
-Sampled: TypeAlias = Annotated[
-    doc.Natural,
-    doc.about("rooted maps of the last level that were tried for this; 0: the rate is a guess"),
-]
-Rate: TypeAlias = Annotated[
-    doc.Figure | None, doc.about("of these a second; null: none was finished in time")
-]
-
-
-class _Lasting:
-    """The time that so many ``worlds`` take at that ``rate``."""
-
-    worlds: int
-    rate: float | None
-
-    @doc.computed
-    def seconds(self) -> doc.Seconds | None:
-        """For all: a guess, since smaller worlds take less; null where there is no rate."""
-        if not self.rate:
-            return None
-        if self.worlds > LONGEST * self.rate:
-            return LONGEST
-        return round(self.worlds / self.rate, 1)
-
-
-class Guess(doc.Document, _Lasting):
-    """Estimated duration of a check with this number of edges."""
-
-    edges: Largest
-    engine: Doer
-    worlds: ToBeTried
-    sampled: Sampled
-    rate: Rate
-
-
-class TimeEstimate(doc.Report, _Lasting):
-    """Estimate.
-
-    How long a check will take: what `check --estimate` writes.
-
-    ``counted`` tells that the worlds were counted, and are not at most so many.
-    """
-
-    explorer: Annotated[doc.Text, doc.about("its name")]
-    edges: Largest
-    engine: Doer
-    worlds: ToBeTried
-    sampled: Sampled
-    rate: Rate
-    larger: Annotated[tuple[Guess, ...], doc.about("the same check with more edges")]
-    counted: doc.NotInDocument[bool] = True
-
-
-def worlds_of(job: Job) -> int:
-    """The number of worlds to be tried; for a shard an estimate."""
-    extent = job.scope.extent
-    worlds = sum(units.level_size(extent, edges) for edges in extent.levels)
-    return worlds // job.scope.portion.count
-
-
-def estimated(job: Job, engine: EngineKind) -> Guess:
-    """A guess from pieces of the last level, which are drawn like its maps.
-
-    What starts workers and compiles is not counted; the sample takes some seconds.
-    """
-    engine.ready(job)  # compiles, where that is still to be done
-    ready = engine.ready(doc.replace(job, deadline=time.monotonic() + MOST_SECONDS))
-    extent, draw = job.scope.extent, Random(0)  # noqa: S311  # the same pieces each time
-    sampled, began, ended = 0, 0.0, 0.0
-    slow = engine.name == "python" or (job.subject.from_user and not job.subject.compiled)
-    try:
-        drawn = units.drawn_units(extent, extent.levels[-1], FEW if slow else MANY, draw)
-        with ready.transport as transport:
-            for part in transport.map(ready.engine, islice(drawn, PIECES)):
-                now = time.monotonic()
-                if not began:
-                    began = now
-                    continue
-                sampled, ended = sampled + part.result.worlds, now
-                if sampled and now > began + SECONDS:
-                    break
-    except (limits.TimeIsUp, tally.EnginesDisagree, limits.ClusterLost, players.Unsettled):
-        pass  # the check itself will say so
-    rate = sampled / (ended - began) if ended > began and sampled else None
-    return Guess(
-        edges=extent.levels[-1],
-        engine=engine.name,
-        worlds=worlds_of(job),
-        sampled=sampled,
-        rate=None if rate is None else round(rate, 3),
-    )
-
-
-def one_larger(job: Job) -> classes.Extent | None:
-    """The extent with one edge more; None where that holds no more worlds, or too many to count."""
-    extent = job.scope.extent
-    if extent.edges is None or extent.edges >= COUNTABLE:
-        return None
-    edges = extent.edges + 1
-    larger = doc.replace(extent, edges=edges)
-    return larger if units.level_size(larger, edges) else None
