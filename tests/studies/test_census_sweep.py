@@ -7,6 +7,7 @@ from allworlds.engines.limits import Listener
 from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps
 from allworlds.outcome import Disagreement, Stopped
+from allworlds.reports.formats import brief
 from allworlds.studies.ambiguity import census
 from allworlds.studies.ambiguity.census_sweep import SensedParts
 from allworlds.studies.ambiguity.members import least_rooting
@@ -135,3 +136,8 @@ def test_the_two_smallest_worlds_of_a_look_are_a_pair_in_whatever_order_they_com
 def test_why_rows_are_missing_is_told():
     found = replace(census(edges=1), ending=Stopped("the time is up"))
     assert found.to_json()["stopped"] == "the time is up"
+
+
+def test_the_worlds_of_all_sizes_are_added_up_in_the_headline():
+    assert brief(census(edges=2), 100).startswith("AMBIGUOUS: 2 of 9 marked worlds")
+    assert brief(census(edges=1), 100).startswith("TOLD APART: 2 marked worlds")

@@ -141,7 +141,7 @@ def test_what_a_notation_cannot_tell_is_refused(world, notation, why):
 
 
 @pytest.mark.parametrize("notation", ["planar_code", "edge_code"])
-@pytest.mark.parametrize("size", [127, 128, 255, 256])
+@pytest.mark.parametrize("size", [127, 128, 255, 256, 258])
 def test_numbers_of_two_bytes_are_read_back(notation, size, tmp_path):
     worlds = [Entry(family(f"cycle:{size}")), Entry(named_map("wheel-5"))]
     path = file_of(tmp_path, notation, *worlds)

@@ -326,9 +326,8 @@ class Sweep(ABC, Generic[Total, Answer]):
     def leave(self, level: units.SweptLevel, total: Total) -> None:
         """Take in the finished units of an unfinished level: by default none."""
 
-    def conclude(self, ending: outcome.Ending) -> outcome.Ending:
-        """Do what comes after the last level."""
-        return ending
+    def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
+        """Do what comes after the last level; return the ending, if that is now another one."""
 
     def costs(self, total: Total) -> Iterable[tuple[int, int, int]]:  # noqa: ARG002  # none
         """Return numbers of edges and of vertices, each with the largest cost of such worlds."""

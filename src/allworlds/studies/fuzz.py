@@ -230,7 +230,7 @@ class FuzzSweep(TallySweep[CheckReport]):
         self._tally.add(total)
 
     @override
-    def conclude(self, ending: Ending) -> Ending:
+    def conclude(self, ending: Ending) -> None:
         """Shrink the findings of the whole sample, and confirm the result."""
         settled = self.confirmation
         if isinstance(ending, Completed):
@@ -243,7 +243,6 @@ class FuzzSweep(TallySweep[CheckReport]):
             self.keep_new(self._tally)
         if self._tally.findings and settled.is_late:
             raise TimeIsUp  # it may have been given up
-        return ending
 
     def _shrunk(self, found: Finding) -> Finding:
         job = self.job

@@ -192,4 +192,10 @@ def test_letters_go_on_after_z():
 def test_a_walk_of_one_move_is_shown_in_its_picture():
     told = run("algorithm1", "edge")
     assert told.outcome.cost == 1
-    assert [*read(file_of("html", told)).all(class_="key walked-key")]
+    keys = [
+        key.attributes["class"]
+        for key in next(read(file_of("html", told)).all("p", class_="legend")).all("span")
+    ]
+    assert [key.removeprefix("key ").removesuffix("-key") for key in keys] == [
+        *("turn", "robot", "walked", "trail", "last", "marked", "pointed", "start"),
+    ]

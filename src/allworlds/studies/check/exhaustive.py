@@ -130,7 +130,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
             self._tally.find(doc.replace(found, minimal=False))
 
     @override
-    def conclude(self, ending: outcome.Ending) -> outcome.Ending:
+    def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
         """Confirm the findings, and store them."""
         corpus, like = self.corpus, self.scope.like
         self._tally.findings = [
@@ -142,7 +142,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
         self.keep_new(self._tally)
         if unrepeated and not self._tally.findings and isinstance(ending, outcome.Completed):
             return outcome.Stopped(tally_sweep.UNREPEATED)
-        return ending
+        return None
 
     @override
     def report(self, ending: outcome.Ending) -> CheckReport:

@@ -483,10 +483,10 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
         }
 
     @override
-    def conclude(self, ending: outcome.Ending) -> outcome.Ending:
+    def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
         """Confirm the findings of all entrants."""
         for (_, number), tally in sorted(self._found.items()):
             one, limits = self.entrants[number], self.request.limits
             job = one.subject, limits, one.scope(self.bounds), self.deadline, self.records
             self.findings += Confirmation(*job).confirmed(tally.findings)
-        return outcome.Completed() if ending.final and self.findings else ending
+        return outcome.Completed() if ending.final and self.findings else None
