@@ -319,3 +319,9 @@ def test_only_the_verb_that_is_meant_gets_its_options():
     assert not commands["check"].params
     ambiguity = command_line("ambiguity").commands["ambiguity"]
     assert all(each.params for each in ambiguity.commands.values())
+
+
+def test_without_a_verb_the_help_is_shown(cli):
+    code, out, err = cli()
+    assert (code, err) == (0, "")
+    assert "Usage: allworlds [OPTIONS] COMMAND" in out

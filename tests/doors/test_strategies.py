@@ -196,3 +196,12 @@ def test_a_map_has_no_fewer_vertices_than_its_edges_need():
     for map_class, known in fewest.items():
         found = [strategies._fewest_vertices(map_class, m) for m in range(1, 17)]
         assert found == known
+
+
+@pytest.mark.parametrize("picked", [0, -1])
+def test_a_map_grows_to_the_size_that_was_asked_for(picked):
+    for edges, vertices in ((1, 1), (3, 1), (3, 2), (3, 4)):
+        map_ = strategies.grow(
+            MapClass.MAPS, edges, vertices, lambda options: range(len(options))[picked]
+        )
+        assert (map_.edge_count, map_.vertex_count) == (edges, vertices)

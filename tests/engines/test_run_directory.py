@@ -221,3 +221,9 @@ def test_a_directory_that_cannot_be_written_can_be_read(finished, monkeypatch):
     with reading(finished) as read:
         assert len([*read.rows()]) == 9
     assert refused
+
+
+def test_of_several_texts_those_that_differ_are_named():
+    one, other = ({"sha256": {"a.json": "1", "b.json": of}} for of in "23")
+    jobs = [replace(JOB, parameters=JOB.parameters | texts) for texts in (one, other)]
+    assert jobs[0].difference(jobs[1]) == "is of another text of 'b.json'"

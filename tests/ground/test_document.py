@@ -154,3 +154,17 @@ def test_what_is_none_is_refused_by_its_place_and_value(document, said):
         parse(document, Read, "reading")
     assert said in str(refusal.value)
     assert "\n" not in str(refusal.value)
+
+
+def test_what_is_computed_is_told_with_its_own_note_or_its_docstring():
+    class Sums(Document):
+        """Sums."""
+
+        @computed
+        def small(self) -> Annotated[Natural, about("of a few")]:
+            """Not this."""
+            return 1
+
+    hints = {key.name: key.type for key in (*keys_of(Sums), *keys_of(Whole))}
+    told = {name: hints[name].__metadata__[-1].description for name in ("small", "total")}
+    assert told == {"small": "of a few", "total": "of all parts"}

@@ -85,3 +85,9 @@ def test_a_log_that_is_cut_off_has_no_end(entries, end):
 def test_what_is_no_log_is_refused(wrong):
     with pytest.raises(ValueError, match=r"behind its end|begins no entry|no law"):
         Log(wrong)
+
+
+def test_a_motion_is_one_byte_as_far_as_there_are_bytes_for_it():
+    lengths = [len(log.motion(k)) for k in (0, log.LARGEST_MOTION, log.LARGEST_MOTION + 1)]
+    assert lengths[:2] == [1, 1]
+    assert lengths[2] > 1

@@ -11,6 +11,7 @@ from allworlds.judging.explanations.story import (
     SLIPS,
     Belief,
     Story,
+    _pairs,
     mirror_image,
     the_slip,
 )
@@ -344,3 +345,7 @@ def test_a_pose_at_the_far_end_of_the_last_edge_is_told_so_exactly_where_it_is()
         assert truly or not said[-1]
     assert any(said)
     assert not all(said)
+
+
+def test_edges_are_told_by_their_smaller_darts():
+    assert _pairs([(3, 1), (0, 2)]) == "dart 0 with 2 and dart 1 with 3"

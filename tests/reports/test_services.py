@@ -2,11 +2,13 @@
 
 import json
 import re
+from types import SimpleNamespace
 
 import pytest
 
 from allworlds.document import replace
 from allworlds.outcome import Completed, Interrupted, Stopped
+from allworlds.reports.content.single_run import wrong_line
 from allworlds.reports.formats import file_of, formats_of
 from allworlds.reports.plain_text import finding_in_words as finding_text
 from allworlds.studies.check.exhaustive import check
@@ -161,3 +163,19 @@ def test_a_page_that_cannot_be_written_is_lost_with_a_word(cli, monkeypatch, tmp
     code, _, err = cli("check", "--edges", 1, "-q")
     assert (code, err.count("\n")) == (0, 1)
     assert "GITHUB_STEP_SUMMARY cannot be written: Is a directory" in err
+
+
+@pytest.mark.parametrize(
+    ("law", "step", "shown", "told"),
+    [
+        ("invariant-1", 3, 1, "a.py:8"),
+        ("invariant-1", 3, 2, "a.py:3"),
+        ("map", None, None, "a.py:3"),
+        ("budget", None, None, ""),
+    ],
+)
+def test_the_first_wrong_line_is_that_of_the_checkpoint_or_of_the_step(law, step, shown, told):
+    code = SimpleNamespace(steps=("a.py:1", "a.py:2", "a.py:3"), checkpoints=("a.py:7", "a.py:8"))
+    believed = None if shown is None else SimpleNamespace(number=shown)
+    finding = SimpleNamespace(code=code, believed=believed, step=step, law=law)
+    assert wrong_line(finding, step) == told

@@ -254,6 +254,8 @@ def test_a_level_has_the_maps_once_for_each_explorer():
 
 
 def test_in_every_width_a_row_is_told_apart_by_its_size(report):
-    heads = [line for line in text_of(report, 40).splitlines() if line.startswith("edges  ")]
-    assert len(heads) > 1
-    assert all(line.startswith("edges  vertices  worlds") for line in heads)
+    for width, explorer in ((40, ""), (60, "  ")):
+        heads = [line for line in text_of(report, width).splitlines() if line[:6] == "edges "]
+        assert len(heads) > 2
+        assert all(line.startswith("edges  vertices  worlds" + explorer) for line in heads)
+    assert sum("worlds  explorer" in line for line in heads) == 2
