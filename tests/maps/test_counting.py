@@ -316,3 +316,8 @@ def test_the_gate_shares_no_code_with_the_enumerator():
             imported.update(alias.name for alias in node.names)
     outside = {name for name in imported if name.split(".")[0] not in sys.stdlib_module_names}
     assert not outside
+
+
+def test_maps_whose_faces_have_four_darts_are_counted_down_to_one_vertex():
+    # With two edges and one face: two rooted trees, and the torus with one vertex.
+    assert counting.rooted_with_faces(2, 4, (0, 1)) == {1: 1, 2: 0, 3: 2}
