@@ -75,6 +75,7 @@ def test_a_terminal_sees_a_bar_with_its_rate(capsys, monkeypatch):
         for _ in range(3):
             progress.progress(5)
             progress._bar.refresh()
+        assert [task.completed for task in progress._bar.tasks] == [15]
         progress.stage("bench", 2, "turns")
     said = capsys.readouterr().err
     assert "edges 3" in said

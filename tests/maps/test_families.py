@@ -6,7 +6,7 @@ import pytest
 from allworlds.inputs.checks import InputError
 from allworlds.maps import family, random_map, rooted_code
 from allworlds.maps.build import lattice
-from allworlds.maps.families import edges_of
+from allworlds.maps.families import FAMILIES, edges_of
 
 
 @pytest.mark.parametrize(
@@ -144,5 +144,7 @@ def test_a_text_that_is_no_family_is_refused(text):
 
 
 def test_holes_are_for_lattices_and_dense_maps():
+    known = ["lattice:RxC", "strip:C", "dense:N"]
+    assert [kind.form for kind in FAMILIES if kind.has_holes] == known
     with pytest.raises(InputError, match="cycle:5"):
         family("cycle:5", holes=0.1)

@@ -361,6 +361,12 @@ def test_a_corpus_file_that_was_changed_is_refused_by_name(tmp_path, wrong):
         check(wrong("raises"), edges=1, corpus=tmp_path)
 
 
+def test_a_corpus_file_that_is_no_finding_is_refused_by_name(tmp_path):
+    (tmp_path / "x.json").write_text('{"law": 1}')
+    with pytest.raises(InputError, match=r"corpus file 'x\.json': "):
+        check(edges=1, corpus=tmp_path)
+
+
 def test_a_huge_bound_costs_nothing_when_a_finding_ends_the_check(explorers):
     assert check(explorers("everywhere"), edges=100_000).levels == (1,)
 
