@@ -43,6 +43,11 @@ def test_a_verbs_own_come_before_those_of_all(here, capsys):
     assert document(capsys, "count")["scope"]["edges"] == 1
 
 
+def test_a_verb_of_two_words_may_have_words_behind_it(here, capsys):
+    (here / "allworlds.toml").write_text("[ambiguity.class]\nlimit = 1\n")
+    assert document(capsys, "ambiguity", "class", "k4")["listed"] == 1
+
+
 def test_of_the_nearest_directory(here, capsys, monkeypatch):
     (here / "allworlds.toml").write_text("edges = 2\n")
     (here / "pyproject.toml").write_text("[tool.allworlds]\nedges = 3\n")
