@@ -17,7 +17,6 @@ DEAR = {
     "check-simple",
     "ambiguity-census-text",
     "count-compiled",
-    "growth",
     "search-unsat",
 }
 """Those that take longer than the others: slow tests."""
