@@ -3,6 +3,7 @@ from msgspec import structs
 
 from allworlds.document import replace
 from allworlds.maps import named_map
+from allworlds.outcome import Completed
 from allworlds.protocol.actions import Estimate, Move
 from allworlds.reports.formats import brief, text as text_of
 from allworlds.reports.plain_text import LONGEST_WALK, finding_in_words as finding_text
@@ -258,3 +259,10 @@ def test_a_walk_is_cut_if_it_has_more_lines_than_are_shown(moves, cut):
 
     told = run(explore, World(named_map("edge"), Directional(0), 0), bound="none")
     assert ("more)" in run_text(told, 100)) == cut
+
+
+def test_why_a_check_is_vacuous_is_told():
+    report = check(edges=1)
+    missing = replace(report, ending=Completed(("never",)))
+    assert brief(missing, 100) == "VACUOUS: a witness is missing"
+    assert "never met: never" in text_of(missing, 100)

@@ -33,6 +33,10 @@ def test_the_package_holds_the_schemas():
     assert shipped == made, "pip install -e . writes them anew"
 
 
+def test_a_verb_with_several_reports_has_a_schema_for_each():
+    assert {"compare", "growth", "init", "header"} <= schemas().keys()
+
+
 def test_every_key_has_words():
     for name, told in schemas().items():
         for word, inner in keys(told):

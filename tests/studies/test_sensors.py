@@ -198,3 +198,9 @@ def test_twins_of_earlier_coarsenings_are_tried_first():
     report = weakest(f"{HERE.parents[1]}/papers/minimal_information/sensors.py:Features", edges=2)
     insufficient = report.coarsenings - report.sufficient
     assert report.tried < (insufficient + len(report.minimal)) / 2
+
+
+def test_of_each_sensor_the_places_that_were_tried_are_told():
+    found = sensors("compass", "none", edges=4)
+    told = "every place up to 3 edges; beyond, "
+    assert [row.tried[: len(told)] for row in found.rows] == [told, ""]

@@ -4,6 +4,7 @@ import random
 
 import pytest
 
+from allworlds.engines import units
 from allworlds.engines.tally import EnginesDisagree
 from allworlds.engines.units import drawn_units
 from allworlds.maps import MapClass
@@ -50,8 +51,14 @@ def test_a_guess_is_the_worlds_by_the_rate_and_at_most_what_a_float_holds(rate, 
 def test_pieces_are_tried_until_the_time_for_a_sample_is_over(monkeypatch):
     monkeypatch.setattr("allworlds.studies.check.time_estimate.SECONDS", 600.0)
     monkeypatch.setattr("allworlds.studies.check.time_estimate.FEW", 20)
+    drawn, pieces_of = [], units.drawn_units
+    monkeypatch.setattr(
+        "allworlds.engines.units.drawn_units",
+        lambda extent, edges, *more: drawn.append(edges) or pieces_of(extent, edges, *more),
+    )
     sampled = []
     for pieces in (3, 5):
         monkeypatch.setattr("allworlds.studies.check.time_estimate.PIECES", pieces)
         sampled.append(estimate(edges=3, engine="python").sampled)
     assert 0 < sampled[0] < sampled[1]
+    assert drawn == [3, 4, 3, 4]  # and what one edge more would take
