@@ -343,13 +343,17 @@ def test_an_interrupt_while_something_is_shown_is_the_users_too():
         run(yielding(Evil(KeyboardInterrupt())))
 
 
-def test_an_interrupt_while_a_checkpoint_is_read_is_the_users_too():
-    def interrupted():
-        yield 0
-        raise KeyboardInterrupt
+def test_an_interrupt_while_an_action_or_a_checkpoint_is_read_is_the_users_too():
+    class Interrupted:
+        def __index__(self):
+            raise KeyboardInterrupt
 
-    with pytest.raises(KeyboardInterrupt):
-        run(yielding(Checkpoint(interrupted(), (1, 0), 0)))
+        def __iter__(self):
+            raise KeyboardInterrupt
+
+    for said in (Move(Interrupted()), Checkpoint(Interrupted(), (1, 0), 0)):
+        with pytest.raises(KeyboardInterrupt):
+            run(yielding(said))
 
 
 def test_the_percepts_of_the_log_are_not_those_that_the_explorer_holds():
