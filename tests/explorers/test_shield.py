@@ -236,6 +236,18 @@ def test_the_machine_is_not_taken_for_the_explorer():
     assert Walk(failing(ExplorerFault("crash", "exit code 1")), world, 0).answer
 
 
+def test_an_interrupt_is_the_users_also_when_a_guest_is_dismissed():
+    def explore(first):
+        try:
+            while True:
+                yield Move(0)
+        finally:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        Walk(Shield(explore), next(rooted_maps(2)), 0)
+
+
 # ---------------------------------------------------------------- by name
 
 

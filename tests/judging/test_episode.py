@@ -18,7 +18,7 @@ from allworlds.protocol.actions import (
     Pick,
 )
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.playing import MOST_DARTS
+from allworlds.protocol.playing import MOST_DARTS, any_answer_entry
 from allworlds.world import Directional, World
 from small import EDGE, PATH
 
@@ -343,7 +343,21 @@ def test_an_interrupt_while_something_is_shown_is_the_users_too():
         run(yielding(Evil(KeyboardInterrupt())))
 
 
-def test_an_interrupt_while_an_action_or_a_checkpoint_is_read_is_the_users_too():
+class Unlisted(dict):
+    """It cannot be looked through."""
+
+    def items(self):
+        raise KeyboardInterrupt
+
+
+class Unshown(Exception):
+    """It cannot be shown."""
+
+    def __str__(self):
+        raise KeyboardInterrupt
+
+
+def test_an_interrupt_while_what_is_said_is_read_is_the_users_too():
     class Interrupted:
         def __index__(self):
             raise KeyboardInterrupt
@@ -354,6 +368,25 @@ def test_an_interrupt_while_an_action_or_a_checkpoint_is_read_is_the_users_too()
     for said in (Move(Interrupted()), Checkpoint(Interrupted(), (1, 0), 0)):
         with pytest.raises(KeyboardInterrupt):
             run(yielding(said))
+    answer = Ambiguous((0,), (0,), Interrupted(), (1,), 0)
+    with pytest.raises(KeyboardInterrupt):
+        run(returning(answer))
+    with pytest.raises(KeyboardInterrupt):
+        any_answer_entry(Unlisted(a=1))
+    with pytest.raises(KeyboardInterrupt):
+        run(raising(Unshown()))
+
+
+def test_an_interrupt_while_an_explorer_is_closed_is_the_users_too():
+    def explore(first):
+        try:
+            while True:
+                yield Move(0)
+        finally:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        run(explore, budget=3)
 
 
 def test_the_percepts_of_the_log_are_not_those_that_the_explorer_holds():
