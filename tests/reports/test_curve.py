@@ -10,7 +10,7 @@ import pytest
 
 from allworlds import compare, run
 from allworlds.reports.content.compare import compare_content
-from allworlds.reports.drawing.curve import BELOW, LEFT, plot
+from allworlds.reports.drawing.curve import BELOW, LEFT, _ticks, plot
 from allworlds.reports.formats import file_of, latex_rows
 from allworlds.reports.parts import CsvRows, Curve, ReportContent
 
@@ -92,3 +92,8 @@ def test_what_means_something_to_latex_is_written_as_it_is():
     assert second.strip() == r"\\"
     nothing = CsvRows({}, [])
     assert latex_rows(ReportContent("d", "s", None, None, [], rows=lambda: nothing)) == ""
+
+
+def test_up_to_six_values_are_ticks_and_of_more_round_ones():
+    assert _ticks(range(1, 7)) == [1, 2, 3, 4, 5, 6]
+    assert _ticks(range(1, 8)) == [1, 2, 5]
