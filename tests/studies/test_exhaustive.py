@@ -361,6 +361,15 @@ def test_a_corpus_file_that_was_changed_is_refused_by_name(tmp_path, wrong):
         check(wrong("raises"), edges=1, corpus=tmp_path)
 
 
+def test_equal_findings_of_a_corpus_are_tried_in_the_order_of_their_files(tmp_path, wrong):
+    check(wrong("raises"), edges=1, corpus=tmp_path)
+    (file,) = tmp_path.glob("*.json")
+    for name in ("z.json", "a.json"):
+        (tmp_path / name).write_bytes(file.read_bytes())
+    found = check(edges=1, corpus=tmp_path).corpus
+    assert found.fixed == tuple(sorted(("a.json", file.name, "z.json")))
+
+
 def test_a_corpus_file_that_is_no_finding_is_refused_by_name(tmp_path):
     (tmp_path / "x.json").write_text('{"law": 1}')
     with pytest.raises(InputError, match=r"corpus file 'x\.json': "):
