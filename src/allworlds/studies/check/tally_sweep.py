@@ -211,7 +211,7 @@ class UserCorpus(Struct):
                 self.files["stale"].append(file.name)
             except ValueError as error:
                 raise checks.InputError(f"{said}: {error}") from None
-        return sorted(past, key=lambda each: (each[1].key, each[0]))
+        return sorted(past, key=lambda each: each[1].key)
 
     @property
     def report(self) -> "CorpusReport":
