@@ -79,6 +79,7 @@ def test_a_search_that_is_interrupted_is_undecided(cli, interrupt, tmp_path):
     document = json.loads(out)
     assert (code, document["exit_code"], document["status"]) == (130, 130, "unknown")
     assert len(document["levels"]) == 1
+    assert document["notices"][-1].startswith("interrupted; no answer follows from the sizes")
     assert all(line.startswith("allworlds: interrupted") for line in err.splitlines())
 
 

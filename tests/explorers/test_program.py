@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from allworlds.explorers.program import Program
+from allworlds.explorers.program import Program, message_of
 from allworlds.inputs.checks import InputError
 from allworlds.protocol.actions import Checkpoint, ExplorerFault, Move, Percept
 from processes import PATIENCE
@@ -180,3 +180,19 @@ def test_a_program_is_left_to_end_when_its_input_ends(tmp_path):
     episode(program)
     program.close()
     assert (tmp_path / "ended").exists()
+
+
+@pytest.mark.parametrize(
+    ("line", "seen"),
+    [
+        (b"{", "a line that is no JSON: "),
+        (b"3", "a line that is no object: '3'"),
+        (b"{}", "it has none of the keys move, drop, "),
+        (b'{"move": 1, "drop": true}', "it has 2 of the keys move, drop, "),
+        (b'{"drop": 1}', "move takes an integer, write one from 0 on, drop and pick take true"),
+    ],
+)
+def test_what_is_no_line_of_the_protocol_is_said(line, seen):
+    with pytest.raises(ExplorerFault, match=seen) as fault:
+        message_of(line)
+    assert fault.value.law == "illegal-action"

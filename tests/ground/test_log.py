@@ -91,3 +91,9 @@ def test_a_motion_is_one_byte_as_far_as_there_are_bytes_for_it():
     lengths = [len(log.motion(k)) for k in (0, log.LARGEST_MOTION, log.LARGEST_MOTION + 1)]
     assert lengths[:2] == [1, 1]
     assert lengths[2] > 1
+
+
+@pytest.mark.parametrize("code", [log.SHOWN, log.ANSWERED])
+def test_a_map_that_is_cut_off_is_no_entry(code):
+    with pytest.raises(ValueError, match="the log has no end"):
+        Log(bytes((code, 2, 0, 0, 1, 1)))

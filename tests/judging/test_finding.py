@@ -127,3 +127,12 @@ def test_all_zero_choices_are_told_where_another_policy_would_choose_otherwise(w
     )
     assert told.finding.choices == (0, 0)
     assert "--choices 0,0" in told.finding.reproduce
+
+
+@pytest.mark.parametrize("key", ["expected", "seen"])
+def test_a_value_of_a_finding_that_is_none_is_named(key):
+    (finding,) = check("allworlds.corpus.explorers:pose_lost", edges=2).findings
+    document = finding.to_json() | {key: [1]}
+    said = rf"{key} is a rooted map, an integer or a text, not \[1\]"
+    with pytest.raises(InputError, match=said):
+        Finding.from_json(json.dumps(document))

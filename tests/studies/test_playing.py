@@ -8,8 +8,9 @@ import pytest
 
 from allworlds import Drop, Move, Pick
 from allworlds.cli.app import call
+from allworlds.explorers.loading import HASH_SEED
 from allworlds.inputs.checks import InputError
-from allworlds.studies.run import play
+from allworlds.studies.run import _asked_hash_seed, play
 from allworlds.world import Directional, Movable, World
 from allworlds.world.named import map_of_family
 from small import LOOP, PATH
@@ -114,3 +115,9 @@ def test_a_page_is_written_and_nothing_is_played(tmp_path, capsys):
 def test_a_page_that_cannot_be_written_is_refused_before_anything_is_done(tmp_path, capsys):
     assert call(["play", "theta", "-o", f"html:{tmp_path}"]) == 2
     assert "cannot be written" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("named", "seed"), [("7", 7), ("random", None), ("", None)])
+def test_the_hash_seed_of_the_environment_is_that_of_a_run(named, seed, monkeypatch):
+    monkeypatch.setenv(HASH_SEED, named)
+    assert _asked_hash_seed() == seed

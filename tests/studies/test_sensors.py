@@ -200,6 +200,11 @@ def test_twins_of_earlier_coarsenings_are_tried_first():
     assert report.tried < (insufficient + len(report.minimal)) / 2
 
 
+def test_the_weakest_of_what_motions_do_not_decide_is_refused():
+    with pytest.raises(InputError, match="sensors are compared by motions alone"):
+        ambiguity.weakest("movable", edges=1)
+
+
 def test_of_each_sensor_the_places_that_were_tried_are_told():
     found = sensors("compass", "none", edges=4)
     told = "every place up to 3 edges; beyond, "

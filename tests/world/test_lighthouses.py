@@ -2,10 +2,11 @@
 
 from math import prod
 from random import Random
+from types import SimpleNamespace
 
 import pytest
 
-from allworlds.maps import rooted_maps
+from allworlds.maps import named_map, rooted_maps
 from allworlds.protocol.actions import Percept
 from allworlds.world import (
     LIGHTHOUSES,
@@ -197,3 +198,10 @@ def test_a_lighthouse_that_does_not_fit_is_named(lighthouse, named):
 def test_reference_darts_may_be_given_in_any_order():
     assert World(PATH, Compass((2, 0, 3))) == World(PATH, Compass((0, 2, 3)))
     assert World(PATH, Compass([0, 2, 3])).percepts == World(PATH, Compass((0, 2, 3))).percepts
+
+
+def test_the_lighthouse_in_an_answer_is_in_the_direction_from_where_the_walk_began():
+    map_ = named_map("k4")
+    walk = SimpleNamespace(map=map_, trail=(4, 7, 11))
+    believed = Directional(2).believed(map_, 0, walk)
+    assert believed == Directional(map_.turn(4, map_.offset(0, 2)))
