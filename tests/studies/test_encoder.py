@@ -1,7 +1,7 @@
 import pytest
 import z3
 
-from allworlds.maps import MapClass
+from allworlds.maps import MapClass, named_map
 from allworlds.studies.ambiguity.formulas import (
     Formula,
     forbid_other_start,
@@ -10,6 +10,8 @@ from allworlds.studies.ambiguity.formulas import (
 )
 from allworlds.studies.ambiguity.question import Question, Size, Sizes
 from allworlds.studies.ambiguity.solvers import solve_with_z3
+from allworlds.studies.ambiguity.twin_search import _fits
+from allworlds.world import Position, World
 from bruteforce import rooted_maps_by_permutations as rooted_maps
 from searches import question
 
@@ -123,3 +125,31 @@ def test_a_file_says_what_its_variables_and_clauses_mean(tmp_path):
         covered = [number for a, b in ranges for number in range(int(a), int(b) + 1)]
         assert covered == list(range(1, last + 1))
     assert sum("no two edges with the same ends" in line for line in lines) == 2
+
+
+@pytest.mark.parametrize(
+    ("asked", "fits"),
+    [
+        ({}, True),
+        ({"degree_marked": 1}, True),
+        ({"degree_marked": 2}, False),
+        ({"degree_others": 1}, False),
+        ({"degree_marked": 1, "degree_others": 2}, False),
+        ({"map_class": "simple"}, True),
+        ({"vertices": 2}, False),
+        ({"edges": 1}, False),
+        ({"motions": (0, 1), "percepts": ("2A", "1A")}, True),
+        ({"motions": (0, 1), "percepts": ("2A", "1P")}, False),
+    ],
+)
+def test_a_world_fits_what_was_asked_or_does_not(asked, fits):
+    world = World(named_map("path-3"), Position(0), 0)
+    asked = {"map_class": "maps", "vertices": 3, "edges": 2} | asked
+    sizes = (asked.pop(name) for name in ("map_class", "vertices", "edges"))
+    found = question("position", *sizes, **asked)
+    assert _fits(world, found) == fits
+
+
+def test_of_other_vertices_every_degree_counts():
+    middle = World(named_map("path-3"), Position(1), 1)
+    assert _fits(middle, question("position", "maps", 3, 2, degree_others=1))

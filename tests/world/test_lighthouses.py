@@ -19,6 +19,7 @@ from allworlds.world import (
     World,
 )
 from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_kind
+from allworlds.world.lighthouses.marked import Cluster
 from small import PATH, all_maps
 
 KINDS = {"none": Nothing, "position": Position, "compass": Compass, "directional": Directional}
@@ -203,5 +204,5 @@ def test_reference_darts_may_be_given_in_any_order():
 def test_the_lighthouse_in_an_answer_is_in_the_direction_from_where_the_walk_began():
     map_ = named_map("k4")
     walk = SimpleNamespace(map=map_, trail=(4, 7, 11))
-    believed = Directional(2).believed(map_, 0, walk)
-    assert believed == Directional(map_.turn(4, map_.offset(0, 2)))
+    for of, dart in ((Cluster, 2), (Directional, 2)):
+        assert of(dart).believed(map_, 0, walk) == of(map_.turn(4, map_.offset(0, dart)))
