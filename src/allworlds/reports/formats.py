@@ -386,7 +386,7 @@ def latex_rows(content: parts.ReportContent) -> str:
 
 def curve_picture(content: parts.ReportContent) -> str:
     """The curve as a picture by itself; an empty one where there are no two sizes."""
-    from allworlds.reports.drawing.curve import SVG, plot
+    from allworlds.reports.drawing.plot import SVG, plot
 
     blocks = (block for section in content.sections for block in section.blocks)
     drawn = next((plot(block) for block in blocks if isinstance(block, parts.Curve)), None)

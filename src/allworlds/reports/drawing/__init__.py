@@ -15,6 +15,6 @@ picture asks a lighthouse what it is, for every scene is made of percepts.
     the drawing where the vertices have positions, if these fit the map;
 ``regular``
     lattices, also on a torus, wheels, stars, rings and paths, which are drawn as what they are;
-``curve``
+``plot``
     values by size.
 """

@@ -13,8 +13,8 @@ from xml.etree import ElementTree as ET
 from allworlds.judging.explanations.story import Walked
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Move, Pick
-from allworlds.reports.drawing.curve import plot
 from allworlds.reports.drawing.layout import Layout, drawn_beside
+from allworlds.reports.drawing.plot import plot
 from allworlds.reports.drawing.positions import laid_out
 from allworlds.reports.drawing.svg import document, picture, raw, record, tag
 from allworlds.reports.parts import (

@@ -10,7 +10,7 @@ import pytest
 
 from allworlds import compare, run
 from allworlds.reports.content.compare import compare_content
-from allworlds.reports.drawing.curve import BELOW, LEFT, _ticks, plot
+from allworlds.reports.drawing.plot import BELOW, LEFT, _ticks, plot
 from allworlds.reports.formats import file_of, latex_rows
 from allworlds.reports.parts import CsvRows, Curve, ReportContent
 
