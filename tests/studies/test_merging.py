@@ -44,6 +44,15 @@ def test_a_merge_runs_no_explorer(report, tmp_path):
 
 
 @pytest.mark.usefixtures("without_workers")
+def test_the_shards_of_a_comparison_have_its_findings(report, tmp_path):
+    command = f"compare algorithm1 {WRONG}:everywhere --edges 2"
+    code, whole, _ = report(command)
+    runs, _ = sharded(report, command, tmp_path, 2)
+    assert report("merge", *runs)[:2] == (code, whole) == (1, whole)
+    assert whole["findings"]
+
+
+@pytest.mark.usefixtures("without_workers")
 def test_a_shard_of_a_merge_that_is_missing_is_a_gap(report, cli, tmp_path):
     runs, _ = sharded(report, "check --edges 2", tmp_path, 3)
     code, out, err = cli("merge", runs[0], runs[2])
