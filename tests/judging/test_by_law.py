@@ -12,7 +12,7 @@ from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import BOUNDS
 from allworlds.judging.laws.law_table import PRECEDENCE
-from allworlds.protocol.actions import Estimate
+from allworlds.protocol.actions import Estimate, Move
 from allworlds.studies.explain import explain
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
@@ -237,3 +237,13 @@ def test_another_map_of_the_same_size_is_called_that():
     assert _say_sizes(TRIANGLE, TRIANGLE) == (
         "The answer has 3 edges and 3 vertices, as the world has, but is another map."
     )
+
+
+def test_of_the_edges_that_were_walked_along_none_is_named_as_left_out():
+    def explore(first):
+        yield Move(0)
+        return Estimate(EDGE, 0)
+
+    told = run(explore, World(PATH, Directional(0), 0), task="cover:edges")
+    (left,) = [line for line in explain(told.finding).sentences if "never walked" in line]
+    assert left.count("the edge from") == 1
