@@ -4,9 +4,11 @@ from pathlib import Path
 import pytest
 
 from allworlds.document import replace
+from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.maps import named_map
+from allworlds.protocol.actions import Checkpoint
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.run import replay, run
 from allworlds.world import Directional, World, worlds
@@ -136,3 +138,25 @@ def test_a_value_of_a_finding_that_is_none_is_named(key):
     said = rf"{key} is a rooted map, an integer or a text, not \[1\]"
     with pytest.raises(InputError, match=said):
         Finding.from_json(json.dumps(document))
+
+
+HUGE = 10**5000  # more digits than Python turns into text
+
+
+@pytest.mark.parametrize(
+    ("shown", "kept"),
+    [
+        (Checkpoint((0, 1), (1, 0), HUGE), ((0, 1), (1, 0), 0)),
+        (Checkpoint((HUGE, 1), (1, 0), 0), ((), (), 0)),
+        (Checkpoint((0, 1), (-1, 0), 1), ((), (), 1)),
+    ],
+)
+def test_a_checkpoint_with_what_is_no_dart_is_a_finding_that_can_be_written(shown, kept):
+    def explore(first):
+        yield shown
+        return (yield from algorithm1(first))
+
+    (finding,) = check(explore, edges=1).findings
+    assert finding.law == "invariant-1"
+    again = Finding.from_json(json.dumps(finding.to_json()))
+    assert (again.believed.sigma, again.believed.alpha, again.believed.here) == kept

@@ -139,6 +139,10 @@ class Referee:
         )
 
 
+DARTS = range(1 << 63)
+"""The darts that a document can hold; whatever else a checkpoint says is none."""
+
+
 def _believed(world: World, episode: Episode, step: int | None) -> tuple[Believed | None, str]:
     """The first wrong checkpoint after so many steps, or of all, and what is wrong with it.
 
@@ -152,8 +156,8 @@ def _believed(world: World, episode: Episode, step: int | None) -> tuple[Believe
     number = at[wrong[0] if wrong else -1]
     steps, shown = episode.checkpoints[number]
     sigma, alpha, what = tuple(shown.sigma), tuple(shown.alpha), wrong[1] if wrong else ""
-    here = max(shown.here, 0)
-    if min((*sigma, *alpha, 0)) < 0:  # such darts are none
+    here = shown.here if shown.here in DARTS else 0
+    if not all(dart in DARTS for dart in (*sigma, *alpha)):
         sigma, alpha = (), ()
     return Believed(number=number, step=steps, sigma=sigma, alpha=alpha, here=here), what
 
