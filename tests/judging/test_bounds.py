@@ -378,3 +378,17 @@ def test_what_python_thinks_of_a_text_besides_is_not_told(text):
 def test_the_default_step_budget():
     assert default_step_budget(1) == 108
     assert default_step_budget(100) == 900
+
+
+@pytest.mark.parametrize(
+    ("text", "legal"),
+    [("2**63**1 * m", True), ("(2**63)**64 * 2**63", True), ("(2**63)**64 * 2**64", False)],
+)
+def test_a_bound_has_4096_bits_at_most(text, legal):
+    bound = bound_named(text)
+    assert bound is not None
+    if legal:
+        assert bound.value(2, 1, 1, 1, 1, 0).bit_length() in (64, 4096)
+    else:
+        with pytest.raises(InputError, match="has a value of over 4096 bits"):
+            bound.value(2, 1, 1, 1, 1, 0)
