@@ -7,27 +7,10 @@ import pytest
 
 from allworlds import ambiguity, count, search
 from allworlds.cli import output
-from allworlds.engines.limits import Listener
+from listeners import Hears
 from schemas.validating import complaints
 
 pytestmark = pytest.mark.usefixtures("compiled")
-
-
-class Adds(Listener):
-    """A listener that notes each stage with its announced total, and adds up the work done."""
-
-    def __init__(self):
-        self.stages, self.done = [], []
-
-    def level(self, edges, worlds):
-        self.stage(edges, worlds, "worlds")
-
-    def stage(self, name, total, of):
-        self.stages.append((name, total, of))
-        self.done.append(0)
-
-    def progress(self, count):
-        self.done[-1] += count
 
 
 HEARD = {
@@ -40,14 +23,14 @@ HEARD = {
 
 @pytest.mark.parametrize("name", ["count", "count simple", "census"])
 def test_what_is_promised_is_done(name):
-    heard = Adds()
+    heard = Hears()
     HEARD[name](heard)
     assert heard.done == [total for _, total, _ in heard.stages]
     assert all(total > 0 for _, total, of in heard.stages if of == "worlds")
 
 
 def test_a_search_says_that_its_time_is_a_guess(tmp_path):
-    heard = Adds()
+    heard = Hears()
     search(lighthouse="position", vertices=1, edges=2, out=tmp_path, listener=heard)
     ((name, total, of),) = heard.stages
     assert (name, 0 < heard.done[0] <= total) == ("search", True)

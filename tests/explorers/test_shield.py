@@ -16,6 +16,7 @@ from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps import rooted_maps
 from allworlds.protocol.actions import Checkpoint, Drop, ExplorerFault
+from interrupts import interrupted_at_its_close
 
 NOT_MENDED = {"state-kept": "nondeterministic"}
 """The mutants that a shield cannot make right, and the law that they break all the same."""
@@ -237,15 +238,8 @@ def test_the_machine_is_not_taken_for_the_explorer():
 
 
 def test_an_interrupt_is_the_users_also_when_a_guest_is_dismissed():
-    def explore(first):
-        try:
-            while True:
-                yield Move(0)
-        finally:
-            raise KeyboardInterrupt
-
     with pytest.raises(KeyboardInterrupt):
-        Walk(Shield(explore), next(rooted_maps(2)), 0)
+        Walk(Shield(interrupted_at_its_close), next(rooted_maps(2)), 0)
 
 
 # ---------------------------------------------------------------- by name

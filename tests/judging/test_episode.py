@@ -20,6 +20,7 @@ from allworlds.protocol.actions import (
 from allworlds.protocol.choices import Choices
 from allworlds.protocol.playing import MOST_DARTS, any_answer_entry
 from allworlds.world import Directional, World
+from interrupts import Unshown, interrupted_at_its_close
 from small import EDGE, PATH
 
 WORLD = World(PATH, Directional(0))
@@ -350,13 +351,6 @@ class Unlisted(dict):
         raise KeyboardInterrupt
 
 
-class Unshown(Exception):
-    """It cannot be shown."""
-
-    def __str__(self):
-        raise KeyboardInterrupt
-
-
 def test_an_interrupt_while_what_is_said_is_read_is_the_users_too():
     class Interrupted:
         def __index__(self):
@@ -378,15 +372,8 @@ def test_an_interrupt_while_what_is_said_is_read_is_the_users_too():
 
 
 def test_an_interrupt_while_an_explorer_is_closed_is_the_users_too():
-    def explore(first):
-        try:
-            while True:
-                yield Move(0)
-        finally:
-            raise KeyboardInterrupt
-
     with pytest.raises(KeyboardInterrupt):
-        run(explore, budget=3)
+        run(interrupted_at_its_close, budget=3)
 
 
 def test_the_percepts_of_the_log_are_not_those_that_the_explorer_holds():

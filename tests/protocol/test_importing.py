@@ -5,6 +5,7 @@ import sys
 import pytest
 
 from allworlds.protocol.importing import module_named, said
+from interrupts import Unshown
 
 
 class Odd(Exception):
@@ -35,15 +36,10 @@ def test_a_module_of_the_current_directory_is_found_last(tmp_path, monkeypatch):
     del sys.modules["a_module_of_mine"]
 
 
-class Interrupted(Exception):
-    def __str__(self):
-        raise KeyboardInterrupt
-
-
 def test_an_interrupt_is_no_error_of_a_module(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "interrupted_module.py").write_text("raise KeyboardInterrupt\n")
     with pytest.raises(KeyboardInterrupt):
         module_named("interrupted_module")
     with pytest.raises(KeyboardInterrupt):
-        said(Interrupted())
+        said(Unshown())

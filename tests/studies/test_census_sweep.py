@@ -3,7 +3,6 @@ from itertools import permutations
 import pytest
 
 from allworlds.document import replace
-from allworlds.engines.limits import Listener
 from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps
 from allworlds.outcome import Disagreement, Stopped
@@ -11,6 +10,7 @@ from allworlds.reports.formats import brief
 from allworlds.studies.ambiguity import census
 from allworlds.studies.ambiguity.census_sweep import SensedParts
 from allworlds.studies.ambiguity.members import least_rooting
+from listeners import Hears
 
 
 def numbers(row):
@@ -72,23 +72,11 @@ def test_the_document_has_the_promised_parts():
 
 
 def test_the_listener_hears_every_rooted_map():
-    class Hears(Listener):
-        def __init__(self):
-            self.heard = []
-
-        def level(self, edges, worlds):
-            self.heard.append([edges, worlds, 0])
-
-        def progress(self, worlds):
-            self.heard[-1][2] += worlds
-
-        def notice(self, text):
-            raise AssertionError(text)
-
     listener = Hears()
     census(edges=3, listener=listener)
     # 2, 10, 74 rooted maps (A000698).
-    assert listener.heard == [[1, 2, 2], [2, 10, 10], [3, 74, 74]]
+    assert listener.heard == [(1, 2, 2), (2, 10, 10), (3, 74, 74)]
+    assert listener.notices == []
 
 
 def test_a_class_without_worlds_is_vacuous(monkeypatch):

@@ -12,7 +12,7 @@ import pytest
 
 from allworlds import check, compare, run
 from allworlds.document import replace
-from allworlds.engines.limits import Listener, TimeIsUp
+from allworlds.engines.limits import TimeIsUp
 from allworlds.engines.players import Unsettled
 from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps
@@ -22,6 +22,7 @@ from allworlds.reports.formats import file_of, text as text_of
 from allworlds.studies.compare.comparison import SameWorlds
 from allworlds.world import Directional, World
 from kept_jobs import EXPLORERS
+from listeners import Hears
 from native_libraries import example
 
 CLUSTER = "algorithm1-cluster"
@@ -237,20 +238,10 @@ def test_a_program_and_a_shared_library_are_compared_like_any_other(cli):
 
 
 def test_a_level_has_the_maps_once_for_each_explorer():
-    class Hears(Listener):
-        def __init__(self):
-            self.heard = []
-
-        def level(self, edges, worlds):
-            self.heard.append([edges, worlds, 0])
-
-        def progress(self, worlds):
-            self.heard[-1][2] += worlds
-
     listener = Hears()
     compare("algorithm1", "folding", edges=2, listener=listener)
     # 2, 10 rooted maps (A000698).
-    assert listener.heard == [[1, 4, 4], [2, 20, 20]]
+    assert listener.heard == [(1, 4, 4), (2, 20, 20)]
 
 
 def test_in_every_width_a_row_is_told_apart_by_its_size(report):

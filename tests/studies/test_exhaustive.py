@@ -3,7 +3,6 @@
 import importlib
 import json
 from functools import cache, partial
-from typing import ClassVar
 
 import pytest
 
@@ -24,6 +23,7 @@ from allworlds.studies.check.tally_sweep import is_inside
 from allworlds.studies.run import run
 from allworlds.world import Directional, World, worlds
 from bruteforce import rooted_maps_by_permutations as every_rooted_map
+from listeners import Hears
 
 pytestmark = pytest.mark.usefixtures("no_orphans")
 check = partial(checker.check, engine="python")
@@ -293,20 +293,10 @@ def test_a_closure_runs_in_this_process_and_a_function_elsewhere(explorers):
 
 
 def test_the_listener_is_told_of_every_world():
-    class Hears(Listener):
-        told: ClassVar[list[list[int]]] = []
-
-        def level(self, edges, worlds):
-            self.told.append([edges, worlds, 0])
-
-        def progress(self, worlds):
-            self.told[-1][2] += worlds
-
-        def notice(self, text):
-            raise AssertionError(text)
-
-    check(edges=3, workers=2, listener=Hears())
-    assert Hears.told == [[1, 2, 2], [2, 10, 10], [3, 74, 74]]
+    listener = Hears()
+    check(edges=3, workers=2, listener=listener)
+    assert listener.heard == [(1, 2, 2), (2, 10, 10), (3, 74, 74)]
+    assert listener.notices == []
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,6 @@ import pytest
 
 import allworlds
 from allworlds.document import replace
-from allworlds.engines.limits import Listener
 from allworlds.inputs.checks import InputError
 from allworlds.outcome import COMPLETED, Exit, Interrupted
 from allworlds.reports.formats import brief, file_of, text
@@ -19,6 +18,7 @@ from allworlds.studies.ledger import (
     entry_with,
     of_check,
 )
+from listeners import Hears
 
 TOML = """
 [pairs]
@@ -309,13 +309,6 @@ def test_a_ledger_is_written_alone(options, told, tmp_path, monkeypatch):
 
 
 def test_it_is_told_how_many_claims_there_are(paper):
-    class Hears(Listener):
-        def __init__(self):
-            self.heard = []
-
-        def stage(self, name, total, of):
-            self.heard.append((name, total, of))
-
     listener = Hears()
     allworlds.ledger(paper, only=["pairs"], listener=listener)
-    assert listener.heard == [("claims", 1, "claims")]
+    assert listener.stages == [("claims", 1, "claims")]
