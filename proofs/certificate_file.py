@@ -257,17 +257,34 @@ def asked_of_coq(file: Path) -> Literal["accepted", "refused"]:
     raise NoVerdict(f"coqc {file}: {run.returncode} {run.stdout}{run.stderr}")
 
 
-def judged(file: Path, claimed: str, against: str = "") -> int:
-    """The exit code: whether coqc accepts a certificate, if the file is the one that is claimed."""
+def difference(found: bytes, claimed: bytes) -> str:
+    """The first line in which a file is not what is claimed, in words; '' if every byte is."""
+    lines = zip_longest(found.split(b"\n"), claimed.split(b"\n"))
+    for number, (said, due) in enumerate(lines, 1):
+        if said != due:
+            return f", line {number}: {_shown(said)}; claimed is {_shown(due)}"
+    return ""
+
+
+def _shown(line: bytes | None) -> str:
+    """A line as it is told; None: there is none, not even an empty one behind a newline."""
+    return "no line" if line is None else repr(line[:100].decode("ascii", "backslashreplace"))
+
+
+def judged(file: Path, found: bytes, claimed: str, against: str = "") -> int:
+    """The exit code: whether coqc accepts a certificate, if the file is the one that is claimed.
+
+    Args:
+        file: its name.
+        found: all that stands in it.
+        claimed: all that should.
+        against: in words, where an explorer does something else than its tree says.
+    """
     data = claimed.encode("ascii", "replace")
-    lines = zip_longest(file.read_bytes().split(b"\n"), data.split(b"\n"), fillvalue=b"")
-    for number, (found, wanted) in enumerate(lines, 1):
-        if found != wanted:
-            said, due = (line[:100].decode("ascii", "backslashreplace") for line in (found, wanted))
-            print(f"DIFFERS    {file}, line {number}: {said!r}; claimed is {due!r}")
-            return 1
-    if against:
-        print(f"DIFFERS    {file}: {against}")
+    others = [other for other in (difference(found, data), against) if other]
+    for other in others:
+        print(f"DIFFERS    {file}{other}")
+    if others:
         return 1
     if not is_built():
         return 2
@@ -305,20 +322,22 @@ def verify(arguments: Sequence[str]) -> int:
     file: Path = options.verify
     who = options.explorer if options.exec is None else f"exec:{options.exec}"
     try:
-        tree = tree_in(file.read_bytes().decode("ascii", "replace"))
+        found = file.read_bytes()
+        tree = tree_in(found.decode("ascii", "replace"))
+        if not tree:
+            raise NoTree("the tree is empty: it says nothing of any explorer")
         limit, against = None, ""
         if options.limit != "paper" or options.against is not None:
             import certified_trees  # needs the package
 
             if options.limit != "paper":
                 limit = certified_trees.limit_in_coq(options.limit, options.edges, tree)
+            if options.against is not None:  # whatever else the file says: its tree is played
+                against = certified_trees.apart_from(
+                    options.against, tree, options.edges, options.answer_timeout
+                )
         claimed = written(tree, options.edges, who, options.universe, limit)
-        same = claimed.encode("ascii", "replace") == file.read_bytes()
-        if same and options.against is not None:
-            against = certified_trees.apart_from(
-                options.against, tree, options.edges, options.answer_timeout
-            )
-        code = judged(file, claimed, against)
+        code = judged(file, found, claimed, against and f": {against}")
     except NoTree as error:
         print(f"DIFFERS    {file}: {error}")
         return 1

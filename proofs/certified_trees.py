@@ -280,7 +280,7 @@ def write_certificate(arguments: Sequence[str]) -> int:
         tree, runs, unanswered = tree_of(subject, options.edges, map_class, limits)
         text = certificate(tree, options.edges, name, options.limit, options.universe)
         if options.check:
-            return judged(file, text)
+            return judged(file, file.read_bytes(), text)
         file.write_text(text, encoding="ascii", errors="replace")
     except (NoFunction, NoAnswer) as error:
         word = "NO FUNCTION" if isinstance(error, NoFunction) else "NO ANSWER"

@@ -1,5 +1,6 @@
 """A certificate that someone else has written: all that differs from what is claimed is refused."""
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -98,6 +99,48 @@ def test_what_is_claimed_is_accepted_and_nothing_else(verified, any_coq, mine):
         assert code == 1
         assert "DIFFERS" in said
     assert any_coq == [mine]
+
+
+FORMS = {
+    "no last newline": lambda text: text.removesuffix("\n"),
+    "a newline more": lambda text: text + "\n",
+    "an empty line before": lambda text: "\n" + text,
+    "ends of lines of another system": lambda text: text.replace("\n", "\r\n"),
+    "one such end of a line": lambda text: text[:-1] + "\r\n",
+    "a comment behind the end": lambda text: text + "(* the end *)",
+    "a comment in the tree": lambda text: text.replace("Node 0", "(* so *) Node 0"),
+    "a mark of the order of bytes": lambda text: "\ufeff" + text,
+    "another tree behind the end": lambda text: text + text[text.index("Definition tree") :],
+    "another tree in a comment": lambda text: "(* " + text + " *)\n" + text,
+    "an empty tree": lambda text: re.sub(r"\[::\n.*?\]\.\n", "[::].\n", text, flags=re.DOTALL),
+    "an empty file": lambda text: "",  # noqa: ARG005  # each takes the text
+}
+"""The ways to write a certificate otherwise that says the same, or nothing."""
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_in_whatever_form_a_file_is_what_is_judged_is_what_is_played(verified, any_coq, mine, form):
+    changed = FORMS[form](mine)
+    assert changed != mine
+    for played in ("algorithm1", "algorithm1-door", None):
+        code, said = verified(changed, *(["--against", played] if played else []))
+        assert (code, any_coq) == (1, []), said
+        assert said.startswith("DIFFERS    ")
+        assert "does what the tree says" not in said
+
+
+def test_an_explorer_is_played_even_where_the_file_differs(verified, any_coq, mine):
+    changed = mine.replace("Node 0", "Node 2", 1).removesuffix("\n")
+    code, said = verified(changed, "--against", "algorithm1")
+    assert (code, any_coq) == (1, [])
+    assert "no line; claimed is ''" in said
+    assert "it has motion 2; algorithm1 makes motion 0" in said
+
+
+def test_an_empty_tree_is_compared_with_nothing_and_so_refused(files, verified, any_coq):
+    code, said = verified(files.written({}, 1, "algorithm1"), "--against", "algorithm1")
+    assert (code, any_coq) == (1, [])
+    assert "the tree is empty" in said
 
 
 def test_a_tree_that_is_not_what_the_explorer_does_is_seen_where_it_is_played(verified, mine):
