@@ -206,13 +206,17 @@ def world_code(world: World) -> tuple[Code, tuple[int, ...]]:
 
 
 def quotient_code(world: World) -> tuple[Any, ...]:
-    """Equal exactly for worlds that no motion tells apart.
+    """Equal exactly for worlds that no motion tells apart."""
+    return look(world.map, percepts(world), world.start)
+
+
+def look(map_: Map, sensed: Sequence[tuple[Any, ...]], start: int) -> tuple[Any, ...]:
+    """Equal exactly for maps, with what is sensed at each dart, that no motion tells apart.
 
     Darts that sense the same are split until sigma and alpha keep the classes; then the
-    classes are numbered by a walk from the start's.
+    classes are numbered by a walk from the start's.  Values that are sensed have an order.
     """
-    sigma, alpha = world.map
-    sensed = percepts(world)
+    sigma, alpha = map_
     names = {percept: i for i, percept in enumerate(sorted(set(sensed)))}
     label = [names[percept] for percept in sensed]
     count = 0
@@ -223,7 +227,7 @@ def quotient_code(world: World) -> tuple[Any, ...]:
         label = [order[key] for key in keys]
     some = {c: d for d, c in enumerate(label)}
     step, cross = ([label[p[some[c]]] for c in range(count)] for p in (sigma, alpha))
-    walk = numbering(step, cross, label[world.start])
+    walk = numbering(step, cross, label[start])
     number = {c: i for i, c in enumerate(walk)}
     return tuple((sensed[some[c]], number[step[c]], number[cross[c]]) for c in walk)
 
