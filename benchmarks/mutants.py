@@ -67,6 +67,8 @@ class Mutant:
         tests: those that meet it.
         tried: how many tests were run with it.
         text: the line that ``line`` is the number of.
+        within: the function or class in which it is, with those around it; empty: in none.
+        nth: of equal changes of equal lines there, from 1 on.
         killed_by: a test or the deadline; empty: it survives.
     """
 
@@ -79,11 +81,13 @@ class Mutant:
     name: str
     early: bool
     text: str
+    within: str = ""
+    nth: int = 1
     tests: set[str] = field(default_factory=set)
     tried: int = 0
     killed_by: str = ""
 
-    def among(self, known: Sequence[dict[str, str]]) -> bool:
+    def among(self, known: Sequence[dict[str, Any]]) -> bool:
         """Whether the list of equivalent mutants has it, with its line where others are none."""
         own = {**vars(self), "line": self.text}
         return any(all(own.get(key, each[key]) == each[key] for key in each) for each in known)
@@ -163,10 +167,13 @@ def mutants_of(file: str, text: bytes) -> Iterator[Mutant]:
     """Yield all mutants of a file."""
     lines = text.splitlines(keepends=True)
     starts = [0, *accumulate(map(len, lines))]
+    equal: Counter[tuple[str, str, str, str]] = Counter()
 
-    def below(node: Any, name: str, *, early: bool) -> Iterator[Mutant]:
+    def below(node: Any, name: str, within: str, *, early: bool) -> Iterator[Mutant]:
         if isinstance(node, ast.stmt) and early:
             name = next(_names(node), name)
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+            within = f"{within}.{node.name}".lstrip(".")
         for part, after in changed(node):
             if early and "|" in ast.unparse(part):  # of types
                 continue
@@ -174,14 +181,17 @@ def mutants_of(file: str, text: bytes) -> Iterator[Mutant]:
             end = starts[part.end_lineno - 1] + part.end_col_offset
             before = ast.unparse(part)
             line = lines[part.lineno - 1].decode().strip()
-            yield Mutant(file, part.lineno, start, end, before, after, name, early, line)
+            equal[line, before, after, within] += 1
+            nth = equal[line, before, after, within]
+            where = file, part.lineno, start, end
+            yield Mutant(*where, before, after, name, early, line, within, nth)
         for part in inner(node):
             if not _compiled(part, file):
                 function = isinstance(node, ast.FunctionDef) and isinstance(part, ast.stmt)
                 outside = isinstance(node, ast.Module | ast.ClassDef)
-                yield from below(part, name, early=not function and (early or outside))
+                yield from below(part, name, within, early=not function and (early or outside))
 
-    yield from below(ast.parse(text), "", early=True)
+    yield from below(ast.parse(text), "", "", early=True)
 
 
 def _names(statement: ast.stmt) -> Iterator[str]:
@@ -352,7 +362,7 @@ class Copy:
             print(f"{name}: {killer or 'SURVIVES'}", flush=True)
 
 
-def table(mutants: Sequence[Mutant], known: Sequence[dict[str, str]]) -> str:
+def table(mutants: Sequence[Mutant], known: Sequence[dict[str, Any]]) -> str:
     """The numbers of each wing and of all."""
     text = f"{'':12}{'mutants':>9}{'killed':>9}{'survive':>9}{'equivalent':>12}\n"
     for wing in (*sorted({each.wing for each in mutants}), "all"):

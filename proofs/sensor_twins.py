@@ -201,7 +201,7 @@ class OwnSensors:
         require(f"the digest of {plain}", document.get("digest"), first)
 
     def shown_by(self, name: str) -> Shows:
-        """None for each world: it is not known here what the sensor of that name shows.
+        """Return a function that knows nothing of the sensor of that name, and refuses others.
 
         Raises:
             Refused: if none can have it.

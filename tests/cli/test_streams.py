@@ -1,5 +1,6 @@
 """Standard streams that are closed or full."""
 
+import io
 import os
 import subprocess
 import sys
@@ -7,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from allworlds.cli import run
 from processes import PATIENCE
 
 
@@ -90,3 +92,11 @@ def test_the_words_of_an_explorer_give_no_orders_to_a_terminal(cli, refused, tmp
     err = refused("check", f"{file}:explore", "--edges", 1)
     assert r"\x1b[2J" in err
     assert "\x1b" not in err
+
+
+def test_a_question_without_a_newline_is_seen_before_its_answer(monkeypatch):
+    """A stream like stderr, which writes whole lines by itself, and no others."""
+    stream = io.TextIOWrapper(io.BytesIO(), line_buffering=True)
+    monkeypatch.setattr(sys, "stderr", stream)
+    run._say("> ")
+    assert stream.buffer.getvalue() == b"> "

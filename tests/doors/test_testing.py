@@ -1,10 +1,12 @@
 """Assertions for authors' test suites: what they let pass, and what they say when they fail."""
 
 import sys
+from traceback import walk_tb
 from types import SimpleNamespace
 
 import pytest
 
+from allworlds import testing
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document import replace
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
@@ -192,3 +194,37 @@ def test_given_worlds_are_tried_in_place_of_all(cubic_alone):
     assert assert_explores(cubic_alone, worlds=given).worlds == 5
     with pytest.raises(AssertionError, match="crash"):
         assert_explores(cubic_alone, worlds=worlds(edges=1))
+
+
+HIDDEN = {
+    *("assert_explores", "__call__", "assert_conforms", "assert_lighthouse"),
+    *("_known", "_drawn", "_assert_no", "_assert_holds"),
+}
+
+
+def frames_of_ours(call):
+    """The frames of the module in the traceback of what is raised: names, and whether hidden."""
+    with pytest.raises(AssertionError) as error:
+        call()
+    frames = [frame for frame, _ in walk_tb(error.value.__traceback__)]
+    own = [frame for frame in frames if frame.f_code.co_filename == testing.__file__]
+    return [(each.f_code.co_name, each.f_locals.get("__tracebackhide__")) for each in own]
+
+
+def test_a_failure_shows_the_authors_own_lines_alone(monkeypatch):
+    explorer = wrong()
+    monkeypatch.setattr(testing.selection, "flaws_of", lambda *_: ["it senses less"])
+    calls = [
+        lambda: assert_explores(explorer, edges=2),
+        lambda: AtLevel(2, {})(explorer),
+        lambda: assert_conforms(explorer, edges=2),
+        lambda: testing.assert_lighthouse("door"),
+        *(
+            part
+            for part in conformance(explorer, edges=1, drawn=4, drawn_edges=4)
+            if "-maps" in str(part)
+        ),
+    ]
+    found = [frame for call in calls for frame in frames_of_ours(call)]
+    assert {hidden for _, hidden in found} == {True}, found
+    assert {name for name, _ in found} == HIDDEN

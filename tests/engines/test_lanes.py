@@ -2,6 +2,8 @@
 
 import os
 import signal
+import subprocess
+import sys
 from collections import Counter
 
 import pytest
@@ -52,3 +54,13 @@ def test_the_units_of_a_process_that_is_lost_are_done_again(monkeypatch):
                 lost = {*workers_of(os.getpid())} - before
                 os.kill(max(lost), signal.SIGKILL)
     assert whole == Counter(piece.key for piece in pieces)
+
+
+def test_a_process_that_ends_by_itself_has_the_time_to(monkeypatch):
+    """The clock stands still: it is waited for until it has ended."""
+    monkeypatch.setattr(lanes.time, "monotonic", lambda: 0.0)
+    program = "import sys, time; sys.stdin.read(); time.sleep(0.1); sys.exit(7)"
+    with subprocess.Popen([sys.executable, "-c", program], stdin=subprocess.PIPE) as child:
+        process = object.__new__(lanes._Process)
+        process.link, process.pid = child.stdin, child.pid
+        assert "7" in process.end()

@@ -294,3 +294,14 @@ def test_more_than_a_socket_holds_is_sent_bit_by_bit(module):
         assert len([*answered(one, runs() | {"unknown": bytes(1 << 23)})]) == 1
     finally:
         one.close()
+
+
+def test_it_is_told_whether_one_of_the_others_is_ready():
+    there, here = os.pipe()
+    try:
+        assert not players.wait([], 0, [there])
+        os.write(here, b"x")
+        assert players.wait([], 0, [there])
+    finally:
+        os.close(there)
+        os.close(here)

@@ -287,6 +287,7 @@ def test_a_search_brings_its_lighthouse_and_its_budget():
             "paper + 2*m**2 + 2*D + 8*D**d",
         ),
         ("elsewhere:algorithm1", "directional:start=any+told:n", None),
+        ("elsewhere:shield:algorithm1", "directional:start=any+told:n", None),
         ("algorithm1-door", "door:start=any", None),
         ("algorithm1-door", "door", "paper + 2*m*(m+1) + 2*(d0-1)"),
     ],

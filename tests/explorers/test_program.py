@@ -1,5 +1,6 @@
 """One process behind many episodes; see tests/engines/test_workers.py for what goes wrong."""
 
+import io
 import json
 import sys
 
@@ -21,6 +22,9 @@ for line in sys.stdin:
     estimate = {"sigma": [0, 1], "alpha": [1, 0], "here": os.getpid()}
     print(json.dumps({"estimate": estimate}), flush=True)
 """
+
+
+PASS_STDERR_ON = Program._pass_stderr_on  # which a fixture of all tests replaces
 
 
 @pytest.fixture
@@ -196,3 +200,14 @@ def test_what_is_no_line_of_the_protocol_is_said(line, seen):
     with pytest.raises(ExplorerFault, match=seen) as fault:
         message_of(line)
     assert fault.value.law == "illegal-action"
+
+
+def test_what_a_program_says_without_a_newline_is_told_at_once(program, monkeypatch):
+    """A stream like stderr, which writes whole lines by itself, and no others."""
+    episode(program)
+    stream = io.TextIOWrapper(io.BytesIO(), line_buffering=True)
+    monkeypatch.setattr(sys, "stderr", stream)
+    program._read = lambda _: None
+    program._err[:] = b"half a line"
+    PASS_STDERR_ON(program)
+    assert stream.buffer.getvalue() == b"half a line"

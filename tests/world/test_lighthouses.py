@@ -18,8 +18,9 @@ from allworlds.world import (
     Where,
     World,
 )
+from allworlds.world.lighthouses.base import WalkInAnswer
 from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_kind
-from allworlds.world.lighthouses.marked import Cluster
+from allworlds.world.lighthouses.marked import Cluster, Labels
 from small import PATH, all_maps
 
 KINDS = {"none": Nothing, "position": Position, "compass": Compass, "directional": Directional}
@@ -206,3 +207,10 @@ def test_the_lighthouse_in_an_answer_is_in_the_direction_from_where_the_walk_beg
     walk = SimpleNamespace(map=map_, trail=(4, 7, 11))
     for of, dart in ((Cluster, 2), (Directional, 2)):
         assert of(dart).believed(map_, 0, walk) == of(map_.turn(4, map_.offset(0, dart)))
+
+
+def test_of_a_vertex_that_was_never_visited_the_first_dart_and_no_number_are_believed():
+    """The walk stays at the end of a path; darts 1 and 2 are at a vertex that it has not seen."""
+    walk = WalkInAnswer(PATH, [0], [Percept(1, 7, 0)])
+    assert Compass((0, 2, 3)).believed(PATH, 0, walk) == Compass((0, 1, 3))
+    assert Labels((0, 2, 3)).believed(PATH, 0, walk) == Labels((0, 1, 3), (7, 0, 0))

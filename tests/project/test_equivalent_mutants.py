@@ -1,0 +1,55 @@
+"""The list of mutants that no test can kill: each entry names one place of today's source."""
+
+import importlib.util
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="module")
+def mutants():
+    """The program that makes mutants."""
+    path = ROOT / "benchmarks" / "mutants.py"
+    specification = importlib.util.spec_from_file_location("benchmarks_mutants", path)
+    module = importlib.util.module_from_spec(specification)
+    sys.modules["benchmarks_mutants"] = module
+    specification.loader.exec_module(module)
+    yield module
+    del sys.modules["benchmarks_mutants"]
+
+
+@pytest.fixture(scope="module")
+def entries(mutants):
+    return tomllib.loads(mutants.EQUIVALENT.read_text(encoding="utf-8"))["mutant"]
+
+
+def places(mutants, entry):
+    """The mutants of today's source that an entry names."""
+    text = (ROOT / entry["file"]).read_bytes()
+    return [each for each in mutants.mutants_of(entry["file"], text) if each.among([entry])]
+
+
+def test_each_entry_names_exactly_one_place(mutants, entries):
+    found = [(entry, places(mutants, entry)) for entry in entries]
+    others = [(entry, len(there)) for entry, there in found if len(there) != 1]
+    assert not others
+    named = [(each.file, each.start, each.end, each.after) for _, there in found for each in there]
+    assert len({*named}) == len(named)
+
+
+def test_each_entry_has_known_keys_and_a_reason(mutants, entries):
+    keys = {"file", "line", "before", "after", "within", "nth", "reason"}
+    for entry in entries:
+        assert {"file", "before", "after"} < entry.keys() <= keys, entry
+        assert len(entry["reason"].split()) > 2, entry
+
+
+def test_equal_changes_of_equal_lines_are_told_apart(mutants):
+    text = b"def f():\n    return 0\n    return 0\nclass C:\n    def f(self):\n        return 0\n"
+    found = [each for each in mutants.mutants_of("a.py", text) if each.after == "1"]
+    assert [(each.within, each.nth) for each in found] == [("f", 1), ("f", 2), ("C.f", 1)]
+    assert [each.among([{"within": "f", "nth": 2}]) for each in found] == [False, True, False]
