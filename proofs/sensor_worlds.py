@@ -141,15 +141,14 @@ def follows(one: Sequence[Hashable], other: Sequence[Hashable]) -> bool:
 # ---- Coarsenings ----
 
 
-def partitions(count: int) -> list[Letters]:
-    """Every coarsening of so many features, fewest letters first."""
-    found: list[Letters] = [()]
-    for _ in range(count):
-        longer = []
-        for one in found:
-            longer += [(*one, letter) for letter in range(len({*one}) + 1)]
-        found = longer
-    return sorted(found, key=lambda letters: (max(letters), letters))
+def partitions(features: int) -> list[Letters]:
+    """The ways to give letters to features: to each one of those before, or the next new one."""
+    if not features:
+        return [()]
+    every = []
+    for shorter in partitions(features - 1):
+        every += [(*shorter, letter) for letter in range(len({*shorter}) + 1)]
+    return sorted(every, key=lambda each: (len({*each}), each))
 
 
 def joined(letters: Letters, one: int, other: int) -> Letters:

@@ -262,6 +262,20 @@ def test_a_start_off_v0_is_refused(checkers):
     assert twins.check_pair(pair(1), shows, scope) == ("alike: m = 4 and m = 4", 4)
     with pytest.raises(checkers("lrat").Refused, match=r"cannot stand at .* where the start is 2"):
         twins.check_pair(pair(2), shows, scope)
+    for edges, of_class in ((3, "maps"), (4, "simple")):
+        small = twins.Scope(edges, None, of_class, narrowed=False)
+        with pytest.raises(checkers("lrat").Refused, match=r"a world is (larger|not in the class)"):
+            twins.check_pair(pair(1), shows, small)
+
+
+def test_worlds_of_which_something_else_is_told_are_not_alike(checkers, compared):
+    """The twins of the blank sensor have one edge, and two."""
+    twins, pair = checkers("sensor_twins"), copy.deepcopy(compared["rows"][-1]["twins"])
+    for world in pair["worlds"]:
+        world["lighthouse"] = {"kind": "told", "names": ["m"]}
+    shows = twins.shown_by(checkers("sensed").known("told:m"))
+    with pytest.raises(checkers("lrat").Refused, match="told something else"):
+        twins.check_pair(pair, shows, twins.Scope(2, None, "maps", narrowed=False))
 
 
 def test_null_and_other_texts_are_no_document(refusal, compared):
