@@ -5,6 +5,10 @@ keywords, and returns a :class:`Found` or a :class:`NotChecked`::
 
     def map_and_pose(means, *, edges):
         return of_check(check("algorithm1", edges=edges, workers=means.workers))
+
+A claim is a model of the user's: its prints go to stderr, and it ends no process.  One that takes
+less than half a second is checked twice, and must have the same outcome both times.  A claim that
+needs a package that is not installed was not checked.
 """
 
 from allworlds.explorers.builtin.algorithm1 import Algorithm1

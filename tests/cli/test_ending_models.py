@@ -56,6 +56,15 @@ def test_a_model_that_ends_the_process_is_bad_input(ended, kind):
     assert err.count("\n") == 1, err
 
 
+@pytest.mark.parametrize("kind", ENDS)
+def test_a_model_that_becomes_another_program_is_bad_input(ended, kind):
+    text = ENDS[kind].replace("os._exit(0)", "os.execv('/bin/true', ['true'])")
+    code, out, err = ended(kind, f"import os\n{text}")
+    assert (code, out) == (2, "")
+    assert "os.execv('/bin/true') would end the process" in err
+    assert err.count("\n") == 1, err
+
+
 def test_a_model_that_ends_the_process_when_it_is_imported_is_bad_input(ended):
     code, out, err = ended("where", "from os import _exit\n_exit(0)\n")
     assert (code, out) == (2, "")

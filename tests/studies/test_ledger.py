@@ -1,5 +1,9 @@
 """The ledger of a paper: found beside expected, and whatever is changed of that, a claim fails."""
 
+import json
+import math
+import subprocess
+import sys
 from xml.etree import ElementTree as ET
 
 import pytest
@@ -19,6 +23,7 @@ from allworlds.studies.ledger import (
     of_check,
 )
 from listeners import Hears
+from processes import PATIENCE
 
 TOML = """
 [pairs]
@@ -148,6 +153,78 @@ def test_what_is_found_decides(paper, body, standing, code):
     found = [one.standing for one in report.claims if one.id == "not-all"]
     assert (found, report.exit_code) == ([standing] if standing else [], code)
     assert report.claims[0].standing == "as-expected"
+
+
+@pytest.mark.parametrize(
+    ("body", "told"),
+    [
+        ("import sys; sys.exit(0)", "raises SystemExit: 0"),
+        ("import os; os._exit(0)", r"raises SystemExit: os\._exit\(0\) would end the process"),
+        ("import os; os.execv('/bin/true', ['true'])", r"os\.execv\('/bin/true'\) would end"),
+        ("import os; os.execlp('true', 'true')", "would end the process"),
+        ("import os; os.execle('/bin/true', 'true', {})", r"os\.execve\('/bin/true'\) would end"),
+        ("yield Found('refuted', {'worlds': 1})", "returns <generator object not_all>; legal are"),
+        ("return None", "returns None; legal are a Found and a NotChecked"),
+        ("return Found('maybe', {})", "verdict 'maybe' is not one of holds, refuted"),
+        ("return Found('refuted', 1)", "witnesses or figures are not JSON"),
+        ("return Found('refuted', {}, {'f': {1}})", "witnesses or figures are not JSON"),
+    ],
+)
+def test_a_claim_that_gives_no_outcome_is_bad_input(paper, body, told):
+    with pytest.raises(InputError, match=f"claim 'not-all'.* {told}|claim 'not-all': {told}"):
+        allworlds.ledger(with_function(paper, "not_all", body))
+
+
+@pytest.mark.parametrize(
+    "outcomes",
+    [
+        'Found("holds", {"worlds": 1}), Found("refuted", {"worlds": 1})',
+        'Found("refuted", {"worlds": 1}), Found("refuted", {"worlds": 2})',
+        'Found("refuted", {"worlds": 1}), Found("refuted", {"worlds": 1}, {"more": 1})',
+        'Found("refuted", {"worlds": 1}), NotChecked("no")',
+        'Found("refuted", {"worlds": 1}), KeyError("no")',
+    ],
+)
+def test_a_quick_claim_has_the_same_outcome_twice(paper, outcomes, monkeypatch):
+    monkeypatch.setattr("allworlds.studies.ledger.QUICK", math.inf)
+    with_function(paper, "not_all", "return next(OUTCOMES)")
+    with (paper / "claims.py").open("a") as file:
+        file.write(f"\nOUTCOMES = iter([{outcomes}])\n")
+    told = "claim 'not-all' has another outcome when it is checked again: first .*; then "
+    with pytest.raises(InputError, match=told):
+        allworlds.ledger(paper)
+    monkeypatch.setattr("allworlds.studies.ledger.QUICK", -1)
+    assert entries(paper)["not-all"].verdict in ("holds", "refuted")
+
+
+def test_a_file_of_claims_that_ends_the_process_is_bad_input(paper):
+    with (paper / "claims.py").open("a") as file:
+        file.write("\nfrom os import _exit\n_exit(0)\n")
+    with pytest.raises(InputError, match=r"claims\.py' does not import: SystemExit: os\._exit"):
+        allworlds.ledger(paper)
+
+
+def test_what_a_claim_prints_stands_apart_from_the_document(paper):
+    body = """import os, sys
+    print("by Python")
+    sys.__stdout__.write("beside it")
+    os.system("echo by another program")
+    return Found("refuted", {"worlds": 1})"""
+    with_function(paper, "not_all", body)
+    command = [sys.executable, "-m", "allworlds", "ledger", str(paper), "--json"]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE, check=True)
+    assert json.loads(done.stdout)["budget"] == "quick"
+    for printed in ("by Python", "beside it", "by another program"):
+        assert printed in done.stderr
+
+
+@pytest.mark.parametrize("call", ["worst(edges=1)", "check(edges=1, engine='kernel')"])
+def test_a_claim_whose_package_is_missing_was_not_checked(paper, call, monkeypatch):
+    monkeypatch.setattr("allworlds.inputs.checks.find_spec", lambda _name: None)
+    with_function(paper, "not_all", f"import allworlds; return allworlds.{call}")
+    one = entries(paper)["not-all"]
+    assert (one.standing, one.error) == ("not-checked", "")
+    assert "needs numba: in a clone of allworlds, pip install '.[fast]'" in one.told
 
 
 def test_a_witness_that_was_not_told_is_no_pass(paper):

@@ -6,8 +6,8 @@ import os
 import re
 import shutil
 import sys
-from collections.abc import Callable
-from contextlib import suppress
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, make_dataclass
 from functools import cache, cached_property
 from pathlib import Path
@@ -245,8 +245,23 @@ def answered(function: Callable[..., Answer], request: Any, output: OutputGroup)
         raise InputError(f"by {by} has no effect without -o FILE.csv")
     if not isinstance(request, limits.ListenerOptions):
         return answer(function, request)
-    with Progress(quiet=output.quiet) as listener:
+    with Progress(quiet=output.quiet) as listener, stdout_on_stderr():
         return answer(function, doc.replace(request, listener=listener))
+
+
+@contextmanager
+def stdout_on_stderr() -> Iterator[None]:
+    """Send to stderr what code of the user's, and programs that it starts, print to stdout."""
+    printed = sys.stdout
+    printed.flush()
+    stdout = os.dup(1)
+    os.dup2(2, 1)
+    try:
+        yield
+    finally:
+        printed.flush()
+        os.dup2(stdout, 1)
+        os.close(stdout)
 
 
 def abandon_stdout() -> None:

@@ -21,7 +21,7 @@ from allworlds.engines.limits import POLL, Limits, TimeIsUp, check_deadline
 from allworlds.engines.units import PartialResult, Scope, Transport, UnitEngine
 from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import content_digest, not_alike, with_content
-from allworlds.inputs.checks import InputError, lack_of, not_one_of, show
+from allworlds.inputs.checks import InputError, NotInstalled, lack_of, not_one_of, show
 from allworlds.judging.laws.law_table import LAWS
 from allworlds.maps.classes import MapClass
 from allworlds.world.lighthouses import base, marked
@@ -346,5 +346,6 @@ def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = N
     if name not in ENGINES:
         raise not_one_of("engine", name, ("auto", *ENGINES))
     if obstacle := ENGINES[name].obstacle(scope, subject):
-        raise InputError(f"engine {show(name)} {obstacle}; give auto or python")
+        kind = NotInstalled if obstacle == lack_of(*COMPILER) else InputError
+        raise kind(f"engine {show(name)} {obstacle}; give auto or python")
     return ENGINES[name]

@@ -15,6 +15,7 @@ import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from difflib import get_close_matches
+from functools import partial
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -31,6 +32,10 @@ LARGEST_SIZE = 100_000
 
 class InputError(ValueError):
     """Bad input: one line that names the offending value and what would be legal."""
+
+
+class NotInstalled(InputError):
+    """Raised where a package is missing: the words say what needs it, and which extra has it."""
 
 
 def let_users_interrupt(error: BaseException) -> None:
@@ -206,13 +211,13 @@ INSTALL = "in a clone of allworlds, pip install '.[{}]'"
 
 
 def ensure_installed(package: str, extra: str, what: str) -> None:
-    """Raise InputError unless the package can be imported.
+    """Raise NotInstalled unless the package can be imported.
 
     Raises:
-        InputError: saying what needs it, and which extra brings it.
+        NotInstalled: saying what needs it, and which extra brings it.
     """
     if lack := lack_of(package, extra):
-        raise InputError(f"{what} {lack}")
+        raise NotInstalled(f"{what} {lack}")
 
 
 def lack_of(package: str, extra: str) -> str:
@@ -296,32 +301,40 @@ def one_of(names: Iterable[str]) -> str:
     return f"{', '.join(others)} or {last}"
 
 
-_exit = os._exit
+ENDINGS = {name: getattr(os, name) for name in ("_exit", "execv", "execve")}
+"""The functions of ``os`` that end a process, or its program, at once; others call these."""
 
 
 class _Kept:
-    """The process in which ``os._exit`` is refused; 0 if it is refused nowhere."""
+    """The process in which they are refused; 0 if they are refused nowhere."""
 
     process = 0
 
 
 def keep_exit_code() -> None:
-    """Refuse ``os._exit`` in this process, and not in those that are forked."""
-    _Kept.process, os._exit = os.getpid(), _refuse
+    """Refuse ``os._exit`` and ``os.exec...`` in this process, and not in those that are forked."""
+    _Kept.process = os.getpid()
+    vars(os).update(_REFUSALS)
 
 
 @contextmanager
 def exit_code_kept() -> Iterator[None]:
-    """A context in which ``os._exit`` is refused in this process."""
-    before = _Kept.process, os._exit
+    """A context in which these are refused in this process."""
+    process, functions = _Kept.process, {name: getattr(os, name) for name in ENDINGS}
     keep_exit_code()
     try:
         yield
     finally:
-        _Kept.process, os._exit = before
+        _Kept.process = process
+        vars(os).update(functions)
 
 
-def _refuse(status: int) -> NoReturn:
+def _refuse(name: str, *values: Any, **keywords: Any) -> NoReturn:
     if _Kept.process == os.getpid():
-        raise SystemExit(f"os._exit({status}) would end the process")
-    _exit(status)
+        first = next(iter((*values, *keywords.values())), "")
+        raise SystemExit(f"os.{name}({show(first)}) would end the process")
+    ENDINGS[name](*values, **keywords)
+    raise AssertionError(f"os.{name} has returned")
+
+
+_REFUSALS = {name: partial(_refuse, name) for name in ENDINGS}
