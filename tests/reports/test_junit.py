@@ -2,17 +2,23 @@
 
 import re
 from collections import Counter
+from itertools import combinations_with_replacement
 from xml.etree import ElementTree as ET
 
 import pytest
 
+from allworlds import ledger
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.document import replace
+from allworlds.engines.units import shard_numbers
+from allworlds.explorers.loading import built_in
+from allworlds.inputs.checks import InputError
+from allworlds.judging.findings.rules import law_names
 from allworlds.outcome import Completed, Disagreed, Interrupted, Stopped
 from allworlds.reports.formats import file_of
 from allworlds.reports.plain_text import finding_in_words as finding_text
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.check.report import GateCell
+from allworlds.studies.check.report import CheckRequest, GateCell
 from allworlds.studies.fuzz import fuzz
 
 
@@ -97,7 +103,7 @@ def suite_of(report):
 
 def outcomes(report):
     return [
-        (case.get("name"), case[0].tag if len(case) else "passed")
+        (case.get("name").rpartition(": ")[2], case[0].tag if len(case) else "passed")
         for case in suite_of(report).iter("testcase")
     ]
 
@@ -228,6 +234,93 @@ def test_past_findings_are_a_case_of_their_own(tmp_path):
     fixed = check(edges=1, corpus=tmp_path)
     # The corpus has named the mutant, but another explorer has been tried.
     assert outcomes(fixed)[0] == ("past findings", "passed")
+
+
+JUDGES = """
+def one(world, transcript, answer):
+    return None
+
+def two(world, transcript, answer):
+    return "wrong"
+"""
+
+OPTIONS = {
+    "explore": ("folding", "algorithm1-cluster"),
+    "edges": (1, 2, 3),
+    "vertices": (1, 2),
+    "map_class": ("simple", "planar"),
+    "where": ("bipartite", "cubic"),
+    "lighthouse": ("position", "cluster", "told:n", "told:m", "told:n,m"),
+    "task": ("count:n", "count:m", "judges.py:one", "judges.py:two"),
+    "bound": ("none", "2*m", "2 * m + n"),
+    "laws": ("map", "map,pose"),
+    "policy": ("last", "random:1"),
+    "step_budget": (1000, 1001),
+    "max_findings": (2,),
+    "shard": ("0/2", "1/2"),
+    "worlds": ("a.json", "b.json"),
+}
+"""Values of options, each of which makes another check."""
+
+
+def checks():
+    """Checks of algorithm1 with one other value, or with two."""
+    singles = [{name: value} for name, values in OPTIONS.items() for value in values]
+    for one, other in combinations_with_replacement(singles, 2):
+        if one == other or not {*one} & {*other}:
+            yield one | other
+
+
+def test_no_name_of_a_case_occurs_twice_in_the_reports_of_a_pipeline(tmp_path, monkeypatch):
+    """Services keep one of two cases with one class and one name, and a failure would vanish."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "judges.py").write_text(JUDGES)
+    names = Counter()
+    done = check("algorithm1", edges=1)
+    tried = 0
+    for options in checks():
+        explore = options.pop("explore", "algorithm1")
+        asked = {"laws": law_names, "shard": shard_numbers}
+        given = {key: asked.get(key, lambda each: each)(each) for key, each in options.items()}
+        try:
+            request = CheckRequest(explore, **given)
+            request.rules(built_in(explore))
+        except InputError:
+            continue
+        tried += 1
+        report = replace(done, explorer=explore, request=request)
+        names.update(case_names(report))
+    assert tried > 150
+    assert {name: count for name, count in names.items() if count > 1} == {}
+
+
+def case_names(report):
+    return [(case.get("classname"), case.get("name")) for case in suite_of(report)]
+
+
+def test_the_name_of_a_case_holds_the_command():
+    report = check("folding", edges=1, lighthouse="cluster", vertices=1)
+    command = "folding --vertices 1 --edges 1 --lighthouse cluster"
+    first, *_ = [name for _, name in case_names(report)]
+    assert {*first.partition(": ")[0].split()} == {*command.split()}
+    assert first.endswith(": every world with 1 edge")
+
+
+def test_samples_checks_and_ledgers_share_no_name(tmp_path):
+    one, other = (fuzz(edges=6, runs=2, seed=seed) for seed in (1, 2))
+    claims = "from allworlds.claims import NotChecked\ndef a(means):\n    return NotChecked('no')"
+    table = '[a]\nsection = "1"\nstatement = "s"\nmethod = "m"\nscope = "s"\nexpected = "holds"'
+    ledgers = []
+    for name in ("this", "that"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "claims.py").write_text(claims)
+        text = f'{table}\nsource = "x"\nquick = {{ witnesses = {{ n = 1 }} }}\n'
+        (tmp_path / name / "ledger.toml").write_text(text)
+        ledgers += [ledger(tmp_path / name, budget=budget) for budget in ("quick", "full")]
+    names = [
+        name for report in (one, other, check(edges=1), *ledgers) for name in case_names(report)
+    ]
+    assert len(names) == len({*names}) == 2 + 2 + 4
 
 
 def test_a_sample_is_one_case():

@@ -40,7 +40,7 @@ def test_a_sample_beyond_the_exhaustive_bound_has_a_row_for_each_number_of_edges
         told = sum(int(row[header.index(what)].replace(",", "")) for row in rows)
         assert told == sum(row[what] for row in report.to_json()["rows"])
     assert "of the class maps with 6 to 9 edges" in dict(scope_words(report))["scope"]
-    assert 'name="40 random worlds with 6 to 9 edges"' in file_of("junit", report)
+    assert ': 40 random worlds with 6 to 9 edges" ' in file_of("junit", report)
 
 
 def test_a_sample_without_any_place_of_the_lighthouse_is_vacuous():

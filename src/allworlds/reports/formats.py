@@ -90,7 +90,8 @@ def junit(content: parts.ReportContent) -> str:
     """A document with one suite, as Jenkins's xUnit schema has it.
 
     The suite names the explorer's file, which that schema has at suites alone; a failure begins
-    with file and line.
+    with file and line.  Of two cases with one name services keep one: each name begins with the
+    words of the command line.
     """
     assert content.cases is not None
     cases, verb = content.cases(), content.done.removeprefix("allworlds ")
@@ -108,7 +109,10 @@ def junit(content: parts.ReportContent) -> str:
     more = {"skipped": str(results["skipped"]), **({"file": _legal(name)} if name else {})}
     suite = ET.SubElement(made, "testsuite", {"name": _legal(content.subject), **totals, **more})
     for case in cases:
-        named = {"classname": f"allworlds.{verb}", "name": _legal(case.name)}
+        named = {
+            "classname": f"allworlds.{verb}",
+            "name": _legal(f"{content.command}: {case.name}"),
+        }
         element = ET.SubElement(suite, "testcase", {**named, "time": f"{case.seconds:.3f}"})
         if case.result != "passed":
             kind = {} if case.result == "skipped" else {"type": case.kind}

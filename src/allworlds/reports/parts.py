@@ -465,6 +465,8 @@ class ReportContent(Struct, frozen=True):
             played again, and so are made when they are asked for.
         rows: makes the rows for programs, where these are not the steps of the first walk.
         cases: makes the cases, where there are any.
+        command: the words of the command line that say to whom the cases belong: beside those of
+            another report no name occurs twice.
         page: makes the page, where it is not of these sections.
         apart: the keys of the result's document that sections hold as records.
         short: facts of a line each, which on a terminal stand in place of the last section.
@@ -478,6 +480,7 @@ class ReportContent(Struct, frozen=True):
     more: Callable[[], Iterable[Section]] = field(default=tuple)
     rows: Callable[[], CsvRows] | None = None
     cases: Callable[[], Sequence[SuiteCase]] | None = None
+    command: str = ""
     page: Callable[[], str] | None = None
     apart: frozenset[str] = frozenset()
     short: Sequence[tuple[str, str]] = ()

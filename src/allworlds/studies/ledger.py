@@ -306,6 +306,7 @@ class LedgerReport(limits.RowsReport):
     budget: Annotated[Budget, doc.about("how much was done")]
     required: Annotated[tuple[str, ...], doc.about("the claims that had to be checked")]
     claims: Annotated[tuple[CheckedClaim, ...], doc.about("in the order of the file")]
+    directory: doc.NotInDocument[str] = ""
 
     @property
     def _standings(self) -> set[str]:
@@ -402,7 +403,13 @@ def ledger(request: LedgerRequest) -> LedgerReport:
     means = Means(request.workers, request.budget)
     request.listener.stage("claims", len(wanted), "claims")
     entries, ending = outcome.until_interrupted(_entries(wanted, checks, means, request.listener))
-    return LedgerReport(ending=ending, budget=means.budget, required=required, claims=entries)
+    return LedgerReport(
+        ending=ending,
+        budget=means.budget,
+        required=required,
+        claims=entries,
+        directory=str(folder),
+    )
 
 
 def _checks(file: Path, claims: Sequence[Claim]) -> Mapping[str, Check]:

@@ -1,10 +1,12 @@
 """Content of a check."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from shlex import join
 from typing import Any
 
 from allworlds.document import replace
 from allworlds.engines import single, sweep, tally, units
+from allworlds.inputs.requests import given_again
 from allworlds.maps.count_source import source_of
 from allworlds.outcome import Disagreed, Verdict
 from allworlds.reports import parts
@@ -42,9 +44,17 @@ def check_content(report: CheckReport | time_estimate.TimeEstimate) -> parts.Rep
         more=lambda: () if findings else most_expensive(most_expensive_runs(report)),
         rows=lambda: _rows(report),
         cases=lambda: [*_cases(report)],
+        command=_command(report),
         apart=frozenset({"findings"}),
         short=_in_short(report),
     )
+
+
+def _command(report: CheckReport) -> str:
+    """The explorer, and every option that was given on which the outcome depends."""
+    options = given_again(type(report.request), report.request)
+    shard = [] if report.whole else ["--shard", str(report.portion)]
+    return join([report.explorer, *options, *shard])
 
 
 def _in_short(report: CheckReport) -> list[tuple[str, str]]:

@@ -3,6 +3,7 @@
 import re
 from collections import Counter
 from collections.abc import Mapping
+from shlex import join
 
 from allworlds import outcome, words
 from allworlds.document import replace
@@ -49,6 +50,7 @@ def ledger_content(report: LedgerReport) -> parts.ReportContent:
             replace(_case(one, required=one.id in report.missed), seconds=one.seconds)
             for one in report.claims
         ],
+        command=join([report.directory, "--budget", report.budget]),
     )
 
 
