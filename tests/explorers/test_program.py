@@ -6,6 +6,7 @@ import sys
 
 import pytest
 
+from allworlds import check, run
 from allworlds.explorers.program import Program, message_of
 from allworlds.inputs.checks import InputError
 from allworlds.protocol.actions import Checkpoint, ExplorerFault, Move, Percept
@@ -135,13 +136,27 @@ def test_the_words_for_a_program_without_a_line_are_true_of_it(tmp_path, kind):
     assert (fault.value.law, fault.value.seen[: len(seen)]) == (law, seen)
 
 
-def test_a_file_that_cannot_be_executed_is_a_crash(tmp_path):
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("\0\1\2", "Exec format error"),
+        ("print('no interpreter is named')\n", "Exec format error"),
+        ("#!/no/such/interpreter\n", "No such file or directory"),
+        ("#!/\n", "Permission denied"),
+    ],
+)
+@pytest.mark.parametrize("name", ["exec:./{}", "shield:exec:./{}"])
+@pytest.mark.processes
+def test_a_program_that_cannot_be_started_is_bad_input(tmp_path, monkeypatch, text, reason, name):
+    monkeypatch.chdir(tmp_path)
     file = tmp_path / "nothing"
-    file.write_bytes(b"\0\1\2")
+    file.write_text(text)
     file.chmod(0o755)
-    with pytest.raises(ExplorerFault) as fault:
-        next(Program(str(file), 1.0).explore(Percept(1)))
-    assert fault.value.law == "crash"
+    told = f"--exec './nothing' cannot be started: {reason}; legal is a program"
+    with pytest.raises(InputError, match=told):
+        check(name.format("nothing"), edges=1)
+    with pytest.raises(InputError, match=told):
+        run(name.format("nothing"), "loop")
 
 
 def test_what_cannot_be_run_is_told_apart_from_what_is_not_there(tmp_path, monkeypatch):
@@ -163,13 +178,13 @@ def test_what_cannot_be_run_is_told_apart_from_what_is_not_there(tmp_path, monke
 
 
 def test_last_words_that_come_before_the_first_percept_are_kept(monkeypatch):
-    start = Program._start
+    start = Program.start
 
     def start_and_wait(program):
         start(program)
         program._process.wait()
 
-    monkeypatch.setattr(Program, "_start", start_and_wait)
+    monkeypatch.setattr(Program, "start", start_and_wait)
     program = Program(f"{sys.executable} -c 'raise SystemExit(\"last words\")'", PATIENCE)
     with pytest.raises(ExplorerFault) as fault:
         next(program.explore(Percept(1)))

@@ -17,6 +17,7 @@ from typing import Any, Self
 from msgspec import Struct, field
 
 from allworlds.document import replace
+from allworlds.engines import linux
 from allworlds.engines.engine_table import WALKED_FROM, Job, kind_of, walks
 from allworlds.engines.kernel import capabilities, engine, engine as kernel, library_player, records
 from allworlds.engines.kernel.compiling import is_compiled, uncollected
@@ -128,7 +129,7 @@ def compare_engines(scope: Scope, subject: Subject) -> None:
         for history in enumeration.prefixes(m, extent.map_class, extent.vertices, depth=2 * m)
     ]
     # The general engine plays its runs while the kernel is compiled, by another process.
-    with ThreadPoolExecutor(1) as beside:
+    with ThreadPoolExecutor(1) as beside, linux.compilers_ended():
         compiling = None
         if not is_compiled(examine):
             compiling = beside.submit(kernel.compile_apart, subject.name)
@@ -300,5 +301,6 @@ def is_kept() -> bool:
 
 
 def compile_apart() -> None:
-    """Let another process compile it, which is not waited for."""
-    kernel.in_another_process(f"from {__name__} import load_native; load_native()")
+    """Let another process compile it, which is not waited for, and makes way for all others."""
+    code = f"import os; os.nice(19); from {__name__} import load_native; load_native()"
+    kernel.in_another_process(code)

@@ -8,7 +8,8 @@ import mmap
 import os
 import signal
 import sys
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 
 from allworlds.inputs.checks import InputError
 
@@ -16,6 +17,9 @@ HERE = sys.platform == "linux"
 """Whether it is there.  A test switches it off."""
 
 DEATH_SIGNAL, SUBREAPER = 1, 36
+
+COMPILER = "ALLWORLDS_COMPILER"
+"""The variable by which a process that compiles is known."""
 
 
 def end_with_parent(parent: int, number: int = signal.SIGKILL) -> None:
@@ -52,6 +56,19 @@ def end_adopted(token: str) -> None:
                 os.kill(pid, signal.SIGKILL)
             with suppress(ChildProcessError):
                 os.waitpid(pid, 0)
+
+
+@contextmanager
+def compilers_ended() -> Iterator[None]:
+    """A context that ends the compilers below this process when the user interrupts it."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        for pid in descendants(os.getpid()):
+            if _has(pid, COMPILER):
+                with suppress(ProcessLookupError):
+                    os.kill(pid, signal.SIGKILL)
+        raise
 
 
 def _children(parent: int) -> list[int]:

@@ -23,7 +23,7 @@ from typing import (
 from typing_extensions import override
 
 from allworlds import document as doc, outcome, words
-from allworlds.engines import limits, players, tally, units
+from allworlds.engines import limits, linux, players, tally, units
 from allworlds.engines.engine_table import ReadyEngine, ThisThread
 from allworlds.engines.job_records import ENDED, NO_RECORDS, Identity, Records, from_kept
 from allworlds.inputs import checks, requests
@@ -391,7 +391,7 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def _through(self) -> outcome.Ending | None:
         made, shards = self.ready(), self.portion.count
-        with made.transport as there:
+        with made.transport as there, linux.compilers_ended():
             if self.extent is not None:
                 units.tell_of_size(self.extent, self.listener, shards)
             for level in self.levels():

@@ -395,6 +395,7 @@ def load(
         from allworlds.explorers.program import Program
 
         program = Program(command_or_path(name), answer_timeout)
+        program.start()
         return Subject(name, frozenset({"told"}), program.explore, program=program)
     if is_library(name):
         from allworlds.explorers.shared_library import Library, NativeExplorer

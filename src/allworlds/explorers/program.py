@@ -161,7 +161,7 @@ LONGEST_LINE = 1 << 24
 
 
 class Program:
-    """The process behind ``--exec COMMAND``; started at the first episode.
+    """The process behind ``--exec COMMAND``; started at the first episode, if not before.
 
     Args:
         command: split as a shell splits words; no shell is involved.
@@ -183,9 +183,9 @@ class Program:
         there = shutil.which(self._arguments[0])
         if fault := missing_script(self._arguments) if there else obstacle(self._arguments[0]):
             raise InputError(f"--exec {show(command)}: {fault}")
-        self._timeout = answer_timeout
+        self._command, self._timeout = command, answer_timeout
         self._process: subprocess.Popen[bytes] | None = None
-        self._heard = False
+        self._heard = self._is_new = False
         self._err = bytearray()
         self._out = bytearray()
         self._said = select.poll()
@@ -240,18 +240,23 @@ class Program:
 
     def _begin(self, first: actions.Percept, told: actions.Told) -> None:
         if self._process is None:
-            self._start()
-            self._read(0)  # it may have ended already, and its last words are of this episode
-        else:
-            self._read(0)
+            self.start()
+        self._read(0)  # it may have ended already, and its last words are of this episode
+        if not self._is_new:
             self._err.clear()
+        self._is_new = False
         if self._out:
             raise self._fault("illegal-action", f"a line before it was asked: {shown(self._out)}")
         self._heard = False
         # The number is to tell nothing.
         self._send(beginning(secrets.randbits(53), first, told))
 
-    def _start(self) -> None:
+    def start(self) -> None:
+        """Start the process.
+
+        Raises:
+            InputError: if the system cannot run the program.
+        """
         try:
             self._process = subprocess.Popen(  # noqa: S603  # running it is what was asked for
                 self._arguments,
@@ -262,9 +267,11 @@ class Program:
                 start_new_session=True,
             )
         except OSError as error:
-            raise actions.ExplorerFault(
-                "crash", f"the program cannot be started: {error}"
+            raise InputError(
+                f"--exec {show(self._command)} cannot be started: {error.strerror}; legal is a "
+                "program of this machine, or a script whose first line names an interpreter"
             ) from None
+        self._is_new = True
         streams = self._process.stdin, self._process.stdout, self._process.stderr
         self._in_to, self._out_of, err_of = (each.fileno() for each in streams if each)
         os.set_blocking(self._in_to, False)

@@ -9,6 +9,7 @@ library plays in :mod:`allworlds.engines.kernel.library_player`.
 """
 
 import json
+import os
 import subprocess
 import sys
 from collections.abc import Sequence
@@ -45,6 +46,7 @@ from allworlds.engines.kernel.worlds import (
     rule_address,
     settle,
 )
+from allworlds.engines.linux import COMPILER
 
 
 def judge(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Rows:
@@ -115,7 +117,8 @@ def in_another_process(code: str) -> subprocess.Popen[bytes]:
     """The process, which runs the code; it finds the same modules, and its prints are dropped."""
     program = f"import json, sys; sys.path[:] = json.loads(sys.argv[1]); {code}"
     command, no = [sys.executable, "-c", program, json.dumps(sys.path)], subprocess.DEVNULL
-    return subprocess.Popen(command, stdin=no, stdout=no, stderr=no)  # noqa: S603  # ours
+    marked = {**os.environ, COMPILER: "1"}
+    return subprocess.Popen(command, stdin=no, stdout=no, stderr=no, env=marked)  # noqa: S603  # ours
 
 
 def set_up(job: Any, robot: Any, level: Level) -> None:
