@@ -91,6 +91,22 @@ def test_a_right_explorer_passes(job):
     assert job.used == []
 
 
+def test_without_edges_the_worlds_of_a_file_are_checked(job):
+    (job.workspace / "plan.json").write_text('{"map": {"sigma": [1, 0], "alpha": [1, 0]}}')
+    job.run(use(explorer="algorithm1", options="--worlds plan.json"))
+    assert job.outputs == {"verdict": "holds", "exit-code": "0"}, job.log
+    assert "world of plan.json" in job.log
+
+
+@pytest.mark.parametrize(("given", "most"), [({}, 1), ({"edges": "2"}, 2)])
+def test_the_bound_of_the_project_stands_unless_another_one_is_given(job, given, most):
+    (job.workspace / "pyproject.toml").write_text("[tool.allworlds]\nedges = 1\n")
+    job.run(use(explorer="algorithm1", **given))
+    assert job.outputs["verdict"] == "holds"
+    assert f"with at most {most} edge" in job.log
+    assert f"with at most {3 - most} edge" not in job.log
+
+
 def test_every_file_that_is_asked_for_is_written(job):
     job.run(use(explorer="algorithm1", edges="1", sarif="a b.sarif", junit="j.xml", html="h.html"))
     assert {file.name for file in job.workspace.iterdir()} == {"a b.sarif", "j.xml", "h.html"}

@@ -1,6 +1,8 @@
 """A paper is written against public names, as anybody else's would be."""
 
 import ast
+import re
+import tomllib
 from importlib import import_module
 from pathlib import Path
 
@@ -8,7 +10,8 @@ import pytest
 
 from allworlds import claims
 
-PAPERS = Path(__file__).parents[2] / "papers"
+ROOT = Path(__file__).parents[2]
+PAPERS = ROOT / "papers"
 FILES = sorted(path for path in PAPERS.rglob("*.py") if "tests" not in path.parts)
 PUBLIC = {
     "allworlds",
@@ -59,6 +62,22 @@ def test_the_names_that_claims_need_are_twelve_at_most():
     assert len(claims.__all__) <= 12
     for name in claims.__all__:
         assert getattr(claims, name).__doc__
+
+
+def missing(paper, source):
+    """The files that a source names, and that are neither in the project nor beside its ledger."""
+    named = re.findall(r"[\w./-]+\.(?:md|v|py|toml)\b", source)
+    return [name for name in named if not any((at / name).exists() for at in (ROOT, paper))]
+
+
+@pytest.mark.parametrize(
+    "ledger", sorted(PAPERS.glob("*/ledger.toml")), ids=lambda f: f.parent.name
+)
+def test_every_source_of_a_ledger_names_files_that_are_there(ledger):
+    claims = tomllib.loads(ledger.read_text(encoding="utf-8"))
+    for name, claim in claims.items():
+        assert missing(ledger.parent, claim["source"]) == [], name
+    assert missing(ledger.parent, "a.md; docs/theory.md; README.md (b/C.v)") == ["a.md", "b/C.v"]
 
 
 def test_every_paper_has_its_parts():
