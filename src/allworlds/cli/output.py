@@ -252,9 +252,7 @@ def answered(function: Callable[..., Answer], request: Any, output: OutputGroup)
 @contextmanager
 def stdout_on_stderr() -> Iterator[None]:
     """Send to stderr what code of the user's, and programs that it starts, print to stdout."""
-    printed = sys.stdout
-    printed.flush()
-    stdout = os.dup(1)
+    printed, stdout = sys.stdout, os.dup(1)
     os.dup2(2, 1)
     try:
         yield

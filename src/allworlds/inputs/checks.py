@@ -17,7 +17,7 @@ from contextlib import contextmanager
 from difflib import get_close_matches
 from functools import partial
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -329,12 +329,11 @@ def exit_code_kept() -> Iterator[None]:
         vars(os).update(functions)
 
 
-def _refuse(name: str, *values: Any, **keywords: Any) -> NoReturn:
+def _refuse(name: str, *values: Any, **keywords: Any) -> Any:
     if _Kept.process == os.getpid():
         first = next(iter((*values, *keywords.values())), "")
         raise SystemExit(f"os.{name}({show(first)}) would end the process")
-    ENDINGS[name](*values, **keywords)
-    raise AssertionError(f"os.{name} has returned")
+    return ENDINGS[name](*values, **keywords)
 
 
 _REFUSALS = {name: partial(_refuse, name) for name in ENDINGS}
