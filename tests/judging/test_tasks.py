@@ -1,11 +1,13 @@
 """Tasks: what counts as done, and what is wrong with a run."""
 
+import pickle
+
 import pytest
 
 from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import Answered, Over
 from allworlds.judging.findings.rules import Rules
-from allworlds.judging.tasks import TASKS, Task, task_named
+from allworlds.judging.tasks import TASKS, Task, WalkLog, task_named
 from allworlds.protocol.actions import Estimate, Move, Transcript
 from allworlds.world import Nothing, State, World
 from small import EDGE, LOLLIPOP, LOOP, PATH, TORUS, TRIANGLE, all_maps
@@ -131,6 +133,25 @@ def test_a_run_is_over_with_the_last_vertex_or_edge_and_not_before(task, steps):
         state, _ = environment.step(state, Move(1))
         assert environment.over == (step == steps)
     assert isinstance(state, State)
+
+
+def fields_of(walk):
+    return {name: getattr(walk, name) for name in (*WalkLog.__struct_fields__, "here", "actions")}
+
+
+@pytest.mark.parametrize("map_", all_maps(2))
+def test_a_walk_in_a_player_has_in_each_step_the_fields_of_that_in_the_judge(map_):
+    task, world = task_named("cover"), World(map_, Nothing())
+    there, steps = pickle.loads(pickle.dumps(task.environment(world))), ()
+    state = there.initial
+    for k in (None, 0, 1, 1, 0, 2):
+        if k is not None:
+            state, percept = there.step(state, Move(k))
+            steps += ((Move(k), percept),)
+        walk = WalkLog.of(world, Transcript(world.first, steps))
+        assert fields_of(there.walk) == fields_of(walk)
+        assert fields_of(pickle.loads(pickle.dumps(there.walk))) == fields_of(walk)
+        assert len(there.walk.darts) == 1 + len(steps)
 
 
 def test_where_there_is_one_vertex_all_is_visited_before_the_first_step():

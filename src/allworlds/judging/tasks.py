@@ -44,7 +44,8 @@ class WalkLog(Struct):
     cost: int = 0
 
     def __post_init__(self) -> None:
-        self._stand(self.world.start)
+        if not self.darts:  # one that is unpickled stands somewhere
+            self._stand(self.world.start)
 
     @classmethod
     def of(cls, world: World, transcript: Transcript) -> Self:
