@@ -1,6 +1,17 @@
 from itertools import permutations
 
-from allworlds.engines.tally import Row, Tally
+import pytest
+
+from allworlds.engines import tally as tallying, units
+from allworlds.engines.lanes import workers_for
+from allworlds.engines.limits import Limits
+from allworlds.engines.single import subject_of
+from allworlds.engines.tally import Row, RunCounter, Tally
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.judging.findings.rules import Rules
+from allworlds.maps import MapClass
+from allworlds.maps.classes import Extent
+from allworlds.studies.fuzz import SampleCounter, batches
 
 
 class Found:
@@ -65,3 +76,33 @@ def test_of_each_kind_the_smallest_is_kept_whatever_comes_first():
         parts[i % 2].find(one)
     parts[0].add(parts[1])
     assert [kept.key for kept in parts[0].findings] == [(0,), (2,), (5,)]
+
+
+LEVELS = units.Scope(Extent(MapClass.MAPS, 3), Rules())
+DRAWN = units.Scope(Extent(MapClass.MAPS, 8), Rules(), coverage=units.Sample(40))
+
+
+@pytest.mark.parametrize("scope", [LEVELS, DRAWN])
+def test_a_run_counts_once_both_of_its_plays_are_compared(monkeypatch, scope):
+    monkeypatch.setattr(tallying, "REPORT_EVERY", -1.0)
+    plays, total, unfinished = 0, Tally(1), 0
+
+    def explorer(first, choices):
+        nonlocal plays
+        plays += 1
+        return (yield from algorithm1(first, choices))
+
+    limits = Limits()
+    subject = subject_of(explorer, limits)
+    counter = SampleCounter(scope, 1, subject=subject, limits=limits)
+    pieces = batches(scope.coverage)
+    if scope is LEVELS:
+        counter, pieces = RunCounter(scope, 1), units.units_of_level(scope.extent, 3)
+    with workers_for(subject, limits) as transport:
+        for part in transport.map(counter, pieces):
+            total.add(part.result)
+            unfinished += not part.last
+            episodes = sum(row.episodes for row in total.rows.values())
+            assert episodes == total.runs <= plays // 2
+    assert unfinished
+    assert total.worlds == (74 if scope is LEVELS else 40)

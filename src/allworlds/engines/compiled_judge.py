@@ -152,13 +152,14 @@ class CompiledJudge:
                 yield batch
             elif laid.until > laid.first:  # worlds without a place
                 self.judge(batch)
+                work.tally.add(batch.tally)
 
     def judge(self, batch: CompiledBatch) -> bool:
         """Judge the first logs of a batch, and count them; those of one unit in their order.
 
         Return False if compiled code has written logs that only Python knows how to write.
         """
-        unit, work = batch.work.unit, batch.work
+        unit = batch.work.unit
         assert isinstance(unit, LevelUnit)
         if self.native and batch.plain:
             self._by_python(batch)
@@ -172,7 +173,7 @@ class CompiledJudge:
         if not self._compared and batch.logs[0]:
             self._compared = True
             compare(tally, rows, self._python_tally(batch), unit)
-        work.tally.add(tally)
+        batch.tally.add(tally)
         for broken in rows.broken:
             batch.broken.append(self._row(batch, (broken.sigma, broken.alpha), broken.place))
             law = batch.outcome(batch.broken[-1]).outcome.violation
@@ -203,7 +204,7 @@ class CompiledJudge:
 
     def _by_python(self, batch: CompiledBatch) -> None:
         """Count a batch by the Python judge: there is something in its logs that is new here."""
-        batch.work.tally.add(self._python_tally(batch))
+        batch.tally.add(self._python_tally(batch))
         batch.broken.extend(
             row for row in range(len(batch)) if batch.outcome(row).outcome.violation
         )

@@ -199,6 +199,7 @@ class RunBatch:
         judge: the judge in Python.
         work: the unit.
         judged: each of them, once its log is.
+        tally: of these runs; it counts once both plays of each are compared.
         logs: of the first and of the second play, by the numbers of the runs in the batch;
             a sequence if all came at once.
         by: what judges it.
@@ -210,6 +211,7 @@ class RunBatch:
         self.judge, self.work, self._runs = judge, work, [*runs]
         self.by: Any = judge
         self.judged: list[Judged] = []
+        self.tally = judge.engine.tally()
         self.logs: list[Any] = [{}, {}]
         self.lost: set[int] = set()
         self.plain = True
@@ -288,17 +290,19 @@ class PythonJudge:
         self._given = given or ()
 
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[RunBatch]:
-        """The runs of a unit, so many at a time; they are counted as they are laid out."""
-        runs = list[Due]()
+        """The runs of a unit, so many at a time."""
+        batch = RunBatch(self, work, ())
         for run in self.engine.runs(work.unit):
-            world = self.engine.count_run(run, work.tally)
+            world = self.engine.count_run(run, batch.tally)
             if world is not None:
-                runs.append(Due(run.number, run.place, world, self._given))
-            if len(runs) >= size():
-                yield RunBatch(self, work, runs)
-                runs = []
-        if runs:
-            yield RunBatch(self, work, runs)
+                batch.runs.append(Due(run.number, run.place, world, self._given))
+            if len(batch) >= size():
+                yield batch
+                batch = RunBatch(self, work, ())
+        if batch.runs:
+            yield batch
+        else:  # perhaps worlds without a place
+            work.tally.add(batch.tally)
 
     def judge(self, batch: RunBatch) -> bool:
         """Judge the first logs of a batch, and count them; return True: it can read them all."""
@@ -306,7 +310,7 @@ class PythonJudge:
         for row, due in enumerate(batch.runs):
             one = self.judged(due, logs[row])
             batch.judged.append(one)
-            self.engine.count_outcome(due.world, due.place, one.outcome, work.tally)
+            self.engine.count_outcome(due.world, due.place, one.outcome, batch.tally)
             if self.every:
                 _, least = work.best.get(due.number, (due, one.outcome.cost))
                 work.best[due.number] = due, min(least, one.outcome.cost)

@@ -310,9 +310,9 @@ class Lane:
         return self._players[which]
 
     def _notice(self, event: str) -> None:
-        """Count an event of a built-in explorer, in the unit whose batch is being played."""
+        """Count an event of a built-in explorer, in the batch that is being played."""
         job, _ = self._players[FIRST].jobs[0]
-        job.batch.work.tally.witnesses[event] += 1
+        job.batch.tally.witnesses[event] += 1
 
     def _hear(self, which: int, player: PlayerProcess | PlayerHere) -> None:
         began = time.monotonic()
@@ -353,6 +353,7 @@ class Lane:
                 return
         self._settle(batch, self._differing(batch) if self._twice else [])
         self._settled_runs += len(batch)
+        batch.work.tally.add(batch.tally)
         batch.work.open -= 1
         if self._twice and self._seeds_more:
             self._keep(batch)
