@@ -8,6 +8,8 @@ from allworlds.maps import counting
 from allworlds.reports.formats import text
 
 PREDICATES = """
+import os
+
 def even(map_):
     return all(degree % 2 == 0 for degree in map_.degrees)
 
@@ -26,6 +28,20 @@ def raises(map_):
 
 def says_one(map_):
     return 1
+
+
+def by_hash(map_):
+    return map_.vertex_count < 2 or map_.edge_count == 3 and hash("lamp") % 2 == 0
+
+
+def by_hash_in_large_ones(map_):
+    return map_.vertex_count < 2 or map_.edge_count == 5 and hash("lamp") % 2 == 0
+
+
+def ends_players(map_):
+    if map_.edge_count > 3 and "ALLWORLDS_PLAYER" in os.environ:
+        os.kill(os.getpid(), 9)
+    return True
 
 
 nothing = 3
@@ -167,3 +183,32 @@ def test_what_is_no_condition_is_refused_in_one_line(folder, where, said):
     with pytest.raises(InputError, match=said) as error:
         allworlds.check(edges=2, where=where)
     assert "\n" not in str(error.value)
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize(
+    "asked",
+    [
+        lambda where: allworlds.count(edges=3, where=where),
+        lambda where: allworlds.check(edges=3, where=where),
+        lambda where: allworlds.check("alone.py:explore", edges=3, where=where, workers=2),
+        lambda where: allworlds.compare("algorithm1", "alone.py:explore", edges=3, where=where),
+        lambda where: allworlds.fuzz(edges=3, runs=16, where=where),
+        lambda where: allworlds.ambiguity.census(edges=3, where=where),
+    ],
+)
+def test_a_predicate_that_is_another_one_in_other_processes_is_refused_by_name(folder, asked):
+    with pytest.raises(InputError, match=r"^where 'mine.py:by_hash' is no function of the map: "):
+        asked("mine.py:by_hash")
+
+
+@pytest.mark.processes
+def test_a_predicate_is_asked_again_in_large_maps_too(folder):
+    with pytest.raises(InputError, match=r"same maps of the unit 5:"):
+        allworlds.count(edges=5, where="mine.py:by_hash_in_large_ones")
+
+
+@pytest.mark.processes
+def test_a_predicate_that_ends_processes_is_named(folder):
+    with pytest.raises(InputError, match=r"^where 'mine.py:ends_players': a process that asked"):
+        allworlds.count(edges=4, where="mine.py:ends_players")

@@ -39,6 +39,8 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
     transports more: this thread, threads;
 ``sweep``
     **the** loop over units, and through the levels of a study; its reports;
+``asked_again``
+    predicates of the user's, asked again in fresh processes;
 ``single``
     single runs, and findings that are played again, by the same players;
 ``hints``

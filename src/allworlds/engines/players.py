@@ -202,7 +202,7 @@ class PlayerProcess:
         self._put(message)
 
     def _put(self, message: dict[str, Any]) -> None:
-        if message.get("kind") == "model":  # worlds whose code the player loads
+        if message.get("kind") in ("model", "maps"):  # worlds whose code the player loads
             import pickle
 
             message = {**message, "rows": pickle.dumps(message["rows"])}

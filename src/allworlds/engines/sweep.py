@@ -9,6 +9,7 @@ import time
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable
 from pathlib import Path
+from random import randrange
 from typing import (
     Annotated,
     Any,
@@ -24,6 +25,7 @@ from typing_extensions import override
 
 from allworlds import document as doc, outcome, words
 from allworlds.engines import limits, linux, players, tally, units
+from allworlds.engines.asked_again import DRAWN, SMALL, ensure_same_worlds
 from allworlds.engines.engine_table import ReadyEngine, ThisThread
 from allworlds.engines.job_records import ENDED, NO_RECORDS, Identity, Records, from_kept
 from allworlds.inputs import checks, requests
@@ -319,6 +321,11 @@ class Sweep(ABC, Generic[Total, Answer]):
         asked = doc.replace(requests.without_effort(self.request), listener=limits.NOBODY)
         return {"ending": ending, "request": asked, "extent": extent or self.extent}
 
+    @property
+    def narrowed(self) -> classes.Extent | None:
+        """Return the extent whose condition is true of every world, if there is one."""
+        return self.extent
+
     def begin(self) -> outcome.Ending | None:
         """Do what comes before the first level; an ending ends the job before it."""
         return None
@@ -391,6 +398,9 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def _through(self) -> outcome.Ending | None:
         made, shards = self.ready(), self.portion.count
+        drawn = list[units.Unit]()
+        narrowed = None if made.engine is None else self.narrowed
+        ending: outcome.Ending | None = None
         with made.transport as there, linux.compilers_ended():
             if self.extent is not None:
                 units.tell_of_size(self.extent, self.listener, shards)
@@ -398,17 +408,34 @@ class Sweep(ABC, Generic[Total, Answer]):
                 self.listener.level(level.edges, level.worlds // shards)
                 total, began = self.empty(), time.monotonic()
                 try:
-                    undone = (unit for unit in level.units if not self._is_kept(unit, total))
+                    undone = self._undone(level, total, drawn)
                     gather(
                         there, made.engine, undone, total, self.listener, self.records, self.extent
                     )
+                    if level.edges >= SMALL:
+                        ensure_same_worlds(narrowed, drawn, self.deadline)
+                        drawn.clear()
                 except BaseException:
                     self.leave(level, total)
                     raise
                 self.seconds.append(time.monotonic() - began)
-                if ending := self.finish(level, total):
-                    return ending
-        return None
+                ending = self.finish(level, total)
+                if ending is not None:
+                    break
+            ensure_same_worlds(narrowed, drawn, self.deadline)
+        return ending
+
+    def _undone(
+        self, level: units.SweptLevel, total: Total, drawn: list[units.Unit]
+    ) -> Iterable[units.Unit]:
+        """Yield the units that were not finished before; draw from all of them."""
+        for number, unit in enumerate(level.units):
+            if level.edges <= SMALL or number < DRAWN:
+                drawn.append(unit)
+            elif (place := randrange(number + 1)) < DRAWN:  # noqa: S311  # any of them
+                drawn[place] = unit
+            if not self._is_kept(unit, total):
+                yield unit
 
     def _is_kept(self, unit: units.Unit, total: Total) -> bool:
         """Return whether a unit was finished before; then its result is added to the total."""
