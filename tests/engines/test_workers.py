@@ -3,6 +3,7 @@
 import pytest
 
 import small
+from allworlds.engines import lane
 from allworlds.inputs.checks import InputError
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.run import run
@@ -30,6 +31,16 @@ def only_finding(name, **options):
     (finding,) = report.findings
     assert finding.minimal
     return finding
+
+
+def test_silent_runs_of_a_level_are_not_all_waited_for(wrong, monkeypatch):
+    monkeypatch.setattr(lane, "SILENT_RUNS", 2)
+    waits = {"answer_timeout": PATIENCE, "start_timeout": 10**6}
+    report = check(wrong("hang"), edges=2, max_findings=9, **waits)
+    assert (report.exit_code, report.runs) == (1, RUNS)
+    assert "silent in 2 runs, for 300 s each" in report.ending.reason
+    assert [found.world.map.edge_count for found in report.findings] == [1, 2]
+    assert {found.law for found in report.findings} == {"timeout"}
 
 
 def test_a_limit_of_memory_beyond_all_memory_is_none(wrong):

@@ -18,7 +18,7 @@ from allworlds.protocol.actions import (
     Pick,
 )
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.playing import MOST_DARTS, any_answer_entry
+from allworlds.protocol.playing import FRAMES, MOST_DARTS, any_answer_entry
 from allworlds.world import Directional, World
 from interrupts import Unshown, interrupted_at_its_close
 from small import EDGE, PATH
@@ -441,6 +441,37 @@ def test_a_crash_names_the_error_and_not_a_note_on_it():
     error = ValueError("boom")
     error.add_note("a note")
     assert "ValueError: boom" in fault(raising(error), "crash").seen
+
+
+def recursing(depth):
+    return recursing_too(depth)
+
+
+def recursing_too(depth):
+    try:
+        return recursing(depth + 1)
+    except RecursionError:
+        raise ValueError("in its stead")  # noqa: B904  # a chain is wanted
+
+
+def deeper(depth):
+    return deepest(depth + 1)
+
+
+def deepest(depth):
+    return deeper(depth + 1)
+
+
+@pytest.mark.parametrize("function", [recursing, deeper])
+def test_a_recursion_without_an_end_is_told_in_few_frames_and_without_its_chain(function):
+    def explore(first):
+        yield Move(0)
+        function(0)
+
+    found = fault(explore, "crash")
+    assert found.detail.count("  File ") <= FRAMES
+    assert found.detail.count("Traceback") == 1
+    assert found.detail.rstrip().endswith(found.seen)
 
 
 def test_a_crash_with_a_huge_message_is_told_in_a_sentence():

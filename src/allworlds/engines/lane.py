@@ -75,8 +75,8 @@ MOST_SETTLED = 16
 MOST_LOSSES = 20
 """The number of losses that are put down to the machine, if no fresh player repeats them."""
 
-MOST_WAITED = 60.0
-"""The seconds after which silent runs have taken too long."""
+SILENT_RUNS, MOST_WAITED = 4, 60.0
+"""The silent runs, and the seconds in them, after both of which no other run is waited for."""
 
 GOES_BY_HASHES = "the explorer goes by hashes: where PYTHONHASHSEED is another one, so is its walk"
 """The remark on an explorer whose plays with one seed are always the same."""
@@ -384,12 +384,6 @@ class Lane:
             outcomes |= self._explained(batch, batch.work, differing)
         for row, outcome in sorted(outcomes.items()):
             self._find(batch, batch.work, row, outcome)
-        each = self._setup.limits.answer_timeout
-        if self._silences > 1 and self._silences * each >= MOST_WAITED:
-            self.given_up = (
-                f"the explorer was silent in {self._silences} runs, for {each:g} s each, and the "
-                "other runs would take too long"
-            )
 
     def _find(self, batch: RunBatch, work: Work, row: int, outcome: tally.Outcome) -> None:
         due = batch.runs[row]
@@ -547,6 +541,9 @@ class Lane:
                 batch, row = job.batch, job.rows[number]
                 log = self._alone(which, batch, row, lost)
                 batch.take(which, [row], [log])
+                if self._waited_too_long:
+                    self._give_up(which, batch)
+                    return
                 rest = [each for each in job.rows if each not in batch.logs[which]]
                 if rest:
                     player.jobs[0] = (RunsToPlay(batch, rest), self._message(which, batch, rest))
@@ -557,6 +554,23 @@ class Lane:
                 return
             self._note(job.batch.work, lost)
         player.again()
+
+    @property
+    def _waited_too_long(self) -> bool:
+        waited = self._silences * self._setup.limits.answer_timeout
+        return self._silences >= SILENT_RUNS and waited >= MOST_WAITED
+
+    def _give_up(self, which: int, batch: RunBatch) -> None:
+        """Find what is wrong with the runs of a batch that is not finished; nothing is counted."""
+        for row in batch.lost:
+            one = self.judge.judged(batch.runs[row], batch.logs[FIRST][row])
+            second = Log(batch.logs[which][row])
+            outcome = overruled(one.outcome, one.log, second, choices=self.judge.every)
+            self._find(batch, batch.work, row, outcome)
+        self.given_up = (
+            f"the explorer was silent in {self._silences} runs, for "
+            f"{self._setup.limits.answer_timeout:g} s each, and the other runs would take too long"
+        )
 
     def _message(self, which: int, batch: RunBatch, rows: Sequence[int]) -> dict[str, Any]:
         if which == FIRST:

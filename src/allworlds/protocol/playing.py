@@ -25,6 +25,10 @@ free, and without a limit an explorer could go on so for ever."""
 LONGEST = 20_000
 """The number of characters that are kept of a traceback."""
 
+FRAMES = 50
+"""The number of frames of a traceback that are kept, the innermost: of a recursion without an end
+there are a thousand, in each play of each run."""
+
 MOST_DARTS = 2 * checks.LARGEST_SIZE
 """The largest number of darts in an answer, unless twice the step budget is more."""
 
@@ -342,7 +346,8 @@ def _raised(error: BaseException) -> bytes:
         for _ in range(2):  # those of this module
             frames = frames and frames.tb_next
         message = str.__str__(str(error))[: checks.SHOWN]
-        detail = "".join(traceback.format_exception(type(error), error, frames))
+        error.__cause__ = error.__context__ = None  # each has a traceback of its own
+        detail = "".join(traceback.format_exception(type(error), error, frames, limit=-FRAMES))
     except BaseException as another:  # noqa: BLE001  # an exception may not even be printable
         checks.let_users_interrupt(another)
         return entries.fault("crash", AN_ACTION, f"{name}, which cannot be shown")
