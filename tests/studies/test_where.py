@@ -1,14 +1,18 @@
 """Checks and counts of classes that are narrowed, by ours and by the user's own."""
 
+import signal
+
 import pytest
 
 import allworlds
+from allworlds.engines.limits import models_bounded
 from allworlds.inputs.checks import InputError
 from allworlds.maps import counting
 from allworlds.reports.formats import text
 
 PREDICATES = """
 import os
+import time
 
 def even(map_):
     return all(degree % 2 == 0 for degree in map_.degrees)
@@ -42,6 +46,20 @@ def ends_players(map_):
     if map_.edge_count > 3 and "ALLWORLDS_PLAYER" in os.environ:
         os.kill(os.getpid(), 9)
     return True
+
+
+def endless(map_):
+    while map_.edge_count > 3:
+        try:
+            time.sleep(0.01)
+        except Exception:
+            pass
+    return True
+
+
+def endless_at_once(map_):
+    while True:
+        pass
 
 
 nothing = 3
@@ -212,3 +230,26 @@ def test_a_predicate_is_asked_again_in_large_maps_too(folder):
 def test_a_predicate_that_ends_processes_is_named(folder):
     with pytest.raises(InputError, match=r"^where 'mine.py:ends_players': a process that asked"):
         allworlds.count(edges=4, where="mine.py:ends_players")
+
+
+def test_the_time_limit_ends_a_predicate_that_does_not(folder, cli):
+    code, _, _ = cli("count", "--edges", "4", "--where", "mine.py:endless", "--time-limit", "0.2")
+    assert code == 3
+    assert signal.getsignal(signal.SIGALRM) == signal.SIG_DFL
+    assert signal.getitimer(signal.ITIMER_REAL) == (0.0, 0.0)
+
+
+def test_the_time_limit_ends_a_predicate_that_is_tried(folder, cli):
+    where = "mine.py:endless_at_once"
+    code, _, err = cli("count", "--edges", "4", "--where", where, "--time-limit", "0.2")
+    assert code == 3
+    assert "the time limit was reached in where 'mine.py:endless_at_once'" in err
+
+
+def test_what_is_not_bounded_where_the_alarm_is_somebody_elses():
+    ours = signal.signal(signal.SIGALRM, signal.SIG_IGN)
+    try:
+        with models_bounded(0.0):
+            assert signal.getitimer(signal.ITIMER_REAL) == (0.0, 0.0)
+    finally:
+        signal.signal(signal.SIGALRM, ours)

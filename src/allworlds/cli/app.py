@@ -30,7 +30,7 @@ from allworlds.cli.output import (
     printable,
     say,
 )
-from allworlds.inputs.checks import InputError, keep_exit_code, show
+from allworlds.inputs.checks import InputError, OutOfTime, keep_exit_code, show
 from allworlds.inputs.requests import (
     AS_IN_PYTHON,
     PANELS,
@@ -129,7 +129,11 @@ def grouped(verb: Callable[..., int], name: str) -> Callable[..., int]:
 
     @wraps(verb)
     def command(**words: Any) -> int:
-        return verb(**{each.name: _value(each.name, hints[each.name], words) for each in taken})
+        from allworlds.engines.limits import deadline_after, models_bounded
+
+        with models_bounded(deadline_after(words.get("time_limit"))):
+            given = {each.name: _value(each.name, hints[each.name], words) for each in taken}
+        return verb(**given)
 
     command.__signature__ = Signature(seen)  # type: ignore[attr-defined]  # for typer
     return command
@@ -355,6 +359,9 @@ def call(arguments: list[str]) -> int:
         return error.exit
     except _ClickError as error:
         return _refuse(_complaint(error, arguments), defaults)
+    except OutOfTime as up:
+        complain(f"the time limit was reached{up}")
+        return Exit.INCONCLUSIVE
     except KeyboardInterrupt:
         complain("interrupted")
         return Exit.INTERRUPTED

@@ -541,7 +541,8 @@ class Lane:
                 batch, row = job.batch, job.rows[number]
                 log = self._alone(which, batch, row, lost)
                 batch.take(which, [row], [log])
-                if self._waited_too_long:
+                waited = self._silences * self._setup.limits.answer_timeout
+                if self._silences >= SILENT_RUNS and waited >= MOST_WAITED:
                     self._give_up(which, batch)
                     return
                 rest = [each for each in job.rows if each not in batch.logs[which]]
@@ -554,11 +555,6 @@ class Lane:
                 return
             self._note(job.batch.work, lost)
         player.again()
-
-    @property
-    def _waited_too_long(self) -> bool:
-        waited = self._silences * self._setup.limits.answer_timeout
-        return self._silences >= SILENT_RUNS and waited >= MOST_WAITED
 
     def _give_up(self, which: int, batch: RunBatch) -> None:
         """Find what is wrong with the runs of a batch that is not finished; nothing is counted."""

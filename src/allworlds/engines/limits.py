@@ -2,8 +2,11 @@
 
 import os
 import re
+import signal
+import threading
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import fields
 from math import inf
 from pathlib import Path
@@ -12,8 +15,17 @@ from typing import Annotated, Any, Self
 from typing_extensions import override
 
 from allworlds import document as doc, outcome
-from allworlds.inputs.checks import InputError, an_integer, at_most, integer_of, seconds_of, show
+from allworlds.inputs.checks import (
+    InputError,
+    OutOfTime,
+    an_integer,
+    at_most,
+    integer_of,
+    seconds_of,
+    show,
+)
 from allworlds.inputs.requests import EFFORT, RARE_EFFORT, Converted, Option, Request
+from allworlds.protocol import importing
 from allworlds.protocol.actions import ANSWER_TIMEOUT
 
 
@@ -201,7 +213,7 @@ class ClusterOptions(Request):
     ] = None
 
 
-class TimeIsUp(Exception):
+class TimeIsUp(OutOfTime):
     """Raised if the time limit of the whole job has been reached."""
 
 
@@ -222,6 +234,30 @@ def check_deadline(deadline: float | None) -> None:
     """
     if deadline is not None and time.monotonic() > deadline:
         raise TimeIsUp
+
+
+@contextmanager
+def models_bounded(deadline: float | None) -> Iterator[None]:
+    """Raise TimeIsUp in a model of the user's that is called in here when the deadline passes.
+
+    In a thread beside the main one, or if the alarm has another use, the model ends by itself.
+    """
+    here = threading.current_thread() is threading.main_thread()
+    if deadline is None or not here or signal.getsignal(signal.SIGALRM) != signal.SIG_DFL:
+        yield
+        return
+    signal.signal(signal.SIGALRM, _end_models)
+    try:
+        signal.setitimer(signal.ITIMER_REAL, max(POLL, deadline - time.monotonic()), POLL)
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, signal.SIG_DFL)
+
+
+def _end_models(*_: object) -> None:
+    if importing.AT_WORK:
+        raise TimeIsUp(f" in {importing.AT_WORK[-1]}")
 
 
 class EndedReport(doc.Report):

@@ -321,11 +321,6 @@ class Sweep(ABC, Generic[Total, Answer]):
         asked = doc.replace(requests.without_effort(self.request), listener=limits.NOBODY)
         return {"ending": ending, "request": asked, "extent": extent or self.extent}
 
-    @property
-    def narrowed(self) -> classes.Extent | None:
-        """Return the extent whose condition is true of every world, if there is one."""
-        return self.extent
-
     def begin(self) -> outcome.Ending | None:
         """Do what comes before the first level; an ending ends the job before it."""
         return None
@@ -384,7 +379,8 @@ class Sweep(ABC, Generic[Total, Answer]):
     def _guarded(self, job: Callable[[], outcome.Ending | None]) -> outcome.Ending | None:
         """Return the ending of a part of the job, or of the interruption that has stopped it."""
         try:
-            return job()
+            with limits.models_bounded(self.deadline):
+                return job()
         except limits.TimeIsUp as up:
             limit = self.request.time_limit
             return outcome.Stopped(f"the time limit of {limit:g} s was reached{up}")
@@ -399,7 +395,7 @@ class Sweep(ABC, Generic[Total, Answer]):
     def _through(self) -> outcome.Ending | None:
         made, shards = self.ready(), self.portion.count
         drawn = list[units.Unit]()
-        narrowed = None if made.engine is None else self.narrowed
+        narrowed = None if made.engine is None else getattr(self, "scope", self).extent
         ending: outcome.Ending | None = None
         with made.transport as there, linux.compilers_ended():
             if self.extent is not None:

@@ -38,8 +38,14 @@ class NotInstalled(InputError):
     """Raised where a package is missing: the words say what needs it, and which extra has it."""
 
 
+class OutOfTime(BaseException):
+    """Raised if the time of a job is up: also in a model of the user's, which must let it pass."""
+
+
 def let_users_interrupt(error: BaseException) -> None:
     """Raise an interrupt again; where interrupts are ignored only an explorer raises one."""
+    if isinstance(error, OutOfTime):
+        raise error
     ignored = signal.getsignal(signal.SIGINT) is signal.SIG_IGN
     if isinstance(error, KeyboardInterrupt) and not ignored:
         raise error

@@ -122,6 +122,10 @@ def imported(name: str, importing: Callable[[], Any]) -> Any:
     return _tried(f"{show(name)} does not import:", importing, InputError)
 
 
+AT_WORK: list[str] = []
+"""The names of the code of users' that is being imported or called in this process."""
+
+
 def attempted(what: str, act: Callable[[], T], kind: type[InputError] = InputError) -> T:
     """The result of an action of a model; its prints go to stderr, and it ends no process.
 
@@ -138,6 +142,7 @@ def attempted(what: str, act: Callable[[], T], kind: type[InputError] = InputErr
 
 
 def _tried(what: str, act: Callable[[], T], kind: type[InputError]) -> T:
+    AT_WORK.append(what.removesuffix(" raises").removesuffix(" does not import:"))
     try:
         # What it prints must not get into a document on stdout.
         with redirect_stdout(sys.stderr):
@@ -145,6 +150,8 @@ def _tried(what: str, act: Callable[[], T], kind: type[InputError]) -> T:
     except BaseException as error:  # noqa: BLE001  # a module may raise anything
         let_users_interrupt(error)
         raise kind(f"{what} {said(error)}") from None
+    finally:
+        AT_WORK.pop()
 
 
 def said(error: BaseException) -> str:

@@ -375,11 +375,6 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
                 "keeps; give one of them"
             )
 
-    @property
-    @override
-    def narrowed(self) -> Extent:
-        return self.scope.extent
-
     def retry_past(self, total: tally.Tally) -> outcome.Ending | None:
         """Try past findings. Those that stand are in the total; enough of them end the job."""
         job = self.job
