@@ -248,7 +248,8 @@ def models_bounded(deadline: float | None) -> Iterator[None]:
         return
     signal.signal(signal.SIGALRM, _end_models)
     try:
-        signal.setitimer(signal.ITIMER_REAL, max(POLL, deadline - time.monotonic()), POLL)
+        left = min(deadline - time.monotonic(), MOST["time-limit"])
+        signal.setitimer(signal.ITIMER_REAL, max(POLL, left), POLL)
         yield
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
