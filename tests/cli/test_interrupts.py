@@ -11,6 +11,7 @@ import pytest
 
 from allworlds.cli import app, main
 from allworlds.engines.engine_table import Threads
+from allworlds.inputs.checks import at_interrupts
 from allworlds.outcome import Completed, Interrupted, until_interrupted
 from allworlds.studies.ambiguity.twin_search import _TwinsSearch
 
@@ -168,19 +169,13 @@ def test_threads_that_are_not_interrupted_finish():
         assert sorted(part.result for part in threads.map(Doubling(), [1, 2, 3])) == [2, 4, 6]
 
 
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
-@pytest.mark.parametrize("ignored", [False, True])
-def test_to_be_left_is_to_be_interrupted_unless_it_is_to_be_ignored(monkeypatch, number, ignored):
+def test_to_be_left_is_to_be_interrupted_unless_it_is_to_be_ignored(monkeypatch):
     handled = {}
-    before = signal.SIG_IGN if ignored else signal.SIG_DFL
-    monkeypatch.setattr(signal, "getsignal", lambda _: before)
+    before = {signal.SIGHUP: signal.SIG_IGN}
+    monkeypatch.setattr(signal, "getsignal", lambda number: before.get(number, signal.SIG_DFL))
     monkeypatch.setattr(signal, "signal", handled.__setitem__)
-    monkeypatch.setattr(app, "prepare_streams", lambda: None)
-    monkeypatch.setattr(app, "call", lambda _: 5)
-    monkeypatch.setattr(threading, "active_count", lambda: 1)  # else it would end this process
-    with pytest.raises(SystemExit, match="5"):
-        app.main()
-    assert handled.get(number) == (None if ignored else signal.default_int_handler)
+    at_interrupts(signal.default_int_handler)
+    assert handled == dict.fromkeys([signal.SIGINT, signal.SIGTERM], signal.default_int_handler)
 
 
 def test_a_thread_that_goes_on_is_not_waited_for(monkeypatch):

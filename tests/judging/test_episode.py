@@ -5,6 +5,7 @@ import signal
 import pytest
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.inputs import checks
 from allworlds.judging.episode import Answered, Fault, play
 from allworlds.maps import CombinatorialMap, InvalidMap, from_cycles, rooted_maps
 from allworlds.protocol.actions import (
@@ -74,13 +75,6 @@ def fault(explore, law, **options):
         assert len(sentence) < 1000
     assert beat == [5, 0]
     return ending
-
-
-@pytest.fixture
-def interrupts_ignored():
-    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
-    yield
-    signal.signal(signal.SIGINT, before)
 
 
 class Evil:
@@ -327,15 +321,19 @@ def test_what_was_walked_before_a_crash_is_kept():
     assert [action for action, _ in episode.transcript.steps] == [Move(0)]
 
 
-@pytest.mark.usefixtures("interrupts_ignored")
-def test_an_interrupt_is_the_explorers_where_interrupts_are_ignored():
+def test_an_interrupt_is_the_explorers_where_interrupts_are_the_owners_business(monkeypatch):
+    monkeypatch.setattr(checks._Interrupts, "of_owner", True)
     assert "KeyboardInterrupt" in fault(raising(KeyboardInterrupt()), "crash").seen
 
 
-def test_an_interrupt_is_the_users_where_they_are_not():
-    beat = [0, 1]
-    with pytest.raises(KeyboardInterrupt):
-        run(raising(KeyboardInterrupt()), beat=beat)
+@pytest.mark.parametrize("handler", [signal.SIG_IGN, signal.SIG_DFL, signal.default_int_handler])
+def test_an_interrupt_is_the_users_anywhere_else_whatever_becomes_of_sigint(handler):
+    before, beat = signal.signal(signal.SIGINT, handler), [0, 1]
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            run(raising(KeyboardInterrupt()), beat=beat)
+    finally:
+        signal.signal(signal.SIGINT, before)
     assert beat[1] == 0
 
 

@@ -1,5 +1,7 @@
 """The command line: options in, text or JSON out; every decision is made elsewhere."""
 
+import atexit
+import signal
 import sys
 from typing import NoReturn
 
@@ -12,8 +14,15 @@ def main() -> NoReturn:
     Everything else is loaded here, so that even an early interrupt is answered in one line.
     """
     try:
+        from allworlds.inputs.checks import at_interrupts
+
+        # To be terminated, or left by the terminal, is to be interrupted: a report is left, and no
+        # process.
+        at_interrupts(signal.default_int_handler)
+        atexit.register(at_interrupts, signal.SIG_IGN)  # which is called last
         from allworlds.cli import app
+
+        app.main()
     except KeyboardInterrupt:
         print("allworlds: interrupted", file=sys.stderr)
         sys.exit(130)
-    app.main()

@@ -2,7 +2,6 @@
 
 import os
 import shutil
-import signal
 import sys
 import threading
 import traceback
@@ -30,7 +29,7 @@ from allworlds.cli.output import (
     printable,
     say,
 )
-from allworlds.inputs.checks import InputError, OutOfTime, keep_exit_code, show
+from allworlds.inputs.checks import InputError, OutOfTime, at_interrupts, keep_exit_code, show
 from allworlds.inputs.requests import (
     AS_IN_PYTHON,
     PANELS,
@@ -330,12 +329,9 @@ def main() -> NoReturn:
         sys.exit(_refuse(f"{sys.platform} is not supported, but Linux is (macOS was not tried)"))
     if COMPLETION in os.environ:
         command_line().main(prog_name="allworlds")  # which exits
-    # To be terminated, or left by the terminal, is to be interrupted: a report is left, and no
-    # process.  What is to be ignored (nohup) stays so.
-    for number in (signal.SIGTERM, signal.SIGHUP):
-        if signal.getsignal(number) is not signal.SIG_IGN:
-            signal.signal(number, signal.default_int_handler)
     code = call(sys.argv[1:])
+    # All is said; nothing is left to be told of an interrupt.
+    at_interrupts(lambda *_: os._exit(Exit.INTERRUPTED))
     if threading.active_count() > 1:
         # A thread that could not be given up, such as a compiler's, is not waited for.
         sys.stdout.flush()

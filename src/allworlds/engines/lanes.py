@@ -29,7 +29,12 @@ from allworlds.engines.lane import Lane
 from allworlds.engines.limits import POLL, Limits, check_deadline
 from allworlds.engines.units import PartialResult, Transport, UnitOfRuns
 from allworlds.explorers.loading import Subject
-from allworlds.inputs.checks import InputError
+from allworlds.inputs.checks import (
+    INTERRUPTS,
+    InputError,
+    interrupts_held,
+    leave_interrupts_to_owner,
+)
 from allworlds.words import ended_by
 
 if TYPE_CHECKING:
@@ -62,15 +67,16 @@ class _Process:
             with suppress(Exception):
                 stream.flush()
         gc.freeze()
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", DeprecationWarning)  # other threads take no part
-            parent = os.getpid()
-            self.pid = os.fork()
-        if self.pid == 0:
-            linux.end_with_parent(parent)
-            for other in (self, *others):  # whose owner hangs up when this process ends, too
-                other.link.close()
-            _serve(theirs, subject, limits, first_lane=not others)
+        parent = os.getpid()
+        with interrupts_held():  # a fork that is interrupted at once would go on as its owner does
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", DeprecationWarning)  # other threads take no part
+                self.pid = os.fork()
+            if self.pid == 0:
+                linux.end_with_parent(parent)
+                for other in (self, *others):  # whose owner hangs up when this process ends, too
+                    other.link.close()
+                _serve(theirs, subject, limits, first_lane=not others)
         gc.unfreeze()
         theirs.close()
 
@@ -222,7 +228,8 @@ def _serve(link: Connection, subject: Subject, limits: Limits, *, first_lane: bo
     status = 1
     try:
         os.setsid()
-        signal.signal(signal.SIGINT, signal.SIG_IGN)  # interrupts are the owner's business
+        leave_interrupts_to_owner()
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, INTERRUPTS)
         if limits.memory is not None and not subject.from_user:
             linux.limit_memory(limits.memory)
         _lane_of(link, subject, limits, first_lane=first_lane)

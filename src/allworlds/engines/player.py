@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 
 # What is needed is loaded before users' code, which may spoil the import path.
 from allworlds.engines.linux import address_space, end_with_parent, limit_memory
-from allworlds.inputs.checks import InputError
+from allworlds.inputs.checks import InputError, leave_interrupts_to_owner
 from allworlds.log import BEYOND
 from allworlds.protocol import actions, choices, playing
 
@@ -50,7 +50,7 @@ TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
 def main(parent: int) -> None:
     """Serve until the owner, the process of that number, hangs up."""
     end_with_parent(parent)
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # interrupts are the owner's business
+    leave_interrupts_to_owner()
     setup = _read()
     beat = memoryview(mmap.mmap(BEAT, 16)).cast("q")
     os.close(BEAT)
@@ -277,6 +277,7 @@ def _flush() -> None:
 
 
 def _leave(program: Program) -> None:
-    """End the user's program, and this process."""
+    """End the user's program, and this process, as the signal would have ended it."""
     program.close()
-    os._exit(0)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    signal.raise_signal(signal.SIGTERM)

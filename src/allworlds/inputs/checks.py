@@ -42,12 +42,48 @@ class OutOfTime(BaseException):
     """Raised if the time of a job is up: also in a model of the user's, which must let it pass."""
 
 
+INTERRUPTS = [each for each in signal.Signals if each.name in ("SIGINT", "SIGTERM", "SIGHUP")]
+"""The signals that interrupt: from the keyboard, to terminate, of a terminal that is closed."""
+
+
+def at_interrupts(act: Any) -> None:
+    """Give these signals a handler, but for those that are to be ignored (``nohup``)."""
+    for number in INTERRUPTS:
+        if signal.getsignal(number) is not signal.SIG_IGN:
+            signal.signal(number, act)
+
+
+@contextmanager
+def interrupts_held() -> Iterator[None]:
+    """A context in which none arrives; it does at the end."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, INTERRUPTS)
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+class _Interrupts:
+    """Whether interrupts of this process are its owner's business."""
+
+    of_owner = False
+
+
+def leave_interrupts_to_owner() -> None:
+    """Take no more notice of interrupts: only users' code raises KeyboardInterrupt from now on.
+
+    A signal that is for this process alone ends it.
+    """
+    _Interrupts.of_owner = True
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    at_interrupts(signal.SIG_DFL)
+
+
 def let_users_interrupt(error: BaseException) -> None:
-    """Raise an interrupt again; where interrupts are ignored only an explorer raises one."""
+    """Raise an interrupt again, unless interrupts are the business of this process's owner."""
     if isinstance(error, OutOfTime):
         raise error
-    ignored = signal.getsignal(signal.SIGINT) is signal.SIG_IGN
-    if isinstance(error, KeyboardInterrupt) and not ignored:
+    if isinstance(error, KeyboardInterrupt) and not _Interrupts.of_owner:
         raise error
 
 
