@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import signalled
+from processes import PATIENCE
 
 SUPPORT = Path(signalled.__file__).parent
 WRONG = SUPPORT / "explorers_for_tests" / "wrong.py"
@@ -35,7 +36,7 @@ STAGES = (signalled.HEEDS, "call", "gather", "emit")
 def draw(seed):
     """A command; the signal; the function from whose first call on calls are counted, and so on."""
     drawn = random.Random(seed)
-    name = drawn.choice([*COMMANDS])
+    name = drawn.choice(["built in", *COMMANDS])  # its explorer plays in the first process
     number = drawn.choice([signal.SIGTERM, signal.SIGTERM, signal.SIGINT, signal.SIGHUP])
     begin = drawn.choice([*STAGES, *[COMMANDS[name][1]] * 4])
     return name, number, begin, int(10 ** drawn.uniform(0, 4)), drawn.random() < 0.7, seed % 3 == 2
@@ -72,7 +73,7 @@ def undisturbed(tmp_path_factory):
 
 
 @pytest.mark.processes
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(10, 22))
 def test_a_signal_at_any_moment_interrupts_or_changes_nothing(undisturbed, tmp_path, seed):
     (tmp_path / "models.py").write_text(MODELS)
     name, number, *moment = draw(seed)
@@ -86,3 +87,26 @@ def test_a_signal_at_any_moment_interrupts_or_changes_nothing(undisturbed, tmp_p
         assert not document.get("findings") or name == "wrong"
     if run:
         assert ran(tmp_path, name, *run)[:2] == right
+
+
+@pytest.mark.processes
+def test_a_terminal_that_is_closed_interrupts(tmp_path):
+    ours, theirs = os.openpty()
+
+    def begin():
+        signalled.heed_all()
+        os.login_tty(theirs)
+
+    words = "check algorithm1 --engine python --edges 7 --workers 1 -o report.json"
+    process = subprocess.Popen(
+        [sys.executable, "-m", "allworlds", *words.split()],
+        cwd=tmp_path,
+        preexec_fn=begin,  # noqa: PLW1509  # it starts no thread
+    )
+    os.close(theirs)
+    shown = b""
+    while b"edges 3" not in shown:  # the bar of a level
+        shown += os.read(ours, 1 << 10)
+    os.close(ours)
+    assert process.wait(PATIENCE) == 130
+    assert json.loads((tmp_path / "report.json").read_text())["exit_code"] == 130

@@ -36,12 +36,17 @@ def signal_at_call(number, begin, calls, to_all):
     sys.setprofile(count)
 
 
+def heed_all():
+    """Let signals act that this process was started to ignore."""
+    for each in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(each, signal.SIG_DFL)
+
+
 def main():
     """Run the command."""
     number, begin, calls, ignored, to_all = sys.argv[1:6]
     del sys.argv[1:6]
-    for each in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(each, signal.SIG_DFL)
+    heed_all()
     signal.signal(signal.SIGINT, signal.SIG_IGN if int(ignored) else signal.default_int_handler)
     from allworlds import cli
 

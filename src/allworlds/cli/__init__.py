@@ -1,6 +1,8 @@
 """The command line: options in, text or JSON out; every decision is made elsewhere."""
 
 import atexit
+import os
+import select
 import signal
 import sys
 from typing import NoReturn
@@ -18,7 +20,7 @@ def main() -> NoReturn:
 
         # To be terminated, or left by the terminal, is to be interrupted: a report is left, and no
         # process.
-        at_interrupts(signal.default_int_handler)
+        at_interrupts(_interrupt)
         atexit.register(at_interrupts, signal.SIG_IGN)  # which is called last
         from allworlds.cli import app
 
@@ -26,3 +28,13 @@ def main() -> NoReturn:
     except KeyboardInterrupt:
         print("allworlds: interrupted", file=sys.stderr)
         sys.exit(130)
+
+
+def _interrupt(*_: object) -> NoReturn:
+    """Interrupt the command; what it still writes to a terminal that was closed is dropped."""
+    for stream in (1, 2):
+        terminal = select.poll()
+        terminal.register(stream, select.POLLHUP)
+        if any(event & select.POLLHUP for _, event in terminal.poll(0)):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
+    raise KeyboardInterrupt

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 
 # What is needed is loaded before users' code, which may spoil the import path.
 from allworlds.engines.linux import address_space, end_with_parent, limit_memory
-from allworlds.inputs.checks import InputError, leave_interrupts_to_owner
+from allworlds.inputs.checks import InputError, NestedCheck, leave_interrupts_to_owner
 from allworlds.log import BEYOND
 from allworlds.protocol import actions, choices, playing
 
@@ -59,7 +59,8 @@ def main(parent: int) -> None:
         subject = _loaded(setup)
     except InputError as error:
         reason = str(error)
-        if setup["memory"] is not None and "memory" not in reason:
+        unrelated = "memory" in reason or isinstance(error, NestedCheck)
+        if setup["memory"] is not None and not unrelated:
             reason = f"memory {setup['memory']} MB is probably too small: {reason}"
         _answer(REFUSAL, reason.encode(errors="surrogatepass"))
         return

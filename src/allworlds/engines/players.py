@@ -32,6 +32,7 @@ from allworlds.engines.limits import Limits
 from allworlds.engines.prints import Prints, printing_to
 from allworlds.explorers.loading import HASH_SEED, Subject, is_library, is_program
 from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.nesting import PLAYER
 from allworlds.protocol.actions import Player as Explorer
 
 GRACE = 2.0
@@ -47,7 +48,6 @@ _BOOT = (
     "import sys; sys.path[:] = sys.argv[1:]; del sys.argv[1:]; "
     "from allworlds.engines.player import main; main({})"
 )
-_TOKEN = "ALLWORLDS_PLAYER"  # noqa: S105  # the name of a variable
 
 
 class HarnessError(RuntimeError):
@@ -513,7 +513,7 @@ def _in_thread(act: Callable[[], int]) -> int:
 
 def _spawned(seed: int, token: str, link: int, beat: int, printing: int) -> int:
     """The number of a new process."""
-    environment = {**os.environ, HASH_SEED: str(seed), _TOKEN: token}
+    environment = {**os.environ, HASH_SEED: str(seed), PLAYER: token}
     places = (link, 3), (beat, 4), (printing, 1), (printing, 2)
     # Whatever these descriptors are here, they are copied out of the way first.
     moved = [*enumerate(places, max(link, beat, printing, 4) + 1)]

@@ -23,6 +23,7 @@ from allworlds.engines.units import GivenWorlds, Scope
 from allworlds.explorers import loading, program, sources
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.nesting import ensure_outermost
 from allworlds.judging.episode import Answered, Fault, Over, ending_of
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.judging.findings.rules import RecordedRules, Rules
@@ -128,8 +129,10 @@ def subject_of(explore: str | Callable[..., Any], limits: limits.Limits) -> load
     A named explorer is loaded in a process of its own: users' code does not get into this one.
 
     Raises:
-        InputError: if there is no such explorer, it cannot be imported, or it is no explorer.
+        InputError: if there is no such explorer, it cannot be imported, or it is no explorer; or
+            if nothing may be played here.
     """
+    ensure_outermost()
     if not isinstance(explore, str):
         if not callable(explore):
             raise InputError(f"explore = {show(explore)} is neither a name nor a function")

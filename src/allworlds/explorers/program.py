@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
 
 from allworlds.inputs.checks import SHOWN, InputError, is_loop_of_links, no_file, show
+from allworlds.inputs.nesting import refusal_in
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap
 from allworlds.protocol import actions
 from allworlds.words import ended_by, plural
@@ -344,14 +345,21 @@ class Program:
         return goes_on
 
     def _ended(self, seen: str) -> actions.ExplorerFault:
-        """The fault of a program that has ended, or has closed a pipe, which ``seen`` tells."""
+        """The fault of a program that has ended, or has closed a pipe, which ``seen`` tells.
+
+        Raises:
+            NestedCheck: if it was refused to begin a check.
+        """
         assert self._process is not None
         with contextlib.suppress(subprocess.TimeoutExpired):
             seen = f"the end of its process ({ended_by(self._process.wait(1))})"
         if self._process.returncode == 0 and not self._heard:
             seen += ", before a line of this episode: one process plays many, until its input ends"
         code = self._process.returncode
-        return self._fault("crash", seen, machine=code is not None and code < 0)
+        fault = self._fault("crash", seen, machine=code is not None and code < 0)
+        if refusal := refusal_in(self._err.decode(errors="replace")):
+            raise refusal
+        return fault
 
     def _pass_stderr_on(self) -> None:
         """Print the program's stderr of this episode."""

@@ -42,6 +42,10 @@ class OutOfTime(BaseException):
     """Raised if the time of a job is up: also in a model of the user's, which must let it pass."""
 
 
+class NestedCheck(InputError):
+    """Raised if a check begins because of another one, as it would again and again."""
+
+
 INTERRUPTS = [each for each in signal.Signals if each.name in ("SIGINT", "SIGTERM", "SIGHUP")]
 """The signals that interrupt: from the keyboard, to terminate, of a terminal that is closed."""
 
@@ -80,10 +84,12 @@ def leave_interrupts_to_owner() -> None:
 
 
 def let_users_interrupt(error: BaseException) -> None:
-    """Raise an interrupt again, unless interrupts are the business of this process's owner."""
-    if isinstance(error, OutOfTime):
-        raise error
-    if isinstance(error, KeyboardInterrupt) and not _Interrupts.of_owner:
+    """Raise an interrupt again, unless interrupts are the business of this process's owner.
+
+    A check that may not begin is the user's to mend, too, wherever it would have begun.
+    """
+    interrupt = isinstance(error, KeyboardInterrupt) and not _Interrupts.of_owner
+    if interrupt or isinstance(error, NestedCheck | OutOfTime):
         raise error
 
 

@@ -30,6 +30,8 @@ from typing import (
     get_type_hints,
 )
 
+from allworlds.inputs.nesting import ensure_outermost
+
 P = ParamSpec("P")
 T = TypeVar("T")
 Given = TypeVar("Given")
@@ -49,6 +51,9 @@ class Rare(str):
 
 
 RARE_SCOPE, RARE_RULES, RARE_EFFORT = Rare(SCOPE), Rare(RULES), Rare(EFFORT)
+
+EXPLORER_FIELDS = ("explore", "explorers")
+"""The fields of requests for which explorers are played."""
 
 AS_IN_PYTHON: Final = object()
 
@@ -227,12 +232,15 @@ def takes_fields(
         if several:
             given = inspect.Parameter(several, inspect.Parameter.VAR_POSITIONAL)
             taken = [given, *(each for each in taken if each.name != several)]
+        plays = not of.keys().isdisjoint(EXPLORER_FIELDS)
         returned = inspect.signature(function).return_annotation
         signature = inspect.Signature(taken, return_annotation=returned)
 
         @wraps(function)
         def checked(*args: P.args, **keywords: P.kwargs) -> Answer:
             ensure_takes(function.__name__, signature, *args, **keywords)
+            if plays:  # before a file that the request names is loaded
+                ensure_outermost()
             return function(*args, **keywords)
 
         checked.__wrapped__ = answered or function  # type: ignore[assignment]  # for answer()

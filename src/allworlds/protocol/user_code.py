@@ -24,6 +24,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from allworlds.inputs.checks import InputError, did_you_mean, exit_code_kept, show
+from allworlds.inputs.nesting import loading
 from allworlds.protocol import importing
 
 if TYPE_CHECKING:
@@ -233,7 +234,7 @@ def _loaded(code: UserCode) -> _Loaded:
     if code.source is None and digest_of_file(code.file) != code.digest:
         raise InputError(f"{show(code.name)} has another text here")
     before = {*sys.modules}
-    with exit_code_kept():
+    with exit_code_kept(), loading():
         found = _found(code)
     files = (getattr(sys.modules[name], "__file__", "") for name in {*sys.modules} - before)
     return _Loaded(found, frozenset(Path(file).resolve() for file in files if file))

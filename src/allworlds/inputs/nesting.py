@@ -1,0 +1,73 @@
+"""Where a check may begin: neither in what another one has started, nor while it loads a file.
+
+A file that begins a check as it is imported would do so in each player that imports it.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from pathlib import Path
+from traceback import walk_stack
+from types import FrameType
+
+from allworlds.inputs.checks import NestedCheck, show
+
+PLAYER = "ALLWORLDS_PLAYER"
+"""The variable in the environment of players, and of all that users' code starts there."""
+
+SAID = "begins a check where none may begin"
+"""These words are in each refusal, and in what a program has to say of one."""
+
+PACKAGE = str(Path(__file__).parents[1])
+
+_LOADING: ContextVar[bool] = ContextVar("loading", default=False)
+
+
+@contextmanager
+def loading() -> Iterator[None]:
+    """A context in which a file of the user's is loaded for a check."""
+    token = _LOADING.set(True)
+    try:
+        yield
+    finally:
+        _LOADING.reset(token)
+
+
+def ensure_outermost() -> None:
+    """Refuse to begin a check, a run or the like where another one is the cause.
+
+    Raises:
+        NestedCheck: naming the file, the line and the remedy.
+    """
+    if PLAYER in os.environ or _LOADING.get():
+        raise NestedCheck(_refusal())
+
+
+def refusal_in(words: str) -> NestedCheck | None:
+    """The refusal that a program has printed last; None if it has not."""
+    last = words.rstrip().rpartition("\n")[2]
+    return NestedCheck(last.partition(": ")[2]) if SAID in last else None
+
+
+def _refusal() -> str:
+    stack = [*walk_stack(None)]
+    users = [each for each in stack if not each[0].f_code.co_filename.startswith((PACKAGE, "<fro"))]
+    imported = [each for each in users if _is_imported(each[0])]
+    in_program = [each for each in stack if "__file__" in _of_program(each[0])]
+    frame, line = (imported or in_program or users)[0]
+    remedy = "inside another one: what is checked begins none"
+    if imported:
+        remedy = 'as it is imported: put it under if __name__ == "__main__":'
+    return f"{show(frame.f_code.co_filename)}, line {line}, {SAID}, {remedy}"
+
+
+def _is_imported(frame: FrameType) -> bool:
+    return frame.f_code.co_name == "<module>" and not _of_program(frame)
+
+
+def _of_program(frame: FrameType) -> Mapping[str, object]:
+    """The names of a frame of the program itself; of no others."""
+    return frame.f_globals if frame.f_globals.get("__name__") == "__main__" else {}
