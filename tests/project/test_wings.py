@@ -81,7 +81,7 @@ EVERYWHERE = {*sys.stdlib_module_names, "typing_extensions"}
 # Loaded only inside the functions that need them, or for types.
 LAZY = {"dask", "distributed", "networkx", "rich"}
 
-INPUTS = {"inputs", "inputs.checks", "inputs.requests"}
+INPUTS = {"inputs", "inputs.checks", "inputs.nesting", "inputs.requests"}
 """The door to checks of values, and what is behind it."""
 
 DOORS = {"document", "lazy", "maps", "outcome"}
