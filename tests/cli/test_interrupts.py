@@ -3,13 +3,14 @@
 import builtins
 import json
 import signal
+import sys
 import threading
 from importlib import import_module
 from types import SimpleNamespace
 
 import pytest
 
-from allworlds.cli import app, main
+from allworlds.cli import _interrupt_again, app, main
 from allworlds.engines.engine_table import Threads
 from allworlds.inputs.checks import at_interrupts
 from allworlds.outcome import Completed, Interrupted, until_interrupted
@@ -105,10 +106,27 @@ def test_an_interrupt_at_once_is_told_in_a_line(capsys, monkeypatch):
         return loads(name, globals_, locals_, fromlist, level)
 
     monkeypatch.setattr(builtins, "__import__", interrupted)
+    monkeypatch.setattr(signal, "signal", lambda *_: None)
+    monkeypatch.setattr(sys, "unraisablehook", sys.unraisablehook)
     with pytest.raises(SystemExit) as end:
         main()
     assert end.value.code == 130
     assert capsys.readouterr() == ("", "allworlds: interrupted\n")
+
+
+def test_an_interrupt_that_falls_into_a_finalizer_comes_again(capsys):
+    def dropped():
+        _interrupt_again(SimpleNamespace(exc_type=KeyboardInterrupt))
+        while True:
+            signal.pause()
+
+    before = signal.getsignal(signal.SIGALRM)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            dropped()
+    finally:
+        signal.signal(signal.SIGALRM, before)
+    assert capsys.readouterr() == ("", "")
 
 
 @pytest.mark.parametrize("words", ["ambiguity twins k4 k4", "ambiguity class k4"])

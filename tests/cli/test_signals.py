@@ -3,6 +3,7 @@
 import json
 import os
 import random
+import shlex
 import signal
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from processes import PATIENCE
 
 SUPPORT = Path(signalled.__file__).parent
 WRONG = SUPPORT / "explorers_for_tests" / "wrong.py"
+PROGRAM = WRONG.with_name("program.py")
 MODELS = """
 def even(map_):
     return all(degree % 2 == 0 for degree in map_.degrees)
@@ -25,6 +27,7 @@ COMMANDS = {
     "either engine": ("check algorithm1 --edges 2", "turn"),
     "one's own": (f"check {WRONG}:right --edges 2", "heard"),
     "models": (f"check {WRONG}:right --edges 2 --workers 2 --where models.py:even", "attempted"),
+    "program": (f"check --edges 1 --exec '{sys.executable} {PROGRAM} right'", "heard"),
     "wrong": (f"check {WRONG}:everywhere --edges 1", "count_outcome"),
 }
 """Commands, and of each a function that is called where it is at work."""
@@ -49,7 +52,7 @@ def ran(folder, name, *words, drawn=None):
         [
             sys.executable,
             *map(str, program),
-            *COMMANDS[name][0].split(),
+            *shlex.split(COMMANDS[name][0]),
             "--json",
             *map(str, words),
         ],
@@ -73,7 +76,7 @@ def undisturbed(tmp_path_factory):
 
 
 @pytest.mark.processes
-@pytest.mark.parametrize("seed", range(10, 22))
+@pytest.mark.parametrize("seed", range(12, 24))
 def test_a_signal_at_any_moment_interrupts_or_changes_nothing(undisturbed, tmp_path, seed):
     (tmp_path / "models.py").write_text(MODELS)
     name, number, *moment = draw(seed)

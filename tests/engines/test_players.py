@@ -2,6 +2,9 @@
 
 import marshal
 import os
+import signal
+import sys
+from pathlib import Path
 
 import pytest
 
@@ -24,6 +27,7 @@ from small import EDGE
 
 pytestmark = pytest.mark.processes
 
+PROGRAM = Path(__file__).parents[1] / "support" / "explorers_for_tests" / "program.py"
 WORLD = World(EDGE, Directional(0))
 RIGHT = """
 from allworlds import CombinatorialMap, Estimate, Move
@@ -94,6 +98,20 @@ def test_a_player_plays_a_batch_in_worlds_and_against_records(module):
         one.close()
     with pytest.raises(OSError, match="Bad file descriptor"):
         os.fstat(one._printed)
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_for_the_player_of_a_program_is_not_the_programs_fault(number):
+    subject = Subject(f"exec:{sys.executable} {PROGRAM} hang", frozenset())
+    one = PlayerProcess(Setup(subject, Limits()), 0)
+    try:
+        one.loaded()
+        os.kill(one.pid, number)
+        with pytest.raises(Lost, match=f"signal {int(number)}") as lost:
+            answered(one, runs())
+        assert lost.value.machine
+    finally:
+        one.close()
 
 
 def judge_record(judged):

@@ -5,7 +5,7 @@ import os
 import select
 import signal
 import sys
-from typing import NoReturn
+from typing import Any, NoReturn
 
 __all__ = ["main"]
 
@@ -21,6 +21,7 @@ def main() -> NoReturn:
         # To be terminated, or left by the terminal, is to be interrupted: a report is left, and no
         # process.
         at_interrupts(_interrupt)
+        sys.unraisablehook = _interrupt_again
         atexit.register(at_interrupts, signal.SIG_IGN)  # which is called last
         from allworlds.cli import app
 
@@ -38,3 +39,12 @@ def _interrupt(*_: object) -> NoReturn:
         if any(event & select.POLLHUP for _, event in terminal.poll(0)):
             os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
     raise KeyboardInterrupt
+
+
+def _interrupt_again(dropped: Any) -> None:
+    """Interrupt once more, and soon, where Python has dropped an interrupt: in a finalizer."""
+    if issubclass(dropped.exc_type, KeyboardInterrupt):
+        signal.signal(signal.SIGALRM, _interrupt)
+        signal.setitimer(signal.ITIMER_REAL, 0.01)
+    else:
+        sys.__unraisablehook__(dropped)
