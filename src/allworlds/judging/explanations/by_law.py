@@ -187,10 +187,10 @@ def _say_tried(finding: Finding) -> list[str]:
 
 def _say_progress(story: Walked) -> str:
     """Tell since when no edge was new; the last step where there was none."""
-    found_at = story.discoveries
+    found_at = story.discoveries.values()
     if not found_at:
         return _say_last_step(story)
-    step, left = f"After step {found_at[-1]}", story.map.edge_count - len(found_at)
+    step, left = f"After step {max(found_at)}", story.map.edge_count - len(found_at)
     if left:
         return f"{step} it met no new edge; {plural(left, 'edge')} it never met."
     return f"{step} it had walked every edge of the world, and yet it went on."
@@ -203,11 +203,11 @@ def _say_left(story: Story) -> list[str]:
         visited = {map_.vertex_of[dart] for dart in story.walked}
         left = [story.vertex(v[0]) for v in map_.vertices if map_.vertex_of[v[0]] not in visited]
     elif task == "cover:edges":
-        walked = {*story.walked[1:]}
+        walked = story.discoveries
         left = [
             f"the edge from {story.place(a)}, to {story.place(b)}"
             for a, b in map_.edges
-            if not {a, b} & walked
+            if a not in walked
         ]
     if len(left) > NAMED:
         left[NAMED:] = [f"{len(left) - NAMED} more"]
@@ -293,6 +293,8 @@ def _say_parting(belief: Belief, parting: Parting) -> str:
         return f"They part at the start, at {vertex}: {misfit}."
     if parting.fresh:
         truth = f"At step {step} the robot came to {vertex} for the first time"
+    elif type(story.transcript.actions[step - 1]) is not actions.Move:
+        truth = f"At step {step} the robot stayed at {vertex}"
     else:
         truth = f"At step {step} the robot was back at {vertex}, {story.last_left(robot, step)}"
     if taken_for == (None if parting.fresh else robot):
@@ -310,6 +312,9 @@ def _say_parting(belief: Belief, parting: Parting) -> str:
 def _say_misfit(belief: Belief, step: int) -> str:
     seen = belief.walk.expected[step], belief.story.sensed[step]
     expected, sensed = map(belief.story.in_words, seen)
+    if belief.walk.percepts is None:
+        lacks = f"the answer has {expected}, and no place for the lighthouse"
+        return f"it sensed '{sensed}', where {lacks}"
     return f"it sensed '{sensed}', where the answer predicts '{expected}'"
 
 
@@ -369,7 +374,7 @@ def _say_where(belief: Belief, images: list[Dart]) -> str:
         back = degree - turned
         darts, way = (turned, "anticlockwise") if turned < back else (back, "clockwise")
         where = f"{stands} dart {said} of the same vertex, {plural(darts, 'dart')} too far {way}"
-    if said != map_.alpha[robot] or len(story.walked) == 1:
+    if said != map_.alpha[robot] or not story.transcript.cost:
         return where
     return f"{where}; dart {said} is the other end of the edge by which the robot came"
 

@@ -44,15 +44,15 @@ class Walked:
         self.walked = recorded_trail(world, transcript)
 
     @property
-    def discoveries(self) -> tuple[int, ...]:
-        """The steps that first went along an edge, one for each walked edge, numbered from 1."""
+    def discoveries(self) -> dict[Dart, int]:
+        """The walked edges, each by its smaller dart, with the step that first went along it."""
         first: dict[Dart, int] = {}
         for step, (action, arrived) in enumerate(
             zip(self.transcript.actions, self.walked[1:], strict=False), 1
         ):
             if type(action) is Move:
                 first.setdefault(min(arrived, self.map.alpha[arrived]), step)
-        return (*first.values(),)
+        return first
 
     def in_words(self, percept: Percept) -> str:
         """The percept in the words of the world's lighthouse."""

@@ -6,8 +6,8 @@ A log is walked in the world, in a wrong answer, and to the step at which the tw
 import hashlib
 import json
 import shlex
-from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cached_property, partial
 from operator import eq
 from typing import Annotated, Any, Final, Literal, NamedTuple
@@ -431,13 +431,14 @@ def believed_percepts(
     if lighthouse is None:
         return None
     percepts = lighthouse.percepts(estimate)
-    dropped: Counter[int] = Counter()
-    expected = [percepts[trail[0]]]
+    state, expected = State(trail[0], hand=lighthouse.in_hand), [percepts[trail[0]]]
     for dart, action in zip(trail[1:], transcript.actions, strict=True):
-        vertex = estimate.vertex_of[dart]
-        dropped[vertex] += (type(action) is actions.Drop) - (type(action) is actions.Pick)
+        state = replace(state, dart=dart)
+        lying = state.lying.count(estimate.vertex_of[dart])
         # A wrong answer may make the robot take up what it has never dropped there.
-        expected.append(percepts[dart].marked(max(dropped[vertex], 0)))
+        if type(action) is not actions.Move and not lighthouse.refusal(action, lying, state.hand):
+            state = lighthouse.acted(estimate, state, action)
+        expected.append(percepts[dart].marked(lighthouse.left_marks(estimate, state)))
     return expected
 
 
@@ -523,7 +524,8 @@ def believed_walk(world: World, answer: actions.Estimate, transcript: Transcript
     """The walk in the answer from the dart from which it agrees for longest.
 
     Of equals it is the one from which the motions lead to ``here``, if it is among them, else the
-    one from the smallest dart: an explorer that errs only at the end was right before.
+    one whose degrees agree for longest, then the one from the smallest dart: an explorer that errs
+    only at the end was right before.
 
     Cost: the steps, times the darts of the answer from which the degrees agree that long.
     """
@@ -539,7 +541,8 @@ def believed_walk(world: World, answer: actions.Estimate, transcript: Transcript
         trail = [*trail_from(answer.map, dart, transcript)]
         trail[-1] = answer.here
         other = _beside(world, answer.map, trail, transcript)
-        if other.agreement > best.agreement:
+        # A leap to `here` that nothing contradicts is no walk: such an answer does not fit the log.
+        if other.parting and other.agreement > best.agreement:
             best = other
     return best
 
