@@ -325,10 +325,14 @@ class Rules(RuleOptions, kw_only=False):
         return Choices(policy_named(self.policy, name), script)
 
     def arguments(self, script: Sequence[int] = ()) -> list[str]:
-        """The options of ``run`` that give these rules, and these answers to the first choices."""
+        """The options of ``run`` that give these rules, and these answers to the first choices.
+
+        ``run`` knows of no promise: a law that is not checked under one is left out by name.
+        """
         answered = any(script) or (script and self.policy != DEFAULT_POLICY)
         choices = ["--choices", ",".join(map(str, script))] if answered else []
-        return [*given_again(RuleOptions, self), *choices]
+        of_run = replace(self, promised=False, laws=self.applying or None)
+        return [*given_again(RuleOptions, of_run), *choices]
 
     @property
     def in_effect(self) -> dict[str, Any]:
