@@ -356,3 +356,15 @@ def test_who_has_not_moved_did_not_come_by_an_edge():
     assert "other end" not in said[0]
     moved = told(walking(Move(1), answer=Estimate(LASSO, 1)), world, laws=("pose",))
     assert "; dart 1 is the other end of the edge by which the robot came" in moved[0]
+
+
+def test_who_acts_last_without_a_move_has_stayed_where_the_answer_leaps():
+    # Out by dart 2 to v1, where the marker is dropped: the answer is at v0 all of a sudden.
+    world = World(LASSO, Movable(), 0)
+    explanation = explain(found(walking(Move(2), Drop(), answer=Estimate(LASSO, 0)), world))
+    assert (explanation.law, explanation.step) == ("pose", 2)
+    assert explanation.sentences[1] == (
+        "At step 2 the robot stayed at v1, but its answer takes the place for v0, which it had "
+        "left at step 1: it sensed 'degree 1, marked', where the answer predicts 'degree 3, "
+        "marked'."
+    )
