@@ -36,6 +36,11 @@ def turned(map_, dart, k):
     return dart
 
 
+def places_between(map_, dart, other):
+    """How many places clockwise the other dart of the vertex lies."""
+    return next(k for k in range(map_.degree_at[dart]) if turned(map_, dart, k) == other)
+
+
 def walk_from(map_, dart, motions):
     trail = [dart]
     for k in motions:
@@ -515,6 +520,10 @@ def test_of_a_wrong_pose_it_is_told_where_the_robot_is_and_where_it_believes_to_
         assert said in images
         near = [d for d in images if truth.owner[d] == truth.owner[robot]]
         if near:
+            step, means, *_ = truth.parting()
+            nearest = min(near, key=lambda d: places_between(map_, d, robot))
+            at_the_end = step == len(truth.walk) - 1 and means in near
+            assert said == (means if at_the_end else nearest)
             count = int(far.split()[0])
             assert far == plural(count, "dart")
             assert 2 * count <= map_.degree_at[robot]

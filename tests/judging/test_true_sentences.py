@@ -149,6 +149,8 @@ def test_each_kind_of_end_has_the_advice_that_is_about_it(law, seen, explorer, s
     given = [line for line in explain(finding).sentences if line in advice]
     expected = [] if said is None else [KEPT, UNWRITTEN] if said == UNWRITTEN else [said]
     assert given == expected
+    last = "It made no step: it stood at the start, v0, dart 0, and sensed"
+    assert [line.startswith(last) for line in explain(finding).sentences].count(True) == 1
 
 
 @pytest.mark.parametrize(
