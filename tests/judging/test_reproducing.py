@@ -134,3 +134,15 @@ def test_explorer_world_and_hash_seed_stand_in_the_line(explorer, words, seed, w
 def test_a_function_that_no_command_can_name_is_run_by_a_line_of_python(name):
     finding = run(far, World(EDGE, Directional(0), 0)).finding
     assert replace(finding, explorer=name).reproduce.startswith("allworlds.run(mine, '{")
+
+
+def test_a_line_of_python_gives_the_choices_again():
+    def picks(_first, *, choices):
+        yield Move(choices.pick((0, 1), of="edge"))
+        choices.pick((0, 1, 2), of="path")
+        return None
+
+    finding = run(picks, World(PATH, Directional(1), 1), choices=[1, 2]).finding
+    again = eval(finding.reproduce, {"picks": picks, "allworlds": allworlds}).finding
+    assert again.choices == finding.choices == (1, 2)
+    assert again.transcript == finding.transcript
