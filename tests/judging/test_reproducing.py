@@ -140,7 +140,6 @@ def test_a_line_of_python_gives_the_choices_again():
     def picks(_first, *, choices):
         yield Move(choices.pick((0, 1), of="edge"))
         choices.pick((0, 1, 2), of="path")
-        return None
 
     finding = run(picks, World(PATH, Directional(1), 1), choices=[1, 2]).finding
     again = eval(finding.reproduce, {"picks": picks, "allworlds": allworlds}).finding
