@@ -149,6 +149,11 @@ def test_a_graph_without_an_order_is_refused_and_told_the_ways(graph):
     assert all(way in str(refused.value) for way in [f"node {first!r} has", *ways])
 
 
+def ways(there, back):
+    """A graph with an edge each way, which have these attributes."""
+    return nx.DiGraph([(0, 1, there), (1, 0, back)])
+
+
 @pytest.mark.parametrize(
     ("graph", "said"),
     [
@@ -156,6 +161,14 @@ def test_a_graph_without_an_order_is_refused_and_told_the_ways(graph):
         (nx.Graph(), "the graph has no node; a map has at least one edge"),
         (nx.DiGraph([("a", "b"), ("b", "a"), ("b", "c")]), "from 'b' to 'c' leads one way only"),
         (nx.MultiDiGraph([(0, 1), (1, 0), (1, 0)]), "the edge from 1 to 0 leads one way only"),
+        (ways({"oneway": True}, {"oneway": True}), "the edge from 0 to 1 leads one way only"),
+        (ways({"osmid": 1}, {"osmid": 2}), "the edge from 0 to 1 and that back have keys or ids"),
+        (ways({"id": 1}, {}), "the edge from 0 to 1 and that back have keys or ids of their own"),
+        # As networkx reads a file with ids, one pair of whose edges is parallel.
+        (
+            nx.MultiDiGraph([(0, 1, 7), (1, 0, 8), (1, 2, 1), (2, 1, 2), (1, 2, 3), (2, 1, 4)]),
+            "the edge from 0 to 1 and that back have keys or ids of their own",
+        ),
         (
             nx.MultiGraph([(0, 1), (0, 1)]),
             "the edge from 0 to 1 is a loop, or one of several; maps.from_rotation",

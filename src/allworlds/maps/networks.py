@@ -94,6 +94,10 @@ def from_networkx(
 LISTS = "maps.from_rotation and maps.from_cycles take the order round each vertex as a list"
 
 
+IDS = ("id", "osmid")
+"""The attributes in which both directions of an edge are equal."""
+
+
 def undirected(graph: nx.Graph) -> nx.Graph:
     """The graph, in which both directions of an edge are one edge.
 
@@ -112,10 +116,18 @@ def undirected(graph: nx.Graph) -> nx.Graph:
     if not isinstance(graph, nx.DiGraph):  # an embedding says of itself that it is not directed
         return graph
     for v, w, *key in graph.edges:
-        if not graph.has_edge(w, v, *key):
+        edge, there = f"the edge from {show(v)} to {show(w)}", graph.edges[v, w, *key]
+        is_one_way = str(there.get("oneway")).lower() in ("true", "yes", "1")  # as OSMnx says
+        if is_one_way or graph.number_of_edges(v, w) > graph.number_of_edges(w, v):
             raise InvalidMap(
-                f"the edge from {show(v)} to {show(w)} leads one way only; each edge of a map "
-                "leads back, as in graph.to_undirected()"
+                f"{edge} leads one way only; each edge of a map leads back, as in "
+                "graph.to_undirected()"
+            )
+        back = graph.get_edge_data(w, v, *key)
+        if back is None or any(show(there.get(name)) != show(back.get(name)) for name in IDS):
+            raise InvalidMap(
+                f"{edge} and that back have keys or ids of their own, as two edges have; both "
+                "directions of one edge have the same"
             )
     return graph.to_undirected()
 
