@@ -90,14 +90,13 @@ def of_yed(content: bytes) -> nx.Graph:
             graph.nodes[node.get("id")]["pos"] = place
     for edge in root.iter(f"{PLAIN}edge"):
         ends = edge.get("source"), edge.get("target")
-        names = [_label(graph.nodes[end]) or end for end in ends]
+        v, w = (show(_label(graph.nodes[end]) or end) for end in ends)
         arrows = edge.find(f".//{YED}Arrows")
         heads = [] if arrows is None else [arrows.get(end) for end in ("source", "target")]
         if heads.count("none") == 1:
-            v, w = map(show, names)
             raise InputError(f"the edge from {v} to {w} has an arrow at one end: it leads one way")
         if _is_bent_in_yed(edge):
-            raise _not_straight(*names)
+            raise _not_straight(v, w)
         graph.add_edge(*ends)
     return graph
 
@@ -116,8 +115,7 @@ def _root_and_graph(content: bytes) -> tuple[ET.Element, nx.Graph]:
         namespace, _, name = each.tag.rpartition("}")
         if namespace == given:
             each.tag = PLAIN + name
-    graphs = len(root.findall(f"{PLAIN}graph"))
-    if graphs != 1:
+    if (graphs := len(root.findall(f"{PLAIN}graph"))) != 1:
         raise InputError(f"{graphs} graphs stand in it; legal is 1")
     nodes, edges = ([*root.iter(PLAIN + what)] for what in ("node", "edge"))
     for node in nodes:
@@ -137,9 +135,9 @@ def _no_vertex(group: object) -> InputError:
     return InputError(f"the node {show(group)} is a group of nodes, and no vertex; ungroup it")
 
 
-def _not_straight(v: object, w: object) -> InputError:
+def _not_straight(v: str, w: str) -> InputError:
     how = "has a bend, or an end beside the middle of a box; legal are straight lines"
-    return InputError(f"the edge from {show(v)} to {show(w)} {how}")
+    return InputError(f"the edge from {v} to {w} {how}")
 
 
 def _ensure_differ(ids: Iterable[object]) -> None:
@@ -153,9 +151,8 @@ def _ensure_whole(graph: nx.Graph, nodes: int, edges: int) -> None:
     """Refuse a graph that networkx has read with other numbers of nodes or edges."""
     n, m = graph.number_of_nodes(), graph.number_of_edges()
     if (n, m) != (nodes, edges):
-        why = "one has the id of another, is nested, or stands behind a lone quotation mark"
-        read = f"of which networkx reads {n} and {m}"
-        raise InputError(f"{nodes} nodes and {edges} edges, {read}: {why}")
+        read = f"{nodes} nodes and {edges} edges, of which networkx reads {n} and {m}"
+        raise InputError(f"{read}: one has the id of another, is nested, or follows a lone '\"'")
 
 
 def _is_bent_in_yed(edge: ET.Element) -> bool:
@@ -188,7 +185,7 @@ def _entry(graph: nx.Graph) -> Entry:
     graph = undirected(nx.relabel_nodes(graph, dict(zip(graph, names, strict=True))))
     for v, w, data in graph.edges(data=True):
         if _is_bent(data):
-            raise _not_straight(v, w)
+            raise _not_straight(show(v), show(w))
     places = {name: _place(name, graph.nodes[name]) for name in names}
     map_ = from_positions(graph, places)
     return Entry(map_, Labelling("", tuple(names), tuple(places.values())))
