@@ -59,7 +59,7 @@ from msgspec import (
 )
 from msgspec.structs import fields, force_setattr, replace as replace_in_struct
 
-from allworlds.inputs.checks import InputError, show
+from allworlds.inputs.checks import InputError, an_integer, show
 from allworlds.inputs.requests import Field, Option, in_scope
 from allworlds.outcome import Exit, Facts
 
@@ -321,8 +321,9 @@ def plain(value: Any) -> Any:
             return {str(plain(name)): plain(inner) for name, inner in value.items()}
         case tuple() | list():
             return [plain(inner) for inner in value]
-        case _:
+        case _ if hasattr(value, "to_json"):
             return value.to_json()
+    return an_integer("a value that JSON does not have", value)  # it may be numpy's
 
 
 def plain_at_once(value: object) -> Any:

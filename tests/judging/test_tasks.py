@@ -2,8 +2,10 @@
 
 import pickle
 
+import numpy as np
 import pytest
 
+from allworlds import run
 from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import Answered, Over
 from allworlds.judging.findings.rules import Rules
@@ -111,6 +113,42 @@ def wrong(task, map_, motions, ending, start=0):
 )
 def test_a_run_is_judged_by_its_task(task, map_, motions, answer, said):
     assert wrong(task, map_, motions, Answered(answer)) == said
+
+
+class Two:
+    def __index__(self):
+        return 2
+
+
+@pytest.mark.parametrize("two", [2, np.int64(2), np.uint8(2), Two()])
+def test_whatever_is_an_integer_to_python_is_an_answer_in_numbers(two):
+    def explore(first):
+        yield Move(0)
+        return two
+
+    for task, right in [("count:n", True), ("count:m", False), ("face", True)]:
+        assert run(explore, World(EDGE, Nothing()), task=task).finding is None or not right
+    judged = run(explore, World(PATH, Nothing()), task="count:n").finding
+    assert "the answer 2, and the number of vertices is 3" in judged.seen
+
+
+@pytest.mark.parametrize("two", [np.bool_(1), 2.5j, np.float32(2)])
+def test_what_is_no_integer_to_python_is_no_answer_in_numbers(two):
+    def explore(first):
+        yield Move(0)
+        return two
+
+    assert run(explore, World(EDGE, Nothing()), task="count:n").finding.law == "no-estimate"
+
+
+@pytest.mark.parametrize("here", [1, np.int64(1)])
+def test_the_place_in_an_estimate_is_any_integer(here):
+    def explore(first):
+        yield Move(0)
+        return Estimate(EDGE, here)
+
+    assert run(explore, World(EDGE, Nothing())).finding is None
+    assert Estimate(EDGE, here).to_json()["here"] == 1
 
 
 def test_left_of_the_first_dart_is_the_face_that_turning_left_goes_round():

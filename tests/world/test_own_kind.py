@@ -1,10 +1,13 @@
 """Lighthouses of the user's own: found by name, known by content, and checked."""
 
 import copy
+import json
 import pickle
+from pathlib import Path
 
 import pytest
 
+from allworlds import check, replay
 from allworlds.inputs.checks import InputError
 from allworlds.protocol.actions import Drop, Percept
 from allworlds.protocol.user_code import OtherText
@@ -281,6 +284,72 @@ def test_an_error_in_a_lighthouse_is_bad_input_that_names_it(folder, kind, said)
         leave_a_mark(next(worlds(edges=1, lighthouse=f"bad.py:{kind}")))
     assert f"bad.py:{kind}" in str(error.value)
     assert "object at 0x" not in str(error.value) or kind == "Tells"
+
+
+NUMPY = """
+from dataclasses import dataclass
+
+import numpy as np
+from allworlds import Lighthouse, Percept
+
+
+@dataclass(frozen=True)
+class Lamp(Lighthouse):
+    dart: int
+    size: int
+    more: object = None
+
+    @classmethod
+    def places(cls, map_, start):
+        yield cls(np.int64(start), np.uint8(7))
+
+    def sensed(self, map_, here):
+        return Percept(np.int64(map_.degree_at[here]), np.int64(here == self.dart))
+
+
+class Half(Lamp):
+    @classmethod
+    def places(cls, map_, start):
+        yield cls(np.int64(start), np.float32(0.5))
+
+
+class Yes(Lamp):
+    @classmethod
+    def places(cls, map_, start):
+        yield cls(np.int64(start), 7, np.bool_(True))
+
+
+class Set(Lamp):
+    @classmethod
+    def places(cls, map_, start):
+        yield cls(np.int64(start), 7, frozenset({start}))
+"""
+
+
+def test_an_integer_of_numpy_in_a_field_is_written_as_an_integer(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("of_numpy.py").write_text(NUMPY)
+    report = check(gives_up, edges=2, lighthouse="of_numpy.py:Lamp")
+    (finding,) = report.findings[:1]
+    told = json.loads(finding.text)["world"]["lighthouse"]
+    assert (told["dart"], told["size"]) == (finding.world.start, 7)
+    assert replay(finding, gives_up).outcome == "reproduced"
+
+
+@pytest.mark.parametrize(
+    ("kind", "value"),
+    [("Half", r"np.float32\(0.5\)"), ("Yes", "np.True_"), ("Set", r"frozenset\(\{0\}\)")],
+)
+def test_a_field_that_no_document_can_hold_is_refused(kind, value, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    Path("of_numpy.py").write_text(NUMPY)
+    with pytest.raises(InputError, match=f"JSON does not have = {value} is not an integer"):
+        next(worlds(edges=1, lighthouse=f"of_numpy.py:{kind}"))
+
+
+def gives_up(first):
+    return None
+    yield
 
 
 def test_the_hand_may_be_a_number_in_the_class(folder):

@@ -307,7 +307,7 @@ def any_answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
     if type(answer) in (actions.Estimate, actions.Ambiguous):
         return answer_entry(answer, most)
     try:
-        text = json.dumps(answer, allow_nan=False)
+        text = json.dumps(answer, allow_nan=False, default=checks.integer)
     except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
         checks.let_users_interrupt(error)
         return entries.fault("no-estimate", A_VALUE, checks.show(answer))
