@@ -151,6 +151,20 @@ def test_a_slip_in_a_name_is_told(refused, words, meant):
     assert f"id you mean '{meant}'?" in refused(*words.split())
 
 
+@pytest.mark.parametrize(
+    ("verb", "option"), [(verb, param.opts[0]) for verb, param in OPTIONS if not param.multiple]
+)
+def test_an_option_of_one_value_is_given_once(refused, verb, option):
+    twice = refused(*verb.split(), option, "one", f"{option}=two" if option[1] == "-" else "-otwo")
+    assert twice == f"allworlds: {option} is given as 'one' and 'two'; give it once\n"
+
+
+def test_an_option_that_may_be_repeated_or_says_nothing_more_is_taken_twice(cli, tmp_path):
+    files = [word for name in ("a.csv", "b.csv") for word in ("-o", tmp_path / name)]
+    assert cli("count", "--edges", 2, "-q", "--quiet", *files)[0] == 0
+    assert len([*tmp_path.iterdir()]) == 2
+
+
 @pytest.mark.parametrize(("verb", "option"), one_a_type(OPTIONS), ids=str)
 def test_an_empty_text_is_no_value_of_any_option(refused, verb, option, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

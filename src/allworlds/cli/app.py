@@ -60,6 +60,8 @@ def made_helpful(command: Any) -> Any:
             _show_as_written(param)
         elif param.is_flag:
             param.metavar = ""
+        elif not param.multiple:
+            _take_once(param)
     own = command.get_help_option
 
     def help_option(context: Any) -> Any:
@@ -71,6 +73,25 @@ def made_helpful(command: Any) -> Any:
 
     command.get_help_option = help_option
     return command
+
+
+def _take_once(option: Any) -> None:
+    """Refuse the option where it is given twice; by itself the last value would win."""
+    consume = option.consume_value
+
+    def add_to_parser(parser: Any, _context: Any) -> None:
+        parser.add_option(option, option.opts, dest=option.name, action="append")
+
+    def consume_value(context: Any, given: Mapping[str, Any]) -> Any:
+        if option.name not in given:
+            return consume(context, given)
+        value, *more = given[option.name]
+        if more and not context.resilient_parsing:
+            each = f"{show(value)} and {show(more[0])}"
+            raise _Refused(f"{option.opts[0]} is given as {each}; give it once")
+        return consume(context, {**given, option.name: value})
+
+    option.add_to_parser, option.consume_value = add_to_parser, consume_value
 
 
 def _help(context: typer.Context, option: typer.CallbackParam, wanted: bool) -> None:
