@@ -55,7 +55,18 @@ def test_what_is_not_written_leaves_the_old_file(refused, tmp_path):
     why = "world 1 is not written: vertex hall has a loop, not told so"
     assert why in refused("convert", loop, "-o", old)
     assert old.read_bytes() == b"old"
-    assert [*tmp_path.glob("*.part")] == []
+    assert {*tmp_path.iterdir()} == {old, tmp_path / "plans.json"}
+
+
+def test_no_file_of_the_users_is_taken_for_a_draft(cli, tmp_path):
+    for name in ("x.json.part", "x.part", "x.json.tmp", "x.tmp"):
+        (tmp_path / name).write_text("mine")
+    before = {*tmp_path.iterdir()}
+    assert cli("convert", plans(tmp_path), "-o", tmp_path / "x.json")[0] == 0
+    assert {file.read_text() for file in before} == {"mine"}
+    assert {*tmp_path.iterdir()} - before == {tmp_path / "x.json", tmp_path / "plans.json"}
+    modes = {(tmp_path / name).stat().st_mode for name in ("x.json", "plans.json")}
+    assert len(modes) == 1
 
 
 @pytest.mark.parametrize(

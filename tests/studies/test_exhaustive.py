@@ -2,6 +2,7 @@
 
 import importlib
 import json
+import os
 from functools import cache, partial
 
 import pytest
@@ -364,6 +365,26 @@ def test_a_corpus_file_that_is_no_finding_is_refused_by_name(tmp_path):
     (tmp_path / "x.json").write_text('{"law": 1}')
     with pytest.raises(InputError, match=r"corpus file 'x\.json': "):
         check(edges=1, corpus=tmp_path)
+
+
+@pytest.mark.parametrize("kind", ["fifo", "device", "folder"])
+def test_a_corpus_file_that_is_no_regular_file_is_refused_and_not_opened(tmp_path, kind):
+    file = tmp_path / "x.json"
+    make = {"fifo": os.mkfifo, "device": lambda f: f.symlink_to("/dev/zero"), "folder": os.mkdir}
+    make[kind](file)
+    with pytest.raises(InputError, match=r"^corpus file 'x\.json' is no regular file"):
+        check(edges=1, corpus=tmp_path)
+
+
+def test_no_file_of_the_users_is_taken_for_a_draft_of_a_finding(tmp_path, wrong):
+    check(wrong("raises"), edges=1, corpus=tmp_path)
+    (file,) = tmp_path.iterdir()
+    file.unlink()
+    mine = file.with_suffix(".tmp")
+    mine.write_text("mine")
+    check(wrong("raises"), edges=1, corpus=tmp_path)
+    assert {*tmp_path.iterdir()} == {file, mine}
+    assert mine.read_text() == "mine"
 
 
 def test_a_huge_bound_costs_nothing_when_a_finding_ends_the_check(explorers):

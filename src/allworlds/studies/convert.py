@@ -2,9 +2,9 @@
 
 from collections import deque
 from collections.abc import Iterator
-from contextlib import suppress
 from dataclasses import KW_ONLY
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Annotated
 
 from allworlds.document import Document, Edges, Natural, Positive, Report, Text, Vertices, about
@@ -88,15 +88,13 @@ def convert(request: ConvertRequest) -> Convert:
         return Convert(rows=tuple(rows))
     path = a_path("output", request.output)
     notation = to_write(str(path))
-    part = path.with_name(f"{path.name}.part")  # what is refused midway leaves the old file
     try:
-        with part.open("wb") as file:
-            file.writelines(written(told(), notation))
-        part.replace(path)
+        with TemporaryDirectory(prefix=".allworlds-", dir=path.parent) as beside:
+            part = Path(beside) / path.name  # what is refused midway leaves the old file
+            with part.open("wb") as file:
+                file.writelines(written(told(), notation))
+            part.replace(path)
     except OSError as error:
         raise InputError(f"file {show(str(path))} cannot be written: {error.strerror}") from None
-    finally:
-        with suppress(OSError):
-            part.unlink()
     left_out = tuple(sorted(has - {"sigma", "alpha", *notation.keeps}))
     return Convert(written=str(path), rows=tuple(rows), left_out=left_out or None)

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import fields
 from functools import partial
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Annotated, Any, TypeVar
 
 from msgspec import Struct, field
@@ -197,6 +198,8 @@ class UserCorpus(Struct):
         past = list[tuple[str, Finding]]()
         for file in sorted(self.directory.glob("*.json")):
             said = f"corpus file {checks.show(file.name)}"
+            if not file.is_file():
+                raise checks.InputError(f"{said} is no regular file; legal are findings")
             try:
                 text = file.read_text(encoding="utf-8-sig")
             except (OSError, UnicodeDecodeError) as error:
@@ -241,13 +244,10 @@ class UserCorpus(Struct):
         path = self.directory / finding.file_name
         if path.exists():
             return
-        draft = path.with_suffix(".tmp")
-        try:
+        with TemporaryDirectory(prefix=".allworlds-", dir=self.directory) as beside:
+            draft = Path(beside) / path.name
             draft.write_text(finding.text, encoding="utf-8")
             draft.replace(path)
-        except OSError:
-            draft.unlink(missing_ok=True)
-            raise
 
 
 class CorpusReport(Document):
