@@ -2,6 +2,9 @@
 
 import json
 import re
+import resource
+import subprocess
+import sys
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
@@ -190,6 +193,33 @@ def test_a_corpus_that_is_full_loses_the_finding_and_not_the_report(cli, monkeyp
     assert "could not take" in remark
     assert remark in err
     assert [*(tmp_path / "corpus").iterdir()] == []
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize(
+    ("explorer", "said"),
+    [
+        ("algorithm1", "run directory 'kept' cannot be used: disk I/O error"),
+        (WRONG, "no 16 bytes can be shared with an explorer: File too large; legal is 'ulimit -f'"),
+    ],
+)
+def test_where_no_file_may_be_written_a_check_with_a_run_directory_is_refused(
+    explorer, said, tmp_path
+):
+    def nothing():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (0, 0))
+
+    words = ["-m", "allworlds", "check", explorer, "--edges", "1", "--run", "kept"]
+    done = subprocess.run(
+        [sys.executable, *words],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+        preexec_fn=nothing,  # it sets a limit alone
+    )
+    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (2, "", 1)
+    assert said in done.stderr
 
 
 def test_a_file_with_a_byte_order_mark_is_read(cli, tmp_path, monkeypatch):

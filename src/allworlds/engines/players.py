@@ -493,7 +493,11 @@ def _shared(size: int) -> tuple[mmap.mmap, int]:
 
         with tempfile.TemporaryFile() as named:
             file = os.dup(named.fileno())
-    os.truncate(file, size)
+    try:
+        os.truncate(file, size)
+    except OSError as error:  # files may have a limit, which holds for this memory, too
+        why = f"{error.strerror}; legal is 'ulimit -f' of 1 or more"
+        raise InputError(f"no {size} bytes can be shared with an explorer: {why}") from None
     return mmap.mmap(file, size), file
 
 
