@@ -59,7 +59,7 @@ from msgspec import (
 )
 from msgspec.structs import fields, force_setattr, replace as replace_in_struct
 
-from allworlds.inputs.checks import InputError, an_integer, show
+from allworlds.inputs.checks import InputError, integer, show
 from allworlds.inputs.requests import Field, Option, in_scope
 from allworlds.outcome import Exit, Facts
 
@@ -321,9 +321,10 @@ def plain(value: Any) -> Any:
             return {str(plain(name)): plain(inner) for name, inner in value.items()}
         case tuple() | list():
             return [plain(inner) for inner in value]
-        case _ if hasattr(value, "to_json"):
+        case _ if hasattr(value, "__index__"):  # as of numpy
+            return integer(value)
+        case _:
             return value.to_json()
-    return an_integer("a value that JSON does not have", value)  # it may be numpy's
 
 
 def plain_at_once(value: object) -> Any:

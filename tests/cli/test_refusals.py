@@ -156,7 +156,7 @@ def test_a_slip_in_a_name_is_told(refused, words, meant):
 )
 def test_an_option_of_one_value_is_given_once(refused, verb, option):
     twice = refused(*verb.split(), option, "one", f"{option}=two" if option[1] == "-" else "-otwo")
-    assert twice == f"allworlds: {option} is given as 'one' and 'two'; give it once\n"
+    assert twice == f"allworlds: {option} is 'one' and 'two'; give it once\n"
 
 
 def test_an_option_that_may_be_repeated_or_says_nothing_more_is_taken_twice(cli, tmp_path):

@@ -319,6 +319,12 @@ class Yes(Lamp):
         yield cls(np.int64(start), 7, np.bool_(True))
 
 
+class List(Lamp):
+    @classmethod
+    def places(cls, map_, start):
+        yield cls(np.int64(start), np.array(7), np.array([1]))
+
+
 class Set(Lamp):
     @classmethod
     def places(cls, map_, start):
@@ -338,12 +344,17 @@ def test_an_integer_of_numpy_in_a_field_is_written_as_an_integer(tmp_path, monke
 
 @pytest.mark.parametrize(
     ("kind", "value"),
-    [("Half", r"np.float32\(0.5\)"), ("Yes", "np.True_"), ("Set", r"frozenset\(\{5\}\)")],
+    [
+        ("Half", r"np.float32\(0.5\)"),
+        ("Yes", "np.True_"),
+        ("List", "array"),
+        ("Set", r"frozenset\(\{5\}\)"),
+    ],
 )
 def test_a_field_that_no_document_can_hold_is_refused(kind, value, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     Path("of_numpy.py").write_text(NUMPY)
-    with pytest.raises(InputError, match=f"JSON does not have = {value} is not an integer"):
+    with pytest.raises(InputError, match=f"{value}.* has a field that no document can hold"):
         next(worlds(edges=1, lighthouse=f"of_numpy.py:{kind}"))
 
 

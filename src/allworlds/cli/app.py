@@ -87,8 +87,7 @@ def _take_once(option: Any) -> None:
             return consume(context, given)
         value, *more = given[option.name]
         if more and not context.resilient_parsing:
-            each = f"{show(value)} and {show(more[0])}"
-            raise _Refused(f"{option.opts[0]} is given as {each}; give it once")
+            raise _Refused(f"{option.opts[0]} is {show(value)} and {show(more[0])}; give it once")
         return consume(context, {**given, option.name: value})
 
     option.add_to_parser, option.consume_value = add_to_parser, consume_value

@@ -125,10 +125,8 @@ def undirected(graph: nx.Graph) -> nx.Graph:
             )
         back = graph.get_edge_data(w, v, *key)
         if back is None or any(show(there.get(name)) != show(back.get(name)) for name in IDS):
-            raise InvalidMap(
-                f"{edge} and that back have keys or ids of their own, as two edges have; both "
-                "directions of one edge have the same"
-            )
+            own = "keys or ids of their own, as two edges have"
+            raise InvalidMap(f"{edge} and that back have {own}; legal are equal ones")
     return graph.to_undirected()
 
 

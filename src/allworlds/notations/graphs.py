@@ -64,8 +64,7 @@ def of_gml(content: bytes) -> nx.Graph:
     for node, data in graph.nodes(data=True):
         if data.get("isGroup"):
             raise _no_vertex(_label(data) or node)
-    bare = re.sub(r'"[^"]*"|#.*', "", text)
-    parts = re.findall(r"\b(node|edge)\s*\[", bare)
+    parts = re.findall(r"\b(node|edge)\s*\[", re.sub(r'"[^"]*"|#.*', "", text))
     _ensure_whole(graph, parts.count("node"), parts.count("edge"))
     return graph
 

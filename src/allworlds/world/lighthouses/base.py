@@ -207,7 +207,11 @@ class Lighthouse(ABC):
         Of a class of the user's the options stand apart, with the content by which it is known.
         """
         kind: Any = type(self)
-        code, where = kind.code, {key: plain(getattr(self, key)) for key in place_keys(kind)}
+        code = kind.code
+        try:
+            where = {key: plain(getattr(self, key)) for key in place_keys(kind)}
+        except (AttributeError, TypeError):
+            raise InvalidWorld(f"{show(self)} has a field that no document can hold") from None
         if code is not None:
             given = code.arguments or values_in(self)
             return {"kind": code.plain, "options": given, "digest": code.digest, **where}
