@@ -11,9 +11,15 @@ import pytest
 from allworlds import log as entries
 from allworlds.engines import linux, player, players
 from allworlds.engines.judge import Due, PythonJudge
-from allworlds.engines.lane import answered, lost_log
 from allworlds.engines.limits import Limits
-from allworlds.engines.players import Lost, PlayerHere, PlayerProcess, Setup
+from allworlds.engines.players import (
+    Lost,
+    PlayerHere,
+    PlayerProcess,
+    Setup,
+    answered,
+    lost_log,
+)
 from allworlds.engines.tally import RunCounter
 from allworlds.engines.units import Scope
 from allworlds.explorers.loading import Subject, load, source_of

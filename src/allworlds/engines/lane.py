@@ -20,9 +20,9 @@ from functools import partial
 from random import Random
 from typing import Any, NamedTuple
 
-from allworlds import log as entries
 from allworlds.document import replace
 from allworlds.engines import limits, tally, units
+from allworlds.engines.across import OTHER_SEED, Across, At, FirstLog
 from allworlds.engines.judge import (
     Due,
     PythonJudge,
@@ -40,22 +40,24 @@ from allworlds.engines.players import (
     PlayerProcess,
     Setup,
     Unsettled,
-    fresh,
+    answered,
+    logs_from,
+    lost_log,
+    started,
     wait,
 )
 from allworlds.explorers.loading import Subject, is_program
 from allworlds.judging.episode import fault_of
 from allworlds.log import Log
-from allworlds.protocol.playing import AN_ACTION
 
 FIRST, SECOND = 0, 1
 """The numbers of the players, and their hash seeds."""
 
-ONE_MORE, SIX_MORE = (2,), (2, 3, 4, 5, 6, 7)
-"""Other seeds under which records are played: each of small worlds, and some of larger ones."""
+SIX_MORE = (OTHER_SEED, 3, 4, 5, 6, 7)
+"""Other seeds under which some records of larger worlds are played."""
 
 SMALL = 3
-"""The largest m whose every record is played under one seed more."""
+"""The largest m whose every log both judges read."""
 
 AT_ONCE = 2
 """The number of other seeds that are tried at a time."""
@@ -144,6 +146,8 @@ class Lane:
         self._kept: list[tuple[RunBatch, int]] = []
         self._compiled: Any = None
         self._small: list[RunBatch] = []
+        self._across: Across | None = None
+        self._first_logs: dict[At, FirstLog] = {}
         self._first_lane, self._compiling = first_lane, False
         self._due = self._judged = self._settled_runs = 0
         self.given_up = ""
@@ -153,6 +157,11 @@ class Lane:
     def offer(self, unit: units.UnitOfRuns) -> None:
         """Take a unit."""
         work = Work(unit, self.engine.tally())
+        if isinstance(unit, units.AcrossUnit):
+            work.open, seeds = 1, (FIRST, self._seeds[SECOND] and OTHER_SEED)
+            self._across = Across(self._setup, self.judge, work, seeds)
+            self._works.append(work)
+            return
         work.batches = self._judge_of(unit).batches(work, lambda: self._size)
         self._works.append(work)
 
@@ -214,11 +223,14 @@ class Lane:
         if self.given_up:
             raise Unsettled(self.given_up)
         self._give()
-        if any(player.jobs for player in self._players.values()):
-            wait([*self._players.values()], limits.POLL, others)
+        across = self._across.players if self._across else []
+        if any(player.jobs for player in (*self._players.values(), *across)):
+            wait([*self._players.values(), *across], limits.POLL, others)
             for which in (FIRST, SECOND):
                 if which in self._players:
                     self._hear(which, self._players[which])
+        if self._across and len(self._works) == 1:  # the units of the runs are done
+            self._hear_across(self._across)
         self._hand_over()
         done, self._done = self._done, []
         return done
@@ -240,6 +252,8 @@ class Lane:
             player.close()
         self._players.clear()
         self._close_others()
+        if self._across:
+            self._across.close()
 
     def _close_others(self) -> None:
         while self._others:
@@ -344,6 +358,7 @@ class Lane:
                 self._play_first(batch)
                 return
             self._judged += len(batch)
+            self._remember(batch)
             if self._compiled is None and isinstance(batch.work.unit, units.LevelUnit):
                 edges = batch.work.unit.edges
                 self._small += [batch] if edges <= SMALL and self.engine.compiled_from else []
@@ -486,14 +501,11 @@ class Lane:
     # ---------------------------------------------------------------- other seeds
 
     def _keep(self, batch: RunBatch) -> None:
-        """Play the records of small worlds under one seed more; keep some of larger ones."""
-        rows = [(batch, row) for row in range(len(batch))]
+        """Keep some records of large worlds."""
         edges, last = batch.runs[0].world.map.edge_count, self.engine.scope.extent.levels[-1]
-        if edges > SMALL:
-            keeps = self._first_lane and edges == last
-            self._kept += rows[: KEPT - len(self._kept)] if keeps else []
-        else:
-            self._under(ONE_MORE, rows, batch.work)
+        if edges > SMALL and edges == last and self._first_lane:
+            rows = [(batch, row) for row in range(len(batch))]
+            self._kept += rows[: KEPT - len(self._kept)]
 
     def _under(
         self, seeds: Sequence[int], rows: Sequence[tuple[RunBatch, int]], work: Work
@@ -524,16 +536,57 @@ class Lane:
         for (batch, row), log in zip(rows, logs, strict=True):
             second = Log(log)
             if self._differ(batch.outcome(row).log, second):
-                usual, self._seeds = self._seeds, [self._seeds[FIRST], seed]
-                for each, outcome in self._explained(batch, work, [(row, second)]).items():
-                    self._find(batch, work, each, outcome)
-                self._seeds, self._seeds_more = usual, False
+                self._explain_under(seed, batch, work, [(row, second)])
+                self._seeds_more = False
                 return
+
+    def _explain_under(
+        self, seed: int, batch: RunBatch, work: Work, differing: Sequence[tuple[int, Log]]
+    ) -> None:
+        """Find what is wrong with runs whose second logs, under this seed, differ."""
+        usual, self._seeds = self._seeds, [self._seeds[FIRST], seed]
+        for row, outcome in self._explained(batch, work, differing).items():
+            self._find(batch, work, row, outcome)
+        self._seeds = usual
+
+    # ---------------------------------------------------------------- across units
+
+    def _remember(self, batch: RunBatch) -> None:
+        """Remember the logs in small worlds, in the order in which they were played."""
+        unit, logs, broken = batch.work.unit, batch.logs[FIRST], {*batch.broken}
+        is_small = isinstance(unit, units.LevelUnit | units.GivenUnit) and (
+            unit.edges <= units.ACROSS
+        )
+        if is_small and batch.plain:  # a library draws the order
+            for row, due in enumerate(batch.runs):
+                right = row not in broken
+                self._first_logs.setdefault(
+                    (due.world.map, due.place), FirstLog(due, logs[row], right=right)
+                )
+
+    def _hear_across(self, across: Across) -> None:
+        """Hear all runs that are played in both orders; settle them when they are whole.
+
+        If a loss was repeated, the explorer is refuted, and would be lost in these plays, too.
+        """
+        if not (across.begun or self._repeated):
+            across.begin(self._first_logs)
+        elif self._repeated or across.hear(self._note):
+            across.close()
+            across.settle()
+            for row, outcome in across.found.items():
+                self._find(across.batch, across.work, row, outcome)
+            if across.odd:
+                seed = self._seeds[SECOND] and OTHER_SEED
+                self._explain_under(seed, across.batch, across.work, across.odd)
+            across.work.open, self._across = 0, None
 
     # ---------------------------------------------------------------- losses
 
     def _lose(self, which: int, player: PlayerProcess, lost: Lost) -> None:
         """Go on after the loss of a player: its run is tried once more alone."""
+        if which == FIRST:
+            self._first_logs.clear()  # they are of several processes
         if player.jobs and player.description is not None:
             job, _ = player.jobs[0]
             number = player.beat[0]
@@ -612,43 +665,3 @@ class Lane:
                 f"{self._losses} players were lost, the last by {lost.seen}, and each time a fresh "
                 "one was not"
             )
-
-
-def started(setup: Setup, seed: int, notice: Any = None) -> PlayerProcess | PlayerHere:
-    """A player of the explorer: a process of its own, if it can be played there."""
-    subject = setup.subject
-    if subject.from_user and subject.importable:
-        return fresh(setup, seed)
-    explorer = subject.player(notice) if notice and not subject.from_user else subject.player()
-    return PlayerHere(explorer, of_user=subject.from_user, prints=setup.prints)
-
-
-def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> Sequence[bytes]:
-    """The logs that answer a message to a player that has no other job.
-
-    Raises:
-        Lost: if it is lost.
-    """
-    if isinstance(player, PlayerProcess) and player.setup.prints:
-        player.loaded()  # what is printed then is not of the run
-    player.give(None, message)
-    return logs_from(player)
-
-
-def logs_from(player: PlayerProcess | PlayerHere) -> Sequence[bytes]:
-    """The logs that answer its only job; raises as :func:`answered` does."""
-    while True:
-        wait([player], limits.POLL)
-        try:
-            for _, logs in player.heard():
-                assert logs is not None
-                return logs
-        except Lost:
-            if not (isinstance(player, PlayerProcess) and player.description is None):
-                raise
-            player.again()  # it was lost while it loaded the explorer
-
-
-def lost_log(part: bytes, lost: Lost) -> bytes:
-    """The log of a run that was lost, as far as it is known."""
-    return part + entries.fault(lost.law, AN_ACTION, lost.seen, machine=lost.machine)

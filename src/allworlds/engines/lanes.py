@@ -27,7 +27,7 @@ from msgspec import Struct, field
 from allworlds.engines import linux, players, tally
 from allworlds.engines.lane import Lane
 from allworlds.engines.limits import POLL, Limits, check_deadline
-from allworlds.engines.units import PartialResult, Transport, UnitOfRuns
+from allworlds.engines.units import AcrossUnit, PartialResult, Transport, UnitOfRuns
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import (
     INTERRUPTS,
@@ -265,10 +265,14 @@ def _lane_of(link: Connection, subject: Subject, limits: Limits, *, first_lane: 
 
 
 def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:
-    """The units in an order that is drawn anew each time, :data:`AT_A_TIME` of them at a time."""
+    """The units in an order that is drawn anew each time, :data:`AT_A_TIME` of them at a time.
+
+    Those of all runs of small levels come last: a lane has judged most of their logs by then.
+    """
     every, order = iter(units), Random()  # noqa: S311  # from the system; no verdict depends on it
     while some := list(islice(every, AT_A_TIME)):
         order.shuffle(some)
+        some.sort(key=lambda unit: isinstance(unit, AcrossUnit))
         yield from some
 
 

@@ -28,12 +28,14 @@ from typing_extensions import override
 
 from allworlds import outcome, words
 from allworlds.engines import linux, player
-from allworlds.engines.limits import Limits
+from allworlds.engines.limits import POLL, Limits
 from allworlds.engines.prints import Prints, printing_to
 from allworlds.explorers.loading import HASH_SEED, Subject, is_library, is_program
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.nesting import PLAYER
+from allworlds.log import fault
 from allworlds.protocol.actions import Player as Explorer
+from allworlds.protocol.playing import AN_ACTION
 
 GRACE = 2.0
 """Extra seconds for a user's program, whose silence its player notices itself, and for an end."""
@@ -479,6 +481,46 @@ def wait(
         poll.register(file, select.POLLIN)
     ready = {file for file, _ in poll.poll(1000 * seconds)}
     return any(file in ready for file in others)
+
+
+def started(setup: Setup, seed: int, notice: Any = None) -> PlayerProcess | PlayerHere:
+    """A player of the explorer: a process of its own, if it can be played there."""
+    subject = setup.subject
+    if subject.from_user and subject.importable:
+        return fresh(setup, seed)
+    explorer = subject.player(notice) if notice and not subject.from_user else subject.player()
+    return PlayerHere(explorer, of_user=subject.from_user, prints=setup.prints)
+
+
+def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> Sequence[bytes]:
+    """The logs that answer a message to a player that has no other job.
+
+    Raises:
+        Lost: if it is lost.
+    """
+    if isinstance(player, PlayerProcess) and player.setup.prints:
+        player.loaded()  # what is printed then is not of the run
+    player.give(None, message)
+    return logs_from(player)
+
+
+def logs_from(player: PlayerProcess | PlayerHere) -> Sequence[bytes]:
+    """The logs that answer its only job; raises as :func:`answered` does."""
+    while True:
+        wait([player], POLL)
+        try:
+            for _, logs in player.heard():
+                assert logs is not None
+                return logs
+        except Lost:
+            if not (isinstance(player, PlayerProcess) and player.description is None):
+                raise
+            player.again()  # it was lost while it loaded the explorer
+
+
+def lost_log(part: bytes, lost: Lost) -> bytes:
+    """The log of a run that was lost, as far as it is known."""
+    return part + fault(lost.law, AN_ACTION, lost.seen, machine=lost.machine)
 
 
 # ---------------------------------------------------------------- starting

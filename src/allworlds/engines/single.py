@@ -8,6 +8,7 @@ from typing_extensions import override
 
 from allworlds import document as doc, log as entries
 from allworlds.engines import limits, players
+from allworlds.engines.across import after_worlds
 from allworlds.engines.judge import (
     Due,
     PythonJudge,
@@ -15,9 +16,11 @@ from allworlds.engines.judge import (
     difference_of,
     in_words,
     nondeterministic,
+    overruled,
     side_by_side,
 )
-from allworlds.engines.lane import FIRST, SECOND, Lane, answered, lost_log, started
+from allworlds.engines.lane import FIRST, SECOND, Lane
+from allworlds.engines.players import answered, lost_log, started
 from allworlds.engines.tally import LOST, Examiner, Outcome, Referee, RunCounter, Tally, name_run
 from allworlds.engines.units import GivenWorlds, Scope
 from allworlds.explorers import loading, program, sources
@@ -205,10 +208,12 @@ def single_run(
     script: tuple[int, ...],
     limits: limits.Limits,
     hash_seed: int | None = None,
+    after: Sequence[World] = (),
 ) -> SingleRun:
     """One episode in which the script answers the first choices, as far as it fits.
 
-    Both players of a user's explorer have the hash seed, if one is given.
+    Both players of a user's explorer have the hash seed, if one is given.  If it is to be another
+    run after these worlds, it is played after them, too.
     """
     if subject.from_user:
         canonical = canonical_world(world)
@@ -219,7 +224,11 @@ def single_run(
         if lost:
             _, printed = played.in_world(choices, seed)
         else:
-            _, printed = played.again(outcome.episode.transcript, choices, seed)
+            (alone,), printed = played.again(outcome.episode.transcript, choices, seed)
+            if after:
+                later = Plays(subject, rules, canonical, limits, after)
+                (log,), printed = later.again(outcome.episode.transcript, choices, seed)
+                outcome = after_worlds(overruled(outcome, alone, log), after)
         outcome = doc.replace(outcome, output=printed)
     else:
         choices_made = rules.choices(name_run(rules, world), script)
@@ -233,13 +242,22 @@ def single_run(
 
 
 class Plays:
-    """Plays of one run by fresh players, whose prints are recorded."""
+    """Plays of one run by fresh players, whose prints are recorded.
+
+    Each plays the worlds of ``after`` before.
+    """
 
     def __init__(
-        self, subject: loading.Subject, rules: Rules, world: World, limits: limits.Limits
+        self,
+        subject: loading.Subject,
+        rules: Rules,
+        world: World,
+        limits: limits.Limits,
+        after: Sequence[World] = (),
     ) -> None:
         self._setup = players.Setup(subject, limits, prints=True)
         self._rules, self._world = rules, world
+        self._before = [Due(0, place_of(one), one) for one in after]
         counter = RunCounter(Scope(Extent(MapClass.MAPS, world.map.edge_count), rules), keep=1)
         self.judge = PythonJudge(counter, subject.name)
 
@@ -269,6 +287,8 @@ class Plays:
     def _logs(self, message: dict[str, Any], seed: int) -> tuple[Sequence[bytes], str]:
         player = started(self._setup, seed)
         try:
+            if self._before:
+                answered(player, self.judge.worlds_message(self._before))
             logs = answered(player, message)
         except players.Lost as lost:
             logs = [lost_log(bytes(player.part), lost)] * message["runs"]
@@ -297,7 +317,8 @@ def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limi
         (first,), printed = plays.again(
             finding.transcript, choices, FIRST if finding.law == "nondeterministic" else seed
         )
-        return doc.replace(_repeated(finding, plays, first, seed), output=printed)
+        later = Plays(subject, rules, world, limits, finding.earlier)
+        return doc.replace(_repeated(finding, plays, later, first, seed), output=printed)
     except InputError:  # an explorer may not be importable any more
         return doc.replace(finding, confirmed=False)
 
@@ -314,13 +335,19 @@ def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
     )
 
 
-def _repeated(finding: Finding, plays: Plays, first: Log, seed: int) -> Finding:
+def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: int) -> Finding:
     """The finding, and whether fresh processes repeat the run, from the recorded percepts alone.
 
     If a process does something else, the explorer is nondeterministic; such a one is confirmed by
-    plays that differ.
+    plays that differ; ``later`` are those after the worlds before it.
     """
     record = finding.transcript, finding.choices
+    if finding.after:
+        with_seed = finding.hash_seed or FIRST
+        (alone,), _ = plays.again(*record, with_seed)
+        (after,), _ = later.again(*record, with_seed)
+        differ = difference_of(alone, after) is not None and _same_walk(finding, alone)
+        return doc.replace(finding, confirmed=differ)
     if finding.law == "nondeterministic":
         logs = [first]
         for each in (SECOND, FIRST):

@@ -19,6 +19,7 @@ from allworlds.inputs.checks import show
 from allworlds.judging.episode import Answered, Episode, Fault, play
 from allworlds.judging.findings.finding import (
     Believed,
+    EarlierRun,
     Finding,
     canonical_world,
     place_of,
@@ -41,6 +42,7 @@ class Outcome(Struct, frozen=True):
         bound: the largest legal number of traversals, or None.
         hash_seed: the players' one, if it makes a difference.
         output: the explorer's prints, if they were recorded.
+        after: the worlds before it in the same process, if they make a difference.
     """
 
     episode: Episode
@@ -50,6 +52,7 @@ class Outcome(Struct, frozen=True):
     bound: int | None
     hash_seed: int | None = None
     output: str = ""
+    after: tuple[World, ...] = ()
 
     @property
     def cost(self) -> int:
@@ -136,6 +139,7 @@ class Referee:
             machine=isinstance(ending, Fault) and ending.machine,
             hash_seed=outcome.hash_seed,
             output=outcome.output,
+            after=tuple(EarlierRun(world=before) for before in outcome.after),
         )
 
 
@@ -307,15 +311,15 @@ class Tally:
 
     def find(self, finding: Finding) -> None:
         """Keep the finding if it is the smallest of its kind, and that is among the smallest."""
-        if len(self.findings) >= self.keep and finding.key >= self.findings[-1].key:
+        if len(self.findings) >= self.keep and finding.rank >= self.findings[-1].rank:
             return
         for place, kept in enumerate(self.findings):
             if kept.kind == finding.kind:
-                if kept.key <= finding.key:
+                if kept.rank <= finding.rank:
                     return
                 del self.findings[place]
                 break
-        insort(self.findings, finding, key=lambda kept: kept.key)
+        insort(self.findings, finding, key=lambda kept: kept.rank)
         del self.findings[self.keep :]
 
     def remark(self, text: str) -> None:

@@ -346,6 +346,38 @@ class GivenWorlds(Struct, frozen=True):
             yield world.map, [(place, world.lighthouse)]
 
 
+ACROSS, TWICE = 4, 3
+"""The largest m whose every run is played after every other one, and once more after itself."""
+
+
+class AcrossUnit(Struct, frozen=True):
+    """All runs of the levels up to this one, for what one leaves behind for another.
+
+    It counts no world: each has a unit of its own.
+    """
+
+    edges: int
+
+    @property
+    def key(self) -> str:
+        """The name ``EDGES across``."""
+        return f"{self.edges} across"
+
+    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
+        """The maps of all levels, with every place."""
+        for edges in extent.levels:
+            if edges <= self.edges:
+                for unit in units_of_level(extent, edges):
+                    yield from unit.placed(extent, kind)
+
+
+def across_level(extent: Extent, edges: int, portion: Shard) -> Iterator[AcrossUnit]:
+    """The unit of all runs up to a level: of the last small ones, and of the first shard."""
+    small = [each for each in extent.levels[:ACROSS] if each <= ACROSS]
+    if portion.index == 0 and edges in small and (edges >= TWICE or edges == small[-1]):
+        yield AcrossUnit(edges)
+
+
 class NumberedRun(Struct, frozen=True):
     """A run of a unit: its number there, and where it takes place.
 

@@ -24,7 +24,7 @@ from allworlds.engines.limits import (
     TimeIsUp,
     deadline_after,
 )
-from allworlds.engines.players import Lost, Setup
+from allworlds.engines.players import Lost, Setup, answered, started
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import (
     GivenWorlds,
@@ -630,7 +630,7 @@ def bred(
     rules, extent = replace(scope.rules, step_budget=LONG), scope.extent
     number, pool = 0, _Pool(unit, extent, rules.kind)
     judge = PythonJudge(RunCounter(Scope(extent, rules), keep=1), subject.name)
-    player = lane.started(Setup(subject, limits), lane.FIRST)
+    player = started(Setup(subject, limits), lane.FIRST)
     try:
         for generation in range(1 + BRED // GENERATION):
             placed = pool.bred() if generation else unit.placed(extent, rules.kind)
@@ -640,7 +640,7 @@ def bred(
                 for place, lighthouse in places
             ]
             message = judge.worlds_message(due) | {"lines": ONCE, "runs": len(due) + 1}
-            *logs, traced = lane.answered(player, message)
+            *logs, traced = answered(player, message)
             told = json.decode(traced, type=list[tuple[Any, list[Place]]]) if due else []
             for run, log, (_, lines) in zip(due, logs, told, strict=True):
                 pool.add(run.world.map, lines)

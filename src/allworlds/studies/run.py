@@ -217,7 +217,9 @@ def replay(request: ReplayRequest) -> Replay:
     )
     script = finding.choices if same else ()
     for _ in range(TRIES if finding.law == "nondeterministic" else 1):
-        again = single.single_run(subject, finding.world, rules, script, limits, finding.hash_seed)
+        again = single.single_run(
+            subject, finding.world, rules, script, limits, finding.hash_seed, finding.earlier
+        )
         if again.finding:
             break
     notice = single.unused_choice(finding.choices, again) if same else ""

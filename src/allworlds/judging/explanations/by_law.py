@@ -136,6 +136,13 @@ def tell_no_estimate(story: Story) -> Telling:
 def tell_nondeterministic(story: Story) -> Telling:
     """Tell that two plays differ, and what is mostly the cause."""
     how = "In a second run of the same world the explorer acted differently."
+    if after := story.finding.earlier:
+        before = listed([world.in_words for world in after])
+        that = "that world" if len(after) == 1 else "those worlds"
+        how = (
+            f"In the same process the explorer explored {before} before; after {that} it acted "
+            "differently in this one than by itself."
+        )
     return Telling([how, *_advice(story.finding), _say_last_step(story)])
 
 

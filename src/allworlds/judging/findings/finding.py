@@ -83,6 +83,15 @@ class CodeLines(doc.Document, forbid_unknown_fields=False, kw_only=True):
         return next((line for line in self.sources if line.startswith(f"{place}: ")), place)
 
 
+class EarlierRun(doc.Document, forbid_unknown_fields=False):
+    """Earlier run.
+
+    A run that leaves something behind for a later one.
+    """
+
+    world: Annotated[doc.FromJson[World], doc.about("its world, in canonical numbering")]
+
+
 class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True):
     """Finding.
 
@@ -141,6 +150,13 @@ class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True
         doc.IfAny[doc.Natural | None],
         doc.about("the `PYTHONHASHSEED` with which it is so, where another one makes a difference"),
     ] = None
+    after: Annotated[
+        doc.IfAny[tuple[EarlierRun, ...]],
+        doc.about(
+            "the runs before it, in the same process and in this order, without which it is "
+            "another one; left out where none makes a difference"
+        ),
+    ] = ()
     output: Annotated[
         doc.IfAny[str],
         doc.about(
@@ -199,6 +215,16 @@ class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True
         map_ = self.world.map
         code = rooted_code(map_.sigma, map_.alpha, self.world.start)
         return (map_.edge_count, map_.vertex_count, code, self.place, self.choices)
+
+    @property
+    def earlier(self) -> list[World]:
+        """The worlds of the runs before it."""
+        return [run.world for run in self.after]
+
+    @property
+    def rank(self) -> tuple[Any, ...]:
+        """The order of findings: of one run that with a run before it first, then by hash seeds."""
+        return self.key, not self.after, self.hash_seed is None, self.hash_seed or 0
 
     @cached_property
     def kind(self) -> tuple[str, Code]:

@@ -368,6 +368,9 @@ def _remarks(finding: Finding, origin: str, *, checked: bool) -> Iterator[tuple[
             scope = f"the scope (--where {among.name})" if among else "the scope"
             smaller = f"no smaller world of {scope} refutes"
         yield "confirmed", f"{confirmed}; {smaller}"
+    for world in finding.earlier:
+        text = json.dumps(world.to_json(), separators=(",", ":"))
+        yield "explored before", f"{world.in_words}: {text}"
     yield "origin", origin
 
 

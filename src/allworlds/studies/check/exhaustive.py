@@ -1,6 +1,7 @@
 """A check, level by level to a report, in worlds of the user's own, too."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
+from itertools import chain
 from typing import Any
 
 from typing_extensions import override
@@ -95,6 +96,15 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
     def parameters(self) -> dict[str, Any]:
         decided = {"edges": self.scope.extent.edges, "engine": self._engine.name}
         return {**super().parameters(), **decided}
+
+    @override
+    def levels(self) -> Iterable[units.SweptLevel]:
+        """All levels; to the last small ones belongs what one run leaves behind for another."""
+        for level in super().levels():
+            across = units.across_level(self.scope.extent, level.edges, self.portion)
+            subject = self.job.subject
+            more = across if subject.from_user and subject.importable else ()
+            yield doc.replace(level, units=chain(level.units, more))
 
     @override
     def ready(self) -> ReadyEngine:

@@ -1,0 +1,330 @@
+"""All runs of small levels, one after the other in both orders: what one leaves behind for another.
+
+    one process:      run 1, run 2, ..., run N
+    another process:  run N, ..., run 2, run 1; with few edges run 1, run 2, ..., run N once more
+
+So of any two runs, of whatever units, each is played before the other in a process that has played
+nothing else before.  If a log is another one, the earlier runs are cut down by bisection to those
+without which the difference does not show.  These plays count nothing: every run has a unit of its
+own.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple, TypeAlias
+
+from allworlds.document import replace
+from allworlds.engines.judge import (
+    Due,
+    Judged,
+    PythonJudge,
+    RunBatch,
+    Work,
+    difference_of,
+    nondeterministic,
+    overruled,
+)
+from allworlds.engines.players import (
+    Lost,
+    PlayerHere,
+    PlayerProcess,
+    Setup,
+    answered,
+    lost_log,
+    started,
+)
+from allworlds.engines.tally import Outcome
+from allworlds.engines.units import TWICE, AcrossUnit
+from allworlds.judging.findings.finding import canonical_world
+from allworlds.log import Log
+from allworlds.maps.combinatorial import CombinatorialMap, rooted_code
+from allworlds.world.world import World
+
+OTHER_SEED = 2
+"""The hash seed of the second process, which no other play of a check has."""
+
+MOST_EARLIER = 4
+"""The largest number of earlier runs that a finding names."""
+
+FEW = 3
+"""The number of runs with different logs whose earlier runs are looked for."""
+
+At: TypeAlias = tuple[CombinatorialMap, int]
+"""A map with the number of the place."""
+
+
+class FirstLog(NamedTuple):
+    """A run in the unit of its own with its log, and whether it breaks no law."""
+
+    due: Due
+    log: bytes
+    right: bool
+
+
+class _Play:
+    """All runs in one order, in one process.
+
+    Attributes:
+        seed: the hash seed.
+        order: the rows of the runs; some may be there twice.
+        logs: in this order, once it is whole.
+        player: at work; None if the logs are known.
+    """
+
+    def __init__(self, seed: int, player: PlayerProcess | PlayerHere | None) -> None:
+        self.seed, self.player = seed, player
+        self.order: list[int] = []
+        self.logs: Sequence[bytes] | None = None
+
+    def end(self) -> None:
+        """End the player, if there is one."""
+        if self.player:
+            self.player.close()
+        self.player = None
+
+
+class _Batch(RunBatch):
+    """The runs of all units, each judged by its log in the first play when that is asked for."""
+
+    def __init__(self, judge: PythonJudge, work: Work, runs: Sequence[Due]) -> None:
+        super().__init__(judge, work, runs)
+        self._known: dict[int, Judged] = {}
+
+    def outcome(self, row: int) -> Judged:
+        if row not in self._known:
+            self._known[row] = self.judge.judged(self.runs[row], self.logs[0][row])
+        return self._known[row]
+
+
+class Across:
+    """The plays of one such unit.
+
+    Args:
+        setup: the explorer.
+        judge: of its runs.
+        work: the unit.
+        seeds: the hash seeds of the two processes.
+
+    Attributes:
+        batch: all runs.
+        begun: whether the plays are.
+        found: the outcomes of runs that refute, by their rows.
+        odd: runs whose logs differ, with the second ones, if no earlier run explains it.
+    """
+
+    def __init__(
+        self, setup: Setup, judge: PythonJudge, work: Work, seeds: tuple[int, int]
+    ) -> None:
+        self._setup, self._judge, self.work = setup, judge, work
+        self._plays = _Play(seeds[0], None), _Play(seeds[1], started(setup, seeds[1]))
+        self.batch: RunBatch = _Batch(judge, work, [])
+        self.begun = False
+        self.found: dict[int, Outcome] = {}
+        self.odd: list[tuple[int, Log]] = []
+
+    def begin(self, known: Mapping[At, FirstLog]) -> None:
+        """Begin the plays, once the units of the runs are done.
+
+        Args:
+            known: the logs of one process that has played nothing else, in the order in which it
+                has; if all are there, that is the first play.
+        """
+        assert isinstance(self.work.unit, AcrossUnit)
+        self.begun = True
+        due = [run for run in self._judge.engine.runs(self.work.unit) if run.lighthouse]
+        first, second = self._plays
+        wanted = {(run.map, run.place) for run in due}
+        if wanted <= known.keys():
+            logs = [one for at, one in known.items() if at in wanted]
+            runs, first.logs = [one.due for one in logs], [one.log for one in logs]
+        else:
+            runs = [
+                Due(run.number, run.place, World(run.map, run.lighthouse, 0))
+                for run in due
+                if run.lighthouse
+            ]
+            first.player = started(self._setup, first.seed)
+        self._known = known
+        self.batch = _Batch(self._judge, self.work, runs)
+        self._message = self._judge.worlds_message(self.batch.runs)
+        first.order = [*range(len(runs))]
+        second.order = first.order[::-1] + (first.order if self.work.unit.edges <= TWICE else [])
+        for play in self._plays:
+            if play.player:
+                play.player.give(None, self._rows(play.order))
+
+    def _rows(self, order: Sequence[int]) -> dict[str, Any]:
+        """The message to a player that plays these runs in this order."""
+        rows, runs = self._message["rows"], len(order)
+        return self._message | {
+            "rows": [rows[row] for row in order],
+            "runs": runs,
+            "order": [*range(runs)],
+        }
+
+    # ---------------------------------------------------------------- plays
+
+    @property
+    def players(self) -> list[PlayerProcess | PlayerHere]:
+        """The players that are at work."""
+        return [play.player for play in self._plays if play.player]
+
+    def hear(self, note: Callable[[Work, Lost], None]) -> bool:
+        """Hear the players; return whether there is nothing more to be heard.
+
+        Args:
+            note: takes a loss that is not repeated; then the play begins anew.
+        """
+        for play in self._plays:
+            if play.player:
+                try:
+                    answers = play.player.heard()
+                except Lost as lost:
+                    if self._is_repeated(play, play.player, lost):
+                        self.close()
+                        break
+                    note(self.work, lost)
+                    play.player.again()
+                else:
+                    for _, play.logs in answers:
+                        play.end()
+        return not self.players
+
+    def close(self) -> None:
+        """End the players; what they have not played is not compared."""
+        for play in self._plays:
+            play.end()
+
+    def _is_repeated(self, play: _Play, player: Any, lost: Lost) -> bool:
+        """Whether the run in which a player was lost refutes: by itself, or after earlier ones."""
+        position = player.beat[0]
+        if player.description is None or not 0 <= position < len(play.order):
+            return False
+        row = play.order[position]
+        if named := self._named(row, play.order[:position]):
+            self.found[row] = named
+            return True
+        return not self._differ(self._after(play.seed, [], row), lost_log(b"", lost))
+
+    def _after(self, seed: int, earlier: Sequence[int], row: int) -> bytes:
+        """The log of a run after others, by a fresh player; empty if that is lost in another."""
+        logs = self._fresh(seed, [*earlier, row])
+        return logs[-1] if len(logs) > len(earlier) else b""
+
+    def _fresh(self, seed: int, order: Sequence[int]) -> list[bytes]:
+        """The logs of a fresh player; if it is lost, that of this run last, and empty ones."""
+        player = started(self._setup, seed)
+        try:
+            return [*answered(player, self._rows(order))]
+        except Lost as lost:
+            return [b""] * player.beat[0] + [lost_log(b"", lost)]
+        finally:
+            player.close()
+
+    def _differ(self, one: bytes, other: bytes) -> bool:
+        """Whether two logs differ; one that is empty is not known."""
+        if one == other or not (one and other):
+            return False
+        return difference_of(Log(one), Log(other), choices=self._judge.every) is not None
+
+    # ---------------------------------------------------------------- differences
+
+    def settle(self) -> None:
+        """Find the smallest run that others change, or that breaks a law."""
+        first, second = self._plays
+        if not (first.logs and second.logs):
+            return
+        forwards = self.batch.logs[0] = first.logs
+        odd = by_order = self._unlike(forwards)
+        if odd and first.seed != second.seed:
+            by_order = self._unlike(self._fresh(second.seed, first.order))
+        last = second.logs
+        self.odd = [(row, Log(last[position])) for row, position in (odd | by_order).items()]
+        for row in sorted({*by_order, *self._broken()}, key=self._size)[:FEW]:
+            if row not in by_order and self._after(first.seed, [], row) == forwards[row]:
+                self.found[row] = self.batch.outcome(row).outcome  # by itself
+                return
+            every = sorted(first.order, key=self._size)  # whatever the order was in these plays
+            for earlier in (every, first.order[:row], second.order[: by_order.get(row, 0)]):
+                if named := self._named(row, earlier):
+                    self.found, self.odd = {row: named}, []
+                    return
+
+    def _unlike(self, forwards: Sequence[bytes]) -> dict[int, int]:
+        """The runs whose logs in the second play are others than these, with their places there."""
+        second, found = self._plays[1], dict[int, int]()
+        assert second.logs is not None
+        for position, (row, log) in enumerate(zip(second.order, second.logs, strict=True)):
+            if row < len(forwards) and self._differ(forwards[row], log):
+                found.setdefault(row, position)
+        return found
+
+    def _broken(self) -> list[int]:
+        """The runs that break a law in the first play."""
+        return [
+            row
+            for row, (due, log) in enumerate(zip(self.batch.runs, self.batch.logs[0], strict=True))
+            if not self._is_right(due, log) and self.batch.outcome(row).outcome.violation
+        ]
+
+    def _is_right(self, due: Due, log: bytes) -> bool:
+        """Whether this log breaks no law, as is known from the unit of the run."""
+        known = self._known.get((due.world.map, due.place))
+        return known is not None and known.right and known.log == log
+
+    def _size(self, row: int) -> tuple[Any, ...]:
+        """The order of findings in these runs."""
+        _, place, world, _ = self.batch.runs[row]
+        map_ = world.map
+        code = rooted_code(map_.sigma, map_.alpha, world.start)
+        return map_.edge_count, map_.vertex_count, code, place
+
+    def _named(self, row: int, earlier: Sequence[int]) -> Outcome | None:
+        """The outcome of a run that is another one after earlier runs; None if it is the same."""
+        first, second = (play.seed for play in self._plays)
+        for seed in dict.fromkeys((first, second)):
+            alone = self._after(seed, [], row)
+            needed = self._needed(seed, alone, row, earlier)
+            after, again = (self._after(seed, needed, row) for _ in range(2))
+            if self._differ(alone, after) and not self._differ(after, again):
+                outcome = self._judge.judged(self.batch.runs[row], alone).outcome
+                told = overruled(outcome, Log(alone), Log(after), choices=self._judge.every)
+                worlds = [canonical_world(self.batch.runs[each].world) for each in needed]
+                return after_worlds(
+                    replace(told, hash_seed=None if seed == first else seed), worlds
+                )
+        return None
+
+    def _needed(self, seed: int, alone: bytes, row: int, earlier: Sequence[int]) -> list[int]:
+        """The fewest of the earlier runs after which a run has another log than by itself.
+
+        Empty if it has the same, or not always the same by itself, or if they are too many.
+        """
+
+        def shows(rows: Sequence[int]) -> bool:
+            return self._differ(alone, self._after(seed, rows, row))
+
+        needed, rest = list[int](), [*earlier]
+        if shows([]) or not shows(rest):
+            return []
+        while rest and not (needed and shows(needed)):
+            if len(needed) == MOST_EARLIER:
+                return []
+            low, high = 0, len(rest)
+            while high - low > 1:
+                middle = (low + high) // 2
+                if shows([*rest[:middle], *needed]):
+                    high = middle
+                else:
+                    low = middle
+            needed, rest = [rest[low], *needed], rest[:low]
+        return needed
+
+
+def after_worlds(outcome: Outcome, worlds: Sequence[World]) -> Outcome:
+    """The outcome of a run with these worlds before it, if its plays with and without differ."""
+    violation = outcome.violation
+    if violation is None or violation.law != "nondeterministic":
+        return outcome
+    said = "that world" if len(worlds) == 1 else f"those {len(worlds)} worlds"
+    seen = f"after {said}, in the same process: {violation.seen}"
+    return replace(outcome, violation=nondeterministic(seen), after=tuple(worlds))

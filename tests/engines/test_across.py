@@ -1,0 +1,106 @@
+"""Whatever one run leaves behind for another is found, whichever units they belong to."""
+
+import pytest
+
+from allworlds.engines import lanes, units
+from allworlds.engines.run_directory import FILE
+from allworlds.judging.findings.finding import Finding
+from allworlds.maps import MapClass
+from allworlds.maps.classes import Extent
+from allworlds.studies.check.exhaustive import check
+from allworlds.studies.explain import explain
+from allworlds.studies.merge import merge, status
+from allworlds.studies.run import replay
+from allworlds.world.world import World
+
+pytestmark = pytest.mark.processes
+
+LATCH = """
+from allworlds import Estimate, CombinatorialMap
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+
+SEEN = []
+
+def explore(first):
+    estimate = yield from algorithm1(first)
+    known = len(estimate.map.sigma), estimate.map.vertex_count, first.degree
+    wrong = SEEN and known == {later}
+    if known == {earlier}:
+        SEEN.append(1)
+    return Estimate(CombinatorialMap([0, 1], [1, 0]), 0) if wrong else estimate
+"""
+"""Sets a flag in some worlds, and reads it in others."""
+
+SIZES = {"another": ((6, 2, 5), (6, 2, 1)), "smaller": ((2, 1, 2), (6, 3, 2))}
+
+
+@pytest.fixture
+def latch(tmp_path):
+    def written(name="another"):
+        earlier, later = SIZES[name]
+        module = tmp_path / f"{name}.py"
+        module.write_text(LATCH.format(earlier=earlier, later=later))
+        return f"{module}:explore"
+
+    return written
+
+
+def size(world):
+    return len(world.map.sigma), world.map.vertex_count, world.map.degree_at[world.start]
+
+
+@pytest.mark.parametrize("name", SIZES)
+def test_a_flag_that_one_run_leaves_for_another_is_found_with_both_runs(latch, name):
+    report = check(latch(name), edges=3)
+    (found,) = report.findings
+    assert (report.exit_code, found.law, found.confirmed) == (1, "nondeterministic", True)
+    assert [size(world) for world in found.earlier] == [SIZES[name][0]]
+    assert size(found.world) == SIZES[name][1]
+    assert "after that world" in found.seen
+    assert (report.worlds, report.runs) == (86, 309)
+
+
+def test_replay_plays_both_runs_and_explain_names_both(latch, tmp_path):
+    (found,) = check(latch(), edges=3).findings
+    read = Finding.from_json(found.text)
+    assert isinstance(read.earlier[0], World)
+    again = replay(read)
+    assert again.outcome == "reproduced"
+    assert again.again.finding.earlier == found.earlier
+    assert "after that world" in " ".join(explain(read).sentences)
+    tmp_path.joinpath("another.py").write_text(LATCH.format(earlier=0, later=0))
+    assert replay(read).outcome == "not-reproduced"
+
+
+def test_shards_that_are_merged_and_a_check_that_goes_on_find_it_too(latch, tmp_path):
+    runs = [tmp_path / "0", tmp_path / "1"]
+    for k, run in enumerate(runs):
+        check(latch(), edges=3, shard=(k, 2), run=run)
+    (found,) = merge(*runs).findings
+    assert found.after
+    assert sum(status(run).units.done for run in runs) == sum(status(r).units.all for r in runs)
+    again = check(latch(), edges=3, shard=(0, 2), run=runs[0])
+    assert [each.after for each in again.findings] == [found.after]
+    assert runs[0].joinpath(FILE).exists()
+
+
+def test_two_workers_and_a_condition_find_it_too(latch, monkeypatch):
+    monkeypatch.setattr(lanes, "ALONE", 0.0)
+    (found,) = check(latch(), edges=3, workers=2, where="bridgeless or bridges").findings
+    assert found.after
+
+
+def test_the_unit_is_dealt_to_the_first_shard_and_to_the_last_small_levels():
+    def levels(edges, shard=units.WHOLE):
+        extent = Extent(MapClass.MAPS, edges)
+        return [m for m in extent.levels if [*units.across_level(extent, m, shard)]]
+
+    assert [levels(edges) for edges in (1, 2, 3, 4, 7)] == [[1], [2], [3], [3, 4], [3, 4]]
+    assert levels(4, units.Shard(1, 2)) == []
+
+
+def test_a_built_in_explorer_has_no_such_unit(tmp_path):
+    check("algorithm1", edges=1, engine="python", run=tmp_path / "run")
+    assert status(tmp_path / "run").units.all == len(
+        [*units.units_of_level(Extent(MapClass.MAPS, 1), 1)]
+    )
