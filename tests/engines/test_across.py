@@ -24,7 +24,7 @@ SEEN = []
 def explore(first):
     estimate = yield from algorithm1(first)
     known = len(estimate.map.sigma), estimate.map.vertex_count, first.degree
-    wrong = SEEN and known == {later}
+    wrong = bool(SEEN) and known == {later}
     if known == {earlier}:
         SEEN.append(1)
     return Estimate(CombinatorialMap([0, 1], [1, 0]), 0) if wrong else estimate
@@ -84,9 +84,10 @@ def test_shards_that_are_merged_and_a_check_that_goes_on_find_it_too(latch, tmp_
     assert runs[0].joinpath(FILE).exists()
 
 
-def test_two_workers_and_a_condition_find_it_too(latch, monkeypatch):
+def test_two_workers_and_a_condition_find_it_too(latch, tmp_path, monkeypatch):
     monkeypatch.setattr(lanes, "ALONE", 0.0)
-    (found,) = check(latch(), edges=3, workers=2, where="bridgeless or bridges").findings
+    tmp_path.joinpath("every.py").write_text("def every(map):\n    return True\n")
+    (found,) = check(latch(), edges=3, workers=2, where=f"{tmp_path}/every.py:every").findings
     assert found.after
 
 

@@ -22,6 +22,8 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
     the places of work, transports: lanes here or forked; a Dask cluster;
 ``lane``
     a judge with its two players: batches, losses, plays that differ, other hash seeds;
+``across``
+    all runs of small levels in both orders, and which earlier run makes a later one another;
 ``players``, ``player``
     a player from outside, started and heard, perhaps lost; and the program that it is;
 ``judge``, ``compiled_judge``

@@ -20,7 +20,7 @@ from allworlds.engines.units import Shard, Sum, a_shard, shard_numbers
 from allworlds.inputs.checks import InputError, show
 from allworlds.version import __version__
 
-FORMAT = 3
+FORMAT = 4
 """The format of identities and of what is kept under them: raised whenever either changes."""
 
 
