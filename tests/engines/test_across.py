@@ -67,9 +67,16 @@ def test_replay_plays_both_runs_and_explain_names_both(latch, tmp_path):
     again = replay(read)
     assert again.outcome == "reproduced"
     assert again.again.finding.earlier == found.earlier
+    assert found.reproduce.startswith("allworlds replay ")
     assert "after that world" in " ".join(explain(read).sentences)
     tmp_path.joinpath("another.py").write_text(LATCH.format(earlier=0, later=0))
     assert replay(read).outcome == "not-reproduced"
+
+
+def test_a_corpus_tries_both_runs_again(latch, tmp_path):
+    check(latch(), edges=3, corpus=tmp_path / "corpus")
+    report = check(latch(), edges=1, corpus=tmp_path / "corpus")
+    assert (len(report.corpus.beyond_scope), report.corpus.fixed) == (1, ())
 
 
 def test_shards_that_are_merged_and_a_check_that_goes_on_find_it_too(latch, tmp_path):

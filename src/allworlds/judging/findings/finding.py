@@ -30,6 +30,9 @@ VERSION: Final = 2
 
 NOT_RECORDED = "not recorded"
 
+REPLAY = "allworlds replay FILE  # with this finding, as JSON, in FILE"
+"""The command that plays the runs before it, too."""
+
 
 def _value(name: str, given: Any) -> Value:
     """The recorded expectation, or observation, as a value."""
@@ -184,6 +187,8 @@ class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True
     @doc.computed
     def reproduce(self) -> str:
         """A shell command that runs it again; of a function without a name a line of Python."""
+        if self.after:
+            return REPLAY
         module, _, name = self.explorer.partition(":")
         if "<" not in name and module != "__main__":
             return self.command

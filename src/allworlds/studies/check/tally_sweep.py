@@ -285,6 +285,12 @@ def is_inside(finding: Finding, scope: units.Scope) -> bool:
 
 
 def _retry(finding: Finding, subject: loading.Subject, limits: Limits) -> Finding | None:
+    if finding.after:
+        seed, earlier, script = finding.hash_seed, finding.earlier, finding.choices
+        played = single.single_run(
+            subject, finding.world, finding.rules, script, limits, seed, earlier
+        )
+        return played.finding and single.played_again(played.finding, subject, limits)
     # A recorded schedule other than the policy's own is met when all are tried.
     every = subject.takes_choices and finding.rules.policy == "fifo" and any(finding.choices)
     extent = Extent(MapClass.MAPS, finding.world.map.edge_count)
