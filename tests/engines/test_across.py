@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds.engines import lanes, units
+from allworlds.engines import across, lanes, units
 from allworlds.engines.run_directory import FILE
 from allworlds.judging.findings.finding import Finding
 from allworlds.maps import MapClass
@@ -112,3 +112,11 @@ def test_a_built_in_explorer_has_no_such_unit(tmp_path):
     assert status(tmp_path / "run").units.all == len(
         [*units.units_of_level(Extent(MapClass.MAPS, 1), 1)]
     )
+
+
+@pytest.mark.parametrize("sizes", [((2, 2, 1), (2, 1, 2)), ((2, 1, 2), (2, 2, 1))], ids=str)
+def test_either_run_comes_before_the_other(latch, monkeypatch, sizes):
+    monkeypatch.setattr(across, "TWICE", 0)
+    monkeypatch.setitem(SIZES, "either", sizes)
+    (found,) = check(latch("either"), edges=1).findings
+    assert [size(world) for world in found.earlier] == [sizes[0]]
