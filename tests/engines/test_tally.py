@@ -16,7 +16,7 @@ from allworlds.studies.fuzz import SampleCounter, batches
 
 class Found:
     def __init__(self, *key, kind=None):
-        self.key = key
+        self.key = self.rank = key
         self.kind = kind or key
 
 

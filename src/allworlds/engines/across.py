@@ -115,6 +115,7 @@ class Across:
         self, setup: Setup, judge: PythonJudge, work: Work, seeds: tuple[int, int]
     ) -> None:
         self._setup, self._judge, self.work = setup, judge, work
+        self._seed = seeds[0]
         self._plays = _Play(seeds[0], None), _Play(seeds[1], started(setup, seeds[1]))
         self.batch: RunBatch = _Batch(judge, work, [])
         self.begun = False
@@ -143,7 +144,7 @@ class Across:
                 if run.lighthouse
             ]
             first.player = started(self._setup, first.seed)
-        self._known = known
+        self._right = {(*at, one.log) for at, one in known.items() if one.right}
         self.batch = _Batch(self._judge, self.work, runs)
         self._message = self._judge.worlds_message(self.batch.runs)
         first.order = [*range(len(runs))]
@@ -154,12 +155,8 @@ class Across:
 
     def _rows(self, order: Sequence[int]) -> dict[str, Any]:
         """The message to a player that plays these runs in this order."""
-        rows, runs = self._message["rows"], len(order)
-        return self._message | {
-            "rows": [rows[row] for row in order],
-            "runs": runs,
-            "order": [*range(runs)],
-        }
+        rows = self._message["rows"]
+        return self._judge.message(self._message["kind"], [rows[row] for row in order])
 
     # ---------------------------------------------------------------- plays
 
@@ -237,8 +234,7 @@ class Across:
         odd = by_order = self._unlike(forwards)
         if odd and first.seed != second.seed:
             by_order = self._unlike(self._fresh(second.seed, first.order))
-        last = second.logs
-        self.odd = [(row, Log(last[position])) for row, position in (odd | by_order).items()]
+        self.odd = [(row, Log(second.logs[position])) for row, position in (odd | by_order).items()]
         for row in sorted({*by_order, *self._broken()}, key=self._size)[:FEW]:
             if row not in by_order and self._after(first.seed, [], row) == forwards[row]:
                 self.found[row] = self.batch.outcome(row).outcome  # by itself
@@ -263,13 +259,9 @@ class Across:
         return [
             row
             for row, (due, log) in enumerate(zip(self.batch.runs, self.batch.logs[0], strict=True))
-            if not self._is_right(due, log) and self.batch.outcome(row).outcome.violation
+            if (due.world.map, due.place, log) not in self._right
+            and self.batch.outcome(row).outcome.violation
         ]
-
-    def _is_right(self, due: Due, log: bytes) -> bool:
-        """Whether this log breaks no law, as is known from the unit of the run."""
-        known = self._known.get((due.world.map, due.place))
-        return known is not None and known.right and known.log == log
 
     def _size(self, row: int) -> tuple[Any, ...]:
         """The order of findings in these runs."""
@@ -280,28 +272,23 @@ class Across:
 
     def _named(self, row: int, earlier: Sequence[int]) -> Outcome | None:
         """The outcome of a run that is another one after earlier runs; None if it is the same."""
-        first, second = (play.seed for play in self._plays)
-        for seed in dict.fromkeys((first, second)):
-            alone = self._after(seed, [], row)
-            needed = self._needed(seed, alone, row, earlier)
-            after, again = (self._after(seed, needed, row) for _ in range(2))
-            if self._differ(alone, after) and not self._differ(after, again):
-                outcome = self._judge.judged(self.batch.runs[row], alone).outcome
-                told = overruled(outcome, Log(alone), Log(after), choices=self._judge.every)
-                worlds = [canonical_world(self.batch.runs[each].world) for each in needed]
-                return after_worlds(
-                    replace(told, hash_seed=None if seed == first else seed), worlds
-                )
-        return None
+        alone = self._after(self._seed, [], row)
+        needed = self._needed(alone, row, earlier)
+        after, again = (self._after(self._seed, needed, row) for _ in range(2))
+        if not self._differ(alone, after) or self._differ(after, again):
+            return None
+        outcome = self._judge.judged(self.batch.runs[row], alone).outcome
+        told = overruled(outcome, Log(alone), Log(after), choices=self._judge.every)
+        return after_worlds(told, [canonical_world(self.batch.runs[each].world) for each in needed])
 
-    def _needed(self, seed: int, alone: bytes, row: int, earlier: Sequence[int]) -> list[int]:
+    def _needed(self, alone: bytes, row: int, earlier: Sequence[int]) -> list[int]:
         """The fewest of the earlier runs after which a run has another log than by itself.
 
         Empty if it has the same, or not always the same by itself, or if they are too many.
         """
 
         def shows(rows: Sequence[int]) -> bool:
-            return self._differ(alone, self._after(seed, rows, row))
+            return self._differ(alone, self._after(self._seed, rows, row))
 
         needed, rest = list[int](), [*earlier]
         if shows([]) or not shows(rest):

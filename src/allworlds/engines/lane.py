@@ -41,7 +41,6 @@ from allworlds.engines.players import (
     Setup,
     Unsettled,
     answered,
-    logs_from,
     lost_log,
     started,
     wait,
@@ -58,9 +57,6 @@ SIX_MORE = (OTHER_SEED, 3, 4, 5, 6, 7)
 
 SMALL = 3
 """The largest m whose every log both judges read."""
-
-AT_ONCE = 2
-"""The number of other seeds that are tried at a time."""
 
 KEPT = 64
 """The number of records of larger worlds that are played under six seeds more."""
@@ -132,7 +128,6 @@ class Lane:
         library = subject.compiled
         self._seeds = [seeds[0], seeds[0] if library or not self._apart else seeds[1]]
         self._players: dict[int, PlayerProcess | PlayerHere] = {}
-        self._others: dict[int, PlayerProcess | PlayerHere] = {}
         self._works: list[Work] = []
         self._waiting: deque[RunBatch] = deque()
         self._done: list[units.PartialResult] = []
@@ -240,9 +235,14 @@ class Lane:
         if not self._kept:
             return self.engine.tally()
         work = Work(self._kept[0][0].work.unit, self.engine.tally())
-        for i in range(0, len(SIX_MORE), AT_ONCE):
-            self._under(SIX_MORE[i : i + AT_ONCE], self._kept, work)
-            self._close_others()
+        runs = [batch.record(row) for batch, row in self._kept]
+        for seed in SIX_MORE:
+            order = self._random.sample(range(len(runs)), len(runs))
+            logs, lost = self._anew_from(seed, self.judge.records_message(runs, order))
+            if not lost:  # what is lost is tried in the other players, too
+                self._compare_under(seed, self._kept, logs, work)
+            if not self._seeds_more:
+                break
         self._kept = []
         return work.tally
 
@@ -251,13 +251,8 @@ class Lane:
         for player in self._players.values():
             player.close()
         self._players.clear()
-        self._close_others()
         if self._across:
             self._across.close()
-
-    def _close_others(self) -> None:
-        while self._others:
-            self._others.popitem()[1].close()
 
     def _hand_over(self) -> None:
         """Hand over the units that are done, and at intervals what was counted of the others."""
@@ -507,32 +502,10 @@ class Lane:
             rows = [(batch, row) for row in range(len(batch))]
             self._kept += rows[: KEPT - len(self._kept)]
 
-    def _under(
-        self, seeds: Sequence[int], rows: Sequence[tuple[RunBatch, int]], work: Work
-    ) -> None:
-        """Play these records once more under other seeds; find what differs, and then no more."""
-        if not self._seeds_more:
-            return
-        runs = [batch.record(row) for batch, row in rows]
-        for seed in seeds:
-            if seed not in self._others:
-                self._others[seed] = started(self._setup, seed)
-            order = self._random.sample(range(len(runs)), len(runs))
-            self._others[seed].give(None, self.judge.records_message(runs, order))
-        for seed in seeds:
-            try:
-                logs = logs_from(self._others[seed])
-            except Lost:  # what is lost is tried in the other players, too
-                self._others.pop(seed).close()
-            else:
-                self._compare_under(seed, rows, logs, work)
-
     def _compare_under(
         self, seed: int, rows: Sequence[tuple[RunBatch, int]], logs: Sequence[bytes], work: Work
     ) -> None:
         """Find what differs under another seed; then no more are tried."""
-        if not self._seeds_more:
-            return
         for (batch, row), log in zip(rows, logs, strict=True):
             second = Log(log)
             if self._differ(batch.outcome(row).log, second):
@@ -554,15 +527,12 @@ class Lane:
     def _remember(self, batch: RunBatch) -> None:
         """Remember the logs in small worlds, in the order in which they were played."""
         unit, logs, broken = batch.work.unit, batch.logs[FIRST], {*batch.broken}
-        is_small = isinstance(unit, units.LevelUnit | units.GivenUnit) and (
-            unit.edges <= units.ACROSS
-        )
-        if is_small and batch.plain:  # a library draws the order
+        if not isinstance(unit, units.LevelUnit | units.GivenUnit):
+            return
+        if batch.plain and unit.edges <= units.ACROSS:  # a library draws the order
             for row, due in enumerate(batch.runs):
-                right = row not in broken
-                self._first_logs.setdefault(
-                    (due.world.map, due.place), FirstLog(due, logs[row], right=right)
-                )
+                one = FirstLog(due, logs[row], right=row not in broken)
+                self._first_logs.setdefault((due.world.map, due.place), one)
 
     def _hear_across(self, across: Across) -> None:
         """Hear all runs that are played in both orders; settle them when they are whole.
