@@ -159,7 +159,7 @@ def judges_agree(edges: int) -> bool:
             {
                 "world": case.map.to_json(),
                 "estimate": {**case.estimate.map.to_json(), "here": case.estimate.here},
-                "end": case.trail[-1],
+                "end": case.walk.here,
             }
         )
         + "\n"
@@ -191,13 +191,7 @@ def _cases(edges: int) -> Iterator[tuple[str, Case]]:
             if isinstance(episode.ending, Answered):
                 yield (
                     name,
-                    Case(
-                        world.map,
-                        world.start,
-                        episode.transcript,
-                        episode.checkpoints,
-                        episode.ending.answer,
-                    ),
+                    Case(episode.walk, episode.checkpoints, episode.ending.answer),
                 )
 
 

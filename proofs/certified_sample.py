@@ -201,13 +201,13 @@ def log_of(name: str, world: World, player: Player, policy: str) -> tuple[str, C
     episode: Episode = play(world, player, Choices(policy_named(policy)), budget)
     not_lost(name, episode.ending)
     answer = episode.ending.answer if isinstance(episode.ending, Answered) else None
-    log = episode.transcript
-    case = Case(world.map, world.start, log, episode.checkpoints, answer)
+    log = episode.walk
+    case = Case(log, episode.checkpoints, answer)
     shown = line(
         first=_percept(log.first),
         steps=[(action.k, _percept(percept)) for action, percept in log.steps],  # type: ignore[union-attr]  # there is nothing to be dropped
         estimate=None if answer is None else estimate_shown(answer),
-        end=case.trail[-1],
+        end=case.walk.here,
     )
     return shown.rstrip("}\n"), case
 
@@ -249,15 +249,15 @@ def runs_agree(
         if not isinstance(case.estimate, Estimate):
             apart.append(f"{where}: no answer")
             continue
-        cost, (place,) = len(case.transcript.steps), [case.transcript.first.bearing]
+        cost, (place,) = len(case.walk), [case.walk.first.bearing]
         apart += [f"{where}: {what}" for what in kernels_apart(world.map, policy, cost)]
         map_ = world.map.to_json()
         asked += [line(**map_, place=place, limit=limit) for limit in (cost, cost - 1)]
         logs.append((where, log))
         cases.append(case)
         for near in answers_near(case.estimate, random):
-            judged.append(line(world=map_, estimate=estimate_shown(near), end=case.trail[-1]))
-            again = Case(case.map, case.start, case.transcript, case.checkpoints, near)
+            judged.append(line(world=map_, estimate=estimate_shown(near), end=case.walk.here))
+            again = Case(case.walk, case.checkpoints, near)
             verdicts.append(again.answer)
     answers = answered_by(COQ / "runs", asked, policy)
     for (where, log), within, short in zip(logs, answers[::2], answers[1::2], strict=True):

@@ -157,14 +157,7 @@ def violation(world, choices, kind=Algorithm1):
     episode = play(world, player, choices, 8 * bound + 100)
     if not isinstance(episode.ending, Answered):
         return episode.ending.law
-    case = Case(
-        world.map,
-        world.start,
-        episode.transcript,
-        episode.checkpoints,
-        episode.ending.answer,
-        bound,
-    )
+    case = Case(episode.walk, episode.checkpoints, episode.ending.answer, bound)
     return getattr(judge(case, [law.check for law in LAWS.values()]), "law", None)
 
 

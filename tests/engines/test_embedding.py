@@ -3,7 +3,6 @@
 import numpy as np
 from numba import njit
 
-from allworlds.document import replace
 from allworlds.engines.kernel.laws import (
     INVARIANT_1,
     INVARIANT_2,
@@ -11,6 +10,7 @@ from allworlds.engines.kernel.laws import (
 )
 from allworlds.engines.kernel.records import ANSWER, JUDGED, WORLD, new
 from allworlds.judging.laws.law_table import LAWS, Case
+from allworlds.judging.walk import Walk
 from allworlds.maps import rooted_maps
 from allworlds.protocol.actions import Checkpoint
 from allworlds.studies.run import run
@@ -37,7 +37,7 @@ def seen_by_the_kernel(case, checkpoint, walked):
     world.darts = len(case.map.sigma)
     world.sigma[: world.darts], world.alpha[: world.darts] = case.map.sigma, case.map.alpha
     answer, _arrays = published_as(checkpoint.sigma, checkpoint.alpha, checkpoint.here)
-    look(judged, answer, world, case.trail[-1], sum(1 << d for d in walked))
+    look(judged, answer, world, case.walk.here, sum(1 << d for d in walked))
     return [bool(judged.broken >> law & 1) for law in (INVARIANT_1, INVARIANT_2)]
 
 
@@ -46,15 +46,16 @@ def test_both_engines_say_the_same_of_a_u_that_holds_either_dart_of_an_edge():
     for map_ in (map_ for edges in (1, 2, 3) for map_ in rooted_maps(edges)):
         episode = run("algorithm1", World(map_, Directional(0))).outcome.episode
         for steps, shown in episode.checkpoints:
-            log = replace(episode.transcript, steps=episode.transcript.steps[:steps])
+            walk = Walk.of(episode.walk.world, episode.walk.actions[:steps])
+            walked = walk.arrivals | {map_.alpha[dart] for dart in walk.arrivals}
             for dart, partner in enumerate(shown.alpha):
                 if dart == partner:
                     continue
                 alpha = [*shown.alpha[:dart], dart, *shown.alpha[dart + 1 :]]
                 still_open = Checkpoint(shown.sigma, alpha, shown.here)
-                case = Case(map_, 0, log, ((steps, still_open),), episode.ending.answer)
+                case = Case(walk, ((steps, still_open),), episode.ending.answer)
                 broken = [bool(LAWS[law].check(case)) for law in ("invariant-1", "invariant-2")]
-                assert broken == seen_by_the_kernel(case, still_open, case.walked)
+                assert broken == seen_by_the_kernel(case, still_open, walked)
                 # S is the explored part all the same: only U is wrong.
                 assert broken == [False, True]
                 compared["larger" if dart > partner else "smaller"] += 1

@@ -42,7 +42,7 @@ def played(explorer, world, budget=BUDGET):
     episode = play(world, subject.player(), Choices(lambda *_: 0, ()), budget)
     if not isinstance(episode.ending, Answered):
         return episode.transcript, "none"
-    case = Case(world.map, world.start, episode.transcript, (), episode.ending.answer)
+    case = Case(episode.walk, (), episode.ending.answer)
     return episode.transcript, case.answer
 
 

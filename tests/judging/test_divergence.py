@@ -1,6 +1,6 @@
 """Where two walks part."""
 
-from allworlds.judging.findings.finding import Parting, find_parting
+from allworlds.judging.belief import Parting, find_parting
 from small import EDGE, PATH
 
 

@@ -6,9 +6,10 @@ import pytest
 
 from allworlds.document import replace
 from allworlds.judging.laws.law_table import Case, Violation, invariant_1, invariant_2, variant
+from allworlds.judging.walk import Walk
 from allworlds.maps import rooted_maps
-from allworlds.protocol.actions import Checkpoint, Drop, Estimate, Move, Percept, Transcript
-from allworlds.world import Directional, World
+from allworlds.protocol.actions import Checkpoint, Drop, Estimate, Move
+from allworlds.world import Directional, Movable, World
 from finished import finished
 from small import EDGE, LOLLIPOP, LOOP
 
@@ -54,7 +55,7 @@ def kept(case):
 def walked_darts(case, steps):
     """The darts of the edges traversed in the first steps, from the log alone."""
     dart, darts = case.start, set()
-    for action, _ in case.transcript.steps[:steps]:
+    for action, _ in case.walk.steps[:steps]:
         dart = case.map.alpha[case.map.turn(dart, action.k)]
         darts |= {dart, case.map.alpha[dart]}
     return darts, dart
@@ -115,10 +116,9 @@ def test_the_names_of_the_darts_do_not_matter(seed):
 
 
 def test_steps_that_are_no_motions_walk_no_edge():
-    percept = Percept(1)
-    steps = ((Drop(), percept), (Move(0), percept), (Drop(), percept))
+    world = World(EDGE, Movable(markers=2))
     whole = Checkpoint((0, 1), (1, 0), 0)
-    case = Case(EDGE, 0, Transcript(percept, steps), (), Estimate(EDGE, 1))
+    case = Case(Walk.of(world, (Drop(), Move(0), Drop())), (), Estimate(EDGE, 1))
     assert invariant_1(published(case, (1, whole))).law == "invariant-1"
     assert invariant_1(published(case, (2, replace(whole, here=1)))) is None
     assert invariant_1(published(case, (3, replace(whole, here=1)))) is None
@@ -350,7 +350,7 @@ def test_one_tuple_for_sigma_and_alpha_is_judged_as_two_equal_ones(entries):
         for here in range(len(entries)):
             once = Checkpoint(entries, entries, here)
             twice = Checkpoint(entries, tuple(iter(entries)), here)
-            steps = len(case.transcript.steps)
+            steps = len(case.walk.steps)
             assert invariant_1(published(case, (steps, once))) == invariant_1(
                 published(case, (steps, twice))
             )

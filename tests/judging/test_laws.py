@@ -11,25 +11,22 @@ from allworlds.judging.laws.law_table import (
     map_law,
     pose_law,
 )
+from allworlds.judging.walk import Walk
 from allworlds.maps import CombinatorialMap, rooted_maps
-from allworlds.protocol.actions import Drop, Estimate, Move, Percept, Transcript
+from allworlds.protocol.actions import Estimate, Move
 from allworlds.world import Directional, World
 from finished import finished
-from small import EDGE, LOLLIPOP, LOOP, PLANE, TORUS, stepped
+from small import EDGE, LOLLIPOP, LOOP, PLANE, TORUS
 
 
 def walked(world, *motions):
-    """The log of these motions."""
-    dart, steps = world.start, []
-    for k in motions:
-        dart, percept = stepped(world, dart, Move(k))
-        steps.append((Move(k), percept))
-    return Transcript(world.first, tuple(steps))
+    """The walk of these motions."""
+    return Walk.of(world, map(Move, motions))
 
 
 def answered(map_, dart, estimate, here, **rest):
     world = World(map_, Directional(dart), dart)
-    return Case(map_, dart, Transcript(world.first), (), Estimate(estimate, here), **rest)
+    return Case(walked(world), (), Estimate(estimate, here), **rest)
 
 
 def test_the_laws_stand_in_the_order_in_which_they_are_reported():
@@ -55,26 +52,6 @@ def test_the_laws_stand_in_the_order_in_which_they_are_reported():
         "task",
         *list(LAWS)[2:],
     )
-
-
-def test_the_trail_follows_the_motions_and_stays_where_there_is_none():
-    percept = Percept(1)
-    steps = ((Move(0), percept), (Drop(), percept), (Move(-2), percept), (Move(1), percept))
-    case = Case(LOLLIPOP, 0, Transcript(percept, steps), (), Estimate(LOLLIPOP, 0))
-    # 0 -> 1; stay; sigma^-2(1) = 2, across to 3; sigma(3) = 1, across to 0.
-    assert case.trail == (0, 1, 1, 3, 0)
-
-
-def test_the_trail_is_where_the_world_says_that_the_robot_is():
-    for map_ in rooted_maps(3):
-        world = World(map_, Directional(0))
-        dart, trail = 0, [0]
-        motions = (1, 2, 0, -1, 3, 5, 1)
-        for k in motions:
-            dart, _ = stepped(world, dart, Move(k))
-            trail.append(dart)
-        case = Case(map_, 0, walked(world, *motions), (), Estimate(map_, 0))
-        assert case.trail == tuple(trail)
 
 
 def test_the_right_answer_breaks_neither_law():
@@ -114,7 +91,7 @@ def test_the_pose_is_that_at_the_end_of_the_log():
     world = World(LOLLIPOP, Directional(0))
     log = walked(world, 0, 1)  # to dart 1, then leave by 2 and arrive by 3
     for here, worth in ((0, "pose"), (1, "pose"), (2, "pose"), (3, "right")):
-        assert Case(LOLLIPOP, 0, log, (), Estimate(LOLLIPOP, here)).answer == worth
+        assert Case(log, (), Estimate(LOLLIPOP, here)).answer == worth
 
 
 def test_renaming_the_darts_of_the_answer_changes_nothing():
@@ -131,19 +108,19 @@ def test_the_bound_may_be_reached_and_not_passed():
     log = walked(world, 0, 0, 0)
     estimate = Estimate(EDGE, 1)
     for bound in (None, 3, 4):
-        assert bound_law(Case(EDGE, 0, log, (), estimate, bound)) is None
+        assert bound_law(Case(log, (), estimate, bound)) is None
     for bound in (2, 0, -1):
-        case = Case(EDGE, 0, log, (), estimate, bound)
+        case = Case(log, (), estimate, bound)
         assert bound_law(case) == Violation("bound", bound, 3)
 
 
 def test_an_answer_before_the_log_determines_the_map_breaks_folding():
     world = World(LOLLIPOP, Directional(0))
-    guess = Case(LOLLIPOP, 0, walked(world), (), Estimate(LOLLIPOP, 0))
+    guess = Case(walked(world), (), Estimate(LOLLIPOP, 0))
     violation = folding_law(guess)
     assert violation.law == "folding"
     assert "1 open dart " in violation.seen
-    later = Case(LOLLIPOP, 0, walked(world, 0), (), Estimate(LOLLIPOP, 1))
+    later = Case(walked(world, 0), (), Estimate(LOLLIPOP, 1))
     assert "2 open darts " in folding_law(later).seen
 
 
@@ -154,7 +131,7 @@ def checks(*names):
 
 def test_the_judge_reports_the_first_broken_law_of_those_it_is_given():
     world = World(LOLLIPOP, Directional(0))
-    case = Case(LOLLIPOP, 0, walked(world, 0), (), Estimate(EDGE, 0), 0)
+    case = Case(walked(world, 0), (), Estimate(EDGE, 0), 0)
     assert judge(case, checks()).law == "map"
     without = checks(*(name for name in LAWS if name != "map"))
     assert judge(case, without).law == "folding"

@@ -2,16 +2,13 @@
 
 from allworlds import Move
 from allworlds.judging.explanations.story import Walked
-from allworlds.protocol.actions import Drop, Pick, Transcript
+from allworlds.judging.walk import Walk
+from allworlds.protocol.actions import Drop, Pick
 from allworlds.world import world_named
 
 
 def walked(world, *actions):
-    state, steps = world.initial, []
-    for action in actions:
-        state, percept = world.step(state, action)
-        steps.append((action, percept))
-    return Walked(world, Transcript(world.first, tuple(steps)))
+    return Walked(Walk.of(world, actions))
 
 
 def test_an_edge_is_discovered_by_the_first_step_along_it():

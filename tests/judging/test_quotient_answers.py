@@ -4,7 +4,8 @@ import pytest
 
 from allworlds.document import replace
 from allworlds.judging.laws.law_table import PRECEDENCE, Case, judge
-from allworlds.protocol.actions import Ambiguous, Estimate, Move, Transcript
+from allworlds.judging.walk import Walk
+from allworlds.protocol.actions import Ambiguous, Estimate, Move
 from allworlds.studies.ambiguity import class_of
 from allworlds.world import Position, World
 from small import EDGE, PLANE, TORUS, all_maps
@@ -41,11 +42,7 @@ def quotient_of(world, here):
 
 
 def case(world, answer, motions=()):
-    state, steps = world.initial, []
-    for k in motions:
-        state, percept = world.step(state, Move(k))
-        steps.append((Move(k), percept))
-    return Case(world.map, world.start, Transcript(world.first, tuple(steps)), (), answer)
+    return Case(Walk.of(world, map(Move, motions)), (), answer)
 
 
 def worlds(most):
@@ -61,7 +58,7 @@ def broken(*given):
 def test_the_quotient_is_right_exactly_where_the_class_has_two_members(motions):
     right = 0
     for world in worlds(3):
-        here = case(world, None, motions).trail[-1]
+        here = case(world, None, motions).walk.here
         alone = class_of(world).size == 1
         assert broken(world, quotient_of(world, here), motions) == ("ambiguity" if alone else "")
         right += not alone

@@ -140,7 +140,7 @@ def test_a_mirror_image_is_claimed_exactly_where_there_is_one(findings):
             continue
         belief = Belief(Story(finding))
         claimed = bool(mirror_image(belief))
-        answer, robot = belief.answer, belief.story.walked[-1]
+        answer, robot = belief.answer, belief.story.walk.here
         image = CombinatorialMap(*map(list, (_inverse(answer.map.sigma), answer.map.alpha)))
         rooted = rooted_isomorphism(image, answer.here, finding.world.map, robot)
         alone = finding.law == "map" and same_map(image, finding.world.map)
@@ -166,7 +166,7 @@ def test_whatever_slip_is_claimed_the_answer_is_right_without_it(findings):
                 continue
             assert same_map(slip.mended, slip.truth)
             if slip.here is not None:
-                assert same_pose(slip.mended, slip.here, world, belief.story.walked[-1])
+                assert same_pose(slip.mended, slip.here, world, belief.story.walk.here)
             assert slip.truth.edge_count == world.edge_count - (slip.truth is not world)
             if slip.name == "edges crossed":
                 assert slip.mended.sigma == answer.sigma
@@ -337,7 +337,7 @@ def test_a_pose_at_the_far_end_of_the_last_edge_is_told_so_exactly_where_it_is()
     said = []
     for finding in findings:
         belief = Belief(Story(finding))
-        world, robot = finding.world.map, belief.story.walked[-1]
+        world, robot = finding.world.map, belief.story.walk.here
         truly = bool(
             rooted_isomorphism(belief.answer.map, belief.answer.here, world, world.alpha[robot])
         )

@@ -7,11 +7,12 @@ import pytest
 
 from allworlds import run
 from allworlds.inputs.checks import InputError
-from allworlds.judging.episode import Answered, Over
+from allworlds.judging.episode import Answered, AroundExplorer, Over
 from allworlds.judging.findings.rules import Rules
-from allworlds.judging.tasks import TASKS, Task, WalkLog, task_named
-from allworlds.protocol.actions import Estimate, Move, Transcript
-from allworlds.world import Nothing, State, World
+from allworlds.judging.tasks import TASKS, Task, task_named
+from allworlds.judging.walk import Walk
+from allworlds.protocol.actions import Estimate, Move
+from allworlds.world import Nothing, World
 from small import EDGE, LOLLIPOP, LOOP, PATH, TORUS, TRIANGLE, all_maps
 
 JUDGES = """
@@ -73,18 +74,13 @@ every_other.over = lambda world, transcript: calls.append(None) or len(calls) % 
 """
 
 
-def walk(world, *motions):
-    """The log of these motions, and the environment after them."""
-    state, steps = world.initial, []
-    for k in motions:
-        state, percept = world.step(state, Move(k))
-        steps.append((Move(k), percept))
-    return Transcript(world.first, tuple(steps))
+def walk(map_, *motions, start=0):
+    """The walk of these motions."""
+    return Walk.of(World(map_, Nothing(), start), map(Move, motions))
 
 
 def wrong(task, map_, motions, ending, start=0):
-    world = World(map_, Nothing(), start)
-    return task_named(task).flaw(world, walk(world, *motions), ending)
+    return task_named(task).flaw(walk(map_, *motions, start=start), ending)
 
 
 @pytest.mark.parametrize(
@@ -164,38 +160,43 @@ def test_left_of_the_first_dart_is_the_face_that_turning_left_goes_round():
 
 @pytest.mark.parametrize(("task", "steps"), [("cover", 2), ("cover:edges", 2)])
 def test_a_run_is_over_with_the_last_vertex_or_edge_and_not_before(task, steps):
-    environment = task_named(task).environment(World(PATH, Nothing()))
-    state = environment.initial
+    over, gone = task_named(task).over, walk(PATH)
     for step in range(1, steps + 1):
-        assert not environment.over
-        state, _ = environment.step(state, Move(1))
-        assert environment.over == (step == steps)
-    assert isinstance(state, State)
+        assert not over(gone)
+        gone.step(Move(1))
+        assert over(gone) == (step == steps)
 
 
 def fields_of(walk):
-    return {name: getattr(walk, name) for name in (*WalkLog.__struct_fields__, "here", "actions")}
+    return {name: getattr(walk, name) for name in (*Walk.__struct_fields__, "here", "walked")}
 
 
 @pytest.mark.parametrize("map_", all_maps(2))
 def test_a_walk_in_a_player_has_in_each_step_the_fields_of_that_in_the_judge(map_):
-    task, world = task_named("cover"), World(map_, Nothing())
-    there, steps = pickle.loads(pickle.dumps(task.environment(world))), ()
-    state = there.initial
+    world, asked = World(map_, Nothing()), []
+    there = AroundExplorer(pickle.loads(pickle.dumps(world)), asked.append)
+    motions = ()
     for k in (None, 0, 1, 1, 0, 2):
         if k is not None:
-            state, percept = there.step(state, Move(k))
-            steps += ((Move(k), percept),)
-        walk = WalkLog.of(world, Transcript(world.first, steps))
-        assert fields_of(there.walk) == fields_of(walk)
-        assert fields_of(pickle.loads(pickle.dumps(there.walk))) == fields_of(walk)
-        assert len(there.walk.darts) == 1 + len(steps)
+            there.move(k)
+            motions += (k,)
+        _ = there.over
+        gone = walk(map_, *motions)
+        assert fields_of(asked[-1]) == fields_of(gone)
+        assert fields_of(pickle.loads(pickle.dumps(asked[-1]))) == fields_of(gone)
+        assert len(asked[-1].darts) == 1 + len(motions)
+
+
+def test_what_ends_runs_gets_to_a_player_with_the_world():
+    over = pickle.loads(pickle.dumps(task_named("cover").over))
+    assert [over(walk(PATH, *motions)) for motions in ((), (1,), (1, 1))] == [False, False, True]
 
 
 def test_where_there_is_one_vertex_all_is_visited_before_the_first_step():
-    assert task_named("cover").environment(World(TORUS, Nothing())).over
-    assert not task_named("cover:edges").environment(World(TORUS, Nothing())).over
-    assert not task_named("stop").environment(World(TORUS, Nothing())).over
+    assert task_named("cover").is_over(walk(TORUS))
+    assert not task_named("cover:edges").is_over(walk(TORUS))
+    assert not task_named("stop").is_over(walk(TORUS))
+    assert task_named("stop").over is None
 
 
 def test_an_estimate_gets_to_a_judge_as_it_is(tmp_path, monkeypatch):
@@ -214,12 +215,11 @@ def test_an_estimate_gets_to_a_judge_as_it_is(tmp_path, monkeypatch):
     assert wrong("judges.py:looks", PATH, [0, 1], Answered(None)) == (
         "[('move 0', 2), ('move 1', 1)] [0, 1, 3] [0, 1, 2] [0, 2] 2"
     )
-    ended = task_named("judges.py:half").environment(World(TORUS, Nothing()))
-    assert not ended.over
-    ended.step(ended.initial, Move(0))
-    assert ended.over
+    half = task_named("judges.py:half")
+    assert not half.is_over(walk(TORUS))
+    assert half.is_over(walk(TORUS, 0))
     with pytest.raises(InputError, match=r"over of task .judges.py:vague. returns 0, no"):
-        _ = task_named("judges.py:vague").environment(World(TORUS, Nothing())).over
+        task_named("judges.py:vague").is_over(walk(TORUS))
     for name in ("there", "count:x", "home:edges", "map:x"):
         with pytest.raises(InputError, match=rf"'{name}' is not one of map, .*, face, path/to"):
             task_named(name)
@@ -240,10 +240,9 @@ def test_a_judge_that_is_not_the_same_twice_refutes_nobody(tmp_path, monkeypatch
 def test_an_over_that_is_not_the_same_twice_ends_no_run(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "judges.py").write_text(JUDGES)
-    world = task_named("judges.py:every_other").environment(World(EDGE, Nothing()))
     refused = r"^over of task 'judges.py:every_other' is no .* it says True and False of a run in "
     with pytest.raises(InputError, match=refused):
-        _ = world.over
+        task_named("judges.py:every_other").is_over(walk(EDGE))
 
 
 def test_a_judge_is_given_as_a_function_that_another_process_can_import(tmp_path, monkeypatch):

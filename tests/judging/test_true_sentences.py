@@ -7,6 +7,7 @@ import pytest
 
 from allworlds import Checkpoint, Estimate, Move
 from allworlds.document import replace
+from allworlds.judging.belief import believed_percepts
 from allworlds.judging.explanations.by_law import (
     FLUSH,
     KEPT,
@@ -18,8 +19,8 @@ from allworlds.judging.explanations.by_law import (
     tell_whose_bound,
     tell_whose_budget,
 )
-from allworlds.judging.findings.finding import believed_percepts
 from allworlds.judging.findings.rules import Rules
+from allworlds.judging.walk import Walk
 from allworlds.maps import CombinatorialMap
 from allworlds.protocol.actions import Drop, Pick, Write
 from allworlds.studies.explain import explain
@@ -331,22 +332,20 @@ def test_an_answer_predicts_the_marks_that_the_robot_leaves_itself(lighthouse, a
         PATH_OF_3.to_json() | {"lighthouse": world_named("theta", lighthouse).lighthouse.to_json()}
     )
     finding = found(walking(*actions, answer=Estimate(EDGE, 0)), world)
-    log = finding.transcript
+    log = Walk.recorded(world, finding.transcript)
     assert [percept.marks for percept in log.percepts] == marks
     trail = [0]
     for action in actions:
         dart = trail[-1]
         trail.append(PATH.alpha[PATH.turn(dart, action.k)] if type(action) is Move else dart)
-    assert believed_percepts(world, PATH, trail, log) == log.percepts
+    assert believed_percepts(log, PATH, trail) == log.percepts
 
 
 def test_a_marker_that_the_answer_does_not_have_there_is_not_taken_up_in_it():
     world = World(PATH, Movable(), 0)
-    log = found(
-        walking(Drop(), Move(0), Move(0), Pick(), answer=Estimate(EDGE, 0)), world
-    ).transcript
+    log = Walk.of(world, [Drop(), Move(0), Move(0), Pick()])
     # A walk that is somewhere else when it takes the marker up.
-    assert [each.marks for each in believed_percepts(world, PATH, [0, 0, 1, 3, 3], log)] == [
+    assert [each.marks for each in believed_percepts(log, PATH, [0, 0, 1, 3, 3])] == [
         *(0, 1, 0, 0, 0)
     ]
 

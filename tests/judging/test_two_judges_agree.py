@@ -11,6 +11,7 @@ import pytest
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.laws.law_table import Case
+from allworlds.judging.walk import Walk
 from allworlds.maps import CombinatorialMap, rooted_maps, unrooted_code
 from allworlds.protocol.actions import Checkpoint, Estimate, Percept, Transcript
 from allworlds.world import Directional, World
@@ -30,7 +31,7 @@ def maps(m):
 
 
 def judged(truth, dart, estimate, here):
-    return Case(truth, dart, NOTHING_SENSED, (), Estimate(estimate, here)).answer
+    return Case(Walk.begin(World(truth, "none", dart)), (), Estimate(estimate, here)).answer
 
 
 def agreed(truth, dart, estimate, here):

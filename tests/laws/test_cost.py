@@ -30,12 +30,12 @@ def episode_of(world, ks, checkpoints=0):
 
 def case_of(world, ks, bound=None):
     episode = episode_of(world, ks)
-    return Case(world.map, world.start, episode.transcript, (), episode.ending.answer, bound)
+    return Case(episode.walk, (), episode.ending.answer, bound)
 
 
 def end(world, ks):
     """The robot's dart after the motions."""
-    return case_of(world, ks).trail[-1]
+    return case_of(world, ks).walk.here
 
 
 def back(ks):
@@ -58,22 +58,20 @@ def test_checkpoints_cost_nothing_and_change_nothing(world, ks):
 @given(worlds(), motions(), motions())
 def test_cost_is_additive(world, one, two):
     both = case_of(world, one + two)
-    assert both.transcript.cost == (
-        case_of(world, one).transcript.cost + case_of(world, two).transcript.cost
-    )
+    assert both.walk.cost == (case_of(world, one).walk.cost + case_of(world, two).walk.cost)
     # The second walk goes on where the first has ended, whatever was before.
     dart = end(world, one)
     for k in two:
         dart = world.map.alpha[world.map.turn(dart, k)]
-    assert both.trail[-1] == dart
+    assert both.walk.here == dart
 
 
 @given(worlds(), motions())
 def test_motion_is_reversible_and_the_way_back_costs_as_much_as_the_way(world, ks):
     there_and_back = case_of(world, ks + back(ks))
     turn = -ks[0] if ks else 0
-    assert world.map.turn(there_and_back.trail[-1], turn) == world.start
-    assert there_and_back.transcript.cost == 2 * len(ks)
+    assert world.map.turn(there_and_back.walk.here, turn) == world.start
+    assert there_and_back.walk.cost == 2 * len(ks)
 
 
 @given(worlds(), motions())
@@ -119,5 +117,5 @@ def test_the_cost_of_algorithm_1_is_what_its_walk_costs_once_more(world, own):
 @given(worlds())
 def test_a_robot_that_stays_pays_nothing(world):
     case = case_of(World(world.map, world.lighthouse, world.start), [])
-    assert case.transcript.cost == 0
-    assert case.trail == (world.start,)
+    assert case.walk.cost == 0
+    assert case.walk.darts == [world.start]

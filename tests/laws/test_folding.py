@@ -43,22 +43,16 @@ def paper(first, own, _told):
 
 def case_of(world, player, own=None):
     episode = play(world, player, own or Choices(), LONG)
-    return Case(
-        world.map,
-        world.start,
-        episode.transcript,
-        episode.checkpoints,
-        episode.ending.answer,
-    )
+    return Case(episode.walk, episode.checkpoints, episode.ending.answer)
 
 
-def folds_to_the_world(case):
+def folds_to_the_world(case, log=None):
     """Whether the log alone gives the world, the robot's first and its last dart included."""
-    folded = fold(case.transcript)
+    folded = fold(log or case.walk.transcript)
     return all(
         rooted_code(folded.sigma, folded.alpha, mine)
         == rooted_code(case.map.sigma, case.map.alpha, true)
-        for mine, true in ((0, case.start), (folded.here, case.trail[-1]))
+        for mine, true in ((0, case.start), (folded.here, case.walk.here))
     )
 
 
@@ -97,7 +91,7 @@ def test_what_is_folded_from_any_walk_is_a_part_of_the_world(world, ks):
         return Estimate(world.map, 0)
 
     case = case_of(world, scripted)
-    folded = fold(case.transcript)
+    folded = fold(case.walk.transcript)
     # Dart by dart into the world, from the start; a known edge is one there.
     place = {0: world.start}
     for dart in (order := [0]):
@@ -109,20 +103,20 @@ def test_what_is_folded_from_any_walk_is_a_part_of_the_world(world, ks):
             assert place.setdefault(mine, true) == true
             if mine not in order:
                 order.append(mine)
-    assert place[folded.here] == case.trail[-1]
+    assert place[folded.here] == case.walk.here
 
 
 def test_a_log_with_a_wrong_first_bearing_does_not_fold_to_its_world():
     def misfolded(drawn):
         world, shift = drawn
         case = case_of(world, paper)
-        first = case.transcript.first
+        first = case.walk.first
         wrong = replace(first, bearing=(first.bearing + shift) % first.degree)
         if wrong == first:
             return False
-        log = Transcript(wrong, case.transcript.steps)
+        log = Transcript(wrong, tuple(case.walk.steps))
         try:
-            return not folds_to_the_world(replace(case, transcript=log))
+            return not folds_to_the_world(case, log)
         except Contradiction:
             return True
 

@@ -9,9 +9,11 @@ from hypothesis.strategies import composite, data, integers, permutations, sampl
 
 import bruteforce
 from allworlds.judging.laws.law_table import Case
+from allworlds.judging.walk import Walk
 from allworlds.maps import MapClass, moved, rooted_code, rooted_maps
-from allworlds.protocol.actions import Estimate, Percept, Transcript
+from allworlds.protocol.actions import Estimate
 from allworlds.strategies import maps
+from allworlds.world import World
 from enumerators import BROKEN_ENUMERATORS
 from second_opinion import verdict
 
@@ -39,7 +41,7 @@ def answers(draw):
 
 
 def judged(truth, dart, estimate, here):
-    return Case(truth, dart, Transcript(Percept(1)), (), Estimate(estimate, here)).answer
+    return Case(Walk.begin(World(truth, "none", dart)), (), Estimate(estimate, here)).answer
 
 
 @pytest.mark.parametrize("outcome", ["right", "pose", "map"])

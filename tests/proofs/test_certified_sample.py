@@ -63,7 +63,7 @@ def honest(samples, program, lines, policy="fifo"):
         map_ = samples.CombinatorialMap(each["sigma"], each["alpha"])
         world = World(map_, Directional(map_.turn(0, each["place"])))
         log, case = samples.log_of("it", world, ALGORITHM1, policy)
-        within = len(case.transcript.steps) <= each["limit"]
+        within = len(case.walk) <= each["limit"]
         answers.append(f'{log},"finding":"{"right" if within else "none"}"}}')
     return answers
 

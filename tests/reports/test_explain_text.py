@@ -4,6 +4,7 @@ import pytest
 
 from allworlds import CombinatorialMap, Estimate
 from allworlds.corpus.explorers import WRONG_EXPLORERS
+from allworlds.judging.walk import Walk
 from allworlds.reports.drawing.text import draw
 from allworlds.reports.formats import text as text_of
 from allworlds.reports.parts import walk_in_answer, walk_in_world
@@ -29,9 +30,9 @@ def explanation_of(name):
 def test_a_wrong_answer_is_drawn_beside_the_world(name, width):
     explanation = explanation_of(name)
     text = explain_text(explanation, width)
-    walk = explanation.finding.transcript
-    assert draw(walk_in_world(explanation.world, walk), width) in text
-    assert draw(walk_in_answer(explanation.world, explanation.answer, walk), width) in text
+    walk = Walk.of(explanation.world, explanation.finding.transcript.actions)
+    assert draw(walk_in_world(walk), width) in text
+    assert draw(walk_in_answer(walk, explanation.answer), width) in text
 
 
 def test_without_an_answer_only_the_world_is_drawn():

@@ -8,9 +8,11 @@ import pytest
 
 import allworlds
 from allworlds.inputs.checks import InputError
-from allworlds.judging.findings.finding import Finding, believed_percepts, trail_to, true_walk
+from allworlds.judging.belief import believed_percepts, trail_to
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.walk import Walk
 from allworlds.maps import MapClass
-from allworlds.protocol.actions import Drop, Move, Percept, Pick, Transcript
+from allworlds.protocol.actions import Drop, Move, Percept, Pick
 from allworlds.reports.formats import text
 from allworlds.world import Movable, World
 from allworlds.world.lighthouses.marked import Labels
@@ -21,10 +23,9 @@ pytestmark = pytest.mark.usefixtures("without_workers")
 FILE = str(Path(__file__).parents[1] / "support" / "explorers_for_tests" / "markers.py")
 
 
-def in_answer(world, map_, here, transcript):
+def in_answer(walk, map_, here):
     """The percepts to expect in an answer, by the walk that ends at ``here``."""
-    trail = [*trail_to(map_, here, transcript)]
-    return believed_percepts(world, map_, trail, transcript)
+    return believed_percepts(walk, map_, trail_to(map_, here, walk))
 
 
 def found(name, lighthouse, edges=2, **options):
@@ -126,35 +127,27 @@ def test_the_fuzzer_shrinks_worlds_with_markers():
 
 
 def test_an_answer_makes_expect_the_markers_where_it_takes_them_to_lie():
-    walk = [Drop(), Move(0), Move(1)]
     world = World(LOLLIPOP, Movable())
-    state, steps = world.initial, []
-    for action in walk:
-        state, percept = world.step(state, action)
-        steps.append((action, percept))
-    transcript = Transcript(world.first, tuple(steps))
-    assert [percept.marks for percept in transcript.percepts] == [0, 1, 0, 0]
-    assert [state.lying for state, _ in true_walk(world, transcript)] == [(), (0,), (0,), (0,)]
+    walk = Walk.of(world, [Drop(), Move(0), Move(1)])
+    assert [percept.marks for percept in walk.percepts] == [0, 1, 0, 0]
+    assert [state.lying for state in walk.states] == [(), (0,), (0,), (0,)]
     # The answer takes every motion for one along the only edge.
-    believed = in_answer(world, EDGE, 0, transcript)
+    believed = in_answer(walk, EDGE, 0)
     assert believed == [Percept(1, marks) for marks in (0, 1, 0, 1)]
-    more = Transcript(world.first, (*steps, (Pick(), Percept(3))))
-    assert [percept.marks for percept in in_answer(world, EDGE, 0, more)] == [0, 1, 0, 1, 0]
+    # There the robot takes up a marker where it has dropped none.
+    more = Walk.of(world, [Drop(), Move(0), Move(1), Move(1), Pick()])
+    assert [percept.marks for percept in more.percepts] == [0, 1, 0, 0, 1, 0]
+    assert [percept.marks for percept in in_answer(more, EDGE, 0)] == [0, 1, 0, 1, 0, 0]
 
 
 def test_under_labels_an_answer_makes_expect_what_was_first_sensed_at_each_vertex():
     (place,) = Labels.places(PATH, 0)
     world = World(PATH, place)
-    state, steps = world.initial, []
-    for action in (Move(0), Move(1)):
-        state, percept = world.step(state, action)
-        steps.append((action, percept))
-    transcript = Transcript(world.first, tuple(steps))
-    assert [percept.marks for percept in transcript.percepts] == [1, 2, 3]
-    believed = in_answer(world, EDGE, 0, transcript)
+    walk = Walk.of(world, [Move(0), Move(1)])
+    assert [percept.marks for percept in walk.percepts] == [1, 2, 3]
+    believed = in_answer(walk, EDGE, 0)
     assert [percept.marks for percept in believed] == [1, 2, 1]
-    fits = in_answer(world, PATH, state.dart, transcript)
-    assert fits == transcript.percepts
+    assert in_answer(walk, PATH, walk.here) == walk.percepts
 
 
 def test_a_program_drops_and_picks_up(tmp_path):

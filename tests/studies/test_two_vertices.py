@@ -8,10 +8,12 @@ import pytest
 
 from allworlds.explorers.builtin.algorithm1 import Algorithm1, TwoVertices
 from allworlds.inputs.checks import InputError
-from allworlds.judging.findings.finding import Finding, believed_percepts
+from allworlds.judging.belief import believed_percepts
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.walk import Walk
 from allworlds.maps import from_cycles, named_map
 from allworlds.outcome import Verdict
-from allworlds.protocol.actions import Move, Percept, Transcript
+from allworlds.protocol.actions import Move, Percept
 from allworlds.reports.formats import text as text_of
 from allworlds.studies.check import exhaustive as checker
 from allworlds.studies.explain import explain
@@ -191,7 +193,7 @@ class TwoMarksSuffice(TwoVertices):
 
 
 def believed(world, answer):
-    (percept,) = believed_percepts(world, answer, [0], Transcript(world.first))
+    (percept,) = believed_percepts(Walk.begin(world), answer, [0])
     return percept
 
 

@@ -2,23 +2,21 @@
 
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.laws.law_table import Case
-from allworlds.protocol.actions import Checkpoint, Transcript
-from small import stepped
+from allworlds.judging.walk import Walk
+from allworlds.protocol.actions import Checkpoint
 
 
 def finished(world):
     """Algorithm 1's run in a world, as a case."""
-    generator = algorithm1(world.first)
-    dart, reply, steps, checkpoints = world.start, None, [], []
+    generator, walk = algorithm1(world.first), Walk.begin(world)
+    reply, checkpoints = None, []
     while True:
         try:
             message = generator.send(reply)
         except StopIteration as stop:
-            transcript = Transcript(world.first, tuple(steps))
-            return Case(world.map, world.start, transcript, tuple(checkpoints), stop.value)
+            return Case(walk, tuple(checkpoints), stop.value)
         if isinstance(message, Checkpoint):
-            checkpoints.append((len(steps), message))
+            checkpoints.append((len(walk), message))
             reply = None
         else:
-            dart, reply = stepped(world, dart, message)
-            steps.append((message, reply))
+            reply = walk.step(message)

@@ -17,10 +17,10 @@ from allworlds.inputs.checks import InputError, show
 from allworlds.judging.episode import Answered, Episode, Fault, Over, ending_of, fault_of, followed
 from allworlds.judging.laws.law_table import PRECEDENCE, Violation
 from allworlds.log import Log
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import actions, playing
 from allworlds.protocol.choices import DEFAULT_POLICY, are_due, next_script
-from allworlds.world.lighthouses import base, composed
+from allworlds.world.lighthouses.base import State
 from allworlds.world.world import World
 
 SHOWN_BEFORE, SHOWN_AFTER = 8, 4
@@ -154,7 +154,7 @@ class Recorded(NamedTuple):
     def of(cls, due: Due, episode: Episode) -> "Recorded":
         """The record of an episode of that run."""
         over = isinstance(episode.ending, Over)
-        return cls(episode.transcript.percepts, due.world, due.script, over)
+        return cls(episode.walk.percepts, due.world, due.script, over)
 
 
 class Judged(NamedTuple):
@@ -324,9 +324,7 @@ class PythonJudge:
         lost = isinstance(episode.ending, Fault) and episode.ending.law in LOST
         choices = max(tuple(read.choices), due.script if lost else (), key=len)
         outcome = self.referee.outcome(world, episode, choices)
-        if isinstance(episode.ending, Over) and not rules.task.over_at_the_end(
-            world, episode.transcript
-        ):
+        if isinstance(episode.ending, Over) and not rules.task.is_over(episode.walk):
             raise InputError(
                 f"over of task {show(rules.task.name)} is no function of the run: it has ended "
                 f"one in {world.map}, and says now that it goes on"
@@ -354,10 +352,10 @@ class PythonJudge:
         """The message to a player that plays these runs in their worlds."""
         task = self.rules.task
         worlds: Iterable[Any]
-        if not task.ends_runs and all(_is_table(each.world.lighthouse) for each in runs):
-            kind, worlds = "table", (_table(each.world) for each in runs)
+        if not task.ends_runs and all(each.world.lighthouse.static for each in runs):
+            kind, worlds = "table", (table_of(each.world) for each in runs)
         else:
-            kind, worlds = "model", (task.environment(each.world) for each in runs)
+            kind, worlds = "model", ((each.world, task.over) for each in runs)
         rows = [self._row(due, world) for due, world in zip(runs, worlds, strict=True)]
         return self.message(kind, rows)
 
@@ -394,36 +392,37 @@ class PythonJudge:
         }
 
 
-def _is_table(lighthouse: base.Lighthouse) -> bool:
-    """Whether no action changes what is sensed: the percepts of all darts say everything."""
-    if isinstance(lighthouse, composed.Composed):
-        return all(map(_is_table, lighthouse.parts))
-    kind = type(lighthouse)
-    names = ("acted", "left_marks", "refusal", "in_hand")
-    return all(getattr(kind, name) is getattr(base.Lighthouse, name) for name in names)
+def table_of(world: World) -> bytes | tuple[int, ...]:
+    """The world as a table; see :class:`allworlds.protocol.playing.TableWorld`.
+
+    Args:
+        world: with a lighthouse that is static.
+    """
+    map_, numbers = world.map, list[int]()
+    first = _vertex_by_vertex(map_, world.start)
+    row = {dart: number for number, dart in enumerate(first)}
+    for dart, begin in first.items():
+        after, _ = world.step(State(dart), BACK)
+        p = world.percepts[dart]
+        bearing = 0 if p.bearing is None else p.bearing + 1
+        numbers += (begin, row[after.dart], p.degree, p.marks, bearing)
+    return playing.packed(numbers)
+
+
+BACK = actions.Move(0)
+"""The motion through the door by which the robot came."""
 
 
 @lru_cache(1)
-def _layout(map_: CombinatorialMap, start: int) -> list[tuple[int, int, int]]:
-    """The darts, each with the places of the first dart of its vertex and of its partner.
+def _vertex_by_vertex(map_: CombinatorialMap, start: Dart) -> dict[Dart, int]:
+    """The darts, from the start on; each with the place of the first one of its vertex.
 
-    Those of each vertex stand one behind the other, from the start on.
+    Those of each vertex stand one behind the other, clockwise.
     """
-    first: dict[int, int] = {}
+    first: dict[Dart, int] = {}
     for dart in (start, *map_.darts):
         begin, each = len(first), dart
         while each not in first:
             first[each] = begin
             each = map_.sigma[each]
-    place = {dart: i for i, dart in enumerate(first)}
-    return [(dart, begin, place[map_.alpha[dart]]) for dart, begin in first.items()]
-
-
-def _table(world: World) -> bytes | tuple[int, ...]:
-    """The world as a table; see :class:`allworlds.protocol.playing.TableWorld`."""
-    percepts, numbers = world.percepts, list[int]()
-    for dart, first, partner in _layout(world.map, world.start):
-        p = percepts[dart]
-        bearing = 0 if p.bearing is None else p.bearing + 1
-        numbers += (first, partner, p.degree, p.marks, bearing)
-    return playing.packed(numbers)
+    return first

@@ -219,7 +219,7 @@ def _around(kind: str, world: Any, told: Any, over: bool) -> Any:
         return playing.Record(world, told, over)
     from allworlds.judging.episode import AroundExplorer
 
-    return AroundExplorer(world)
+    return AroundExplorer(*world)
 
 
 def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> choices.Choices:

@@ -1,6 +1,7 @@
 """Single runs: one that is told, and findings that are played again."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from functools import cached_property
 from typing import Annotated, Any
 
 from msgspec import UNSET, UnsetType, field
@@ -31,10 +32,11 @@ from allworlds.judging.episode import Answered, Fault, Over, ending_of
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.law_table import checked_laws
+from allworlds.judging.walk import Walk
 from allworlds.log import Log
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.outcome import Facts, Verdict
-from allworlds.protocol.actions import Ambiguous, Estimate, Transcript, action_numbered
+from allworlds.protocol.actions import Action, Ambiguous, Estimate, Transcript, action_numbered
 from allworlds.world.world import World
 
 
@@ -107,6 +109,11 @@ class SingleRun(doc.Report):
     def checked_laws(self) -> tuple[str, ...]:
         """The laws of which something was checked."""
         return checked_laws(self.rules.judged, 1, len(self.outcome.episode.checkpoints))
+
+    @cached_property
+    def walk(self) -> Walk:
+        """The walk in the world as it was given."""
+        return Walk.of(self.world, self.outcome.episode.walk.actions)
 
     @property
     def answer(self) -> Any:
@@ -224,10 +231,11 @@ def single_run(
         if lost:
             _, printed = played.in_world(choices, seed)
         else:
-            (alone,), printed = played.again(outcome.episode.transcript, choices, seed)
+            made = outcome.episode.walk.actions
+            (alone,), printed = played.again(made, choices, seed)
             if after:
                 later = Plays(subject, rules, canonical, limits, after)
-                (log,), printed = later.again(outcome.episode.transcript, choices, seed)
+                (log,), printed = later.again(made, choices, seed)
                 outcome = after_worlds(overruled(outcome, alone, log), after)
         outcome = doc.replace(outcome, output=printed)
     else:
@@ -268,11 +276,11 @@ class Plays:
         return log, printed
 
     def again(
-        self, transcript: Any, script: tuple[int, ...], seed: int, times: int = 1
+        self, actions: Iterable[Action], script: tuple[int, ...], seed: int, times: int = 1
     ) -> tuple[list[Log], str]:
-        """The logs of plays of the record, and the prints."""
-        over = self._rules.task.over_at_the_end(self._world, transcript)
-        record = Recorded(transcript.percepts, self._world, script, over)
+        """The logs of plays of the record of these actions, and the prints."""
+        walk = Walk.of(self._world, actions)
+        record = Recorded(walk.percepts, self._world, script, self._rules.task.is_over(walk))
         return self._played(self.judge.records_message([record] * times), seed)
 
     def traced(self, runs: Sequence[Due]) -> Sequence[bytes]:
@@ -309,13 +317,15 @@ def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limi
     seed = SECOND if finding.hash_seed is None else finding.hash_seed
     try:
         if not subject.importable and subject.from_user:
-            _, printed = plays.again(finding.transcript, choices, seed)
+            _, printed = plays.again(finding.transcript.actions, choices, seed)
             return doc.replace(finding, output=printed)
         if finding.law in LOST and not finding.detail:
             log, printed = plays.in_world(choices, seed)
             return doc.replace(_found_again(finding, plays, log), output=printed)
         (first,), printed = plays.again(
-            finding.transcript, choices, FIRST if finding.law == "nondeterministic" else seed
+            finding.transcript.actions,
+            choices,
+            FIRST if finding.law == "nondeterministic" else seed,
         )
         later = Plays(subject, rules, world, limits, finding.earlier)
         return doc.replace(_repeated(finding, plays, later, first, seed), output=printed)
@@ -341,7 +351,7 @@ def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: in
     If a process does something else, the explorer is nondeterministic; such a one is confirmed by
     plays that differ; ``later`` are those after the worlds before it.
     """
-    record = finding.transcript, finding.choices
+    record = finding.transcript.actions, finding.choices
     if finding.after:
         with_seed = finding.hash_seed or FIRST
         (alone,), _ = plays.again(*record, with_seed)

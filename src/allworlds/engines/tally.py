@@ -26,6 +26,7 @@ from allworlds.judging.findings.finding import (
 )
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import LAWS, Case, Violation, first_wrong, judge
+from allworlds.judging.walk import Walk
 from allworlds.maps.combinatorial import rooted_code
 from allworlds.protocol import actions, choices
 from allworlds.world.world import World
@@ -57,7 +58,7 @@ class Outcome(Struct, frozen=True):
     @property
     def cost(self) -> int:
         """The number of edge traversals."""
-        return self.episode.transcript.cost
+        return self.episode.walk.cost
 
 
 class Referee:
@@ -71,14 +72,14 @@ class Referee:
     def outcome(self, world: World, episode: Episode, choices: tuple[int, ...]) -> Outcome:
         """Judge an episode."""
         bound = self.rules.the_bound.of(world.map, world.start)
-        violation = self.verdict(world, episode, bound)
+        violation = self.verdict(episode, bound)
         ending = episode.ending
         detail = ending.detail if isinstance(ending, Fault) else ""
         return Outcome(episode, violation, detail, choices, bound)
 
-    def verdict(self, world: World, episode: Episode, bound: int | None) -> Violation | None:
+    def verdict(self, episode: Episode, bound: int | None) -> Violation | None:
         """The first law that a finished episode breaks."""
-        ending = episode.ending
+        walk, ending = episode.walk, episode.ending
         if isinstance(ending, Fault):
             expected = ending.expected
             if ending.law == "budget" and self.rules.task.ends_runs:  # no answer is waited for
@@ -86,38 +87,36 @@ class Referee:
                 expected = expected.replace("an answer within", f"{done} within")
             return Violation(ending.law, expected, ending.seen)
         task, answer = self.rules.task, ending.answer if isinstance(ending, Answered) else None
-        leaves_open = world.lighthouse.as_kind.leaves_open
-        if task.is_map and isinstance(answer, actions.Ambiguous) and not leaves_open:
+        lighthouse = walk.world.lighthouse
+        if (
+            task.is_map
+            and isinstance(answer, actions.Ambiguous)
+            and not lighthouse.as_kind.leaves_open
+        ):
             return Violation(
                 "no-estimate",
-                f"a map: the {world.lighthouse.kind} lighthouse has no answer without one",
+                f"a map: the {lighthouse.kind} lighthouse has no answer without one",
                 show(answer),
             )
-        if not task.is_map and (wrong := task.flaw(world, episode.transcript, ending)) is not None:
+        if not task.is_map and (wrong := task.flaw(walk, ending)) is not None:
             return Violation("task", task.asks, wrong)
-        case = Case(
-            world.map,
-            world.start,
-            episode.transcript,
-            episode.checkpoints,
-            answer if task.is_map else None,
-            bound,
-        )
-        return judge(case, self._checks)
+        estimate = answer if task.is_map else None
+        return judge(Case(walk, episode.checkpoints, estimate, bound), self._checks)
 
     def finding(self, world: World, place: int, outcome: Outcome) -> Finding:
         """The finding of a refuting outcome, in canonical numbering."""
         assert outcome.violation is not None
         violation, ending = outcome.violation, outcome.episode.ending
         canonical, step = canonical_world(world), violation.step
-        believed, wrong = _believed(world, outcome.episode, step)
+        believed, wrong = _believed(outcome.episode, step)
         if not isinstance(ending, Fault) or "invariant-1" not in self.rules.applying:
             wrong = ""
         if believed and wrong:
             step = believed.step
         if not isinstance(ending, Fault):
             # What was expected and seen may name darts: judge again under the canonical names.
-            again = self.verdict(canonical, outcome.episode, outcome.bound)
+            walk = Walk.of(canonical, outcome.episode.walk.actions)
+            again = self.verdict(replace(outcome.episode, walk=walk), outcome.bound)
             if again and again.law == violation.law:
                 violation = again
         return Finding(
@@ -147,14 +146,14 @@ DARTS = range(1 << 63)
 """The darts that a document can hold; whatever else a checkpoint says is none."""
 
 
-def _believed(world: World, episode: Episode, step: int | None) -> tuple[Believed | None, str]:
+def _believed(episode: Episode, step: int | None) -> tuple[Believed | None, str]:
     """The first wrong checkpoint after so many steps, or of all, and what is wrong with it.
 
     Where none is wrong it is the last.
     """
     at = [i for i, (steps, _) in enumerate(episode.checkpoints) if step in (None, steps)]
     given = tuple([episode.checkpoints[i] for i in at])
-    wrong = first_wrong(Case(world.map, world.start, episode.transcript, given, None, None))
+    wrong = first_wrong(Case(episode.walk, given, None, None))
     if not at:
         return None, ""
     number = at[wrong[0] if wrong else -1]
@@ -176,8 +175,8 @@ class Examiner(Referee):
     def examine(self, world: World, choices: choices.Choices) -> Outcome:
         """Play one episode, and judge it."""
         rules, task = self.rules, self.rules.task
-        around, budget = task.environment(world), rules.budget(world.map)
-        episode = play(around, self._player, choices, budget, maps=task.is_map)
+        budget = rules.budget(world.map)
+        episode = play(world, self._player, choices, budget, maps=task.is_map, over=task.over)
         return self.outcome(world, episode, tuple(choices.record))
 
 

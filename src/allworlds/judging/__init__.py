@@ -2,8 +2,12 @@
 
 ``episode``
     the one place where a world and an explorer meet, and the ways in which a run can end;
+``walk``
+    the walk of a run in its world, at which all others look;
+``belief``
+    the walk as an answer has it, and the step at which the two part;
 ``tasks``
-    what counts as done, and the log that decides it;
+    what counts as done;
 ``laws``
     the judge: an answer and a log against the truth, law by law;
 ``findings``

@@ -4,13 +4,14 @@ No percept of the player is trusted.
 """
 
 import json
-from collections.abc import MutableSequence
+from collections.abc import Callable, MutableSequence
 from typing import Any, TypeAlias
 
 from msgspec import Struct
 
 from allworlds import log as entries
 from allworlds.inputs.checks import show
+from allworlds.judging.walk import Walk
 from allworlds.log import Log
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, numbering
 from allworlds.protocol import actions, playing
@@ -61,14 +62,19 @@ class Episode(Struct, frozen=True):
     """The log of one run in its world.
 
     Attributes:
-        transcript: the log.
+        walk: what the robot did there, and sensed.
         checkpoints: each with the number of steps of the transcript before it.
         ending: the answer, or the fault.
     """
 
-    transcript: actions.Transcript
+    walk: Walk
     checkpoints: tuple[tuple[int, actions.Checkpoint], ...]
     ending: Ending
+
+    @property
+    def transcript(self) -> actions.Transcript:
+        """The log without its world."""
+        return self.walk.transcript
 
 
 class AroundExplorer:
@@ -76,16 +82,17 @@ class AroundExplorer:
 
     Args:
         world: is not changed and not shown.
+        over: asked after each step whether the task is done, and the run ends; None: it never is.
     """
 
-    def __init__(self, world: World) -> None:
-        self._world, self._state, self.told = world, world.initial, world.told
+    def __init__(self, world: World, over: Callable[[Walk], bool] | None = None) -> None:
+        self._walk, self._over, self.told = Walk.begin(world), over, world.told
         self.first = _copy(world.first)
 
     @property
     def over(self) -> bool:
         """Whether the task of the run is done."""
-        return self._world.over
+        return self._over is not None and self._over(self._walk)
 
     def move(self, k: int) -> actions.Percept:
         """The percept behind a motion."""
@@ -93,8 +100,7 @@ class AroundExplorer:
 
     def act(self, action: actions.Action) -> actions.Percept:
         """The percept after an action; raises IllegalAction for one that is illegal."""
-        self._state, percept = self._world.step(self._state, action)
-        return _copy(percept)
+        return _copy(self._walk.step(action))
 
 
 def _copy(percept: actions.Percept) -> actions.Percept:
@@ -109,6 +115,7 @@ def play(
     beat: MutableSequence[int] | None = None,
     *,
     maps: bool = True,
+    over: Callable[[Walk], bool] | None = None,
 ) -> Episode:
     """Run one explorer in one world to its end, in this process.
 
@@ -119,12 +126,13 @@ def play(
         budget: the largest legal number of traversals; one checkpoint more is legal.
         beat: see :func:`allworlds.protocol.playing.play_run`.
         maps: whether the task asks for a map.
+        over: see :class:`AroundExplorer`.
 
     Cost: linear in the steps, besides the explorer's own.
     """
     beat = [0, 0] if beat is None else beat
     log = playing.play_run(
-        AroundExplorer(world), player, choices, budget, beat, any_answer=not maps
+        AroundExplorer(world, over), player, choices, budget, beat, any_answer=not maps
     )
     return followed(Log(log), world, budget, maps=maps)
 
@@ -143,27 +151,26 @@ def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episo
 
     Cost: linear in the steps.
     """
-    state, steps, step = world.initial, list[tuple[actions.Action, actions.Percept]](), world.step
+    walk, numbers = Walk.begin(world), log.actions
+    too_often = log.ending[:1] == (entries.FREE_TOO_OFTEN,)
+    if too_often:
+        numbers = numbers[:-1]  # the last was one too many
     refused: Fault | None = None
-    for number in log.actions:
+    for number in numbers:
         if refused:
             raise actions.IllegalAction(refused.expected)
         action = actions.action_numbered(number)
         try:
-            state, percept = step(state, action)
+            walk.step(action)
         except actions.IllegalAction as error:
             refused = Fault("illegal-action", str(error), show(action))
-            continue
-        steps.append((action, percept))
-    too_often = log.ending[:1] == (entries.FREE_TOO_OFTEN,)
-    if too_often and refused is None:
-        steps.pop()  # it was one too many
-    known = None if too_often else refused
-    ending = known or ending_of(log, budget, maps=maps)
+    if refused and too_often:
+        raise actions.IllegalAction(refused.expected)
+    ending = refused or ending_of(log, budget, maps=maps)
     shown = tuple(
         [(at, actions.Checkpoint(sigma, alpha, here)) for at, sigma, alpha, here in log.checkpoints]
     )
-    return Episode(actions.Transcript(world.first, tuple(steps)), shown, ending)
+    return Episode(walk, shown, ending)
 
 
 def fault_of(log: Log, budget: int = 0, *, maps: bool = True) -> Fault | None:

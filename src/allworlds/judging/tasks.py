@@ -5,98 +5,19 @@ or None; one of the user's is the same.  The task ``map`` has no judge of its ow
 and ``pose`` are its judges.
 """
 
-from collections.abc import Callable, Iterator
-from typing import Any, Self, TypeAlias
+from collections.abc import Callable
+from typing import Any, TypeAlias
 
-from msgspec import Struct, field
-from typing_extensions import override
+from msgspec import Struct
 
 from allworlds.inputs.checks import InputError, a_text, show
 from allworlds.judging.episode import Answered, Ending
-from allworlds.maps.combinatorial import Dart
-from allworlds.protocol.actions import Action, Move, Percept, Transcript
+from allworlds.judging.walk import Walk
 from allworlds.protocol.importing import attempted
 from allworlds.protocol.user_code import Role, UserCode
-from allworlds.world.lighthouses.base import State
 from allworlds.world.world import World
 
-
-class WalkLog(Struct):
-    """A log that knows its world; while the run goes on, it grows.
-
-    Its elements are the steps, pairs of an action and the percept that answered it.
-
-    Attributes:
-        world: in which the run takes place.
-        steps: the elements.
-        darts: the dart that the robot faced at the start, and the one by which it had arrived
-            after each step.
-        visited: the vertices where it was.
-        walked: the edges along which it went, each by the smaller of its darts.
-        cost: the number of traversals.
-    """
-
-    world: World
-    steps: list[tuple[Action, Percept]] = field(default_factory=list)
-    darts: list[Dart] = field(default_factory=list)
-    visited: set[int] = field(default_factory=set)
-    walked: set[Dart] = field(default_factory=set)
-    cost: int = 0
-
-    def __post_init__(self) -> None:
-        if not self.darts:  # one that is unpickled stands somewhere
-            self._stand(self.world.start)
-
-    @classmethod
-    def of(cls, world: World, transcript: Transcript) -> Self:
-        """The walk of a finished run."""
-        walk = cls(world)
-        for action, percept in transcript.steps:
-            walk.add(action, percept)
-        return walk
-
-    @property
-    def first(self) -> Percept:
-        """The percept before any motion."""
-        return self.world.first
-
-    @property
-    def percepts(self) -> list[Percept]:
-        """The percepts at the start and after each step."""
-        return [self.first, *(percept for _, percept in self.steps)]
-
-    @property
-    def actions(self) -> list[Action]:
-        """The actions, step by step."""
-        return [action for action, _ in self.steps]
-
-    @property
-    def here(self) -> Dart:
-        """The last of its darts."""
-        return self.darts[-1]
-
-    def __iter__(self) -> Iterator[tuple[Action, Percept]]:
-        return iter(self.steps)
-
-    def __len__(self) -> int:
-        return len(self.steps)
-
-    def add(self, action: Action, percept: Percept) -> None:
-        """Go one step further."""
-        self.steps.append((action, percept))
-        map_, dart = self.world.map, self.here
-        if type(action) is Move:
-            dart = map_.alpha[map_.turn(dart, action.k)]
-            self.walked.add(min(dart, map_.alpha[dart]))
-            self.cost += 1
-        self._stand(dart)
-
-    def _stand(self, dart: Dart) -> None:
-        self.darts.append(dart)
-        self.visited.add(self.world.map.vertex_of[dart])
-
-
-Judge: TypeAlias = Callable[[World, WalkLog, Any], str | None]
+Judge: TypeAlias = Callable[[World, Walk, Any], str | None]
 """A judge: the fault of a finished run, or None.  One of the user's that ends runs has an attribute
 ``over``, a function of the world and the walk."""
 
@@ -117,17 +38,17 @@ class TaskKind(Struct, frozen=True):
     ends: bool = False
 
 
-def visits_everything(world: World, walk: WalkLog, _answer: object) -> str | None:
+def visits_everything(world: World, walk: Walk, _answer: object) -> str | None:
     """Every vertex was visited."""
     return _left(len(walk.visited), world.map.vertex_count, "vertices not visited")
 
 
-def walks_everything(world: World, walk: WalkLog, _answer: object) -> str | None:
+def walks_everything(world: World, walk: Walk, _answer: object) -> str | None:
     """Every edge was walked along."""
     return _left(len(walk.walked), world.map.edge_count, "edges not walked along")
 
 
-def comes_home(world: World, walk: WalkLog, answer: object) -> str | None:
+def comes_home(world: World, walk: Walk, answer: object) -> str | None:
     """Every vertex was visited, and the walk ended where it began."""
     if world.map.vertex_of[walk.here] != world.map.vertex_of[world.start]:
         return "the walk ended at another vertex than that where it began"
@@ -137,7 +58,7 @@ def comes_home(world: World, walk: WalkLog, answer: object) -> str | None:
 def counts(what: str, number: Callable[[World], int]) -> Judge:
     """The judge of an answer that is to be this number of the world."""
 
-    def judge(world: World, _walk: WalkLog, answer: object) -> str | None:
+    def judge(world: World, _walk: Walk, answer: object) -> str | None:
         right = number(world)
         if type(answer) is int and answer == right:
             return None
@@ -220,17 +141,20 @@ class Task(Struct, frozen=True):
         """Whether the judge ends runs, too."""
         return TASKS[self.name].ends if self.code is None else hasattr(self._judge, "over")
 
-    def environment(self, world: World) -> World:
-        """The world as an explorer is run in it: it may end the run."""
-        return JudgedWorld(world, self) if self.ends_runs else world
+    @property
+    def over(self) -> Callable[[Walk], bool] | None:
+        """The function that is asked after each step whether the run ends; None if none is."""
+        return self.is_over if self.ends_runs else None
 
-    def is_over(self, walk: WalkLog) -> bool:
-        """Whether a run ends here, as the judge says.
+    def is_over(self, walk: Walk) -> bool:
+        """Whether a run ends here, as the judge says; never where it ends none.
 
         Raises:
             InputError: if the user's judge raises, says neither True nor False, or is not the same
                 twice.
         """
+        if not self.ends_runs:
+            return False
         if self.code is None:
             return self._judge(walk.world, walk, None) is None
         over = self._asked("over of ", self._judge.over, walk.world, walk)
@@ -238,20 +162,15 @@ class Task(Struct, frozen=True):
             raise InputError(f"over of task {show(self.name)} returns {show(over)}, no boolean")
         return over
 
-    def over_at_the_end(self, world: World, transcript: Transcript) -> bool:
-        """Whether the harness ended that walk, since all was done."""
-        return self.ends_runs and self.is_over(WalkLog.of(world, transcript))
-
-    def flaw(self, world: World, transcript: Transcript, ending: Ending) -> str | None:
+    def flaw(self, walk: Walk, ending: Ending) -> str | None:
         """The fault of a finished run; None if there is none.
 
         Raises:
             InputError: if the user's judge raises, returns anything else than a text or None, or
                 is not the same twice.
         """
-        walk = WalkLog.of(world, transcript)
         answer = ending.answer if isinstance(ending, Answered) else None
-        wrong = self._asked("", self._judge, world, walk, answer)
+        wrong = self._asked("", self._judge, walk.world, walk, answer)
         if wrong is not None and not isinstance(wrong, str):
             raise InputError(f"task {show(self.name)} returns {show(wrong)}, no text and not None")
         return wrong
@@ -292,33 +211,6 @@ def task_named(given: object) -> Task:
     if not code.recorded:
         code.function  # noqa: B018  # it is refused here, and not where it is used
     return Task(code.name, code)
-
-
-class JudgedWorld(World):
-    """A world in which the judge of a task decides whether the run is over.
-
-    Attributes:
-        task: with the judge.
-        walk: of the one run that takes place here, so far.
-    """
-
-    task: Task
-    walk: WalkLog
-
-    def __init__(self, world: World, task: Task) -> None:
-        super().__init__(world.map, world.lighthouse, world.start)
-        vars(self).update(task=task, walk=WalkLog(world))
-
-    @property
-    @override
-    def over(self) -> bool:
-        return self.task.is_over(self.walk)
-
-    @override
-    def step(self, state: State, action: Action) -> tuple[State, Percept]:
-        after, percept = super().step(state, action)
-        self.walk.add(action, percept)
-        return after, percept
 
 
 def _left(done: int, every: int, what: str) -> str | None:

@@ -183,6 +183,10 @@ class CombinatorialMap(Pictured, WrittenByFields):
         vertex = self.vertices[self.vertex_of[dart]]
         return vertex[(self._places[1][dart] + offset) % len(vertex)]
 
+    def move(self, dart: Dart, offset: int) -> Dart:
+        """``alpha(sigma^offset(dart))``: the dart of arrival after leaving by that one."""
+        return self.alpha[self.turn(dart, offset)]
+
     def offset(self, start: Dart, end: Dart) -> int:
         """The ``k`` in ``0..degree-1`` with ``sigma^k(start) == end``.
 

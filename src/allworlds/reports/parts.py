@@ -15,9 +15,10 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 from msgspec import Struct, field
 
 from allworlds import document as doc, outcome, words
-from allworlds.judging.findings.finding import believed_walk, true_walk
+from allworlds.judging.belief import believed_walk
+from allworlds.judging.walk import Walk
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.protocol.actions import Estimate, Move, Percept, Transcript
+from allworlds.protocol.actions import Estimate, Move, Percept
 from allworlds.world.labels import Position
 from allworlds.world.world import World
 
@@ -136,29 +137,23 @@ def _without_labels(scene: Scene, world: World) -> Scene:
     return doc.replace(scene, marks={}) if world.lighthouse.labels_vertices else scene
 
 
-def walk_in_world(world: World, transcript: Transcript) -> Scene:
+def walk_in_world(walk: Walk) -> Scene:
     """The world with everything that is sensed, and the robot at the end of its walk."""
-    states = [state for state, _ in true_walk(world, transcript)]
-    trail = [state.dart for state in states]
-    scene = scene_of(world, states[-1].lying)
-    return doc.replace(scene, robot=trail[-1], walked=_arrivals(trail, transcript))
+    scene = scene_of(walk.world, walk.states[-1].lying)
+    return doc.replace(scene, robot=walk.here, walked=walk.arrivals)
 
 
-def walk_in_answer(world: World, answer: Estimate, transcript: Transcript) -> Scene:
+def walk_in_answer(walk: Walk, answer: Estimate) -> Scene:
     """The answer with the percepts that it predicts, and the robot where the answer says."""
-    walk = believed_walk(world, answer, transcript)
+    world, belief = walk.world, believed_walk(walk, answer)
     # Where the answer has no place for the lighthouse it says nothing of markers.
-    percepts = zip(walk.trail, walk.percepts or [], strict=False)
+    percepts = zip(belief.trail, belief.percepts or [], strict=False)
     lasting = not world.lighthouse.as_kind.leaves_marks
-    scene = Scene.sensed(answer.map, walk.trail[0], percepts, lasting=lasting)
+    scene = Scene.sensed(answer.map, belief.trail[0], percepts, lasting=lasting)
     scene = _without_labels(scene, world)
-    return doc.replace(scene, robot=answer.here, walked=_arrivals(walk.trail, transcript))
-
-
-def _arrivals(trail: Sequence[Dart], transcript: Transcript) -> set[Dart]:
-    """The darts by which the robot arrived, step by step; none before the first motion."""
-    steps = zip(trail[1:], transcript.actions, strict=True)
-    return {dart for dart, action in steps if type(action) is Move}
+    steps = zip(belief.trail[1:], walk.actions, strict=True)
+    arrivals = {dart for dart, action in steps if type(action) is Move}
+    return doc.replace(scene, robot=answer.here, walked=arrivals)
 
 
 Value: TypeAlias = int | float | str | bool | None
@@ -374,7 +369,7 @@ class ShownWalk(Struct, frozen=True):
         """A row for each step; the lines of one file by their numbers alone."""
         walked, elsewhere = self.walked, self.elsewhere
         header = ["step", "motion", "arrives at", "sensed"]
-        motions = ["start", *map(str, walked.transcript.actions)]
+        motions = ["start", *map(str, walked.walk.actions)]
         rows: list[list[Cell]] = [
             [i, motion, walked.arrival(i), walked.in_words(percept)]
             for i, (motion, percept) in enumerate(zip(motions, walked.sensed, strict=True))
@@ -525,9 +520,9 @@ def rows_of_walk(walk: ShownWalk) -> CsvRows:
     if walk.elsewhere:
         columns |= {f"other_{name}": int for name in _SENSED}
     rows = []
-    actions = ["start", *map(str, walked.transcript.actions)]
+    actions = ["start", *map(str, walked.walk.actions)]
     for step, (action, dart, percept, other) in enumerate(
-        zip_longest(actions, walked.walked, walked.sensed, others)
+        zip_longest(actions, walked.walk.darts, walked.sensed, others)
     ):
         word, _, argument = action.partition(" ")
         row = [step, word, int(argument) if argument else None, walked.map.vertex_of[dart], dart]

@@ -85,7 +85,7 @@ def explain(request: ExplainRequest) -> Explanation:
     return Explanation(
         step=telling.step,
         sentences=(*telling.sentences,),
-        robot=story.walked[-1],
+        robot=story.walk.here,
         answer=telling.answer,
         other=telling.other,
         slip=telling.slip or None,

@@ -18,9 +18,10 @@ from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs import checks, requests
 from allworlds.inputs.checks import InputError, an_integer, show
 from allworlds.inputs.requests import RULES, SCOPE, Converted, Option, OptionGroup, answers
-from allworlds.judging.findings.finding import Finding, FindingOptions, recorded_trail
+from allworlds.judging.findings.finding import Finding, FindingOptions
 from allworlds.judging.findings.rules import RuleOptions
 from allworlds.judging.laws.law_table import LawName
+from allworlds.judging.walk import Walk
 from allworlds.outcome import Facts
 from allworlds.protocol.actions import Action, IllegalAction, Percept, Transcript
 from allworlds.studies.check import hints
@@ -199,7 +200,7 @@ def replay(request: ReplayRequest) -> Replay:
     if not isinstance(finding, Finding):
         raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
     limits = request.limits
-    recorded_trail(finding.world, finding.transcript)
+    Walk.recorded(finding.world, finding.transcript)
     same = explore is None or explore == finding.explorer
     subject = single.subject_of(finding.explorer if explore is None else explore, limits)
     if explore is None and finding.choices and not subject.takes_choices:
@@ -304,14 +305,12 @@ def play(request: PlayRequest) -> Play:
         InputError: if there is no such world.
     """
     world = world_named(request.world, request.lighthouse, request.seed, request.holes)
-    player = request.player
-    state, percept, steps, refused = world.initial, world.first, [], ""
+    player, walk = request.player, Walk.begin(world)
+    percept, refused = world.first, ""
     while (action := player(percept, refused)) is not None:
+        refused = ""
         try:
-            state, percept = world.step(state, action)
+            percept = walk.step(action)
         except IllegalAction as error:
             refused = str(error)
-        else:
-            refused = ""
-            steps.append((action, percept))
-    return Play(world=world, transcript=Transcript(world.first, tuple(steps)))
+    return Play(world=world, transcript=walk.transcript)

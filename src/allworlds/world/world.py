@@ -146,11 +146,6 @@ class World(Pictured):
         return self.percepts[self.start]
 
     @property
-    def over(self) -> bool:
-        """Whether the world ends the run: it never does."""
-        return False
-
-    @property
     def in_words(self) -> str:
         """``a world with 1 edge and 2 vertices``; one that has a name is called by it."""
         called = f"the world {self.labels.name}," if self.labels.name else "a world"
@@ -168,7 +163,7 @@ class World(Pictured):
             IllegalAction: for markers that are not there, naming the legal actions.
         """
         if type(action) is Move:
-            dart = self.map.alpha[self.map.turn(state.dart, action.k)]
+            dart = self.map.move(state.dart, action.k)
             if state.lying or state.hand or state.written:
                 after = State(dart, state.lying, state.hand, state.written)
                 return after, self.sensed(after)

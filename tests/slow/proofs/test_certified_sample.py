@@ -48,7 +48,7 @@ def test_the_most_expensive_worlds_of_a_level_are_found_among_all(samples):
     for row in rows:
         for counts in row.counts:
             largest[counts.vertices] = max(largest.get(counts.vertices, 0), counts.largest)
-    assert len(case.transcript.steps) == largest[found[1].vertex_count]
+    assert len(case.walk) == largest[found[1].vertex_count]
 
 
 @pytest.mark.long

@@ -8,8 +8,9 @@ from typing import Any
 
 from msgspec import Struct
 
-from allworlds.judging.tasks import TASKS, Judge, Task, WalkLog
-from allworlds.protocol.actions import Move, Percept, Told, Transcript
+from allworlds.judging.tasks import TASKS, Judge, Task
+from allworlds.judging.walk import Walk
+from allworlds.protocol.actions import Move, Percept, Told
 from allworlds.world import World
 
 
@@ -76,13 +77,13 @@ WRONG_ERRANDS = (
 """The explorers that must be refuted by the law ``task``."""
 
 
-def home_is_enough(world: World, walk: WalkLog, answer: object) -> str | None:
+def home_is_enough(world: World, walk: Walk, answer: object) -> str | None:
     """Only the end of the walk is looked at, and not what was visited."""
     told = _judge("home")(world, walk, answer)
     return told if told and "where it began" in told else None
 
 
-def visits_are_enough(world: World, walk: WalkLog, answer: object) -> str | None:
+def visits_are_enough(world: World, walk: Walk, answer: object) -> str | None:
     """Only what was visited is looked at, and not where the walk ended."""
     return _judge("stop")(world, walk, answer)
 
@@ -110,14 +111,11 @@ class WeakTaskJudge(Struct, frozen=True):
 
     law = "task"
 
-    def accepts(self, task: Task, world: World, transcript: Transcript) -> bool:
+    def accepts(self, task: Task, walk: Walk) -> bool:
         """Whether it accepts a finished run that the sound judge refuses."""
         if self.softer is None:
             return True
-        return (
-            task.name == self.task
-            and self.softer(world, WalkLog.of(world, transcript), None) is None
-        )
+        return task.name == self.task and self.softer(walk.world, walk, None) is None
 
 
 WEAK_TASK_JUDGES = (

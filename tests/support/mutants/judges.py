@@ -38,12 +38,12 @@ def bound_with_5mn(case: Case) -> Violation | None:
     """The bound is counted with the term +5mn twice."""
     n, m = case.map.vertex_count, case.map.edge_count
     softer = paper_bound(n, m) + 5 * m * n
-    return bound_law(case) if case.transcript.cost > softer else None
+    return bound_law(case) if case.walk.cost > softer else None
 
 
 def retracing_not_counted(case: Case) -> Violation | None:
     """Steps back through the edge one came by cost nothing."""
-    steps = [action for action, _ in case.transcript.steps]
+    steps = case.walk.actions
     forward = sum(type(action) is Move and action.k != 0 for action in steps)
     violation = bound_law(case)
     return violation if case.bound is not None and forward > case.bound else None

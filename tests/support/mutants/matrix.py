@@ -159,10 +159,9 @@ def _refused_errands(level: int) -> Iterator[_Refused]:
         for map_ in rooted_maps(level):
             world = World(map_, next(iter(kind.places(map_, 0))), 0)
             budget = default_step_budget(paper_bound(map_.vertex_count, level))
-            there = task.environment(world)
-            episode = play(there, player, Choices(), budget, maps=False)
-            if task.flaw(world, episode.transcript, episode.ending):
-                yield (task, world, episode.transcript), world, mutant.name
+            episode = play(world, player, Choices(), budget, maps=False, over=task.over)
+            if task.flaw(episode.walk, episode.ending):
+                yield (task, episode.walk), world, mutant.name
 
 
 def _refused(level: int, explorers: Collection[str]) -> Iterator[_Refused]:
@@ -184,14 +183,8 @@ def _refused(level: int, explorers: Collection[str]) -> Iterator[_Refused]:
             episode = play(world, player, Choices(), default_step_budget(bound))
             match episode.ending:
                 case Answered(answer):
-                    case = Case(
-                        world.map,
-                        world.start,
-                        episode.transcript,
-                        episode.checkpoints,
-                        answer,
-                        bound if "bound" in laws else None,
-                    )
+                    least = bound if "bound" in laws else None
+                    case = Case(episode.walk, episode.checkpoints, answer, least)
                     if judge(case, laws.values()):
                         yield (case, laws), world, name
 

@@ -5,6 +5,7 @@ from collections import Counter
 
 from allworlds.explorers.loading import is_library, is_program
 from allworlds.inputs.checks import InputError
+from allworlds.judging.belief import Parting
 from allworlds.judging.explanations.story import (
     Belief,
     Story,
@@ -15,7 +16,7 @@ from allworlds.judging.explanations.story import (
     mirror_image,
     the_slip,
 )
-from allworlds.judging.findings.finding import Finding, Parting
+from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws import bounds, folding
 from allworlds.judging.laws.bounds import default_step_budget
 from allworlds.maps.build import completed
@@ -160,7 +161,7 @@ def tell_budget(story: Story) -> Telling:
     if wrong:  # that is the cause
         return Telling([*wrong, how], story.checkpoint)
     if str(story.finding.seen).startswith("checkpoint "):
-        why = [f"After step {len(story.transcript.actions)} it only showed checkpoints."]
+        why = [f"After step {len(story.walk.actions)} it only showed checkpoints."]
     else:
         why = [
             _say_progress(story),
@@ -207,10 +208,10 @@ def _say_left(story: Story) -> list[str]:
     """Name what was left out, under the tasks that ask for every vertex or every edge."""
     map_, left, task = story.map, list[str](), story.finding.rules.task.name
     if task in ("cover", "stop", "home"):
-        visited = {map_.vertex_of[dart] for dart in story.walked}
+        visited = story.walk.visited
         left = [story.vertex(v[0]) for v in map_.vertices if map_.vertex_of[v[0]] not in visited]
     elif task == "cover:edges":
-        walked = story.discoveries
+        walked = story.walk.crossed
         left = [
             f"the edge from {story.place(a)}, to {story.place(b)}"
             for a, b in map_.edges
@@ -232,7 +233,7 @@ def _tell_first_wrong(story: Story) -> list[str]:
 
 
 def _say_last_step(story: Walked) -> str:
-    steps, place = story.transcript.steps, story.place(story.walked[-1])
+    steps, place = story.walk.steps, story.place(story.walk.darts[-1])
     if not steps:
         start = story.in_words(story.sensed[0])
         return f"It made no step: it stood at the start, {place}, and sensed '{start}'."
@@ -300,7 +301,7 @@ def _say_parting(belief: Belief, parting: Parting) -> str:
         return f"They part at the start, at {vertex}: {misfit}."
     if parting.fresh:
         truth = f"At step {step} the robot came to {vertex} for the first time"
-    elif type(story.transcript.actions[step - 1]) is not actions.Move:
+    elif type(story.walk.actions[step - 1]) is not actions.Move:
         truth = f"At step {step} the robot stayed at {vertex}"
     else:
         truth = f"At step {step} the robot was back at {vertex}, {story.last_left(robot, step)}"
@@ -336,7 +337,7 @@ def tell_pose(story: Story) -> Telling:
     alike = len(images) - 1
     symmetry = f" (for this symmetric map {plural(alike, 'other dart')} would be right, too)"
     where = f"{_say_where(belief, images)}{symmetry if alike else ''}"
-    turned = story.map.vertex_of[story.walked[-1]] in {story.map.vertex_of[d] for d in images}
+    turned = story.map.vertex_of[story.walk.darts[-1]] in {story.map.vertex_of[d] for d in images}
     name = TURNED if turned else ELSEWHERE
     bearings = bearings_anticlockwise(belief)
     sentences = [f"The map is right, but 'here' is wrong: {where}."]
@@ -367,10 +368,10 @@ def _images(belief: Belief) -> list[Dart]:
 def _say_where(belief: Belief, images: list[Dart]) -> str:
     """Tell where the robot stands, and where the answer says that it stands."""
     story = belief.story
-    map_, robot = story.map, story.walked[-1]
+    map_, robot = story.map, story.walk.darts[-1]
     stands = f"the robot stands at {story.place(robot)}, and the answer says"
     parting = belief.walk.parting
-    meant = parting.taken_for if parting and parting.step == len(story.walked) - 1 else None
+    meant = parting.taken_for if parting and parting.step == len(story.walk.darts) - 1 else None
     near = [d for d in images if map_.vertex_of[d] == map_.vertex_of[robot]]
     if not near:
         said = map_.alpha[robot] if map_.alpha[robot] in images else images[0]
@@ -381,7 +382,7 @@ def _say_where(belief: Belief, images: list[Dart]) -> str:
         back = degree - turned
         darts, way = (turned, "anticlockwise") if turned < back else (back, "clockwise")
         where = f"{stands} dart {said} of the same vertex, {plural(darts, 'dart')} too far {way}"
-    if said != map_.alpha[robot] or not story.transcript.cost:
+    if said != map_.alpha[robot] or not story.walk.cost:
         return where
     return f"{where}; dart {said} is the other end of the edge by which the robot came"
 
@@ -392,7 +393,7 @@ def tell_ambiguity(story: Story) -> Telling:
         "The answer says that several worlds look alike, and what they have in common: the "
         "quotient in which darts are one that nothing tells apart, rooted at the robot's."
     )
-    stands = f"In the world the robot stands at {story.place(story.walked[-1])}."
+    stands = f"In the world the robot stands at {story.place(story.walk.darts[-1])}."
     return Telling([broken, stands])
 
 
@@ -407,7 +408,7 @@ def checkpoint(broken: str) -> Teller:
         if step is not None:
             sentences.append(
                 f"The checkpoint came after step {step}, where the robot stood at "
-                f"{story.place(story.walked[step])}, and had sensed "
+                f"{story.place(story.walk.darts[step])}, and had sensed "
                 f"'{story.in_words(story.sensed[step])}'."
             )
         # Where a pass brings no progress S may be right: there the walks do not diverge.
@@ -430,7 +431,7 @@ def tell_open_darts(story: Story) -> list[str]:
     """
     if not story.world.lighthouse.as_kind.folds:
         return []
-    folded, map_ = folding.fold(story.transcript), story.map
+    folded, map_ = folding.fold(story.walk.transcript), story.map
     image = {0: story.world.start}
     for x in (queue := [0]):
         for y, true in ((folded.sigma[x], map_.sigma), (folded.alpha[x], map_.alpha)):
@@ -481,7 +482,7 @@ def another_world(world: World, transcript: actions.Transcript) -> World | None:
 def tell_folding(story: Story) -> Telling:
     """Tell the open darts of the log, and another world that agrees with it."""
     guessed = "The log does not determine the map, so the answer, right or not, was guessed."
-    other = another_world(story.world, story.transcript)
+    other = another_world(story.world, story.walk.transcript)
     assert other is not None
     there = (
         f"Another world agrees with the log as well: one with "
@@ -493,7 +494,7 @@ def tell_folding(story: Story) -> Telling:
 
 def tell_bound(story: Story) -> Telling:
     """Tell that the answer is right, whose bound was exceeded, and the uses of the traversals."""
-    made, new = plural(story.transcript.cost, "traversal"), len(story.discoveries)
+    made, new = plural(story.walk.cost, "traversal"), len(story.discoveries)
     used = f"The robot made {made}, of which {new} found a new edge."
     return Telling([*tell_whose_bound(story.finding), used])
 

@@ -9,7 +9,9 @@ from typing import TypeAlias
 from msgspec import Struct
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.judging.findings.finding import Finding, believed_walk, recorded_trail, trail_to
+from allworlds.judging.belief import believed_walk, trail_to
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.walk import Walk
 from allworlds.maps.build import contracted, deleted
 from allworlds.maps.combinatorial import (
     CombinatorialMap,
@@ -18,41 +20,30 @@ from allworlds.maps.combinatorial import (
     isomorphism,
     rooted_isomorphism,
 )
-from allworlds.protocol.actions import Estimate, Move, Percept, Transcript
+from allworlds.protocol.actions import Estimate, Move, Percept
 from allworlds.world.world import World
 
 
 class Walked:
-    """The walk that a log describes, and the names of the places on it.
+    """A walk, and the names of the places on it.
 
     Attributes:
+        walk: the walk.
         world: in which it was.
         map: of the world.
-        transcript: the log.
         sensed: the percepts at the start and after each step.
-        walked: the robot's darts in the world at the start and after each step.
-
-    Raises:
-        InputError: if the transcript is no walk in the world.
     """
 
-    def __init__(self, world: World, transcript: Transcript) -> None:
-        self.world = world
-        self.map = world.map
-        self.transcript = transcript
-        self.sensed = transcript.percepts
-        self.walked = recorded_trail(world, transcript)
+    def __init__(self, walk: Walk) -> None:
+        self.walk = walk
+        self.world = walk.world
+        self.map = walk.world.map
+        self.sensed = walk.percepts
 
     @property
     def discoveries(self) -> dict[Dart, int]:
         """The walked edges, each by its smaller dart, with the step that first went along it."""
-        first: dict[Dart, int] = {}
-        for step, (action, arrived) in enumerate(
-            zip(self.transcript.actions, self.walked[1:], strict=False), 1
-        ):
-            if type(action) is Move:
-                first.setdefault(min(arrived, self.map.alpha[arrived]), step)
-        return first
+        return {edge: before + 1 for edge, before in self.walk.crossed.items()}
 
     def in_words(self, percept: Percept) -> str:
         """The percept in the words of the world's lighthouse."""
@@ -68,10 +59,10 @@ class Walked:
 
     def arrival(self, step: int) -> str:
         """The place after a step; where vertices have names and it moved: ``hall -> F, dart 3``."""
-        place = self.place(self.walked[step])
-        moved = step and type(self.transcript.actions[step - 1]) is Move
+        place = self.place(self.walk.darts[step])
+        moved = step and type(self.walk.actions[step - 1]) is Move
         if moved and self.world.labels.vertices:
-            return f"{self.vertex(self.walked[step - 1])} -> {place}"
+            return f"{self.vertex(self.walk.darts[step - 1])} -> {place}"
         return place
 
 
@@ -87,19 +78,19 @@ class Story(Walked):
     """
 
     def __init__(self, finding: Finding) -> None:
-        super().__init__(finding.world, finding.transcript)
+        super().__init__(Walk.recorded(finding.world, finding.transcript))
         self.finding = finding
         self.checkpoint = finding.step
-        if finding.step is not None and finding.step >= len(self.walked):
+        if finding.step is not None and finding.step >= len(self.walk.darts):
             raise InputError(
                 f"step = {show(finding.step)} is behind the walk, which has "
-                f"{len(self.walked) - 1} steps"
+                f"{len(self.walk.darts) - 1} steps"
             )
 
     def last_left(self, dart: Dart, step: int) -> str:
         """A clause about the last time before ``step`` that the robot was at the dart's vertex."""
         vertex = self.vertex(dart)
-        last = max(i for i in range(step) if self.vertex(self.walked[i]) == vertex)
+        last = max(i for i in range(step) if self.vertex(self.walk.darts[i]) == vertex)
         just = last == step - 1
         return "which it had just left" if just else f"which it had left at step {last + 1}"
 
@@ -123,7 +114,7 @@ class Belief:
                 f"seen = {show(seen)} is no rooted map, but the law is about the answer"
             )
         self.story, self.answer = story, seen
-        self.walk = believed_walk(story.world, self.answer, story.transcript)
+        self.walk = believed_walk(story.walk, self.answer)
 
     @property
     def step(self) -> int | None:
@@ -193,7 +184,7 @@ def the_slip(belief: Belief) -> Slip | None:
 
 def mirror_image(belief: Belief) -> Slip | None:
     """Recognise an answer in which every rotation is given anticlockwise."""
-    answer, world, robot = belief.answer, belief.story.map, belief.story.walked[-1]
+    answer, world, robot = belief.answer, belief.story.map, belief.story.walk.darts[-1]
     mirrored = answer.map.mirrored()
     if rooted_isomorphism(mirrored, answer.here, world, robot):
         sentence = (
@@ -215,11 +206,11 @@ def bearings_anticlockwise(belief: Belief) -> Slip | None:
     where the walk takes an edge for the first time: on its way back a robot need not look.  Where
     the map is right, all percepts count: there a wrong ``here`` alone is likelier.
     """
-    map_, transcript = belief.answer.map, belief.story.transcript
-    trail = trail_to(map_, belief.answer.here, transcript)
+    map_, walk = belief.answer.map, belief.story.walk
+    trail = trail_to(map_, belief.answer.here, walk)
     is_right = bool(isomorphism(map_, belief.story.map))
-    sensed, taken = [(trail[0], transcript.first)], set()
-    for dart, percept in zip(trail[1:], transcript.percepts[1:], strict=True):
+    sensed, taken = [(trail[0], walk.first)], set()
+    for dart, percept in zip(trail[1:], walk.percepts[1:], strict=True):
         edge = min(dart, map_.alpha[dart])
         if is_right or edge not in taken:
             sensed.append((dart, percept))
@@ -249,7 +240,7 @@ def _fits(map_: CombinatorialMap, sensed: Iterable[tuple[Dart, Percept]], way: i
 
 def _glued_crosswise(belief: Belief) -> Slip | None:
     """Recognise an answer in which two edges have one end each exchanged."""
-    answer, world, robot = belief.answer, belief.story.map, belief.story.walked[-1]
+    answer, world, robot = belief.answer, belief.story.map, belief.story.walk.darts[-1]
     if isomorphism(answer.map, world):
         return None
     with_wrong_place = None

@@ -1,18 +1,11 @@
-"""The finding: a refuting run, with what further plays have shown of it, and its walk.
-
-A log is walked in the world, in a wrong answer, and to the step at which the two diverge.
-"""
+"""The finding: a refuting run, with what further plays have shown of it."""
 
 import hashlib
 import json
 import shlex
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property, partial
-from operator import eq
 from typing import Annotated, Any, Final, Literal, NamedTuple
-
-from msgspec import Struct
 
 from allworlds import document as doc
 from allworlds.explorers.loading import HASH_SEED, named_on_command_line, own_bound
@@ -20,10 +13,9 @@ from allworlds.inputs.checks import InputError, in_file, integer_of, parse_json,
 from allworlds.inputs.requests import SCOPE, Argument, Option, OptionGroup, Request
 from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.law_table import PRECEDENCE, LawName, Value
-from allworlds.maps.combinatorial import Code, CombinatorialMap, Dart, numbering, rooted_code
+from allworlds.maps.combinatorial import Code, Dart, numbering, rooted_code
 from allworlds.protocol import actions
 from allworlds.protocol.actions import Transcript
-from allworlds.world.lighthouses.base import State, WalkInAnswer
 from allworlds.world.world import World
 
 VERSION: Final = 2
@@ -391,208 +383,3 @@ class FindingOptions(Request, kw_only=False):
     """The part of a request that names a finding."""
 
     finding: Annotated[Finding, OptionGroup(FindingWords, "the finding")]
-
-
-def true_trail(world: World, transcript: Transcript) -> list[Dart]:
-    """The robot's dart in the world at the start and after each step."""
-    return [state.dart for state, _ in true_walk(world, transcript)]
-
-
-def true_walk(world: World, transcript: Transcript) -> list[tuple[State, actions.Percept]]:
-    """The world's state at the start and after each step, with the percepts in it."""
-    walk = [(world.initial, world.first)]
-    for action in transcript.actions:
-        walk.append(world.step(walk[-1][0], action))
-    return walk
-
-
-def recorded_trail(world: World, transcript: Transcript) -> list[Dart]:
-    """The robot's darts by a transcript from elsewhere, which may be no walk in the world.
-
-    Raises:
-        InputError: naming the first step that does not fit.
-    """
-    try:
-        walk = true_walk(world, transcript)
-    except actions.IllegalAction as error:
-        raise InputError(f"the finding's transcript is no walk in its world: {error}") from None
-    sensed = transcript.percepts
-    for step, ((_, truth), percept) in enumerate(zip(walk, sensed, strict=True)):
-        if percept != truth:
-            raise InputError(
-                f"the finding's transcript is no walk in its world: at step {step} it has "
-                f"{percept!s}, where the world has {truth!s}"
-            )
-    return [state.dart for state, _ in walk]
-
-
-def trail_to(map_: CombinatorialMap, here: Dart, transcript: Transcript) -> list[Dart]:
-    """The robot's dart at the start and after each step of the walk that ends at ``here``.
-
-    Motion is reversible: the walk is traced back to the dart where it must have begun.
-    """
-    trail = [here]
-    for action in reversed(transcript.actions):
-        dart = trail[-1]
-        if type(action) is actions.Move:
-            dart = map_.turn(map_.alpha[dart], -action.k)
-        trail.append(dart)
-    trail.reverse()
-    return trail
-
-
-def trail_from(map_: CombinatorialMap, start: Dart, transcript: Transcript) -> Iterator[Dart]:
-    """The robot's dart at the start and after each step of the walk that begins at ``start``."""
-    yield (dart := start)
-    for action, _ in transcript.steps:
-        if type(action) is actions.Move:
-            dart = map_.alpha[map_.turn(dart, action.k)]
-        yield dart
-
-
-def believed_percepts(
-    world: World, estimate: CombinatorialMap, trail: Sequence[Dart], transcript: Transcript
-) -> list[actions.Percept] | None:
-    """The percepts, first one included, of a walk along these darts of the estimated map.
-
-    The lighthouse stands where the robot must believe it; None if the answer has no such place.
-    """
-    walk = WalkInAnswer(estimate, trail, transcript.percepts)
-    lighthouse = world.lighthouse.believed(world.map, world.start, walk)
-    if lighthouse is None:
-        return None
-    percepts = lighthouse.percepts(estimate)
-    state, expected = State(trail[0], hand=lighthouse.in_hand), [percepts[trail[0]]]
-    for dart, action in zip(trail[1:], transcript.actions, strict=True):
-        state = replace(state, dart=dart)
-        lying = state.lying.count(estimate.vertex_of[dart])
-        # A wrong answer may make the robot take up what it has never dropped there.
-        if type(action) is not actions.Move and not lighthouse.refusal(action, lying, state.hand):
-            state = lighthouse.acted(estimate, state, action)
-        expected.append(percepts[dart].marked(lighthouse.left_marks(estimate, state)))
-    return expected
-
-
-class Parting(Struct, frozen=True):
-    """The first step at which the answer diverges from the world.
-
-    Attributes:
-        step: the number of the step; 0 is the start.
-        robot: the robot's dart in the world.
-        taken_for: the dart of the world for which the answer takes it; None if the answer has the
-            robot at a vertex where it has not been before.
-        fresh: whether in the world the robot has not been at this vertex before.
-    """
-
-    step: int
-    robot: Dart
-    taken_for: Dart | None
-    fresh: bool
-
-
-def find_parting(
-    world: CombinatorialMap,
-    walked: Sequence[Dart],
-    answer: CombinatorialMap,
-    believed: Sequence[Dart],
-    fits: Sequence[bool],
-) -> Parting | None:
-    """The first step at which the two walks diverge; None if they never do.
-
-    Every dart that the robot arrives by is tied to the dart by which it arrives in the
-    answer, and with the two darts their whole rotations.  The walks diverge where a tie would be
-    contradicted.
-
-    Args:
-        world: the true map.
-        walked: the robot's darts in it, start included.
-        answer: the estimated map.
-        believed: the robot's darts in that, start included.
-        fits: for each step whether the answer predicts the percept.  Where it does,
-            both vertices have one degree.
-
-    Cost: linear in the steps and the darts.
-    """
-    tied: dict[Dart, Dart] = {}
-    means: dict[Dart, Dart] = {}
-    for step, (robot, belief) in enumerate(zip(walked, believed, strict=True)):
-        fresh, taken_for = robot not in tied, means.get(belief)
-        if not fits[step] or taken_for != (None if fresh else robot):
-            return Parting(step, robot, taken_for, fresh)
-        if fresh:
-            for k in range(world.degree_at[robot]):
-                a, b = world.turn(robot, k), answer.turn(belief, k)
-                tied[a], means[b] = b, a
-    return None
-
-
-class BelievedWalk(Struct, frozen=True):
-    """A walk in an answer beside the walk in the world.
-
-    Attributes:
-        trail: the robot's darts in the answer at the start and after each step; the last is
-            where the answer says that the robot is.
-        percepts: the ones that the answer predicts at each; None if it has no place for the
-            lighthouse.
-        expected: the same, where there are none with the degrees alone.
-        misfits: the steps at which the percept was another one.
-        parting: the first step at which it diverges from the world; None if there is none.
-    """
-
-    trail: Sequence[Dart]
-    percepts: Sequence[actions.Percept] | None
-    expected: Sequence[actions.Percept]
-    misfits: Sequence[int]
-    parting: Parting | None
-
-    @property
-    def agreement(self) -> int:
-        """The number of steps, the start included, in which both agree."""
-        return self.parting.step if self.parting else len(self.trail)
-
-
-def believed_walk(world: World, answer: actions.Estimate, transcript: Transcript) -> BelievedWalk:
-    """The walk in the answer from the dart from which it agrees for longest.
-
-    Of equals it is the one from which the motions lead to ``here``, if it is among them, else the
-    one whose degrees agree for longest, then the one from the smallest dart: an explorer that errs
-    only at the end was right before.
-
-    Cost: the steps, times the darts of the answer from which the degrees agree that long.
-    """
-    best = _beside(world, answer.map, trail_to(answer.map, answer.here, transcript), transcript)
-    walked, degrees = len(transcript.steps), [percept.degree for percept in transcript.percepts]
-    alike = {
-        dart: _alike(answer.map, trail_from(answer.map, dart, transcript), degrees)
-        for dart in (answer.map.darts if best.agreement < walked else ())
-    }
-    for dart in sorted(alike, key=lambda dart: -alike[dart]):
-        if alike[dart] <= best.agreement:
-            break
-        trail = [*trail_from(answer.map, dart, transcript)]
-        trail[-1] = answer.here
-        other = _beside(world, answer.map, trail, transcript)
-        # A leap to `here` that nothing contradicts is no walk: such an answer does not fit the log.
-        if other.parting and other.agreement > best.agreement:
-            best = other
-    return best
-
-
-def _alike(map_: CombinatorialMap, trail: Iterable[Dart], degrees: Sequence[int]) -> int:
-    """The number of steps, the start included, before a degree differs."""
-    pairs = zip(trail, degrees, strict=True)
-    return next(
-        (step for step, (dart, degree) in enumerate(pairs) if map_.degree_at[dart] != degree),
-        len(degrees),
-    )
-
-
-def _beside(
-    world: World, map_: CombinatorialMap, trail: Sequence[Dart], transcript: Transcript
-) -> BelievedWalk:
-    percepts = believed_percepts(world, map_, trail, transcript)
-    expected = percepts or [actions.Percept(map_.degree_at[dart]) for dart in trail]
-    fits = [*map(eq, expected, transcript.percepts)]
-    misfits = [step for step, fit in enumerate(fits) if not fit]
-    parting = find_parting(world.map, true_trail(world, transcript), map_, trail, fits)
-    return BelievedWalk(trail, percepts, expected, misfits, parting)

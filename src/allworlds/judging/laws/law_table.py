@@ -9,12 +9,14 @@ calls its place goes to the robot's true dart, and everything else follows along
 the explored edges, because S is connected.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from functools import cached_property
 from itertools import count
 from operator import ne
-from typing import Annotated, Literal, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Literal, TypeAlias
 
 from msgspec import Struct
 
@@ -23,50 +25,37 @@ from allworlds.inputs.checks import show
 from allworlds.judging.laws.folding import fold
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, carries, numbering
 from allworlds.maps.quotient import is_ambiguous, project
-from allworlds.protocol.actions import Ambiguous, Answer, Checkpoint, Estimate, Move, Transcript
+from allworlds.protocol.actions import Ambiguous, Answer, Checkpoint, Estimate
+
+if TYPE_CHECKING:
+    from allworlds.judging.walk import Walk
 
 
 class Case(Struct, frozen=True, dict=True):
     """A finished run with the truth beside it.
 
     Attributes:
-        map, start: the true map and the dart that the robot faced at the start.
-        transcript: the log.
+        walk: of the robot in the true map.
         checkpoints: the published S and U, each with the number of steps before it.
         estimate: the answer: its map is valid, or its permutations are, and ``here`` is one
             of its darts; None where a task asks for something else.
         bound: the largest legal number of traversals, or None.
     """
 
-    map: CombinatorialMap
-    start: Dart
-    transcript: Transcript
+    walk: Walk
     checkpoints: tuple[tuple[int, Checkpoint], ...]
     estimate: Answer | None
     bound: int | None = None
 
-    @cached_property
-    def trail(self) -> tuple[Dart, ...]:
-        """The robot's true dart at the start and after each step, walked anew from the log."""
-        turn, alpha = self.map.turn, self.map.alpha
-        dart = self.start
-        trail = [dart]
-        for action, _ in self.transcript.steps:
-            if type(action) is Move:
-                dart = alpha[turn(dart, action.k)]
-            trail.append(dart)
-        return tuple(trail)
+    @property
+    def map(self) -> CombinatorialMap:
+        """The true map."""
+        return self.walk.world.map
 
-    @cached_property
-    def walked(self) -> dict[Dart, int]:
-        """For each dart of an edge that was crossed, the number of steps before the first time."""
-        walked: dict[Dart, int] = {}
-        for step, (action, _) in enumerate(self.transcript.steps):
-            if type(action) is Move:
-                entered = self.trail[step + 1]
-                walked.setdefault(entered, step)
-                walked.setdefault(self.map.alpha[entered], step)
-        return walked
+    @property
+    def start(self) -> Dart:
+        """The dart that the robot faced at the start."""
+        return self.walk.world.start
 
     @cached_property
     def answer(self) -> Literal["right", "pose", "map", "open"]:
@@ -85,7 +74,7 @@ class Case(Struct, frozen=True, dict=True):
         def fits(dart: Dart) -> bool:
             return carries(estimate.sigma, estimate.alpha, order, truth.sigma, truth.alpha, dart)
 
-        if fits(self.trail[-1]):
+        if fits(self.walk.here):
             return "right"
         return "pose" if any(fits(dart) for dart in truth.darts) else "map"
 
@@ -124,7 +113,7 @@ def pose_law(case: Case) -> Violation | None:
 
 def _wrong_answer(case: Case, law: str) -> Violation:
     assert isinstance(case.estimate, Estimate)
-    truth = Estimate(case.map, case.trail[-1])
+    truth = Estimate(case.map, case.walk.here)
     return Violation(law, truth, case.estimate)
 
 
@@ -148,7 +137,7 @@ def ambiguity_law(case: Case) -> Violation | None:
             "the map: no other world looks like this one",
             f"Ambiguous, {_words(_canonical(answer))}",
         )
-    rooted = quotient.rerooted(classes[case.trail[-1]])
+    rooted = quotient.rerooted(classes[case.walk.here])
     labels = tuple([label for label in rooted.labels if isinstance(label, int)])
     truth = Ambiguous(rooted.sigma, rooted.alpha, rooted.degree, labels, 0)
     if _canonical(answer) == truth:
@@ -181,7 +170,7 @@ def _words(answer: Ambiguous) -> str:
 
 def bound_law(case: Case) -> Violation | None:
     """Require at most ``bound`` edge traversals, retracing included (Section VI)."""
-    cost = case.transcript.cost
+    cost = case.walk.cost
     if case.bound is None or cost <= case.bound:
         return None
     return Violation("bound", case.bound, cost)
@@ -193,7 +182,7 @@ def folding_law(case: Case) -> Violation | None:
     With an open dart left two different worlds agree with the log, so an explorer that is
     right about this one has guessed.
     """
-    folded = fold(case.transcript)
+    folded = fold(case.walk.transcript)
     if not folded.open_darts:
         return None
     darts = "dart" if folded.open_darts == 1 else "darts"
@@ -232,11 +221,13 @@ def _wrong_s(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
 
 
 def _wrong_part(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
-    embedding = embed(case.map, case.trail[steps], checkpoint)
+    embedding = embed(case.map, case.walk.darts[steps], checkpoint)
     if isinstance(embedding, str):
         return embedding
+    crossed, other = case.walk.crossed, case.map.alpha
     for d, e in enumerate(checkpoint.alpha):
-        if e != d and case.walked.get(embedding[d], steps) >= steps:
+        edge = min(embedding[d], other[embedding[d]])
+        if e != d and crossed.get(edge, steps) >= steps:
             return f"S holds an edge at its dart {d} that has never been walked"
     return None
 

@@ -7,7 +7,7 @@ from msgspec import UNSET
 
 from allworlds import document as doc, words
 from allworlds.judging.explanations.story import Walked
-from allworlds.judging.findings.finding import true_trail
+from allworlds.judging.walk import Walk
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.maps.quotient import Quotient
 from allworlds.protocol import actions
@@ -142,20 +142,21 @@ def _walk(
     sentences: Sequence[str],
 ) -> parts.ShownWalk:
     """One walk in each of the worlds."""
-    logs = [walk_along(world, motions) for world in worlds]
+    walks = [Walk.of(world, map(actions.Move, motions)) for world in worlds]
     views = [
         parts.View(
             letters(i),
             f"World {name}" if len(name) == 1 else name,
             scene,
-            true_trail(world, log),
-            f"genus {world.map.genus}",
+            walk.darts,
+            f"genus {walk.world.map.genus}",
         )
-        for i, (name, world, scene, log) in enumerate(zip(names, worlds, scenes, logs, strict=True))
+        for i, (name, scene, walk) in enumerate(zip(names, scenes, walks, strict=True))
     ]
-    apart = next((log.percepts for log in logs if log.percepts != logs[0].percepts), None)
+    sensed = [walk.percepts for walk in walks]
+    apart = next((percepts for percepts in sensed if percepts != sensed[0]), None)
     elsewhere = parts.Elsewhere("sensed in B", apart) if apart else None
-    walked = Walked(worlds[0], logs[0])
+    walked = Walked(walks[0])
     return parts.ShownWalk("One walk", walked, views, sentences, elsewhere, tour=not apart)
 
 
@@ -310,15 +311,6 @@ def _found(result: twin_search.SearchResult) -> tuple[parts.Headline, list[tuple
     return parts.Headline("NONE", f"{asked}: there are none.", "holds"), [("proof", proof)]
 
 
-def walk_along(world: World, motions: Sequence[int]) -> actions.Transcript:
-    """The log of these motions from the start."""
-    state, steps = world.initial, []
-    for k in motions:
-        state, percept = world.step(state, actions.Move(k))
-        steps.append((actions.Move(k), percept))
-    return actions.Transcript(world.first, tuple(steps))
-
-
 def tour(worlds: Sequence[World]) -> list[int]:
     """The motions of a walk in the first of these worlds, along every edge of each of them.
 
@@ -335,13 +327,9 @@ def tour(worlds: Sequence[World]) -> list[int]:
             if not ahead:
                 ahead = _nearest(map_, dart, left)
                 motions += ahead
-            dart = _along(map_, dart, ahead.pop(0))
+            dart = map_.move(dart, ahead.pop(0))
             left -= {dart, map_.alpha[dart]}
     return motions
-
-
-def _along(map_: CombinatorialMap, dart: Dart, k: int) -> Dart:
-    return map_.alpha[map_.turn(dart, k)]
 
 
 def _nearest(map_: CombinatorialMap, start: Dart, left: set[Dart]) -> list[int]:
@@ -350,7 +338,7 @@ def _nearest(map_: CombinatorialMap, start: Dart, left: set[Dart]) -> list[int]:
     queue = [start]
     for dart in queue:
         for k in range(map_.degree_at[dart]):
-            reached = _along(map_, dart, k)
+            reached = map_.move(dart, k)
             if reached in left:
                 return [*ways[dart], k]
             if reached not in ways:

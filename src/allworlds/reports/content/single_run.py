@@ -3,25 +3,26 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 from allworlds import document as doc, words
 from allworlds.engines.single import SingleRun
 from allworlds.explorers.loading import is_program
+from allworlds.judging.belief import believed_walk, find_parting
 from allworlds.judging.episode import Answered, Over
 from allworlds.judging.explanations.story import Belief, Story, Walked
-from allworlds.judging.findings.finding import Finding, believed_walk, find_parting, true_trail
+from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import embed
+from allworlds.judging.walk import Walk
 from allworlds.maps.build import completed
-from allworlds.maps.combinatorial import InvalidMap
+from allworlds.maps.combinatorial import Dart, InvalidMap
 from allworlds.protocol.actions import Ambiguous, Estimate
 from allworlds.protocol.playing import BUILT, NO_MAP
 from allworlds.reports import parts
 from allworlds.reports.drawing.layout import named_like
 from allworlds.studies.run import Replay, WorldNames
-from allworlds.world.world import World
 
 if TYPE_CHECKING:
     from allworlds.studies.explain import Explanation
@@ -32,10 +33,9 @@ def known(run: SingleRun) -> parts.ShownMap | None:
     episode, world = run.outcome.episode, run.world
     if not episode.checkpoints:
         return None
-    trail = true_trail(world, episode.transcript)
     seen = parts.ShownMap({}, {})
     for step, checkpoint in episode.checkpoints:
-        place = embed(world.map, trail[step], checkpoint)
+        place = embed(world.map, run.walk.darts[step], checkpoint)
         if isinstance(place, str):
             return None
         for dart, other in enumerate(checkpoint.alpha):
@@ -134,12 +134,9 @@ def _section(run: SingleRun) -> parts.Section:
 
 def run_section(run: SingleRun, name: str, title: str = "") -> parts.Section:
     """A run that breaks no law: its pictures and its walk, and an answer that is no map."""
-    world, episode = run.world, run.outcome.episode
-    transcript, ending = episode.transcript, episode.ending
-    walked = Walked(world, transcript)
-    views = [
-        parts.View("world", "The world", parts.walk_in_world(world, transcript), walked.walked)
-    ]
+    walk, ending = run.walk, run.outcome.episode.ending
+    walked = Walked(walk)
+    views = [parts.View("world", "The world", parts.walk_in_world(walk), walk.darts)]
     agreement, blocks = None, list[parts.Block]()
     seen = known(run)
     if seen is not None:
@@ -147,8 +144,8 @@ def run_section(run: SingleRun, name: str, title: str = "") -> parts.Section:
         views.append(doc.replace(views[0], name="known", title=title_of_s, known=seen))
     match ending:
         case Answered(Estimate() as estimate):
-            belief = believed_walk(world, estimate, transcript)
-            answer = answer_view(world, estimate, transcript, belief.trail)
+            belief = believed_walk(walk, estimate)
+            answer = answer_view(walk, estimate, belief.trail)
             answer = named_like(views[0], answer, belief.agreement)
             views.append(doc.replace(answer, still=seen is not None))
             agreement = belief.agreement
@@ -158,8 +155,8 @@ def run_section(run: SingleRun, name: str, title: str = "") -> parts.Section:
             blocks.append(parts.fact("answer", json.dumps(value)))
         case Over():
             blocks.append(parts.fact("over", f"all is done: {run.rules.task.asks}"))
-    walk = parts.ShownWalk(f"The walk of {run.explorer}", walked, views, agreement=agreement)
-    return parts.Section(name, title, [walk, *blocks])
+    shown = parts.ShownWalk(f"The walk of {run.explorer}", walked, views, agreement=agreement)
+    return parts.Section(name, title, [shown, *blocks])
 
 
 def _quotient(answer: Ambiguous) -> list[parts.Block]:
@@ -295,19 +292,20 @@ def _law(finding: Finding, step: int | None) -> parts.FactList:
 
 
 def _walk(story: Story, explanation: Explanation, title: str) -> parts.ShownWalk:
-    world, transcript = story.world, story.transcript
-    views = [parts.View("world", "The world", parts.walk_in_world(world, transcript), story.walked)]
+    walk = story.walk
+    views = [parts.View("world", "The world", parts.walk_in_world(walk), walk.darts)]
     elsewhere, agreement = None, None
     if explanation.answer:
         belief = Belief(story)
-        views.append(answer_view(world, belief.answer, transcript, belief.walk.trail))
+        views.append(answer_view(walk, belief.answer, belief.walk.trail))
         elsewhere = parts.Elsewhere("expected by the answer", belief.walk.expected)
         agreement = belief.walk.agreement
     elif other := explanation.other:
-        trail, scene = true_trail(other, transcript), parts.walk_in_world(other, transcript)
+        there = Walk.of(other, walk.actions)
+        trail, scene = there.darts, parts.walk_in_world(there)
         views.append(parts.View("answer", "Another world, with the same percepts", scene, trail))
         # The steps in which both worlds look alike to an observer who sees everything.
-        parting = find_parting(story.map, story.walked, other.map, trail, [True] * len(trail))
+        parting = find_parting(story.map, walk.darts, other.map, trail, [True] * len(trail))
         agreement = parting.step if parting else len(trail)
     views[1:] = [named_like(views[0], view, agreement or 0) for view in views[1:]]
     code = story.finding.code
@@ -319,7 +317,7 @@ def _walk(story: Story, explanation: Explanation, title: str) -> parts.ShownWalk
         elsewhere,
         agreement,
         explanation.step,
-        lines=code.steps[: len(transcript.steps)] if code else (),
+        lines=code.steps[: len(walk)] if code else (),
     )
 
 
@@ -328,8 +326,7 @@ def _belief(story: Story) -> list[parts.Block]:
     finding, shown = story.finding, story.finding.believed
     if shown is None or (finding.step is None and isinstance(finding.seen, Estimate)):
         return []
-    transcript = story.transcript
-    until = type(transcript)(transcript.first, transcript.steps[: shown.step])
+    until = Walk.of(story.world, story.walk.actions[: shown.step])
     here = f"after step {shown.step}"
     try:
         map_ = completed(shown.sigma, shown.alpha)
@@ -342,13 +339,13 @@ def _belief(story: Story) -> list[parts.Block]:
     names = ["?" if min(darts) >= known else f"s{i}" for i, darts in enumerate(map_.vertices)]
     scene = parts.Scene(map_, None, shown.here, vertices=names)
     title = f"Its S {here}, in its own darts, which are 0 to {known - 1} (?: not explored)"
-    beside = (f"The world {here}", parts.walk_in_world(story.world, until))
+    beside = (f"The world {here}", parts.walk_in_world(until))
     return [parts.MapPictures([beside, (title, scene)])]
 
 
-def answer_view(world: World, answer: Estimate, transcript: Any, trail: Any) -> parts.View:
+def answer_view(walk: Walk, answer: Estimate, trail: Sequence[Dart]) -> parts.View:
     """The picture of an answer, with the walk as it would be there."""
-    scene = parts.walk_in_answer(world, answer, transcript)
+    scene = parts.walk_in_answer(walk, answer)
     note = "R: the robot's place according to the answer"
     return parts.View("answer", "The answer", scene, trail, note)
 

@@ -6,6 +6,7 @@ from xml.etree import ElementTree as ET
 from allworlds.inputs.checks import InputError
 from allworlds.judging.explanations.story import Walked
 from allworlds.judging.laws.bounds import bound_named
+from allworlds.judging.walk import Walk
 from allworlds.reports import parts
 from allworlds.reports.drawing.svg import record, tag
 from allworlds.reports.web.sections import figure, framed, read, world_data
@@ -20,13 +21,9 @@ def play_content(play: Play) -> parts.ReportContent:
         return parts.ReportContent(
             "allworlds play", "you", play, headline, [], page=lambda: game(play)
         )
-    walked = Walked(play.world, play.transcript)
-    scene = parts.walk_in_world(play.world, play.transcript)
-    blocks: list[parts.Block] = [
-        parts.ShownWalk(
-            "Your walk", walked, [parts.View("world", "The world", scene, walked.walked)]
-        )
-    ]
+    walk = Walk.of(play.world, play.transcript.actions)
+    view = parts.View("world", "The world", parts.walk_in_world(walk), walk.darts)
+    blocks: list[parts.Block] = [parts.ShownWalk("Your walk", Walked(walk), [view])]
     if play.transcript.steps:
         rows: list[list[parts.Cell]] = [["you", play.transcript.cost], *costs_data(play)["others"]]
         blocks += [parts.Table(["walked by", "traversals"], rows, "Costs in this world")]

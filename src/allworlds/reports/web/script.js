@@ -85,10 +85,11 @@ function made(name, text, attributes = {}) {
 
 const MOST_NUMBERS = 16; // So many of the numbers that can be written are offered.
 
-// Another way than the explorer's, from the step that is shown: the world answers, as in world.js,
-// and the explorer is not asked. `tell` is given the steps of that way, each time there is one
-// more, and `back` leads back to the walk. What comes back is to be called with each step that is
-// shown; null where the page has no such world.
+// Another way than the explorer's, from the step that is shown: the reader is the robot, the world
+// answers, as in world.js, and the explorer is not asked. `world.walk` holds the state at each step.
+// `tell` is given the steps of that way, each time there is one more, and `back` leads back to the
+// walk. What comes back is to be called with each step that is shown; null where the page has no
+// such world.
 function otherWay(viewer, items, tell, back) {
   const data = viewer.querySelector(".ways");
   if (!data) return null;
@@ -146,7 +147,7 @@ function otherWay(viewer, items, tell, back) {
   });
   return (current) => {
     from = current;
-    state = walked.slice(0, from).reduce((at, action) => step(world, at, action), begin(world));
+    state = world.walk[from];
     list.replaceChildren();
     offer();
   };

@@ -5,6 +5,7 @@ Keys step along the walk in all pictures.
 
 from base64 import b64encode
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import asdict
 from hashlib import sha256
 from importlib.resources import files
 from typing import Any
@@ -202,7 +203,9 @@ def _steps(walk: ShownWalk, name: str, views: Mapping[str, View]) -> ET.Element:
         name: of the walk, with which the names of its steps begin.
         views: the pictures, each by the name by which it finds the robot in a step.
     """
-    items = [_step(walk, i, f"{name}-step-{i}") for i in range(len(walk.walked.walked[:LONGEST]))]
+    items = [
+        _step(walk, i, f"{name}-step-{i}") for i in range(len(walk.walked.walk.darts[:LONGEST]))
+    ]
     for follows, view in views.items():
         for item, dart in zip(items, view.trail, strict=False):
             item.set(f"data-{follows}", str(dart))
@@ -223,7 +226,7 @@ def _at(walked: Walked) -> str:
 
 def _step(walk: ShownWalk, i: int, name: str) -> ET.Element:
     walked, parts = walk.walked, i == walk.parting
-    action = walked.transcript.steps[i - 1][0] if i else None
+    action = walked.walk.steps[i - 1][0] if i else None
     line = [tag("small", f" ({place})") for place in ["", *walk.lines][i : i + 1] if place]
     item = tag(
         "li",
@@ -335,13 +338,14 @@ def _walk(walk: ShownWalk, name: str) -> Iterator[ET.Element]:
     """The pictures of a walk, and its steps, along which keys step in all of them."""
     if walk.walked.world.told is not None:
         yield tag("p", f"Told before the start: {walk.walked.world.told}.")
-    steps = len(walk.walked.transcript.steps)
+    steps = len(walk.walked.walk.steps)
     if steps >= LONGEST:
         yield tag("p", f"The first {number(LONGEST - 1)} of {number(steps)} steps are shown.")
     moving = [view for view in walk.views if not view.still]
     views = {view.name if i else "robot": view for i, view in enumerate(moving)}
     walked, data = walk.walked, world_data(walk.walked.world)
     places = [f"{_at(walked)}{walked.place(dart)}" for dart in walked.map.darts]
+    states = [asdict(state) for state in walked.walk.states[:LONGEST]]
     said = [part for sentence in walk.sentences for part in (tag("bdi", sentence), " ")]
     # What is said about the pictures stands before them, and on a phone behind them.
     yield tag(
@@ -352,7 +356,7 @@ def _walk(walk: ShownWalk, name: str) -> Iterator[ET.Element]:
         ET.fromstring(read("controls.html")),  # noqa: S314  # our own file
         tag("p", KEYS, class_="keys", hidden="hidden"),
         _steps(walk, name, views),
-        *([record({**data, "places": places}, class_="ways")] if data else []),
+        *([record({**data, "places": places, "walk": states}, class_="ways")] if data else []),
         class_="viewer",
         role="group",
         tabindex="0",
@@ -396,7 +400,7 @@ def _figures(walk: ShownWalk, name: str, views: Mapping[str, View]) -> Iterator[
     if walk.agreement is not None and not others[0][1].known:
         world, other, beside = drawn_beside(world, others[0][1], first, walk.agreement)
         shown[:2] = [(robot, world, first), (others[0][0], other, beside)]
-    moves = walk.walked.transcript.cost > 0
+    moves = walk.walked.walk.cost > 0
     for follows, view, drawn in shown:
         like = first if view.known else drawn
         made = figure(view.title, view.scene, f"{name}-{view.name}", follows, like, moves=moves)

@@ -147,7 +147,7 @@ def separation(a: World, b: World) -> tuple[int, ...]:
                 motions.insert(0, k)
             return tuple(motions)
         for k in range(a.percepts[x].degree):
-            reached = (a.map.alpha[a.map.turn(x, k)], b.map.alpha[b.map.turn(y, k)])
+            reached = (a.map.move(x, k), b.map.move(y, k))
             if reached not in seen:
                 seen.add(reached)
                 queue.append((*reached, number, k))

@@ -218,11 +218,10 @@ class EverySchedule:
 
     def _mismatch(self, hypothesis: Dart, path: Path, robot: Dart) -> int | None:
         """The number of steps until a percept differs from the expected one; None if all match."""
-        turn, alpha = self._map.turn, self._map.alpha
-        at = hypothesis
+        alpha, at = self._map.alpha, hypothesis
         for steps, dart in enumerate(path, 1):
             motion = self._map.offset(at, dart)
-            at, robot = alpha[dart], alpha[turn(robot, motion)]
+            at, robot = alpha[dart], self._map.move(robot, motion)
             if self._sensed(at) != self._sensed(robot):
                 return steps
         return None

@@ -111,6 +111,10 @@ class WalkInAnswer(NamedTuple):
     sensed: Sequence[actions.Percept]
 
 
+ACTING = ("acted", "in_hand", "left_marks", "refusal")
+"""The methods by which a robot's actions change what is sensed."""
+
+
 class Lighthouse(ABC):
     """A lighthouse that stands at a place of a map.
 
@@ -132,6 +136,9 @@ class Lighthouse(ABC):
         gives_marks, gives_bearings: whether it can make a percept have them; of two that are put
             together only one may.
         leaves_marks: whether the robot can leave marks itself.
+        static: whether no action changes what is sensed, so that the percepts of all darts say
+            everything; unless a class says so itself, whether it has none of the :data:`ACTING`
+            methods.
         labels_vertices: whether its marks are the labels of vertices, and no markers.
         code: where the class comes from, if it is the user's.
         chosen: the options that were given to the kind.
@@ -147,11 +154,16 @@ class Lighthouse(ABC):
     gives_marks: ClassVar[bool] = True
     gives_bearings: ClassVar[bool] = True
     leaves_marks: ClassVar[bool] = False
+    static: ClassVar[bool] = True
     labels_vertices: ClassVar[bool] = False
     code: ClassVar[user_code.UserCode | None] = None
     chosen: ClassVar[Mapping[str, OptionValue]] = MappingProxyType({})
     every_place_to: ClassVar[int | None] = None
     beyond: ClassVar[str] = ""
+
+    def __init_subclass__(cls) -> None:
+        if "static" not in vars(cls):
+            cls.static = all(getattr(cls, name) is getattr(Lighthouse, name) for name in ACTING)
 
     @classmethod
     def tried_in_maps_of(cls, edges: int) -> str:
@@ -296,6 +308,7 @@ class ReferenceLighthouse(Lighthouse):
     sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)
 
     def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
         cls.gives_marks = cls.sensing.marks or cls.leaves_marks
         cls.gives_bearings = cls.sensing.bearing
 

@@ -195,6 +195,11 @@ class Composed(Lighthouse):
         return PLUS.join(part.kind for part in self.parts)
 
     @property
+    def static(self) -> bool:  # type: ignore[override]  # so is this
+        """Whether all parts are."""
+        return all(part.static for part in self.parts)
+
+    @property
     def written(self) -> str:
         """The names of the parts."""
         return PLUS.join(part.written for part in self.parts)

@@ -1,0 +1,183 @@
+"""The walk as an answer has it, beside the walk in the world, and the step at which they part."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from operator import eq
+
+from msgspec import Struct
+
+from allworlds.judging.walk import Walk
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol import actions
+from allworlds.protocol.actions import Transcript
+from allworlds.world.lighthouses.base import State, WalkInAnswer
+
+
+def trail_to(map_: CombinatorialMap, here: Dart, walk: Walk | Transcript) -> list[Dart]:
+    """The robot's dart at the start and after each step of the walk that ends at ``here``.
+
+    Motion is reversible: the walk is traced back to the dart where it must have begun.
+    """
+    trail = [here]
+    for action in reversed(walk.actions):
+        dart = trail[-1]
+        if type(action) is actions.Move:
+            dart = map_.turn(map_.alpha[dart], -action.k)
+        trail.append(dart)
+    trail.reverse()
+    return trail
+
+
+def trail_from(map_: CombinatorialMap, start: Dart, walk: Walk) -> Iterator[Dart]:
+    """The robot's dart at the start and after each step of the walk that begins at ``start``."""
+    yield (dart := start)
+    for action, _ in walk.steps:
+        if type(action) is actions.Move:
+            dart = map_.move(dart, action.k)
+        yield dart
+
+
+def believed_percepts(
+    walk: Walk, estimate: CombinatorialMap, trail: Sequence[Dart]
+) -> list[actions.Percept] | None:
+    """The percepts, first one included, of a walk along these darts of the estimated map.
+
+    The lighthouse stands where the robot must believe it; None if the answer has no such place.
+    """
+    world, answered = walk.world, WalkInAnswer(estimate, trail, walk.percepts)
+    lighthouse = world.lighthouse.believed(world.map, world.start, answered)
+    if lighthouse is None:
+        return None
+    percepts = lighthouse.percepts(estimate)
+    state, expected = State(trail[0], hand=lighthouse.in_hand), [percepts[trail[0]]]
+    for dart, action in zip(trail[1:], walk.actions, strict=True):
+        state = replace(state, dart=dart)
+        lying = state.lying.count(estimate.vertex_of[dart])
+        # A wrong answer may make the robot take up what it has never dropped there.
+        if type(action) is not actions.Move and not lighthouse.refusal(action, lying, state.hand):
+            state = lighthouse.acted(estimate, state, action)
+        expected.append(percepts[dart].marked(lighthouse.left_marks(estimate, state)))
+    return expected
+
+
+class Parting(Struct, frozen=True):
+    """The first step at which the answer diverges from the world.
+
+    Attributes:
+        step: the number of the step; 0 is the start.
+        robot: the robot's dart in the world.
+        taken_for: the dart of the world for which the answer takes it; None if the answer has the
+            robot at a vertex where it has not been before.
+        fresh: whether in the world the robot has not been at this vertex before.
+    """
+
+    step: int
+    robot: Dart
+    taken_for: Dart | None
+    fresh: bool
+
+
+def find_parting(
+    world: CombinatorialMap,
+    walked: Sequence[Dart],
+    answer: CombinatorialMap,
+    believed: Sequence[Dart],
+    fits: Sequence[bool],
+) -> Parting | None:
+    """The first step at which the two walks diverge; None if they never do.
+
+    Every dart that the robot arrives by is tied to the dart by which it arrives in the
+    answer, and with the two darts their whole rotations.  The walks diverge where a tie would be
+    contradicted.
+
+    Args:
+        world: the true map.
+        walked: the robot's darts in it, start included.
+        answer: the estimated map.
+        believed: the robot's darts in that, start included.
+        fits: for each step whether the answer predicts the percept.  Where it does,
+            both vertices have one degree.
+
+    Cost: linear in the steps and the darts.
+    """
+    tied: dict[Dart, Dart] = {}
+    means: dict[Dart, Dart] = {}
+    for step, (robot, belief) in enumerate(zip(walked, believed, strict=True)):
+        fresh, taken_for = robot not in tied, means.get(belief)
+        if not fits[step] or taken_for != (None if fresh else robot):
+            return Parting(step, robot, taken_for, fresh)
+        if fresh:
+            for k in range(world.degree_at[robot]):
+                a, b = world.turn(robot, k), answer.turn(belief, k)
+                tied[a], means[b] = b, a
+    return None
+
+
+class BelievedWalk(Struct, frozen=True):
+    """A walk in an answer beside the walk in the world.
+
+    Attributes:
+        trail: the robot's darts in the answer at the start and after each step; the last is
+            where the answer says that the robot is.
+        percepts: the ones that the answer predicts at each; None if it has no place for the
+            lighthouse.
+        expected: the same, where there are none with the degrees alone.
+        misfits: the steps at which the percept was another one.
+        parting: the first step at which it diverges from the world; None if there is none.
+    """
+
+    trail: Sequence[Dart]
+    percepts: Sequence[actions.Percept] | None
+    expected: Sequence[actions.Percept]
+    misfits: Sequence[int]
+    parting: Parting | None
+
+    @property
+    def agreement(self) -> int:
+        """The number of steps, the start included, in which both agree."""
+        return self.parting.step if self.parting else len(self.trail)
+
+
+def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
+    """The walk in the answer from the dart from which it agrees for longest.
+
+    Of equals it is the one from which the motions lead to ``here``, if it is among them, else the
+    one whose degrees agree for longest, then the one from the smallest dart: an explorer that errs
+    only at the end was right before.
+
+    Cost: the steps, times the darts of the answer from which the degrees agree that long.
+    """
+    best = _beside(walk, answer.map, trail_to(answer.map, answer.here, walk))
+    degrees = [percept.degree for percept in walk.percepts]
+    alike = {
+        dart: _alike(answer.map, trail_from(answer.map, dart, walk), degrees)
+        for dart in (answer.map.darts if best.agreement < len(walk) else ())
+    }
+    for dart in sorted(alike, key=lambda dart: -alike[dart]):
+        if alike[dart] <= best.agreement:
+            break
+        trail = [*trail_from(answer.map, dart, walk)]
+        trail[-1] = answer.here
+        other = _beside(walk, answer.map, trail)
+        # A leap to `here` that nothing contradicts is no walk: such an answer does not fit the log.
+        if other.parting and other.agreement > best.agreement:
+            best = other
+    return best
+
+
+def _alike(map_: CombinatorialMap, trail: Iterable[Dart], degrees: Sequence[int]) -> int:
+    """The number of steps, the start included, before a degree differs."""
+    pairs = zip(trail, degrees, strict=True)
+    return next(
+        (step for step, (dart, degree) in enumerate(pairs) if map_.degree_at[dart] != degree),
+        len(degrees),
+    )
+
+
+def _beside(walk: Walk, map_: CombinatorialMap, trail: Sequence[Dart]) -> BelievedWalk:
+    percepts = believed_percepts(walk, map_, trail)
+    expected = percepts or [actions.Percept(map_.degree_at[dart]) for dart in trail]
+    fits = [*map(eq, expected, walk.percepts)]
+    misfits = [step for step, fit in enumerate(fits) if not fit]
+    parting = find_parting(walk.world.map, walk.darts, map_, trail, fits)
+    return BelievedWalk(trail, percepts, expected, misfits, parting)

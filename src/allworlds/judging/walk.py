@@ -1,0 +1,139 @@
+"""The walk of a run in its world: the one value that laws, tasks, findings and stories look at.
+
+:meth:`~allworlds.world.world.World.step` alone knows how a robot moves; a walk is made by it.
+"""
+
+from collections.abc import Iterable, Iterator
+from typing import Self
+
+from msgspec import Struct, field
+
+from allworlds.inputs.checks import InputError
+from allworlds.maps.combinatorial import Dart
+from allworlds.protocol.actions import Action, IllegalAction, Move, Percept, Transcript
+from allworlds.world.lighthouses.base import State
+from allworlds.world.world import World
+
+
+class Walk(Struct):
+    """A walk in a world; while the run goes on, it grows.
+
+    Its elements are the steps, pairs of an action and the percept that answered it.
+
+    Attributes:
+        world: in which the run takes place.
+        states: of the world, at the start and after each step.
+        darts: the dart that the robot faced at the start, and the one by which it had arrived
+            after each step.
+        visited: the vertices where it was.
+        steps: the elements.
+        crossed: for each edge along which it went, by the smaller of its darts, the number of
+            steps before the first time; in the order of the first times.
+        cost: the number of traversals.
+    """
+
+    world: World
+    states: list[State]
+    darts: list[Dart]
+    visited: set[int]
+    steps: list[tuple[Action, Percept]] = field(default_factory=list)
+    crossed: dict[Dart, int] = field(default_factory=dict)
+    cost: int = 0
+
+    @classmethod
+    def begin(cls, world: World) -> Self:
+        """Return the walk without a step."""
+        return cls(world, [world.initial], [world.start], {world.map.vertex_of[world.start]})
+
+    @classmethod
+    def of(cls, world: World, actions: Iterable[Action]) -> Self:
+        """Return the walk of these actions.
+
+        Raises:
+            IllegalAction: if one is illegal where it is taken.
+
+        Cost: linear in the actions.
+        """
+        walk = cls.begin(world)
+        for action in actions:
+            walk.step(action)
+        return walk
+
+    @classmethod
+    def recorded(cls, world: World, transcript: Transcript) -> Self:
+        """Return the walk of a transcript from elsewhere, which may be no walk in the world.
+
+        Raises:
+            InputError: naming the first step that does not fit.
+        """
+        try:
+            walk = cls.of(world, transcript.actions)
+        except IllegalAction as error:
+            raise InputError(f"the finding's transcript is no walk in its world: {error}") from None
+        pairs = zip(walk.percepts, transcript.percepts, strict=True)
+        for step, (truth, percept) in enumerate(pairs):
+            if percept != truth:
+                raise InputError(
+                    f"the finding's transcript is no walk in its world: at step {step} it has "
+                    f"{percept!s}, where the world has {truth!s}"
+                )
+        return walk
+
+    def step(self, action: Action) -> Percept:
+        """Go one step further; return the percept then.
+
+        Raises:
+            IllegalAction: as :meth:`~allworlds.world.world.World.step` does; nothing has changed.
+        """
+        state, percept = self.world.step(self.states[-1], action)
+        map_, dart = self.world.map, state.dart
+        if type(action) is Move:
+            self.crossed.setdefault(min(dart, map_.alpha[dart]), len(self.steps))
+            self.cost += 1
+        self.states.append(state)
+        self.darts.append(dart)
+        self.visited.add(map_.vertex_of[dart])
+        self.steps.append((action, percept))
+        return percept
+
+    def __iter__(self) -> Iterator[tuple[Action, Percept]]:
+        return iter(self.steps)
+
+    def __len__(self) -> int:
+        return len(self.steps)
+
+    @property
+    def first(self) -> Percept:
+        """The percept before any motion."""
+        return self.world.first
+
+    @property
+    def percepts(self) -> list[Percept]:
+        """The percepts at the start and after each step."""
+        return [self.first, *(percept for _, percept in self.steps)]
+
+    @property
+    def actions(self) -> list[Action]:
+        """The actions, step by step."""
+        return [action for action, _ in self.steps]
+
+    @property
+    def here(self) -> Dart:
+        """The last of its darts."""
+        return self.darts[-1]
+
+    @property
+    def walked(self) -> set[Dart]:
+        """The edges along which it went, each by the smaller of its darts."""
+        return set(self.crossed)
+
+    @property
+    def arrivals(self) -> set[Dart]:
+        """The darts by which the robot has arrived anywhere."""
+        steps = zip(self.darts[1:], self.actions, strict=True)
+        return {dart for dart, action in steps if type(action) is Move}
+
+    @property
+    def transcript(self) -> Transcript:
+        """The log without its world."""
+        return Transcript(self.first, tuple(self.steps))
