@@ -11,7 +11,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.explorers.builtin.algorithm1 import Algorithm1, Walk
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.builtin.folding import OPEN, FoldedLog, explore_folding, way

@@ -28,7 +28,7 @@ from mkdocs.structure.pages import Page
 import allworlds
 from allworlds import Estimate, Finding
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.maps.combinatorial import CombinatorialMap, isomorphism
 from allworlds.reports.drawing.svg import picture
 from allworlds.reports.parts import Scene, scene_of, walk_in_answer, walk_in_world

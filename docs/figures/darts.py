@@ -12,7 +12,7 @@ from xml.etree import ElementTree as ET
 
 from frame import framed
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.maps import CombinatorialMap
 from allworlds.reports.drawing.layout import Layout, layout
 from allworlds.reports.drawing.svg import picture, tag

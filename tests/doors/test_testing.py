@@ -8,7 +8,7 @@ import pytest
 
 from allworlds import testing
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_code

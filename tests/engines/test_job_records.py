@@ -6,7 +6,7 @@ from collections import Counter
 import pytest
 
 from allworlds import check
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines.job_records import from_kept, to_kept
 from allworlds.engines.kernel.schedules import ScheduleCosts
 from allworlds.engines.tally import AtRun, Row, Tally

@@ -6,7 +6,7 @@ from contextlib import closing
 import pytest
 from msgspec import Struct
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines import run_directory
 from allworlds.engines.job_records import Identity
 from allworlds.engines.run_directory import FILE, SCHEMA, checksum, reading, records_in

@@ -7,7 +7,7 @@ from functools import cached_property
 import pytest
 
 import allworlds
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines.limits import Listener
 from allworlds.engines.units import Shard
 from allworlds.inputs.checks import InputError

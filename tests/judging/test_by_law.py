@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.inputs.checks import InputError
 from allworlds.judging.explanations.by_law import TELLERS, _say_sizes, tell_whose_bound
 from allworlds.judging.findings.finding import Finding

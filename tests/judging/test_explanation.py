@@ -6,7 +6,7 @@ import pytest
 
 import allworlds
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import PRECEDENCE

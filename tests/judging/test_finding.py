@@ -3,7 +3,7 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of

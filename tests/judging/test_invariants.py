@@ -4,7 +4,7 @@ from random import Random
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.judging.laws.law_table import Case, Violation, invariant_1, invariant_2, variant
 from allworlds.judging.walk import Walk
 from allworlds.maps import rooted_maps

@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.judging.laws.law_table import PRECEDENCE, Case, judge
 from allworlds.judging.walk import Walk
 from allworlds.protocol.actions import Ambiguous, Estimate, Move

@@ -7,7 +7,7 @@ import pytest
 
 import allworlds
 from allworlds import Estimate, Move
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.findings.rules import Rules
 from allworlds.studies.check.exhaustive import check

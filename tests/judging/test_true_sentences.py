@@ -6,7 +6,7 @@ The numbers that are expected follow from the drawings, and not from a report.
 import pytest
 
 from allworlds import Checkpoint, Estimate, Move
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.judging.belief import believed_percepts
 from allworlds.judging.explanations.by_law import (
     FLUSH,

@@ -6,7 +6,7 @@ from hypothesis import find, given, settings
 from hypothesis.strategies import integers, tuples
 
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.episode import play
 from allworlds.judging.laws.folding import Contradiction, fold

@@ -4,7 +4,7 @@ from hypothesis import find, given, settings
 from hypothesis.strategies import data, integers, permutations, tuples
 
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.episode import play
 from allworlds.judging.laws.folding import fold

@@ -4,7 +4,7 @@ from math import factorial, gcd
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.maps import (
     Quotient,
     class_size,

@@ -14,7 +14,7 @@ import allworlds
 from allworlds import reports, strategies
 from allworlds.cli import app
 from allworlds.cli.app import command_line
-from allworlds.document import Report, parse, replace
+from allworlds.documents.document import Report, parse, replace
 from allworlds.engines.engine_table import ENGINES, engine_for
 from allworlds.engines.kernel.capabilities import CHECKED
 from allworlds.engines.units import Sample, Scope

@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.outcome import Stopped
 from allworlds.studies.check.exhaustive import check
 

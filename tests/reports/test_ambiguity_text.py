@@ -1,6 +1,6 @@
 import pytest
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.maps import named_map
 from allworlds.reports.formats import text as text_of
 from allworlds.studies.ambiguity import census, class_of, twins

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from allworlds import reports
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.reports.formats import FORMATS, csv_rows, file_of, formats_of
 from allworlds.reports.parts import (
     CsvRows,

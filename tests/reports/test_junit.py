@@ -9,7 +9,7 @@ import pytest
 
 from allworlds import ledger
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines.units import shard_numbers
 from allworlds.explorers.loading import built_in
 from allworlds.inputs.checks import InputError

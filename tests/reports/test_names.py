@@ -11,7 +11,7 @@ import pytest
 
 import allworlds
 from allworlds import Estimate, Move
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.judging.findings.finding import Finding
 from allworlds.maps import CombinatorialMap, named_map
 from allworlds.reports.drawing.svg import draw

@@ -11,7 +11,7 @@ from urllib.parse import unquote
 import pytest
 from jsonschema import Draft7Validator
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.judging.laws.law_table import ASKED, PRECEDENCE
 from allworlds.outcome import Completed, Disagreed, Interrupted, Stopped
 from allworlds.reports.formats import file_of

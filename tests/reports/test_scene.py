@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.maps import named_map, rooted_maps
 from allworlds.protocol.actions import Percept
 from allworlds.reports.drawing.svg import in_words, picture

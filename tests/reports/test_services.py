@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.outcome import Completed, Interrupted, Stopped
 from allworlds.reports.content.single_run import wrong_line
 from allworlds.reports.formats import file_of, formats_of

@@ -1,7 +1,7 @@
 import pytest
 from msgspec import structs
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.maps import named_map
 from allworlds.outcome import Completed
 from allworlds.protocol.actions import Estimate, Move

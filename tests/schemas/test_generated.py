@@ -7,7 +7,7 @@ from typing import Annotated
 import pytest
 from msgspec import UNSET, UnsetType
 
-from allworlds.document import (
+from allworlds.documents.document import (
     Document,
     IfAny,
     Natural,

@@ -11,7 +11,7 @@ from jsonschema import Draft202012Validator
 
 from allworlds import Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.maps import named_map
 from allworlds.outcome import Interrupted
 from allworlds.studies.ambiguity import census, class_of, search, sensors, twins, weakest

@@ -3,7 +3,7 @@
 import pytest
 
 from allworlds import run
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines import units
 from allworlds.engines.tally import Examiner
 from allworlds.explorers.loading import load

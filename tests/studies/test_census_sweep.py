@@ -2,7 +2,7 @@ from itertools import permutations
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps
 from allworlds.outcome import Disagreement, Stopped

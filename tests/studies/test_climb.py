@@ -10,7 +10,7 @@ from statistics import mean
 import pytest
 
 from allworlds import compare, run
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines.limits import Listener, TimeIsUp
 from allworlds.engines.players import Unsettled
 from allworlds.explorers.builtin.algorithm1 import algorithm1

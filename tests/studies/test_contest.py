@@ -11,7 +11,7 @@ from statistics import geometric_mean
 import pytest
 
 from allworlds import check, compare, run
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines.limits import TimeIsUp
 from allworlds.engines.players import Unsettled
 from allworlds.inputs.checks import InputError

@@ -7,7 +7,7 @@ from functools import cache, partial
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines.lane import GOES_BY_HASHES
 from allworlds.engines.limits import Listener
 from allworlds.engines.tally import Tally

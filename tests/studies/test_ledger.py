@@ -9,7 +9,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 import allworlds
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.inputs.checks import InputError
 from allworlds.outcome import COMPLETED, Exit, Interrupted
 from allworlds.reports.formats import brief, file_of, text

@@ -1,7 +1,7 @@
 import pytest
 
 import allworlds
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines.units import Scope
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import MapClass, contracted, deleted, rooted_code

@@ -24,7 +24,7 @@ import claims
 import decided  # claims.py has put its folder on the path
 from allworlds import Estimate, Move, World, check, run
 from allworlds.corpus import explorers as wrong
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.studies.ledger import FAULTS, Claim, Means, claims_in, entry_with

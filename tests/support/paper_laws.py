@@ -7,7 +7,7 @@ import pytest
 
 import allworlds
 import claims
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.outcome import Exit
 from allworlds.studies.ledger import Found, Means, entry_of, entry_with
 from paper_claims import BY_NAME, CLAIMS, PAPER, function_of

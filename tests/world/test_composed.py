@@ -4,7 +4,7 @@ import pickle
 
 import pytest
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.protocol.actions import Drop, Move, Percept, Pick, Write
 from allworlds.world import Directional, IllegalAction, InvalidWorld, World, worlds
 from allworlds.world.lighthouses.kinds import kind_of, lighthouse_from_json, lighthouse_kind

@@ -20,7 +20,7 @@ import testers
 import twins_and_markers
 from allworlds import CombinatorialMap, World, ambiguity
 from allworlds.corpus import explorers as wrong
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.maps import families, family, named_map
 from allworlds.maps.quotient import pose_count
 from allworlds.studies.worst.every_schedule import EverySchedule

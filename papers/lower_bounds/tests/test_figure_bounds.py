@@ -8,7 +8,7 @@ import pytest
 from msgspec import structs
 
 import figure_bounds as program
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.outcome import Interrupted
 from drawn import write
 from optima import optimum

@@ -23,7 +23,7 @@ import worlds_and_motions
 from allworlds import CombinatorialMap, Move, World, ambiguity, check, worlds
 from allworlds.claims import Algorithm1
 from allworlds.corpus import explorers as wrong
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.maps import named_map, rooted_code
 from allworlds.protocol.choices import Choices

@@ -12,7 +12,7 @@ from msgspec import structs
 import figure_3 as fig3
 import figures
 from allworlds import World, ambiguity, run
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.maps import family, named_map
 from drawn import write
 from figure_1 import CAPTION, figure_1

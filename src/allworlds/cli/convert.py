@@ -2,7 +2,7 @@
 
 import allworlds
 from allworlds.cli.output import OutputGroup, emit
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import answer
 from allworlds.reports.formats import names_world_file

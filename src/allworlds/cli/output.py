@@ -14,8 +14,9 @@ from pathlib import Path
 from tempfile import TemporaryFile
 from typing import Annotated, Any, ClassVar, Self, TypeVar
 
-from allworlds import document as doc, outcome, verbs, words
+from allworlds import outcome, verbs, words
 from allworlds.cli.defaults import defaults_used, made_by, words_of_command
+from allworlds.documents import document as doc
 from allworlds.engines import limits, prints
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import OUTPUT, Option, answer

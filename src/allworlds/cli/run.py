@@ -8,8 +8,9 @@ from types import FrameType
 from typing import Annotated, Any
 
 import allworlds
-from allworlds import Drop, Move, Percept, Pick, Write, document as doc
+from allworlds import Drop, Move, Percept, Pick, Write
 from allworlds.cli.output import OutputGroup, complain, emit, printable
+from allworlds.documents import document as doc
 from allworlds.engines.single import SingleRun
 from allworlds.engines.tally import Examiner, name_run
 from allworlds.explorers import loading

@@ -12,7 +12,7 @@ own.
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines.judge import (
     Due,
     Judged,

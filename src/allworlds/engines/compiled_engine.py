@@ -16,7 +16,7 @@ from typing import Any, Self
 
 from msgspec import Struct, field
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines import linux
 from allworlds.engines.engine_table import WALKED_FROM, Job, kind_of, walks
 from allworlds.engines.kernel import capabilities, engine, engine as kernel, library_player, records

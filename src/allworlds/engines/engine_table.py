@@ -14,7 +14,7 @@ from typing import Annotated, Any, Self, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.document import one_of, replace
+from allworlds.documents.document import one_of, replace
 from allworlds.engines import lanes, tally
 from allworlds.engines.kernel import capabilities
 from allworlds.engines.limits import POLL, Limits, TimeIsUp, check_deadline

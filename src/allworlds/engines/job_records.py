@@ -15,7 +15,8 @@ from typing import Annotated, Any, NamedTuple, Self, TypeVar, get_args, get_orig
 
 from msgspec import Struct
 
-from allworlds import document as doc, words
+from allworlds import words
+from allworlds.documents import document as doc
 from allworlds.engines.units import Shard, Sum, a_shard, shard_numbers
 from allworlds.inputs.checks import InputError, show
 from allworlds.version import __version__

@@ -10,7 +10,8 @@ from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any, NamedTuple
 
-from allworlds import document as doc, log as entries
+from allworlds import log as entries
+from allworlds.documents import document as doc
 from allworlds.engines import players, units
 from allworlds.engines.tally import LOST, Outcome, Referee, RunCounter, Tally, name_run
 from allworlds.inputs.checks import InputError, show

@@ -20,7 +20,7 @@ from functools import partial
 from random import Random
 from typing import Any, NamedTuple
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines import limits, tally, units
 from allworlds.engines.across import OTHER_SEED, Across, At, FirstLog
 from allworlds.engines.judge import (

@@ -14,7 +14,8 @@ from typing import Annotated, Any, Self
 
 from typing_extensions import override
 
-from allworlds import document as doc, outcome
+from allworlds import outcome
+from allworlds.documents import document as doc
 from allworlds.inputs.checks import (
     InputError,
     OutOfTime,

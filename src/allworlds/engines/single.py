@@ -7,7 +7,8 @@ from typing import Annotated, Any
 from msgspec import UNSET, UnsetType, field
 from typing_extensions import override
 
-from allworlds import document as doc, log as entries
+from allworlds import log as entries
+from allworlds.documents import document as doc
 from allworlds.engines import limits, players
 from allworlds.engines.across import after_worlds
 from allworlds.engines.judge import (

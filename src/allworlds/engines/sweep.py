@@ -23,7 +23,8 @@ from typing import (
 
 from typing_extensions import override
 
-from allworlds import document as doc, outcome, words
+from allworlds import outcome, words
+from allworlds.documents import document as doc
 from allworlds.engines import limits, linux, players, tally, units
 from allworlds.engines.asked_again import DRAWN, SMALL, ensure_same_worlds
 from allworlds.engines.engine_table import ReadyEngine, ThisThread

@@ -12,7 +12,7 @@ from typing import Annotated, Any, NamedTuple, Self
 
 from msgspec import Struct
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines import job_records, units
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import show

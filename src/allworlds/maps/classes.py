@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Protocol
 from msgspec import Struct
 from msgspec.structs import force_setattr
 
-from allworlds.document import Bounded, about
+from allworlds.documents.document import Bounded, about
 from allworlds.inputs.checks import (
     LARGEST_SIZE,
     InputError,

@@ -12,7 +12,7 @@ from typing import Annotated, Any, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.document import IfAny, Text, about, replace
+from allworlds.documents.document import IfAny, Text, about, replace
 from allworlds.inputs.checks import InputError, a_path, existing_file, not_one_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, Request
 from allworlds.maps.build import named_map

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, Literal, Protocol, TypeAlias
 
-from allworlds.document import (
+from allworlds.documents.document import (
     Document,
     Entries,
     Natural,

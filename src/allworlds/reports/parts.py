@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any, Literal, TypeAlias
 
 from msgspec import Struct, field
 
-from allworlds import document as doc, outcome, words
+from allworlds import outcome, words
+from allworlds.documents import document as doc
 from allworlds.judging.belief import believed_walk
 from allworlds.judging.walk import Walk
 from allworlds.maps.combinatorial import CombinatorialMap, Dart

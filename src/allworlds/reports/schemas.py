@@ -18,7 +18,8 @@ from msgspec import UNSET, Meta, Struct, UnsetType, defstruct
 from msgspec.json import schema_components
 from msgspec.structs import fields
 
-from allworlds import document as doc, outcome, verbs
+from allworlds import outcome, verbs
+from allworlds.documents import document as doc
 from allworlds.engines.engine_table import ENGINES
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import JUDGED, PRECEDENCE

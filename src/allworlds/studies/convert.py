@@ -7,7 +7,16 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Annotated
 
-from allworlds.document import Document, Edges, Natural, Positive, Report, Text, Vertices, about
+from allworlds.documents.document import (
+    Document,
+    Edges,
+    Natural,
+    Positive,
+    Report,
+    Text,
+    Vertices,
+    about,
+)
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import Argument, answers
 from allworlds.maps.combinatorial import automorphisms

@@ -8,7 +8,8 @@ from typing import Annotated
 from msgspec import UNSET, Struct, UnsetType, field
 from typing_extensions import override
 
-from allworlds import document as doc, outcome
+from allworlds import outcome
+from allworlds.documents import document as doc
 from allworlds.engines import engine_table, sweep
 from allworlds.engines.units import (
     WHOLE,

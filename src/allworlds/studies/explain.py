@@ -2,7 +2,16 @@
 
 from typing import Annotated
 
-from allworlds.document import Natural, NotInDocument, Positive, Report, Some, Text, about, computed
+from allworlds.documents.document import (
+    Natural,
+    NotInDocument,
+    Positive,
+    Report,
+    Some,
+    Text,
+    about,
+    computed,
+)
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import Request, answers
 from allworlds.judging.explanations.by_law import teller_of

@@ -10,7 +10,7 @@ from typing import Annotated, Any, TypeAlias
 from msgspec import Struct, json
 from typing_extensions import override
 
-from allworlds.document import Text, about, replace
+from allworlds.documents.document import Text, about, replace
 from allworlds.engines import lane, lanes, single, sweep
 from allworlds.engines.engine_table import ReadyEngine, players_for
 from allworlds.engines.job_records import Identity

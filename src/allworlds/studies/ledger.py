@@ -16,7 +16,8 @@ from typing import Annotated, Any, Literal, TypeAlias, get_args
 from msgspec import Meta, Struct, field
 from typing_extensions import override
 
-from allworlds import document as doc, outcome
+from allworlds import outcome
+from allworlds.documents import document as doc
 from allworlds.engines import limits, tally
 from allworlds.inputs.checks import (
     InputError,

@@ -6,7 +6,7 @@ from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
 
-from allworlds import document as doc
+from allworlds.documents import document as doc
 from allworlds.engines import job_records, limits, run_directory, sweep
 from allworlds.engines.units import WHOLE, is_counted
 from allworlds.inputs.checks import InputError, a_path, show

@@ -10,8 +10,8 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import KW_ONLY
 from typing import Annotated, Any, Literal, TypeAlias
 
-from allworlds import document as doc
-from allworlds.document import Natural, Report, about, computed
+from allworlds.documents import document as doc
+from allworlds.documents.document import Natural, Report, about, computed
 from allworlds.engines import limits, single
 from allworlds.explorers import loading, sources
 from allworlds.explorers.builtin.explorer_table import BUILT_IN

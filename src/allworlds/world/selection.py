@@ -12,7 +12,7 @@ from typing import Annotated, Literal, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.document import IfAny, Text, about
+from allworlds.documents.document import IfAny, Text, about
 from allworlds.inputs.checks import InputError, a_text, not_one_of, one_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, Request
 from allworlds.maps.classes import (

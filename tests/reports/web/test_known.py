@@ -1,7 +1,7 @@
 """The knowledge of an explorer, shown beside the world."""
 
 from allworlds import run
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.protocol.actions import Checkpoint
 from allworlds.reports.content.single_run import known
 from allworlds.reports.formats import file_of

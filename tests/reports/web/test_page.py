@@ -10,7 +10,7 @@ import pytest
 
 from allworlds import Estimate, Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.maps import named_map
 from allworlds.reports import parts
 from allworlds.reports.drawing.svg import legal

@@ -9,7 +9,7 @@ from random import Random
 import pytest
 
 from allworlds import check
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines import compiled_engine as agreement
 from allworlds.engines.compiled_engine import AGREED, compare_engines, compared_to, level_of
 from allworlds.engines.kernel.engine import judge, walk

@@ -6,7 +6,7 @@ import pytest
 from numba import cfunc, from_dtype, types
 
 from allworlds import CombinatorialMap, Estimate, Move
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines.compiled_engine import level_of, played_tally
 from allworlds.engines.kernel.algorithm1 import explorer_addresses
 from allworlds.engines.kernel.capabilities import ANSWER_READY, CHECKPOINT, MOVE

@@ -3,7 +3,7 @@
 import pytest
 
 from allworlds import check
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines import compiled_engine as compiled
 from allworlds.engines.compiled_engine import compare_engines
 from allworlds.engines.kernel.engine import judge, walk

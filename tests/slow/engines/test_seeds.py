@@ -3,7 +3,7 @@
 import pytest
 
 from allworlds import run, worlds
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.judging.findings.finding import Finding
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.run import replay

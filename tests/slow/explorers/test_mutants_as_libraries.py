@@ -4,7 +4,7 @@ import pytest
 
 from allworlds import check
 from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from native_libraries import PROJECT, built
 
 SOON_KILLED = ("lucky-guess", "crashes-at-leaves", "no-answer", "drops-markers")

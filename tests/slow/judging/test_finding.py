@@ -1,6 +1,6 @@
 import pytest
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.studies.run import replay
 from judging import test_finding as quick
 from judging.test_finding import algorithm

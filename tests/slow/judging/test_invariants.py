@@ -1,6 +1,6 @@
 import pytest
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.judging.laws.law_table import invariant_1
 from judging.test_invariants import embeds, every, kept, put, runs, single, up_to
 

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis.strategies import data, permutations
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.episode import Answered
 from allworlds.protocol.actions import Checkpoint, Estimate, Move

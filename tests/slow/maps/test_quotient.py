@@ -4,7 +4,7 @@ from random import Random
 import pytest
 from test_quotient import labelled_maps, looked_at
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.maps import named_map, project, random_map
 from allworlds.maps.quotient import classes_of_union
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property, partial
 from typing import Annotated, Any, Final, Literal, NamedTuple
 
-from allworlds import document as doc
+from allworlds.documents import document as doc
 from allworlds.explorers.loading import HASH_SEED, named_on_command_line, own_bound
 from allworlds.inputs.checks import InputError, in_file, integer_of, parse_json, read_text, show
 from allworlds.inputs.requests import SCOPE, Argument, Option, OptionGroup, Request

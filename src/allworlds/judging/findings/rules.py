@@ -6,7 +6,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, NamedTuple
 
-from allworlds import document as doc
+from allworlds.documents import document as doc
 from allworlds.explorers.loading import Subject, is_library, own_bound
 from allworlds.inputs.checks import (
     InputError,

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, TypeAlias
 
 from msgspec import Struct
 
-from allworlds.document import one_of
+from allworlds.documents.document import one_of
 from allworlds.inputs.checks import show
 from allworlds.judging.laws.folding import fold
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, carries, numbering

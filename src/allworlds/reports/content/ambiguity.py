@@ -5,7 +5,8 @@ from string import ascii_lowercase
 
 from msgspec import UNSET
 
-from allworlds import document as doc, words
+from allworlds import words
+from allworlds.documents import document as doc
 from allworlds.judging.explanations.story import Walked
 from allworlds.judging.walk import Walk
 from allworlds.maps.combinatorial import CombinatorialMap, Dart

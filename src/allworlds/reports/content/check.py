@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from shlex import join
 from typing import Any
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines import single, sweep, tally, units
 from allworlds.inputs.requests import given_again
 from allworlds.maps.count_source import source_of

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from shlex import join
 
 from allworlds import outcome, words
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.reports import parts
 from allworlds.studies.ledger import CheckedClaim, LedgerReport
 

@@ -3,7 +3,8 @@
 from collections.abc import Sequence
 from typing import Any
 
-from allworlds import document as doc, words
+from allworlds import words
+from allworlds.documents import document as doc
 from allworlds.engines.units import WHOLE
 from allworlds.inputs.checks import show
 from allworlds.judging.tasks import MAP

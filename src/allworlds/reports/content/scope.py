@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from allworlds import document as doc, words
+from allworlds import words
+from allworlds.documents import document as doc
 from allworlds.engines import sweep, units
 from allworlds.inputs.requests import given_again
 from allworlds.maps.classes import Extent, MapSource

@@ -6,7 +6,8 @@ import json
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from allworlds import document as doc, words
+from allworlds import words
+from allworlds.documents import document as doc
 from allworlds.engines.single import SingleRun
 from allworlds.explorers.loading import is_program
 from allworlds.judging.belief import believed_walk, find_parting

@@ -11,7 +11,7 @@ from math import pi, tau
 
 from msgspec import Struct, field
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.maps.combinatorial import (
     CombinatorialMap,
     Dart,

@@ -8,7 +8,8 @@ from msgspec import Struct, field
 from msgspec.structs import asdict
 from typing_extensions import override
 
-from allworlds import document as doc, outcome
+from allworlds import outcome
+from allworlds.documents import document as doc
 from allworlds.engines import limits, sweep, units
 from allworlds.engines.engine_table import ReadyEngine, local_or_dask
 from allworlds.engines.kernel import capabilities

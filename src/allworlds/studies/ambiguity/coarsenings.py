@@ -6,7 +6,7 @@ from typing import Annotated, Any, NamedTuple, TypeAlias
 
 from typing_extensions import override
 
-from allworlds import document as doc
+from allworlds.documents import document as doc
 from allworlds.engines import sweep
 from allworlds.inputs import checks, requests
 from allworlds.maps.classes import Extent

@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal, NamedTuple, Self, TypeAlias
 
 from msgspec import UNSET, UnsetType
 
-from allworlds import document as doc
+from allworlds.documents import document as doc
 from allworlds.engines.limits import ListenerOptions
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import EFFORT, Argument, Option, Request, answers

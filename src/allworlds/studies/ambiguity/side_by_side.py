@@ -7,7 +7,8 @@ from typing import Annotated, Any
 from msgspec import Struct, field
 from typing_extensions import override
 
-from allworlds import document as doc, outcome
+from allworlds import outcome
+from allworlds.documents import document as doc
 from allworlds.engines import limits, sweep, units
 from allworlds.inputs import checks, requests
 from allworlds.maps import classes, count_source

@@ -10,7 +10,7 @@ from typing import Annotated, Any, TypeAlias
 from msgspec import Struct, field
 from typing_extensions import override
 
-from allworlds import document as doc
+from allworlds.documents import document as doc
 from allworlds.engines.limits import EndedReport, Listener, deadline_after
 from allworlds.inputs.checks import INSTALL, InputError, a_path, at_most, show
 from allworlds.inputs.requests import answers

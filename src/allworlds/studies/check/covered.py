@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import Annotated
 
-from allworlds.document import Document, Natural, Text, about
+from allworlds.documents.document import Document, Natural, Text, about
 from allworlds.maps.combinatorial import CombinatorialMap
 
 

@@ -6,7 +6,8 @@ from typing import Any
 
 from typing_extensions import override
 
-from allworlds import document as doc, outcome
+from allworlds import outcome
+from allworlds.documents import document as doc
 from allworlds.engines import limits, single, tally, units
 from allworlds.engines.engine_table import (
     ENGINES,

@@ -14,7 +14,7 @@ from typing import Any, TypeAlias
 
 import msgspec
 
-from allworlds.document import replace
+from allworlds.documents.document import replace
 from allworlds.engines import players
 from allworlds.engines.engine_table import Job, players_for
 from allworlds.engines.judge import Due

@@ -9,7 +9,7 @@ from typing import Annotated, Literal, TypeAlias, get_args
 
 from typing_extensions import override
 
-from allworlds import document as doc
+from allworlds.documents import document as doc
 from allworlds.engines import engine_table, lane, single, sweep
 from allworlds.engines.limits import (
     ClusterOptions,

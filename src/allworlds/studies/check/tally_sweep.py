@@ -18,7 +18,7 @@ from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds import outcome
-from allworlds.document import Document, IfAny, Text, about, replace
+from allworlds.documents.document import Document, IfAny, Text, about, replace
 from allworlds.engines import lanes, single, sweep, tally, units
 from allworlds.engines.engine_table import Job
 from allworlds.engines.job_records import Records, canonical, from_kept

@@ -7,7 +7,7 @@ from itertools import islice
 from random import Random
 from typing import Annotated, TypeAlias
 
-from allworlds import document as doc
+from allworlds.documents import document as doc
 from allworlds.engines import limits, players, tally, units
 from allworlds.engines.engine_table import EngineKind, EngineName, Job
 from allworlds.inputs.checks import InputError

@@ -9,7 +9,8 @@ from typing import Annotated, Any
 
 from typing_extensions import override
 
-from allworlds import document as doc, outcome
+from allworlds import outcome
+from allworlds.documents import document as doc
 from allworlds.engines import job_records, limits, single, units
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import takes_fields

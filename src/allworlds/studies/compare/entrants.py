@@ -12,7 +12,8 @@ from typing import Annotated, Any, NamedTuple, Self, TypeAlias, TypeVar
 from msgspec import Struct, field
 from typing_extensions import override
 
-from allworlds import document as doc, outcome
+from allworlds import outcome
+from allworlds.documents import document as doc
 from allworlds.engines import job_records, single, sweep, units
 from allworlds.engines.engine_table import Job, ReadyEngine, players_for
 from allworlds.engines.limits import ClusterOptions, RunDirectoryOptions

@@ -11,7 +11,8 @@ from typing import Annotated, TypeAlias
 from msgspec import Struct
 from typing_extensions import override
 
-from allworlds import document as doc, outcome
+from allworlds import outcome
+from allworlds.documents import document as doc
 from allworlds.engines.units import GivenWorlds, SweptLevel, dealt
 from allworlds.inputs.checks import InputError, an_integer, not_one_of, show
 from allworlds.maps import classes, families

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal, get_args
 
 from typing_extensions import override
 
-from allworlds import document as doc, outcome, words
+from allworlds import outcome, words
+from allworlds.documents import document as doc
 from allworlds.engines import limits, single, sweep, units
 from allworlds.engines.engine_table import COMPILER, ReadyEngine, local_or_dask
 from allworlds.explorers.builtin.algorithm1 import algorithm1

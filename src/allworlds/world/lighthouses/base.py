@@ -11,7 +11,7 @@ from itertools import islice
 from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeAlias
 
-from allworlds.document import Natural, about, plain
+from allworlds.documents.document import Natural, about, plain
 from allworlds.inputs.checks import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import actions, user_code

@@ -15,7 +15,7 @@ from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 from msgspec import Meta
 from typing_extensions import override
 
-from allworlds.document import Different, IfAny, Positive, about, narrowed
+from allworlds.documents.document import Different, IfAny, Positive, about, narrowed
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import actions
 from allworlds.world.lighthouses import options

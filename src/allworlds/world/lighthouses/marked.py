@@ -11,7 +11,7 @@ from typing import Annotated, Any, ClassVar, Literal, TypeAlias
 from msgspec import Meta
 from typing_extensions import override
 
-from allworlds.document import IfAny, NotInDocument, Some, about
+from allworlds.documents.document import IfAny, NotInDocument, Some, about
 from allworlds.inputs.checks import are_plain, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, numbering
 from allworlds.protocol import actions

@@ -8,7 +8,7 @@ from typing import Any, Literal, NamedTuple, TypeAlias, get_args, get_origin, ge
 
 from msgspec import Meta
 
-from allworlds.document import IF_ANY, NOT_IN_DOCUMENT
+from allworlds.documents.document import IF_ANY, NOT_IN_DOCUMENT
 from allworlds.inputs.checks import InputError, did_you_mean, integer, show
 from allworlds.protocol.importing import pairs_in
 
