@@ -12,6 +12,7 @@ import json
 import re
 from importlib.resources import files
 from pathlib import Path
+from pkgutil import resolve_name
 from typing import Any
 
 from mkdocs.config.defaults import MkDocsConfig
@@ -120,7 +121,7 @@ MODULES = {
 
 def names() -> str:
     """The public API: the names of ``import allworlds`` and of the modules beside it."""
-    verbs = [verb.function for verb in VERBS if verb.path.count(".") > 1]
+    verbs = [resolve_name(verb.path) for verb in VERBS if verb.path.count(".") > 1]
     text = (
         "# Python\n\nThe public API: the names of `import allworlds` and of three modules. An "
         "explorer needs the classes, and the functions are the verbs: they take the options of the "

@@ -14,6 +14,7 @@ importing the package is fast.
 
 from typing import TYPE_CHECKING
 
+from allworlds.documents import shown as _shown
 from allworlds.lazy import open_door
 
 if TYPE_CHECKING:
@@ -62,3 +63,11 @@ if TYPE_CHECKING:
     from allworlds.world.world import World as World
 else:
     open_door(__name__)
+
+
+@_shown.register
+def _writers() -> _shown.Writers:
+    """The writers of reports and pictures, which are loaded when the first one is shown."""
+    from allworlds.reports.notebook import WRITERS
+
+    return WRITERS

@@ -6,8 +6,6 @@ function in ``reports.content``; one that does more than answer a request has on
 """
 
 from dataclasses import dataclass
-from operator import attrgetter
-from typing import Any
 
 ROWS, CASES, FINDINGS = "rows or a walk", "cases", "findings"
 PAGE, CURVE = "a page of its own", "a curve"
@@ -48,15 +46,11 @@ class Verb:
 
     @property
     def path(self) -> str:
-        """The name of its function in Python, such as ``allworlds.check``."""
+        """The name of its function in Python, such as ``allworlds.check``.
+
+        Those above look it up there, by ``pkgutil.resolve_name``.
+        """
         return f"allworlds.{self.python or self.name.replace(' ', '.')}"
-
-    @property
-    def function(self) -> Any:
-        """The function of the package that does it; its module is loaded."""
-        import allworlds
-
-        return attrgetter(self.path.removeprefix("allworlds."))(allworlds)
 
 
 EVERYDAY, LONG_RUNS, COSTS, WORLDS = "Everyday", "Long runs", "Costs", "Worlds"

@@ -5,7 +5,7 @@ import re
 from importlib import import_module
 from operator import attrgetter
 from pathlib import Path
-from pkgutil import iter_modules
+from pkgutil import iter_modules, resolve_name
 from typing import Any, get_args, get_type_hints
 
 import pytest
@@ -77,7 +77,7 @@ VERDICTS = page("docs/verdicts.md")
 
 
 def function_of(verb):
-    return verb.function
+    return resolve_name(verb.path)
 
 
 # Documents of verbs that have more than one.

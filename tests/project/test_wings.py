@@ -12,6 +12,7 @@ from collections import Counter
 from pathlib import Path
 from typing import NamedTuple
 
+import networkx as nx
 import pytest
 
 import allworlds
@@ -45,7 +46,7 @@ def named(cell):
 WINGS = wings(ARCHITECTURE.read_text(encoding="utf-8"))
 HOME = {entry: wing for wing, row in WINGS.items() for entry in row.holds}
 
-MOST_ROWS, MOST_ARROWS, MOST_ENTRIES = 12, 60, 24
+MOST_ROWS, MOST_ARROWS, MOST_ENTRIES, MOST_IN_A_CIRCLE = 12, 60, 24, 8
 """What one can hold in the head."""
 
 # Wings without a door of their own: each folder in them has one.
@@ -84,17 +85,12 @@ LAZY = {"dask", "distributed", "networkx", "rich"}
 INPUTS = {"inputs", "inputs.checks", "inputs.nesting", "inputs.requests"}
 """The door to checks of values, and what is behind it."""
 
-DOORS = {"documents", "documents.document", "lazy", "maps", "outcome"}
+DOORS = {"documents", "documents.document", "documents.shown", "lazy", "maps", "outcome"}
 """What two modules may share that do not share a line of what they compute."""
 
-UPWARD = {
-    "documents.document": "reports",
-    "maps.combinatorial": "maps",
-    "studies.merge": "studies",
-    "verbs": "",
-}
-"""Modules that load what stands above them, in a function: how a report shows itself, the sweep of
-a verb, and its function."""
+UPWARD = {"maps.combinatorial": "maps", "studies.merge": "studies"}
+"""Modules that load what stands above them, in a function: a map as a graph of networkx, the sweep
+of a verb."""
 
 # Two ways to one answer share nothing but what is named here, however many modules between.
 COMPARED = [
@@ -178,7 +174,7 @@ def targets(node, name, package):
 
 
 def is_upward(short, target):
-    return target.module.startswith(f"allworlds.{UPWARD[short]}".rstrip("."))
+    return target.module.startswith(f"allworlds.{UPWARD[short]}")
 
 
 def modules():
@@ -191,16 +187,21 @@ def modules():
         package = parts[-1] == "__init__"
         short = ".".join(parts[:-1] if package else parts)
         name = f"allworlds.{short}" if short else "allworlds"
-        found = imports_of(path.read_text(encoding="utf-8"), name, package=package)
-        if short in UPWARD:
-            above = {each for each in found if each.lazy and is_upward(short, each)}
-            assert above, f"{short} needs no row of UPWARD"
-            found -= above
-        read[short] = found
+        read[short] = imports_of(path.read_text(encoding="utf-8"), name, package=package)
     return read
 
 
-MODULES = modules()
+def upward(short):
+    """The imports by which a module that has a row of UPWARD loads what stands above it."""
+    if short not in UPWARD:
+        return set()
+    above = {each for each in EVERY_IMPORT[short] if each.lazy and is_upward(short, each)}
+    assert above, f"{short} needs no row of UPWARD"
+    return above
+
+
+EVERY_IMPORT = modules()
+MODULES = {short: found - upward(short) for short, found in EVERY_IMPORT.items()}
 
 
 def inner(module):
@@ -314,6 +315,29 @@ def test_no_circle_is_closed_among_the_modules_of_the_ground():
         for others in below.values():
             others.difference_update(free)
     assert not below
+
+
+def circles():
+    """The modules that import each other, at once, in functions or by a door, largest first."""
+    graph = nx.DiGraph()
+    for short, imports in EVERY_IMPORT.items():
+        for target in imports:
+            behind = {entered(target), defining(target)} & MODULES.keys()
+            if is_door(short) or not target.typing:
+                graph.add_edges_from((short, own) for own in behind - {short})
+    return sorted(nx.strongly_connected_components(graph), key=len, reverse=True)
+
+
+def test_no_large_circle_of_imports_is_closed():
+    largest, *_ = circles()
+    assert len(largest) <= MOST_IN_A_CIRCLE, f"these import each other: {sorted(largest)}"
+
+
+def test_a_circle_through_a_function_of_the_ground_is_seen(monkeypatch):
+    writers = Import("allworlds.reports.notebook", "WRITERS", lazy=True)
+    shown = {*EVERY_IMPORT["documents.shown"], writers}
+    monkeypatch.setitem(EVERY_IMPORT, "documents.shown", shown)
+    assert len(circles()[0]) > MOST_IN_A_CIRCLE
 
 
 def test_a_library_is_imported_only_at_home():

@@ -1,5 +1,7 @@
 """The scope of every study that goes through worlds: what was asked, as it took effect."""
 
+from pkgutil import resolve_name
+
 import pytest
 
 from allworlds import ambiguity, check, compare, count, fuzz
@@ -80,7 +82,7 @@ def test_every_rule_is_told_in_document_and_text(name):
 @pytest.mark.parametrize("name", STUDIES)
 def test_every_option_of_the_worlds_and_of_the_rules_is_a_key_of_the_scope(name):
     (verb,) = [verb for verb in VERBS if verb.name == name]
-    request = verb.function.request
+    request = resolve_name(verb.path).request
     keys = of_all(STUDIES[name](edges=2, where="trees"))[0].keys()
     keys |= of_all(STUDIES[name](edges=2))[0].get("sample") or {}
     assert {one.option for one in in_scope(request)} - GIVEN - {"task"} <= {*keys}

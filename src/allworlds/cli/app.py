@@ -12,6 +12,7 @@ from importlib import import_module
 from inspect import Parameter, Signature, signature
 from itertools import pairwise
 from pathlib import Path
+from pkgutil import resolve_name
 from typing import Annotated, Any, NoReturn, get_args, get_type_hints
 
 import typer
@@ -111,7 +112,7 @@ def _show_as_written(argument: Any) -> None:
 
 def plain_command(verb: Verb) -> Callable[..., int]:
     """The function that runs a verb on the command line: it answers, and writes."""
-    function = verb.function
+    function = resolve_name(verb.path)
 
     def command(request: Any, *, output: OutputGroup) -> int:
         ensure_directory(getattr(request, "corpus", None))

@@ -59,6 +59,7 @@ from msgspec import (
 )
 from msgspec.structs import fields, force_setattr, replace as replace_in_struct
 
+from allworlds.documents.shown import Paged, writers
 from allworlds.inputs.checks import InputError, integer, show
 from allworlds.inputs.requests import Field, Option, in_scope
 from allworlds.outcome import Exit, Facts
@@ -346,51 +347,6 @@ SCHEMA: Final = 2
 """The version of every document that a verb writes, and of a corpus's manifest."""
 
 
-class Pictured:
-    """A value that notebooks show as a picture."""
-
-    __slots__ = ()
-
-    def _repr_svg_(self) -> str:
-        """The picture that notebooks show."""
-        from allworlds.reports.drawing.svg import draw
-
-        return draw(self).svg  # type: ignore[arg-type]  # one of the two that it draws
-
-
-class Paged:
-    """A value that is printed as text, and that notebooks show as a page, or as a part of one."""
-
-    __slots__ = ()
-
-    def __str__(self) -> str:
-        """The text of the command line, 100 columns wide."""
-        from allworlds.reports.notebook import text_of
-
-        return text_of(self)  # type: ignore[arg-type]  # a report, or a part of one
-
-    def __repr__(self) -> str:
-        """The text in at most 20 lines, as a plain Python shows it."""
-        from allworlds.reports.notebook import short_text_of
-
-        return short_text_of(self)  # type: ignore[arg-type]  # as above
-
-    def __init_subclass__(cls, **keywords: Any) -> None:
-        super().__init_subclass__(**keywords)
-        # IPython takes the first class in line that has this, or a repr as dataclasses have.
-        cls._repr_pretty_ = Paged._repr_pretty_  # type: ignore[method-assign]
-
-    def _repr_pretty_(self, printer: Any, cycle: bool) -> None:  # noqa: ARG002  # IPython's call
-        """Print the text in a plain IPython."""
-        printer.text(str(self))
-
-    def _repr_html_(self) -> str:
-        """The element that notebooks show."""
-        from allworlds.reports.notebook import shown
-
-        return shown(self)  # type: ignore[arg-type]  # as above
-
-
 class Host(Document):
     """Host.
 
@@ -465,9 +421,7 @@ class Report(Paged, Document, kw_only=True):
 
     def records(self) -> list[dict[str, Any]]:
         """The rows of ``-o FILE.csv``, by the names of their columns, for ``pandas.DataFrame``."""
-        from allworlds.reports.notebook import records
-
-        return records(self)
+        return writers().records(self)
 
 
 def parse(document: object, kind: type[T], what: str) -> T:

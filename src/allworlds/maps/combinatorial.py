@@ -14,7 +14,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, TypeAlias
 
-from allworlds.documents.document import Natural, Permutation, Pictured, WrittenByFields, about
+from allworlds.documents.document import Natural, Permutation, WrittenByFields, about
+from allworlds.documents.shown import Pictured
 from allworlds.inputs.checks import InputError, are_plain, integer, parse_json, show
 
 Dart: TypeAlias = Natural

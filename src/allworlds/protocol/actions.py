@@ -13,12 +13,12 @@ from allworlds.documents.document import (
     Document,
     Entries,
     Natural,
-    Paged,
     Positive,
     WrittenByFields,
     about,
     parse,
 )
+from allworlds.documents.shown import Paged
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
 from allworlds.protocol.choices import Choices

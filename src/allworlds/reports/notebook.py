@@ -5,10 +5,12 @@ from typing import Any
 from xml.etree import ElementTree as ET
 
 from allworlds.documents.document import Report
+from allworlds.documents.shown import Writers
 from allworlds.judging.findings.finding import Finding
 from allworlds.protocol.actions import Transcript
 from allworlds.reports import formats, plain_text
 from allworlds.reports.content.single_run import finding_section, headline_of
+from allworlds.reports.drawing.svg import draw
 from allworlds.reports.parts import Cell, Table, rows_of
 from allworlds.reports.web.sections import element, framed, table_element
 from allworlds.words import harmless
@@ -77,3 +79,13 @@ def _steps(transcript: Transcript) -> Table:
     rows = [("start", transcript.first), *transcript.steps]
     steps: list[list[Cell]] = [[i, str(action), str(it)] for i, (action, it) in enumerate(rows)]
     return Table(["step", "action", "sensed"], steps)
+
+
+WRITERS = Writers(
+    text=text_of,
+    short_text=short_text_of,
+    page=shown,
+    picture=lambda value: draw(value).svg,
+    records=records,
+)
+"""The writers of values that show themselves; the package registers them."""

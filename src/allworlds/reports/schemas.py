@@ -11,6 +11,7 @@ from dataclasses import MISSING, fields as fields_of_dataclass, is_dataclass
 from functools import cache
 from inspect import unwrap
 from pathlib import Path
+from pkgutil import resolve_name
 from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, TypeAlias, Union, get_args, get_origin, get_type_hints
 
@@ -81,7 +82,7 @@ def reports() -> dict[str, Any]:
 
 def reports_of(verb: verbs.Verb) -> list[Any]:
     """The types of a verb's reports."""
-    function = unwrap(verb.function)
+    function = unwrap(resolve_name(verb.path))
     return [*members(get_type_hints(function)["return"])]
 
 

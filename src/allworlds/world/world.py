@@ -7,7 +7,8 @@ from typing import Annotated, Any, Literal
 
 from msgspec import Struct
 
-from allworlds.documents.document import Document, IfAny, Pair, Pictured, about
+from allworlds.documents.document import Document, IfAny, Pair, about
+from allworlds.documents.shown import Pictured
 from allworlds.inputs.checks import parse_json, show
 from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
 from allworlds.maps.networks import from_networkx, to_networkx

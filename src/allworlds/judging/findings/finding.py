@@ -8,6 +8,7 @@ from functools import cached_property, partial
 from typing import Annotated, Any, Final, Literal, NamedTuple
 
 from allworlds.documents import document as doc
+from allworlds.documents.shown import Paged
 from allworlds.explorers.loading import HASH_SEED, named_on_command_line, own_bound
 from allworlds.inputs.checks import InputError, in_file, integer_of, parse_json, read_text, show
 from allworlds.inputs.requests import SCOPE, Argument, Option, OptionGroup, Request
@@ -87,7 +88,7 @@ class EarlierRun(doc.Document, forbid_unknown_fields=False):
     world: Annotated[doc.FromJson[World], doc.about("its world, in canonical numbering")]
 
 
-class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True):
+class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
     """Finding.
 
     A refuting run, as it is written: enough to replay it with nothing else. Where one is read,
@@ -174,7 +175,7 @@ class Finding(doc.Document, doc.Paged, forbid_unknown_fields=False, kw_only=True
     under: doc.NotInDocument[Rules | None] = None
     machine: doc.NotInDocument[bool] = False
 
-    __repr__ = doc.Paged.__repr__
+    __repr__ = Paged.__repr__
 
     @doc.computed
     def reproduce(self) -> str:

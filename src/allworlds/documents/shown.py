@@ -1,0 +1,79 @@
+"""Values that show themselves: as a text, as a page, as a picture.
+
+Those who write these forms stand above: the package registers them when it is imported, and they
+are loaded with the first value that is shown.
+"""
+
+from collections.abc import Callable
+from functools import cache
+from typing import Any, NamedTuple
+
+
+class Writers(NamedTuple):
+    """The writer of each form.
+
+    Attributes:
+        text: as the command line has it, 100 columns wide.
+        short_text: at most 20 lines of that.
+        page: the element that notebooks show.
+        picture: the text of an SVG.
+        records: the rows for programs, by the names of their columns.
+    """
+
+    text: Callable[[Any], str]
+    short_text: Callable[[Any], str]
+    page: Callable[[Any], str]
+    picture: Callable[[Any], str]
+    records: Callable[[Any], list[dict[str, Any]]]
+
+
+_registered = list[Callable[[], Writers]]()
+
+
+def register(load: Callable[[], Writers]) -> Callable[[], Writers]:
+    """Take the function that loads the writers; the last one that was registered counts."""
+    _registered.append(load)
+    return load
+
+
+@cache
+def writers() -> Writers:
+    """The writers that are registered."""
+    return _registered[-1]()
+
+
+class Pictured:
+    """A value that notebooks show as a picture."""
+
+    __slots__ = ()
+
+    def _repr_svg_(self) -> str:
+        """The picture that notebooks show."""
+        return writers().picture(self)
+
+
+class Paged:
+    """A value that is printed as text, and that notebooks show as a page, or as a part of one."""
+
+    __slots__ = ()
+
+    def __str__(self) -> str:
+        """The text of the command line, 100 columns wide."""
+        return writers().text(self)
+
+    def __repr__(self) -> str:
+        """The text in at most 20 lines, as a plain Python shows it."""
+        return writers().short_text(self)
+
+    def __init_subclass__(cls, **keywords: Any) -> None:
+        super().__init_subclass__(**keywords)
+        # IPython takes the first class in line that has this, or a repr as dataclasses have.
+        cls._repr_pretty_ = Paged._repr_pretty_  # type: ignore[method-assign]
+
+    def _repr_pretty_(self, printer: Any, cycle: bool) -> None:  # noqa: ARG002  # IPython's call
+        """Print the text in a plain IPython."""
+        printer.text(str(self))
+
+    def _repr_html_(self) -> str:
+        """The element that notebooks show."""
+        return writers().page(self)
