@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from allworlds.documents.document import Host
+    from allworlds.documents.report import Host
 
 __version__ = "0.3.0"
 """The version of the program."""
@@ -17,7 +17,7 @@ __version__ = "0.3.0"
 
 def host() -> Host:
     """The machine and the software that a measurement depends on. Cost: some milliseconds."""
-    from allworlds.documents.document import Host
+    from allworlds.documents.report import Host
 
     return Host(
         name=platform.node(),

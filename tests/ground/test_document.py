@@ -19,10 +19,10 @@ from allworlds.documents.document import (
     computed,
     key,
     keys_of,
-    parse,
     plain,
     replace,
 )
+from allworlds.documents.reading import parse
 from allworlds.inputs.checks import InputError
 from allworlds.outcome import Exit, Verdict
 

@@ -14,7 +14,9 @@ import allworlds
 from allworlds import reports, strategies
 from allworlds.cli import app
 from allworlds.cli.app import command_line
-from allworlds.documents.document import Report, parse, replace
+from allworlds.documents.document import replace
+from allworlds.documents.reading import parse
+from allworlds.documents.report import Report
 from allworlds.engines.engine_table import ENGINES, engine_for
 from allworlds.engines.kernel.capabilities import CHECKED
 from allworlds.engines.units import Sample, Scope

@@ -4,7 +4,8 @@ from typing import Annotated
 
 import pytest
 
-from allworlds.documents.document import Document, Natural, Report, about
+from allworlds.documents.document import Document, Natural, about
+from allworlds.documents.report import Report
 from allworlds.outcome import Verdict
 from allworlds.reports.content.plain import plain_content
 from allworlds.reports.formats import FORMATS

@@ -14,7 +14,7 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
-from allworlds.documents.document import MadeBy, Report
+from allworlds.documents.report import MadeBy, Report
 from allworlds.inputs.checks import InputError, did_you_mean, in_file, read_text, show
 from allworlds.inputs.requests import GIVEN_IN_FILE
 from allworlds.version import __version__, host

@@ -17,6 +17,7 @@ from typing import Annotated, Any, ClassVar, Self, TypeVar
 from allworlds import outcome, verbs, words
 from allworlds.cli.defaults import defaults_used, made_by, words_of_command
 from allworlds.documents import document as doc
+from allworlds.documents.report import Report
 from allworlds.engines import limits, prints
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import OUTPUT, Option, answer
@@ -92,7 +93,7 @@ def _files_in(word: str) -> set[str]:
     return found
 
 
-def _write_files(result: doc.Report, output: OutputGroup, document: Callable[[], str]) -> None:
+def _write_files(result: Report, output: OutputGroup, document: Callable[[], str]) -> None:
     """Write the result into each file that was named, and where a CI service looks for it.
 
     A file that cannot be written is lost with a word on stderr; the verdict is not.
@@ -183,7 +184,7 @@ def coloured(text: str) -> str:
     )
 
 
-def emit(result: doc.Report, output: OutputGroup, workers: int | None = None) -> int:
+def emit(result: Report, output: OutputGroup, workers: int | None = None) -> int:
     """Write a verb's result in the forms that were asked for, and return its exit code.
 
     In a document all that can differ from run to run stands under the key ``made_by``, also the

@@ -2,8 +2,8 @@
 
 A result is a frozen :class:`Document`: its fields are the keys of its JSON object, in their order,
 each annotated with its type and, by :func:`about`, with one line of meaning.  From the same class
-come the JSON (:meth:`Document.to_json`), the strict reading (:func:`parse`), the JSON Schemas and
-the reference of keys.
+come the JSON (:meth:`Document.to_json`), the strict reading (``reading.parse``), the JSON Schemas
+and the reference of keys.
 
 With ``@with_options(Request)`` a class has a key for each option of a request, too, whose type and
 meaning stand beside the option.  A method with ``@computed`` is a key that follows from the fields,
@@ -21,8 +21,7 @@ Three things are said beside a type:
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import MISSING, fields as fields_of_dataclass, replace as replace_in_dataclass
 from enum import Enum
 from functools import cache, cached_property
@@ -32,7 +31,6 @@ from typing import (
     TYPE_CHECKING,
     Annotated,
     Any,
-    Final,
     Literal,
     NamedTuple,
     TypeAlias,
@@ -49,20 +47,14 @@ from msgspec import (
     UNSET,
     Meta,
     Struct,
-    UnsetType,
-    ValidationError,
-    convert,
     defstruct,
     field as key,
-    inspect,
     to_builtins,
 )
 from msgspec.structs import fields, force_setattr, replace as replace_in_struct
 
-from allworlds.documents.shown import Paged, writers
-from allworlds.inputs.checks import InputError, integer, show
+from allworlds.inputs.checks import integer
 from allworlds.inputs.requests import Field, Option, in_scope
-from allworlds.outcome import Exit, Facts
 
 T = TypeVar("T")
 
@@ -141,7 +133,6 @@ Why = Annotated[
 ]
 Edges = Annotated[Positive, about("the number of edges")]
 Vertices = Annotated[Positive, about("the number of vertices")]
-ExitCode = Annotated[Exit, about("the exit code of the command")]
 Bounded = Annotated[Positive | None, about("at most so many; null: not bounded")]
 WhichShard = Annotated[ShardText, about("`K/N`; `0/1` is the whole")]
 
@@ -341,148 +332,3 @@ def replace(value: T, **changes: Any) -> T:
     copied: Any = replace_in_struct if isinstance(value, Struct) else replace_in_dataclass
     found: T = copied(value, **changes)
     return found
-
-
-SCHEMA: Final = 2
-"""The version of every document that a verb writes, and of a corpus's manifest."""
-
-
-class Host(Document):
-    """Host.
-
-    A machine and its software.
-    """
-
-    name: Annotated[str, about("in its network")]
-    system: Annotated[str, about("its operating system")]
-    machine: Annotated[str, about("its architecture")]
-    processor: Annotated[str, about("the model")]
-    cores: Annotated[Positive | None, about("of all processors")]
-    load: Annotated[Figure, about("processes that wanted a core, averaged over the last minute")]
-    python: Annotated[Text, about("the version of Python")]
-    numba: Annotated[Text | None, about("the version of the compiler; null: there is none")]
-
-
-class MadeBy(Document, kw_only=True):
-    """Made by.
-
-    Who made a document, where, when and how fast: nothing else in it depends on that.
-    """
-
-    version: Annotated[Text, about("of this program")]
-    command: Annotated[tuple[str, ...], about("the words of the command line, as they were given")]
-    defaults: Annotated[
-        dict[str, dict[str, Any]] | UnsetType,
-        about("the options that a file gave, by the file; left out: every option was given so"),
-    ] = UNSET
-    workers: Annotated[Positive | None, about("processes or threads; null: the verb takes none")]
-    host: Annotated[Host, about("the machine and its software")]
-    started: Annotated[
-        str,
-        Meta(
-            description="when the command began, in UTC",
-            pattern="^[0-9-]{10}T[0-9:]{8}Z$",
-        ),
-    ]
-    seconds: Annotated[Seconds, about("from the beginning until this document was written")]
-    level_seconds: Annotated[
-        tuple[Seconds, ...] | UnsetType, about("for each level: of `search`, `check`, `fuzz`")
-    ] = UNSET
-    claim_seconds: Annotated[
-        tuple[Seconds, ...] | UnsetType, about("of `claims`: for each of them")
-    ] = UNSET
-
-
-class Report(Paged, Document, kw_only=True):
-    """A document that a verb writes."""
-
-    schema: Annotated[Literal[2], about("the version of the document")] = SCHEMA
-    made_by: Annotated[MadeBy | UnsetType, about("in Python; always there on the command line")] = (
-        UNSET
-    )
-
-    @property
-    def facts(self) -> Facts:
-        """Facts that the exit code depends on.
-
-        The default stands for a question that was answered.
-        """
-        return Facts()
-
-    @computed
-    def exit_code(self) -> ExitCode:
-        """The exit code of the command."""
-        return self.facts.exit
-
-    @property
-    def seconds_by_part(self) -> dict[str, list[float]]:
-        """The seconds that its parts took, by their keys in ``made_by``; by default no part."""
-        return {}
-
-    def records(self) -> list[dict[str, Any]]:
-        """The rows of ``-o FILE.csv``, by the names of their columns, for ``pandas.DataFrame``."""
-        return writers().records(self)
-
-
-def parse(document: object, kind: type[T], what: str) -> T:
-    """The value of that type that a JSON value stands for.
-
-    Args:
-        document: as a parser of JSON hands it back.
-        kind: a type that msgspec knows.
-        what: the words for the whole.
-
-    Raises:
-        InputError: naming the offending value, where it stands, and what would be legal.
-    """
-    try:
-        return convert(document, kind)
-    except ValidationError as error:
-        if isinstance(error.__cause__, InputError):
-            raise error.__cause__ from None
-        said, path = _PLACED.fullmatch(str(error)).groups("")  # type: ignore[union-attr]
-        steps = path.lstrip(".").replace("[", ".[").split(".") if path else []
-        where = f"{path.lstrip('.')} = {show(_at(document, steps))}" if path else what
-        legal = ", ".join(map(str, _legal(inspect.type_info(kind), steps)))
-        if legal and said.startswith("Invalid enum"):
-            raise InputError(f"{where} is not one of {legal}") from None
-        said = show(said[:1].lower() + said[1:].replace("`", ""))[1:-1]
-        raise InputError(f"{where}: {said}") from None
-    except UnicodeEncodeError:
-        raise InputError(f"{what}: a key or a word in it is no text") from None
-
-
-_PLACED = re.compile(r"(.*?)(?: - at `(?:key` in `)?\$([^`\n]*)`)?", re.DOTALL)
-"""An error of msgspec: its words, and the path of the value."""
-
-
-def _at(document: Any, steps: Iterable[str]) -> object:
-    """The value to which steps such as ``rows`` and ``[0]`` lead, or the last one on the way."""
-    for step in steps:
-        if step == "[...]":
-            return document
-        try:
-            document = document[int(step[1:-1])] if step[:1] == "[" else document[step]
-        except (LookupError, TypeError, ValueError):
-            return document
-    return document
-
-
-def _legal(kind: inspect.Type, steps: Sequence[str]) -> Iterator[object]:
-    """The values of an enumeration that stands where the steps lead."""
-    match kind:
-        case inspect.Metadata(type=one):
-            yield from _legal(one, steps)
-        case inspect.UnionType(types=several):
-            for one in several:
-                yield from _legal(one, steps)
-        case inspect.LiteralType(values=values) if not steps:
-            yield from values
-        case inspect.EnumType(cls=values) if not steps:
-            yield from (each.value for each in values)
-        case inspect.StructType(fields=told) if steps:
-            for part in told:
-                if part.encode_name == steps[0]:
-                    yield from _legal(part.type, steps[1:])
-        case inspect.DictType(value_type=one) | inspect.CollectionType(item_type=one) if steps:
-            yield from _legal(one, steps[1:])

@@ -17,6 +17,7 @@ from msgspec import Struct
 
 from allworlds import words
 from allworlds.documents import document as doc
+from allworlds.documents.reading import parse
 from allworlds.engines.units import Shard, Sum, a_shard, shard_numbers
 from allworlds.inputs.checks import InputError, show
 from allworlds.version import __version__
@@ -53,7 +54,7 @@ class Identity(doc.Document):
     @classmethod
     def of_text(cls, text: str) -> Self:
         """The identity of :attr:`text`."""
-        return doc.parse({"format": 1} | json.loads(text), cls, "identity")
+        return parse({"format": 1} | json.loads(text), cls, "identity")
 
     @property
     def portion(self) -> Shard:
@@ -176,7 +177,7 @@ def from_kept(kept: object, kind: type[T]) -> T:
 
 @cache
 def _form(kind: Any) -> Form:
-    return _own_form(kind) or Form(doc.plain_at_once, lambda kept: doc.parse(kept, kind, WHAT))
+    return _own_form(kind) or Form(doc.plain_at_once, lambda kept: parse(kept, kind, WHAT))
 
 
 def _own_form(kind: Any) -> Form | None:
@@ -193,7 +194,7 @@ def _own_form(kind: Any) -> Form | None:
     if origin is list and (one := _own_form(parts[0])):
         return Form(
             lambda values: [one.write(value) for value in values],
-            lambda kept: [one.read(value) for value in doc.parse(kept, list[Any], WHAT)],
+            lambda kept: [one.read(value) for value in parse(kept, list[Any], WHAT)],
         )
     if origin is tuple and any(map(_own_form, parts)):
         return _tuple(tuple(map(_form, parts)))
@@ -206,7 +207,7 @@ def _own_form(kind: Any) -> Form | None:
 
 def _tuple(forms: tuple[Form, ...]) -> Form:
     def read(kept: object) -> tuple[Any, ...]:
-        values = doc.parse(kept, list[Any], WHAT)
+        values = parse(kept, list[Any], WHAT)
         if len(values) != len(forms):
             raise InputError(f"{WHAT}: {show(kept)} does not have {len(forms)} entries")
         return tuple(form.read(value) for form, value in zip(forms, values, strict=True))
@@ -223,7 +224,7 @@ def _by_fields(kind: Any) -> Form | None:
     forms = {name: _form(hints[name]) for name in doc.names_of(kind)}
 
     def read(kept: object) -> Any:
-        values = doc.parse(kept, dict[str, Any], WHAT)
+        values = parse(kept, dict[str, Any], WHAT)
         if values.keys() != forms.keys():
             raise InputError(f"{WHAT}: the keys are {', '.join(forms)}, not {show([*values])}")
         return kind(**{name: form.read(values[name]) for name, form in forms.items()})

@@ -16,6 +16,7 @@ from typing_extensions import override
 
 from allworlds import outcome
 from allworlds.documents import document as doc
+from allworlds.documents.report import Report
 from allworlds.inputs.checks import (
     InputError,
     OutOfTime,
@@ -262,7 +263,7 @@ def _end_models(*_: object) -> None:
         raise TimeIsUp(f" in {importing.AT_WORK[-1]}")
 
 
-class EndedReport(doc.Report):
+class EndedReport(Report):
     """A report of what was finished when a job came to its ``ending``."""
 
     ending: doc.NotInDocument[outcome.Ending]

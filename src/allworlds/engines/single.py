@@ -9,6 +9,7 @@ from typing_extensions import override
 
 from allworlds import log as entries
 from allworlds.documents import document as doc
+from allworlds.documents.report import Report
 from allworlds.engines import limits, players
 from allworlds.engines.across import after_worlds
 from allworlds.engines.judge import (
@@ -41,7 +42,7 @@ from allworlds.protocol.actions import Action, Ambiguous, Estimate, Transcript, 
 from allworlds.world.world import World
 
 
-class SingleRun(doc.Report):
+class SingleRun(Report):
     """Report of 'run'.
 
     One judged run.

@@ -17,7 +17,7 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import Any
 
-from allworlds.documents.document import parse
+from allworlds.documents.reading import parse
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps.build import from_rotation
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, cycles, inverse

@@ -16,8 +16,8 @@ from allworlds.documents.document import (
     Positive,
     WrittenByFields,
     about,
-    parse,
 )
+from allworlds.documents.reading import parse
 from allworlds.documents.shown import Paged
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma

@@ -4,7 +4,7 @@ from html import escape
 from typing import Any
 from xml.etree import ElementTree as ET
 
-from allworlds.documents.document import Report
+from allworlds.documents.report import Report
 from allworlds.documents.shown import Writers
 from allworlds.judging.findings.finding import Finding
 from allworlds.protocol.actions import Transcript

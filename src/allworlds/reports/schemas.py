@@ -21,6 +21,7 @@ from msgspec.structs import fields
 
 from allworlds import outcome, verbs
 from allworlds.documents import document as doc
+from allworlds.documents.report import MadeBy
 from allworlds.engines.engine_table import ENGINES
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import JUDGED, PRECEDENCE
@@ -95,7 +96,7 @@ def pages() -> dict[str, Any]:
         "finding": Finding,
         "world": world.WorldDocument,
         "transcript": actions.Transcript,
-        "made-by": doc.MadeBy,
+        "made-by": MadeBy,
         "manifest": named.Manifest,
     }
 

@@ -7,16 +7,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Annotated
 
-from allworlds.documents.document import (
-    Document,
-    Edges,
-    Natural,
-    Positive,
-    Report,
-    Text,
-    Vertices,
-    about,
-)
+from allworlds.documents.document import Document, Edges, Natural, Positive, Text, Vertices, about
+from allworlds.documents.report import Report
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import Argument, answers
 from allworlds.maps.combinatorial import automorphisms

@@ -6,12 +6,12 @@ from allworlds.documents.document import (
     Natural,
     NotInDocument,
     Positive,
-    Report,
     Some,
     Text,
     about,
     computed,
 )
+from allworlds.documents.report import Report
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import Request, answers
 from allworlds.judging.explanations.by_law import teller_of

@@ -6,7 +6,8 @@ from dataclasses import KW_ONLY
 from pathlib import Path
 from typing import Annotated
 
-from allworlds.documents.document import Positive, Report, Text, about, computed, one_of
+from allworlds.documents.document import Positive, Text, about, computed, one_of
+from allworlds.documents.report import Report
 from allworlds.explorers.languages import LANGUAGES, SKELETONS, Language, templates
 from allworlds.explorers.shared_library import INTERFACE_VERSION, header_text
 from allworlds.inputs.checks import InputError, a_path, not_one_of, one_of as one_of_these, show

@@ -18,6 +18,7 @@ from typing_extensions import override
 
 from allworlds import outcome
 from allworlds.documents import document as doc
+from allworlds.documents.reading import parse
 from allworlds.engines import limits, tally
 from allworlds.inputs.checks import (
     InputError,
@@ -195,7 +196,7 @@ def _claim(file: Path, name: str, table: Any) -> Claim:
     if not isinstance(table, dict):
         raise InputError(f"{said}: {show(table)} is no table")
     try:
-        claim = doc.parse({"id": name, **table}, Claim, "it")
+        claim = parse({"id": name, **table}, Claim, "it")
     except InputError as error:
         raise InputError(f"{said}: {error}") from None
     for budget, scope in claim.scopes.items():

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds.documents import document as doc
+from allworlds.documents.report import Report
 from allworlds.engines import job_records, limits, run_directory, sweep
 from allworlds.engines.units import WHOLE, is_counted
 from allworlds.inputs.checks import InputError, a_path, show
@@ -125,7 +126,7 @@ class LargestCost(doc.Document):
     cost: Annotated[doc.Natural, doc.about("traversals")]
 
 
-class Standing(doc.Report):
+class Standing(Report):
     """Report of 'status'.
 
     The content of a run directory. Larger worlds take longer, so the time left is a guess.

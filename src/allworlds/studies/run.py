@@ -11,7 +11,8 @@ from dataclasses import KW_ONLY
 from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds.documents import document as doc
-from allworlds.documents.document import Natural, Report, about, computed
+from allworlds.documents.document import Natural, about, computed
+from allworlds.documents.report import Report
 from allworlds.engines import limits, single
 from allworlds.explorers import loading, sources
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
@@ -68,7 +69,7 @@ class RunRequest(RunOptions, kw_only=False):
     ] = None
 
 
-class WorldNames(doc.Report):
+class WorldNames(Report):
     """Report of 'run --list'.
 
     The names that a WORLD can have; a capital letter stands for a number.
@@ -138,7 +139,7 @@ TRIES = 8
 """The number of runs, each in two fresh processes, before ``not-reproduced`` is said."""
 
 
-class Replay(doc.Report):
+class Replay(Report):
     """Report of 'replay'.
 
     The result of running a finding again.

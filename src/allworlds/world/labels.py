@@ -5,7 +5,7 @@ from typing import Annotated, Any, TypeAlias
 
 from msgspec import Meta, Struct
 
-from allworlds.documents.document import parse
+from allworlds.documents.reading import parse
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, Vertex
 from allworlds.world.lighthouses.options import InvalidWorld

@@ -12,7 +12,8 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from msgspec import Meta, Struct
 
-from allworlds.documents.document import Document, Text, about, parse
+from allworlds.documents.document import Document, Text, about
+from allworlds.documents.reading import parse
 from allworlds.inputs.checks import (
     InputError,
     did_you_mean,

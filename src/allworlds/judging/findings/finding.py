@@ -8,6 +8,8 @@ from functools import cached_property, partial
 from typing import Annotated, Any, Final, Literal, NamedTuple
 
 from allworlds.documents import document as doc
+from allworlds.documents.reading import parse
+from allworlds.documents.report import SCHEMA
 from allworlds.documents.shown import Paged
 from allworlds.explorers.loading import HASH_SEED, named_on_command_line, own_bound
 from allworlds.inputs.checks import InputError, in_file, integer_of, parse_json, read_text, show
@@ -278,7 +280,7 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
             )
         if (law := document.get("law")) not in PRECEDENCE:
             raise InputError(f"law {show(law)} is not one of {', '.join(PRECEDENCE)}")
-        found = doc.parse(document, cls, "finding")
+        found = parse(document, cls, "finding")
         found.rules  # noqa: B018  # wrong options are refused here, and not where they are used
         return found
 
@@ -299,8 +301,8 @@ def findings_of(document: Any) -> Sequence[Any]:
         InputError: if the report holds none, or is of another version.
     """
     match document:
-        case {"schema": schema} if schema != doc.SCHEMA:
-            raise InputError(f"report of schema {show(schema)}; this program reads {doc.SCHEMA}")
+        case {"schema": schema} if schema != SCHEMA:
+            raise InputError(f"report of schema {show(schema)}; this program reads {SCHEMA}")
         case {"schema": _, "findings": [_, *_]}:
             findings: Sequence[Any] = document["findings"]
             return findings

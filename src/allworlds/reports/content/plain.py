@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from allworlds import words
-from allworlds.documents import document as doc
+from allworlds.documents.report import Report
 from allworlds.engines.units import WHOLE
 from allworlds.inputs.checks import show
 from allworlds.judging.tasks import MAP
@@ -15,7 +15,7 @@ NOT_IN_DOCUMENT = ("schema", "made_by", "verdict", "exit_code")
 """Keys that stand in the headline, or are of no use to people."""
 
 
-def plain_content(report: doc.Report) -> parts.ReportContent:
+def plain_content(report: Report) -> parts.ReportContent:
     """A fact for each key of the document, and a table for each list of objects."""
     facts: list[tuple[str, str]] = []
     tables: list[parts.Block] = []

@@ -7,6 +7,7 @@ from typing import Annotated, Any, NamedTuple, TypeAlias
 from typing_extensions import override
 
 from allworlds.documents import document as doc
+from allworlds.documents.report import Report
 from allworlds.engines import sweep
 from allworlds.inputs import checks, requests
 from allworlds.maps.classes import Extent
@@ -67,7 +68,7 @@ class WeakestScope(doc.Document):
     sha256: sweep.FileDigests
 
 
-class AmbiguityWeakest(doc.Report, kw_only=True):
+class AmbiguityWeakest(Report, kw_only=True):
     """Report of 'ambiguity weakest'.
 
     Every coarsening of a sensor, in the same worlds; one suffices if no two worlds look alike.

@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal, NamedTuple, Self, TypeAlias
 from msgspec import UNSET, UnsetType
 
 from allworlds.documents import document as doc
+from allworlds.documents.report import Report
 from allworlds.engines.limits import ListenerOptions
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import EFFORT, Argument, Option, Request, answers
@@ -53,7 +54,7 @@ Relation: TypeAlias = Literal["same", "same-map", "different"]
 """``different``: two maps, or two places of the lighthouse."""
 
 
-class ComparedWorlds(doc.Report):
+class ComparedWorlds(Report):
     """Report of 'twins'.
 
     Two worlds, how they are related, and the proof that they can be told apart, or cannot.
@@ -335,7 +336,7 @@ class SensedQuotient(doc.Document):
         return cls(sigma=quotient.sigma, alpha=quotient.alpha, degree=quotient.degree, marks=marks)
 
 
-class AmbiguityClass(doc.Report):
+class AmbiguityClass(Report):
     """Report of 'ambiguity class'.
 
     All worlds that no motion tells from a given one.  The others are listed by their codes; all

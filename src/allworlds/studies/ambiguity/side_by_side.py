@@ -9,6 +9,7 @@ from typing_extensions import override
 
 from allworlds import outcome
 from allworlds.documents import document as doc
+from allworlds.documents.report import Report
 from allworlds.engines import limits, sweep, units
 from allworlds.inputs import checks, requests
 from allworlds.maps import classes, count_source
@@ -104,7 +105,7 @@ class SensorsScope(doc.Document):
     sha256: sweep.FileDigests
 
 
-class AmbiguitySensors(doc.Report, kw_only=True):
+class AmbiguitySensors(Report, kw_only=True):
     """Report of 'ambiguity sensors'.
 
     Sensors side by side in the same worlds; two worlds that look alike differ in the map, or in the

@@ -8,6 +8,7 @@ from random import Random
 from typing import Annotated, TypeAlias
 
 from allworlds.documents import document as doc
+from allworlds.documents.report import Report
 from allworlds.engines import limits, players, tally, units
 from allworlds.engines.engine_table import EngineKind, EngineName, Job
 from allworlds.inputs.checks import InputError
@@ -78,7 +79,7 @@ class Guess(doc.Document, _Lasting):
     rate: Rate
 
 
-class TimeEstimate(doc.Report, _Lasting):
+class TimeEstimate(Report, _Lasting):
     """Estimate.
 
     How long a check will take: what `check --estimate` writes.
