@@ -1,8 +1,9 @@
 """Worlds: a map, a lighthouse and a start; explorers never see one.
 
 ``lighthouses``
-    the marks and directions in a world, and the percepts that they cause; the state that a step
-    changes: the places of the robot and of its markers;
+    the marks and directions in a world, and the percepts that they cause;
+``state``
+    the state that a step changes: the places of the robot and of its markers, and what is written;
 ``world``
     map, lighthouse and start together, and the effect of a step;
 ``labels``
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
     from allworlds.world.lighthouses.base import (
         Lighthouse as Lighthouse,
         Sensing as Sensing,
-        State as State,
         Where as Where,
     )
     from allworlds.world.lighthouses.composed import (
@@ -57,6 +57,7 @@ if TYPE_CHECKING:
         world_named as world_named,
     )
     from allworlds.world.selection import worlds as worlds
+    from allworlds.world.state import State as State
     from allworlds.world.world import World as World, at_place as at_place
 else:
     open_door(__name__)

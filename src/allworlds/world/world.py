@@ -15,10 +15,11 @@ from allworlds.maps.networks import from_networkx, to_networkx
 from allworlds.protocol.actions import Action, IllegalAction, Move, Percept, Told
 from allworlds.words import size
 from allworlds.world.labels import PLAIN, Labelling, labels_of_nodes
-from allworlds.world.lighthouses.base import Lighthouse, State
+from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json
 from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.lighthouses.options import InvalidWorld, refuse_other_keys, the_integer
+from allworlds.world.state import State
 
 
 class WorldDocument(Document):

@@ -11,7 +11,7 @@ from itertools import islice
 from types import MappingProxyType
 from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeAlias
 
-from allworlds.documents.document import Natural, about, plain
+from allworlds.documents.document import about, plain
 from allworlds.inputs.checks import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import actions, user_code
@@ -25,6 +25,7 @@ from allworlds.world.lighthouses.options import (
     place_keys,
     values_in,
 )
+from allworlds.world.state import State
 
 
 class Where(Enum):
@@ -64,34 +65,6 @@ class Sensing:
 def _percept(degree: int, marks: int = 0, bearing: int | None = None) -> actions.Percept:
     """A percept; equal ones are one object."""
     return actions.Percept(degree, marks, bearing)
-
-
-@dataclass(frozen=True, slots=True)
-class State:
-    """The part of a world that the robot's actions change.
-
-    Attributes:
-        dart: by which the robot has arrived; at the start the one it faces.
-        lying: the vertices at which markers lie that the robot has dropped, ascending; one that
-            has several stands there several times.
-        hand: the number of markers in the robot's hand.
-        written: where a number other than 0 stands, with the number, ascending.
-    """
-
-    dart: Dart
-    lying: tuple[int, ...] = ()
-    hand: Natural = 0
-    written: tuple[tuple[int, int], ...] = ()
-
-    def number_at(self, where: int) -> int:
-        """The number that stands there."""
-        return dict(self.written).get(where, 0)
-
-    def with_number(self, where: int, number: int) -> State:
-        """The state after that number was written there."""
-        written = {**dict(self.written), where: number}
-        kept = tuple(sorted((at, each) for at, each in written.items() if each))
-        return replace(self, written=kept)
 
 
 StandsAt: TypeAlias = Annotated[Dart, about("where it stands")]

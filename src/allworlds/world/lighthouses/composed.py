@@ -19,7 +19,8 @@ from allworlds.documents.document import Different, IfAny, Positive, about, narr
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import actions
 from allworlds.world.lighthouses import options
-from allworlds.world.lighthouses.base import Lighthouse, PlacelessLighthouse, State, WalkInAnswer
+from allworlds.world.lighthouses.base import Lighthouse, PlacelessLighthouse, WalkInAnswer
+from allworlds.world.state import State
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,7 +17,7 @@ from msgspec.structs import replace
 from allworlds.inputs.checks import InputError, a_text, integer, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import actions, importing, user_code
-from allworlds.world.lighthouses.base import Lighthouse, State
+from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.composed import (
     PLUS,
     Composed,
@@ -49,6 +49,7 @@ from allworlds.world.lighthouses.options import (
     refuse_other_keys,
     with_arguments,
 )
+from allworlds.world.state import State
 
 SHAPE = "a class with the base allworlds.Lighthouse and a class method places"
 
