@@ -11,7 +11,7 @@ import time
 from pathlib import Path
 
 from allworlds import check
-from allworlds.engines.limits import Listener
+from allworlds.engines.listeners import Listener
 
 FROM_EDGES = 4
 """Smaller levels take less time than starting does."""

@@ -25,7 +25,8 @@ from typing import Any
 
 from allworlds.engines.engine_table import ENGINES, WALKED_FROM, Job
 from allworlds.engines.kernel.worlds import by_vertices_and_faces
-from allworlds.engines.limits import Limits, Listener
+from allworlds.engines.limits import Limits
+from allworlds.engines.listeners import Listener
 from allworlds.engines.sweep import gather
 from allworlds.engines.tally import Examiner, Tally
 from allworlds.engines.units import Scope, units_of_level

@@ -6,7 +6,7 @@ import sys
 import pytest
 
 from allworlds.cli.output import LONGEST, complain
-from allworlds.engines.limits import Listener
+from allworlds.engines.listeners import Listener
 from allworlds.engines.units import tell_of_size
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps import MapClass

@@ -5,7 +5,8 @@ import pytest
 
 from allworlds import check, count, worst
 from allworlds.engines.engine_table import ENGINES, engine_for, why_not_compiled
-from allworlds.engines.limits import Limits, Listener
+from allworlds.engines.limits import Limits
+from allworlds.engines.listeners import Listener
 from allworlds.engines.single import subject_of
 from allworlds.engines.units import Scope
 from allworlds.explorers.loading import Subject, load

@@ -12,7 +12,8 @@ import pytest
 from allworlds.engines import dask, engine_table
 from allworlds.engines.engine_table import ThisThread, Threads
 from allworlds.engines.job_records import NO_RECORDS, Records
-from allworlds.engines.limits import NOBODY, TimeIsUp
+from allworlds.engines.limits import TimeIsUp
+from allworlds.engines.listeners import NOBODY
 from allworlds.engines.sweep import gather
 from allworlds.engines.units import PartialResult
 from allworlds.maps.classes import Extent, MapClass

@@ -9,7 +9,7 @@ import pytest
 
 import allworlds
 from allworlds.documents.document import replace
-from allworlds.engines.limits import Listener
+from allworlds.engines.listeners import Listener
 from allworlds.engines.units import Shard
 from allworlds.inputs.checks import InputError
 from allworlds.inputs.requests import Option, Request, answer, fields_of, meant, remembered

@@ -52,6 +52,9 @@ MOST_ROWS, MOST_ARROWS, MOST_ENTRIES, MOST_IN_A_CIRCLE = 12, 60, 24, 8
 # Wings without a door of their own: each folder in them has one.
 BY_FOLDER = {"studies"}
 
+# What is there for all studies, and knows none of them.
+SHARED_BY_STUDIES = {f"studies.{name}" for name in ("options", "reports", "scopes", "swept")}
+
 # What lies beside the wings and holds no code, or code that no wing knows.
 BESIDE = {"corpus", "schemas", "py.typed"}
 
@@ -301,7 +304,12 @@ def test_a_study_imports_no_study_but_check():
     for short, _, own in own_imports():
         if wing(short) == wing(own) in BY_FOLDER and room(short) != room(own):
             found.add(room(own))
-    assert found == {"studies.check"}
+    assert found == {"studies.check", *SHARED_BY_STUDIES}
+
+
+def test_what_all_studies_share_knows_none_of_them():
+    for shared in SHARED_BY_STUDIES:
+        assert {own for own in closure(shared) if wing(own) == "studies"} <= SHARED_BY_STUDIES
 
 
 def test_no_circle_is_closed_among_the_modules_of_the_ground():

@@ -11,7 +11,8 @@ import pytest
 
 from allworlds import compare, run
 from allworlds.documents.document import replace
-from allworlds.engines.limits import Listener, TimeIsUp
+from allworlds.engines.limits import TimeIsUp
+from allworlds.engines.listeners import Listener
 from allworlds.engines.players import Unsettled
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import load

@@ -9,7 +9,7 @@ import pytest
 
 from allworlds.documents.document import replace
 from allworlds.engines.lane import GOES_BY_HASHES
-from allworlds.engines.limits import Listener
+from allworlds.engines.listeners import Listener
 from allworlds.engines.tally import Tally
 from allworlds.engines.units import Scope
 from allworlds.inputs.checks import InputError

@@ -1,7 +1,7 @@
 import pytest
 
 from allworlds import merge
-from allworlds.engines.limits import Listener
+from allworlds.engines.listeners import Listener
 from allworlds.inputs.checks import InputError
 from allworlds.maps.build import named_map
 from allworlds.maps.mixture import PARTS

@@ -3,7 +3,7 @@
 import pytest
 
 import allworlds
-from allworlds.engines.limits import Listener
+from allworlds.engines.listeners import Listener
 from allworlds.engines.run_directory import Gap
 from allworlds.inputs.checks import InputError
 from allworlds.studies.merge import sweep_of

@@ -3,7 +3,7 @@
 import pytest
 
 import allworlds
-from allworlds.engines.limits import Listener
+from allworlds.engines.listeners import Listener
 from allworlds.studies.merge import DoneOf
 from kept_jobs import EXPLORERS
 

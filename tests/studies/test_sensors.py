@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from allworlds import ambiguity
-from allworlds.engines.limits import NOBODY
+from allworlds.engines.listeners import NOBODY
 from allworlds.inputs.checks import InputError
 from allworlds.maps.quotient import classes_of_union
 from allworlds.outcome import Disagreement

@@ -1,6 +1,6 @@
 """A listener of a long job, for tests of what it is told."""
 
-from allworlds.engines.limits import Listener
+from allworlds.engines.listeners import Listener
 
 
 class Hears(Listener):

@@ -18,10 +18,12 @@ from allworlds import outcome, verbs, words
 from allworlds.cli.defaults import defaults_used, made_by, words_of_command
 from allworlds.documents import document as doc
 from allworlds.documents.report import Report
-from allworlds.engines import limits, prints
+from allworlds.engines import prints
+from allworlds.engines.listeners import Listener
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import OUTPUT, Option, answer
 from allworlds.reports import formats, plain_text
+from allworlds.studies.options import ListenerOptions
 
 Answer = TypeVar("Answer", bound=outcome.Result)
 
@@ -245,7 +247,7 @@ def answered(function: Callable[..., Answer], request: Any, output: OutputGroup)
     by = getattr(request, "by", None)
     if by is not None and not {"csv", "parquet"} & {form for form, _ in output.named}:
         raise InputError(f"by {by} has no effect without -o FILE.csv")
-    if not isinstance(request, limits.ListenerOptions):
+    if not isinstance(request, ListenerOptions):
         return answer(function, request)
     with Progress(quiet=output.quiet) as listener, stdout_on_stderr():
         return answer(function, doc.replace(request, listener=listener))
@@ -307,7 +309,7 @@ def prepare_streams() -> None:
     sys.stderr = prints.patient_stderr()
 
 
-class Progress(limits.Listener):
+class Progress(Listener):
     """Progress bar on stderr with the exact total and the time left; only on a terminal."""
 
     def __init__(self, *, quiet: bool) -> None:

@@ -17,7 +17,9 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
 ``units``
     the scope of a check; the units of a level, and the shards to which they fall;
 ``limits``
-    the limits of a job: workers, time-outs, time, a cluster; its listeners;
+    the limits of a job: workers, time-outs, time, memory;
+``listeners``
+    listeners to the progress of a job;
 ``lanes``, ``dask``
     the places of work, transports: lanes here or forked; a Dask cluster;
 ``lane``
@@ -40,7 +42,7 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
     **the** table of the engines, what the compiled one cannot do, and the job that they get; two
     transports more: this thread, threads;
 ``sweep``
-    **the** loop over units, and through the levels of a study; its reports;
+    **the** loop over units, and through the levels of a study;
 ``asked_again``
     predicates of the user's, asked again in fresh processes;
 ``single``

@@ -1,4 +1,4 @@
-"""The limits of a job's effort, which do not change its meaning, and its listeners."""
+"""The limits of a job's effort, which do not change its meaning."""
 
 import os
 import re
@@ -9,14 +9,9 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import fields
 from math import inf
-from pathlib import Path
-from typing import Annotated, Any, Self
-
-from typing_extensions import override
+from typing import Annotated, Any
 
 from allworlds import outcome
-from allworlds.documents import document as doc
-from allworlds.documents.report import Report
 from allworlds.inputs.checks import (
     InputError,
     OutOfTime,
@@ -29,28 +24,6 @@ from allworlds.inputs.checks import (
 from allworlds.inputs.requests import EFFORT, RARE_EFFORT, Converted, Option, Request
 from allworlds.protocol import importing
 from allworlds.protocol.actions import ANSWER_TIMEOUT
-
-
-class Listener:
-    """A listener to the progress of a job; by default each event is ignored."""
-
-    def level(self, edges: int, worlds: int) -> None:
-        """Hear that a level begins, with its number of worlds (of a shard: about that many)."""
-
-    def stage(self, name: str, total: int, of: str) -> None:
-        """Hear that a part of another kind begins, with the number of its items, named ``of``."""
-
-    def progress(self, count: int) -> None:
-        """Hear how many more worlds, or other units of the stage, are done."""
-
-    def notice(self, text: str) -> None:
-        """Hear a message to the user."""
-
-
-NOBODY = Listener()
-"""The listener where none is named, and that of a report, which is equal to another if all else
-is."""
-
 
 POLL = 0.1
 """Seconds between two checks of other threads and processes, and the shortest time-out."""
@@ -173,46 +146,8 @@ class Limits(TimeLimitOptions, WorkerOptions, TimeoutOptions):
     ] = Converted(positive("memory"), None)
 
 
-class ListenerOptions(Request):
-    """The part of a request that names the listener."""
-
-    listener: Annotated[
-        Converted[Listener | None, Listener],
-        "is told of the progress; by default nobody",
-    ] = Converted(lambda listener: listener or NOBODY, None)
-
-
-class RunDirectoryOptions(Request):
-    """The part of a request that names the run directory."""
-
-    run: Annotated[
-        str | Path | None,
-        Option(
-            RARE_EFFORT,
-            "DIR",
-            "A directory that keeps what is finished: the same command goes on from there, and "
-            "'merge' joins shards.",
-            apart=True,
-        ),
-    ] = None
-
-
 LOCAL = "local"
 """The word in place of an address: a cluster of this machine alone, for the time of the job."""
-
-
-class ClusterOptions(Request):
-    """The part of a request that names the cluster."""
-
-    dask: Annotated[
-        str | None,
-        Option(
-            RARE_EFFORT,
-            "ADDRESS|local",
-            "Do the work on the workers of this Dask scheduler (extra: distributed).",
-            apart=True,
-        ),
-    ] = None
 
 
 class TimeIsUp(OutOfTime):
@@ -261,69 +196,3 @@ def models_bounded(deadline: float | None) -> Iterator[None]:
 def _end_models(*_: object) -> None:
     if importing.AT_WORK:
         raise TimeIsUp(f" in {importing.AT_WORK[-1]}")
-
-
-class EndedReport(Report):
-    """A report of what was finished when a job came to its ``ending``."""
-
-    ending: doc.NotInDocument[outcome.Ending]
-
-    @property
-    def whole(self) -> bool:
-        """Whether it is about all of the job, and not a shard of it."""
-        return True
-
-    @property
-    def agrees(self) -> bool:
-        """Whether the numbers agree with what they were compared with."""
-        return True
-
-    @property
-    def refuted(self) -> bool:
-        """Whether a law is broken, or something is not as it should be."""
-        return False
-
-    @property
-    def undecided(self) -> bool:
-        """Whether something was left undone by which the answer could be another one."""
-        return isinstance(self.ending, outcome.Stopped)
-
-    @property
-    def empty(self) -> bool:
-        """Whether there was nothing to be answered."""
-        return False
-
-    @property
-    def interrupted(self) -> bool:
-        """Whether the user interrupted the job."""
-        return isinstance(self.ending, outcome.Interrupted)
-
-    def uninterrupted(self) -> Self:
-        """Return this report, for callers that can do nothing with a part of it.
-
-        Raises:
-            KeyboardInterrupt: if it was interrupted; who made it has kept that to itself.
-        """
-        if self.interrupted:
-            raise KeyboardInterrupt
-        return self
-
-    @property
-    @override
-    def facts(self) -> outcome.Facts:
-        return outcome.Facts(
-            disagrees=not self.agrees or isinstance(self.ending, outcome.Disagreed),
-            interrupted=self.interrupted,
-            refuted=self.refuted,
-            undecided=self.undecided,
-            vacuous=self.whole and self.empty,
-        )
-
-
-class RowsReport(EndedReport):
-    """A report with rows of all that was finished."""
-
-    @doc.computed
-    def complete(self) -> doc.AllRows:
-        """Whether every row is there."""
-        return isinstance(self.ending, outcome.Completed | outcome.Disagreed)

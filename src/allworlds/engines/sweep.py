@@ -11,17 +11,13 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 from random import randrange
 from typing import (
-    Annotated,
     Any,
     ClassVar,
     Generic,
     Literal,
     TypeAlias,
     TypeVar,
-    get_args,
 )
-
-from typing_extensions import override
 
 from allworlds import outcome, words
 from allworlds.documents import document as doc
@@ -29,149 +25,12 @@ from allworlds.engines import limits, linux, players, tally, units
 from allworlds.engines.asked_again import DRAWN, SMALL, ensure_same_worlds
 from allworlds.engines.engine_table import ReadyEngine, ThisThread
 from allworlds.engines.job_records import ENDED, NO_RECORDS, Identity, Records, from_kept
+from allworlds.engines.listeners import NOBODY, Listener
 from allworlds.inputs import checks, requests
-from allworlds.judging.findings.rules import Rules
-from allworlds.maps import classes, count_source
-from allworlds.world.lighthouses.kinds import LighthouseKind
+from allworlds.maps import classes
 
 By: TypeAlias = Literal["size", "world", "run"]
 """Rows for programs: one for each size, each world, or each run, and explorer."""
-
-
-_by = checks.a_word("by", get_args(By))
-
-
-class SweptOptions(
-    limits.ListenerOptions,
-    limits.ClusterOptions,
-    limits.RunDirectoryOptions,
-    limits.TimeLimitOptions,
-    units.ShardOptions,
-):
-    """The part of a request that says how, and for how long, its units are gone through."""
-
-
-class RowOptions(requests.Request):
-    """The part of a request that says for what there are rows."""
-
-    by: Annotated[
-        requests.Converted[str | None, By | None],
-        requests.Option(
-            requests.OUTPUT,
-            "size|world|run",
-            "Rows of -o FILE.csv: one for each size, world, or run, and explorer [default: size; "
-            "of worlds that grow: run].",
-            apart=True,
-        ),
-    ] = requests.Converted(lambda given: None if given is None else _by(given), None)
-
-
-TriedPlaces = Annotated[
-    doc.IfAny[doc.Text | None],
-    doc.about("the places of the lighthouse that were tried; where it is left out, every one"),
-]
-"""A key of every scope with a lighthouse."""
-
-
-def tried_places(kind: LighthouseKind, extent: classes.Extent) -> str:
-    """The places of a lighthouse that are tried in an extent, in words; empty: every place."""
-    return kind.as_class.tried_in_maps_of(extent.levels[-1])
-
-
-FileDigests: TypeAlias = Annotated[
-    doc.IfAny[dict[str, doc.Text] | None], doc.about("the SHA-256 of each file of given worlds")
-]
-GivenCount: TypeAlias = Annotated[
-    doc.IfAny[doc.Positive | None],
-    doc.about("how many worlds were given; where it is left out, none"),
-]
-
-
-Scope_ = TypeVar("Scope_", bound=doc.Document)
-
-
-def told_scope(
-    kind: type[Scope_], request: object, rules: Rules | None = None, **more: Any
-) -> Scope_:
-    """The scope of a document: what was asked, as it took effect.
-
-    Args:
-        kind: the class of the scope.
-        request: whose options stand there by their names.
-        rules: in place of options of rules, if runs were judged.
-        more: further keys, or other values.
-    """
-    keys = {*kind.__struct_fields__}
-    asked = {
-        one.name: requests.as_json(getattr(request, one.name))
-        for one in requests.in_scope(type(request))
-    }
-    given = getattr(request, "given", None)
-    of_given = given.described if given else {"sha256": None, "given": None}
-    told = {**asked, **(rules.in_effect if rules else {}), **of_given}
-    told["shard"] = str(getattr(request, "shard", units.WHOLE))
-    return kind(**({name: told[name] for name in told if name in keys} | more))
-
-
-class Gate(doc.Document):
-    """A count gate: the comparison of every count with an independent source."""
-
-    source: Annotated[doc.Text, doc.about("the independent source of the counts")]
-    agrees: Annotated[bool, doc.about("whether each count equals the source's")]
-
-
-ToldGate: TypeAlias = Annotated[
-    Gate | None,
-    doc.about(
-        "the comparison of the rows with an independent source, of a shard as far as it goes; "
-        "null: there is no source, or no row"
-    ),
-]
-
-
-class PortionReport(limits.EndedReport):
-    """A report about the worlds of an ``extent``; the ``request`` says what was asked."""
-
-    request: doc.NotInDocument[Any]
-    extent: doc.NotInDocument[classes.Extent]
-
-    @property
-    def portion(self) -> units.Shard:
-        """The part of the job that was to be done."""
-        portion: units.Shard = self.request.shard
-        return portion
-
-    @property
-    @override
-    def whole(self) -> bool:
-        return self.portion == units.WHOLE
-
-
-class SweptReport(PortionReport, limits.RowsReport):
-    """A report with rows about the worlds of an extent."""
-
-    @doc.computed
-    def stopped(self) -> doc.Why:
-        """Reason why rows are missing."""
-        return self.ending.stopped
-
-    @property
-    @override
-    def empty(self) -> bool:
-        return not getattr(self, "rows", ())
-
-    @property
-    def source(self) -> str:
-        """The name of the independent source of the counts; empty if there is none."""
-        source = count_source.source_of(self.extent)
-        return source.name if source else ""
-
-    @property
-    def compared(self) -> Gate | None:
-        """The count gate, if there is anything to compare."""
-        rows: Any = getattr(self, "rows", ())
-        some = self.source and (rows or not self.agrees)
-        return Gate(source=self.source, agrees=self.agrees) if some else None
 
 
 Total = TypeVar("Total", bound=units.Sum)
@@ -183,7 +42,7 @@ def gather(
     engine: Any,
     undone: Iterable[units.Unit],
     total: units.Sum,
-    listener: limits.Listener,
+    listener: Listener,
     records: Records = NO_RECORDS,
     extent: classes.Extent | None = None,
 ) -> None:
@@ -242,20 +101,20 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def __init__(self, request: Any, extent: classes.Extent | None = None) -> None:
         self.request, self.extent = request, extent
-        self.listener: limits.Listener = request.listener
+        self.listener: Listener = request.listener
         self.portion: units.Shard = getattr(request, "shard", units.WHOLE)
         self.deadline = limits.deadline_after(request.time_limit)
         self.seconds: list[float] = []
 
     @classmethod
     def known(
-        cls, identity: Identity, portion: units.Shard, listener: limits.Listener
+        cls, identity: Identity, portion: units.Shard, listener: Listener
     ) -> "Sweep[Any, Any]":
         """Return the sweep of that identity, or of a shard of it, without loading an explorer."""
         return cls(cls.asked_then(identity, portion, listener))
 
     @classmethod
-    def asked_then(cls, identity: Identity, portion: units.Shard, listener: limits.Listener) -> Any:
+    def asked_then(cls, identity: Identity, portion: units.Shard, listener: Listener) -> Any:
         """Return the request of that identity, for a portion."""
         shard = {"shard": portion} if issubclass(cls.asked, units.ShardOptions) else {}
         options = requests.remembered(cls.asked, identity.parameters)
@@ -319,7 +178,7 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def ended(self, ending: outcome.Ending, extent: classes.Extent | None = None) -> dict[str, Any]:
         """Return the keywords of every report; the extent where the sweep has no other."""
-        asked = doc.replace(requests.without_effort(self.request), listener=limits.NOBODY)
+        asked = doc.replace(requests.without_effort(self.request), listener=NOBODY)
         return {"ending": ending, "request": asked, "extent": extent or self.extent}
 
     def begin(self) -> outcome.Ending | None:

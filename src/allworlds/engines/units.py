@@ -13,7 +13,7 @@ from typing import Annotated, Any, Protocol, Self, TypeAlias
 from msgspec import Struct
 from msgspec.structs import force_setattr
 
-from allworlds.engines.limits import Listener
+from allworlds.engines.listeners import Listener
 from allworlds.inputs.checks import InputError, an_integer, at_most, show
 from allworlds.inputs.requests import RARE_SCOPE, Converted, Option, Request
 from allworlds.judging.findings.rules import Rules

@@ -20,6 +20,8 @@ from allworlds.engines.units import (
 )
 from allworlds.inputs import checks, requests
 from allworlds.maps import classes, combinatorial
+from allworlds.studies.scopes import told_scope
+from allworlds.studies.swept import SweptOptions, SweptReport, ToldGate
 from allworlds.world.selection import WhereOptions
 
 TOLD_EVERY = 1000
@@ -29,7 +31,7 @@ UNROOTED_LIMIT = 6
 """The largest number of edges for which unrooted maps are counted."""
 
 
-class CountRequest(sweep.SweptOptions, WhereOptions, classes.ExtentOptions):
+class CountRequest(SweptOptions, WhereOptions, classes.ExtentOptions):
     """Request of ``count``: a class, its bounds and the effort."""
 
 
@@ -78,7 +80,7 @@ class CountedScope(doc.Document):
     shard: doc.WhichShard
 
 
-class Census(sweep.SweptReport):
+class Census(SweptReport):
     """Report of 'count'.
 
     Every level of a class, counted.
@@ -89,10 +91,10 @@ class Census(sweep.SweptReport):
     @doc.computed
     def scope(self) -> CountedScope:
         """All that was counted."""
-        return sweep.told_scope(CountedScope, self.request)
+        return told_scope(CountedScope, self.request)
 
     @doc.computed
-    def gate(self) -> sweep.ToldGate:
+    def gate(self) -> ToldGate:
         """Count gate, if there is anything to compare."""
         return self.compared
 

@@ -15,15 +15,8 @@ from allworlds.engines import lane, lanes, single, sweep
 from allworlds.engines.engine_table import ReadyEngine, players_for
 from allworlds.engines.job_records import Identity
 from allworlds.engines.judge import Due, PythonJudge
-from allworlds.engines.limits import (
-    NOBODY,
-    ClusterOptions,
-    Limits,
-    Listener,
-    RunDirectoryOptions,
-    TimeIsUp,
-    deadline_after,
-)
+from allworlds.engines.limits import Limits, TimeIsUp, deadline_after
+from allworlds.engines.listeners import NOBODY, Listener
 from allworlds.engines.players import Lost, Setup, answered, started
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import (
@@ -68,6 +61,7 @@ from allworlds.studies.check.tally_sweep import (
     rules_known,
     subject_of_record,
 )
+from allworlds.studies.options import ClusterOptions, RunDirectoryOptions
 from allworlds.world import selection, world
 from allworlds.world.lighthouses.base import Lighthouse
 

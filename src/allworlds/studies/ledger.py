@@ -20,6 +20,7 @@ from allworlds import outcome
 from allworlds.documents import document as doc
 from allworlds.documents.reading import parse
 from allworlds.engines import limits, tally
+from allworlds.engines.listeners import Listener
 from allworlds.inputs.checks import (
     InputError,
     NotInstalled,
@@ -34,6 +35,8 @@ from allworlds.inputs.checks import (
 from allworlds.inputs.requests import EFFORT, SCOPE, Argument, Converted, Option, answers
 from allworlds.protocol.importing import attempted, attribute_of, module_of_text, text_of
 from allworlds.studies.check.report import CheckReport
+from allworlds.studies.options import ListenerOptions
+from allworlds.studies.reports import RowsReport
 from allworlds.world.world import World
 
 # ---------------------------------------------------------------- what decides a claim
@@ -298,7 +301,7 @@ class CheckedClaim(Sentence):
         return tuple(differ)
 
 
-class LedgerReport(limits.RowsReport):
+class LedgerReport(RowsReport):
     """Report of 'ledger'.
 
     The ledger, as far as it was made.
@@ -352,7 +355,7 @@ def _names(given: Iterable[str]) -> tuple[str, ...]:
     return (given,) if isinstance(given, str) else tuple(given)
 
 
-class LedgerRequest(limits.ListenerOptions, limits.WorkerOptions, kw_only=False):
+class LedgerRequest(ListenerOptions, limits.WorkerOptions, kw_only=False):
     """Request of ``ledger``: of which paper, which of its claims, and how much of each."""
 
     directory: Annotated[
@@ -423,7 +426,7 @@ def _checks(file: Path, claims: Sequence[Claim]) -> Mapping[str, Check]:
 
 
 def _entries(
-    wanted: Sequence[Claim], checks: Mapping[str, Check], means: Means, listener: limits.Listener
+    wanted: Sequence[Claim], checks: Mapping[str, Check], means: Means, listener: Listener
 ) -> Iterator[CheckedClaim]:
     for claim in wanted:
         yield entry_of(claim, checks[claim.id], means)

@@ -8,15 +8,18 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds.documents import document as doc
 from allworlds.documents.report import Report
-from allworlds.engines import job_records, limits, run_directory, sweep
+from allworlds.engines import job_records, run_directory, sweep
+from allworlds.engines.listeners import NOBODY, Listener
 from allworlds.engines.units import WHOLE, is_counted
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import Argument, Request, answers, given_again, takes_fields
 from allworlds.protocol.user_code import as_recorded
+from allworlds.studies.options import ListenerOptions
+from allworlds.studies.swept import RowOptions
 from allworlds.version import __version__
 
 
-class MergeRequest(sweep.RowOptions, limits.ListenerOptions):
+class MergeRequest(RowOptions, ListenerOptions):
     """Request of ``merge``: the run directories, and the rows that are wanted."""
 
     runs: Annotated[
@@ -92,7 +95,7 @@ def _merged(request: MergeRequest) -> Any:
 
 
 @takes_fields(MergeRequest, several="runs", answered=_merged)
-def merge(*runs: str | Path, by: str | None = None, listener: limits.Listener | None = None) -> Any:
+def merge(*runs: str | Path, by: str | None = None, listener: Listener | None = None) -> Any:
     """Merge the shards of a job, which were kept in run directories, into one report.
 
     Counts are compared with their source, and witnesses looked for, as if it had been one job.
@@ -185,7 +188,7 @@ def status(request: StatusRequest) -> Standing:
     running = run_directory.in_use(path)
     with run_directory.reading(path) as database, as_recorded(database.identity.code):
         identity = database.identity
-        sweep = sweep_of(identity.verb).known(identity, identity.portion, limits.NOBODY)
+        sweep = sweep_of(identity.verb).known(identity, identity.portion, NOBODY)
         ended = database.recall("ended") == job_records.ENDED
         began = database.last_session()
         units = worlds = recent = findings = 0

@@ -9,7 +9,7 @@ import pytest
 
 import processes
 from allworlds import check, count, worst
-from allworlds.engines.limits import Listener
+from allworlds.engines.listeners import Listener
 from clusters import cluster_apart
 from engines import test_dask as quick
 from engines.test_dask import WRONG, distributed

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from allworlds.engines.lane import GOES_BY_HASHES, SECOND
-from allworlds.engines.limits import Listener
+from allworlds.engines.listeners import Listener
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.fuzz import fuzz
 from allworlds.studies.run import replay

@@ -6,7 +6,7 @@ import tracemalloc
 import pytest
 
 from allworlds import ambiguity, check, worst
-from allworlds.engines.limits import Listener
+from allworlds.engines.listeners import Listener
 from allworlds.engines.tally import Tally
 from small import long
 

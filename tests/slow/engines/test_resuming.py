@@ -13,7 +13,7 @@ import pytest
 
 import processes
 from allworlds import check
-from allworlds.engines.limits import Listener
+from allworlds.engines.listeners import Listener
 from engines.test_resuming import VERBS, wrong
 from kept_jobs import EXPLORERS, stable
 from small import long

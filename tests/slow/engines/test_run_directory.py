@@ -7,7 +7,7 @@ import pytest
 
 from allworlds import check
 from allworlds.engines import run_directory
-from allworlds.engines.limits import Listener
+from allworlds.engines.listeners import Listener
 from allworlds.engines.run_directory import FILE, reading
 from allworlds.inputs.checks import InputError
 

@@ -7,7 +7,8 @@ import pytest
 import allworlds
 from allworlds import fuzz
 from allworlds.engines import sweep
-from allworlds.engines.limits import Listener, TimeIsUp
+from allworlds.engines.limits import TimeIsUp
+from allworlds.engines.listeners import Listener
 from allworlds.engines.players import Unsettled
 from clusters import cluster_here
 from engines import test_sweep as quick

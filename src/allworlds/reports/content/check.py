@@ -5,7 +5,7 @@ from shlex import join
 from typing import Any
 
 from allworlds.documents.document import replace
-from allworlds.engines import single, sweep, tally, units
+from allworlds.engines import single, tally, units
 from allworlds.inputs.requests import given_again
 from allworlds.maps.count_source import source_of
 from allworlds.outcome import Disagreed, Verdict
@@ -21,6 +21,7 @@ from allworlds.reports.content.scope import (
 )
 from allworlds.studies.check import tally_sweep, time_estimate
 from allworlds.studies.check.report import CheckReport, GateCell, most_expensive_runs
+from allworlds.studies.scopes import tried_places
 from allworlds.words import about, counted, duration, listed, number, plural, size
 
 
@@ -173,7 +174,7 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
         ("explorer", f"{report.explorer}, {report.engine} engine"),
         ("scope", what),
         *_of_sample(report),
-        ("places", sweep.tried_places(rules.lighthouse, scope.extent)),
+        ("places", tried_places(rules.lighthouse, scope.extent)),
         *option_facts(report, CHECK_SAID),
         ("", unfinished),
         ("task", "" if rules.task.is_map else f"{rules.task.name}: {rules.task.asks}"),
@@ -217,7 +218,7 @@ def _which(report: CheckReport) -> str:
     given = report.asked.extent.given
     if isinstance(report.asked.coverage, units.Sample) or (given and given.fixed):
         return "one start and marker"
-    some = sweep.tried_places(report.asked.rules.lighthouse, report.extent)
+    some = tried_places(report.asked.rules.lighthouse, report.extent)
     return "every start and the places named below" if some else "every start and marker"
 
 

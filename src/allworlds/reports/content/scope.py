@@ -7,15 +7,17 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 
 from allworlds import words
 from allworlds.documents import document as doc
-from allworlds.engines import sweep, units
+from allworlds.engines import units
 from allworlds.inputs.requests import given_again
 from allworlds.maps.classes import Extent, MapSource
 from allworlds.studies.check.report import CheckReport
+from allworlds.studies.scopes import tried_places
+from allworlds.studies.swept import SweptReport
 
 if TYPE_CHECKING:
     from allworlds.studies.compare.entrants import ContestReport
 
-OfWorlds: TypeAlias = sweep.SweptReport | CheckReport
+OfWorlds: TypeAlias = SweptReport | CheckReport
 """A report about the worlds of an extent."""
 
 SAID = (
@@ -53,7 +55,7 @@ def maps_in_words(report: OfWorlds) -> str:
     return f"{maps} {of_the_class(report.extent)}{shard}"
 
 
-def finished(report: sweep.SweptReport, last: int) -> str:
+def finished(report: SweptReport, last: int) -> str:
     """The maps of the finished levels, if ``last`` is the number of edges of the last one."""
     extent = report.extent
     return of_the_class(extent if report.complete else doc.replace(extent, edges=last))
@@ -66,7 +68,7 @@ def explorer_facts(report: ContestReport) -> list[tuple[str, str]]:
         rules = one.rules
         how = f"lighthouse {rules.lighthouse}, policy {rules.policy}, bound {rules.the_bound}"
         facts.append(("explorer", f"{one.name}: {how}"))
-        facts.append(("places", sweep.tried_places(rules.lighthouse, report.extent)))
+        facts.append(("places", tried_places(rules.lighthouse, report.extent)))
         facts.append(("trust", trust(rules.shared_file)))
     return facts
 

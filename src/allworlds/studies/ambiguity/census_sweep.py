@@ -25,6 +25,9 @@ from allworlds.studies.ambiguity.members import (
     projection_of,
     twins,
 )
+from allworlds.studies.options import ClusterOptions, ListenerOptions, RunDirectoryOptions
+from allworlds.studies.scopes import FileDigests, GivenCount, TriedPlaces, told_scope, tried_places
+from allworlds.studies.swept import SweptReport, ToldGate
 from allworlds.world.lighthouses import kinds
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.selection import WhereOptions, tried_kind
@@ -35,9 +38,9 @@ BATCH = 2000
 
 
 class CensusRequest(
-    limits.ListenerOptions,
-    limits.ClusterOptions,
-    limits.RunDirectoryOptions,
+    ListenerOptions,
+    ClusterOptions,
+    RunDirectoryOptions,
     limits.TimeLimitOptions,
     units.ShardOptions,
     WhereOptions,
@@ -270,13 +273,13 @@ class CensusCell(doc.Document):
 class CensusScope(doc.Document):
     """The scope of a census."""
 
-    places: sweep.TriedPlaces
-    given: sweep.GivenCount
-    sha256: sweep.FileDigests
+    places: TriedPlaces
+    given: GivenCount
+    sha256: FileDigests
     shard: doc.WhichShard
 
 
-class AmbiguityCensus(sweep.SweptReport):
+class AmbiguityCensus(SweptReport):
     """Report of 'ambiguity census'.
 
     Every level of a class of maps; twins are looked for inside the class only.
@@ -297,19 +300,17 @@ class AmbiguityCensus(sweep.SweptReport):
     @doc.computed
     def scope(self) -> CensusScope:
         """All that was classified."""
-        return sweep.told_scope(
-            CensusScope, self.request, places=self.places, shard=str(self.portion)
-        )
+        return told_scope(CensusScope, self.request, places=self.places, shard=str(self.portion))
 
     @doc.computed
-    def gate(self) -> sweep.ToldGate:
+    def gate(self) -> ToldGate:
         """Count gate, if there is anything to compare."""
         return self.compared
 
     @property
     def places(self) -> str:
         """The places of the lighthouse that were tried, in words."""
-        return sweep.tried_places(self.request.lighthouse, self.extent)
+        return tried_places(self.request.lighthouse, self.extent)
 
     @property
     @override

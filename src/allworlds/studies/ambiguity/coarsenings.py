@@ -8,7 +8,6 @@ from typing_extensions import override
 
 from allworlds.documents import document as doc
 from allworlds.documents.report import Report
-from allworlds.engines import sweep
 from allworlds.inputs import checks, requests
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
@@ -16,6 +15,7 @@ from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity import sensed_classes as many
 from allworlds.studies.ambiguity.members import ensure_motions_decide
 from allworlds.studies.ambiguity.side_by_side import AlikePair, ManyWorldsOptions, worlds_of_level
+from allworlds.studies.scopes import FileDigests, GivenCount, told_scope
 from allworlds.world.lighthouses import base, kinds
 from allworlds.world.selection import tried_kind
 from allworlds.world.world import World
@@ -64,8 +64,8 @@ class WeakestScope(doc.Document):
     """The scope of a search for the weakest sensors."""
 
     finest: Annotated[doc.Text, doc.about("the finest sensor")]
-    given: sweep.GivenCount
-    sha256: sweep.FileDigests
+    given: GivenCount
+    sha256: FileDigests
 
 
 class AmbiguityWeakest(Report, kw_only=True):
@@ -235,7 +235,7 @@ def weakest(request: WeakestRequest) -> AmbiguityWeakest:
         return RefutedSensor(letters=blocks(letters), edges=edges, twins=twins)
 
     return AmbiguityWeakest(
-        scope=sweep.told_scope(WeakestScope, request, finest=kind.name),
+        scope=told_scope(WeakestScope, request, finest=kind.name),
         features=features,
         coarsenings=len(every),
         sufficient=len(sufficient),

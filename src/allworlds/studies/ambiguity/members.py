@@ -13,7 +13,6 @@ from msgspec import UNSET, UnsetType
 
 from allworlds.documents import document as doc
 from allworlds.documents.report import Report
-from allworlds.engines.limits import ListenerOptions
 from allworlds.inputs.checks import InputError, an_integer, integer_of, show
 from allworlds.inputs.requests import EFFORT, Argument, Option, Request, answers
 from allworlds.maps.classes import ClassOptions, MapClass
@@ -29,6 +28,7 @@ from allworlds.maps.quotient import (
 )
 from allworlds.outcome import Disagreement
 from allworlds.protocol.actions import Percept
+from allworlds.studies.options import ListenerOptions
 from allworlds.world.bisimulation import flaw, same_world_from, sensed
 from allworlds.world.lighthouses.kinds import (
     LIGHTHOUSES,

@@ -8,7 +8,7 @@ from typing import Annotated, NamedTuple
 
 from msgspec import Struct
 
-from allworlds.engines.limits import ListenerOptions, TimeLimitOptions
+from allworlds.engines.limits import TimeLimitOptions
 from allworlds.inputs.checks import (
     LARGEST_SIZE,
     InputError,
@@ -23,6 +23,7 @@ from allworlds.inputs.requests import EFFORT, OUTPUT, SCOPE, Option
 from allworlds.maps import classes, combinatorial
 from allworlds.maps.build import named_map
 from allworlds.maps.enumeration import rooted_maps
+from allworlds.studies.options import ListenerOptions
 from allworlds.words import plural
 from allworlds.world.lighthouses import base, composed, kinds, marked
 from allworlds.world.selection import TRIED_EDGES, tried_kind

@@ -10,7 +10,7 @@ from typing_extensions import override
 from allworlds import outcome
 from allworlds.documents import document as doc
 from allworlds.documents.report import Report
-from allworlds.engines import limits, sweep, units
+from allworlds.engines import units
 from allworlds.inputs import checks, requests
 from allworlds.maps import classes, count_source
 from allworlds.maps.combinatorial import CombinatorialMap
@@ -20,6 +20,8 @@ from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity.census_sweep import batches
 from allworlds.studies.ambiguity.members import ensure_motions_decide
 from allworlds.studies.ambiguity.sensed_classes import Placed, matrices, named
+from allworlds.studies.options import ListenerOptions
+from allworlds.studies.scopes import FileDigests, GivenCount, TriedPlaces, told_scope
 from allworlds.world.bisimulation import flaw
 from allworlds.world.lighthouses import kinds, options
 from allworlds.world.selection import WhereOptions, tried_kind
@@ -34,7 +36,7 @@ def _kinds(given: object) -> tuple[kinds.LighthouseKind, ...]:
     return tuple(dict.fromkeys(map(tried_kind, given)))
 
 
-class ManyWorldsOptions(limits.ListenerOptions, WhereOptions, GivenOptions, classes.ExtentOptions):
+class ManyWorldsOptions(ListenerOptions, WhereOptions, GivenOptions, classes.ExtentOptions):
     """The part of a request that names all worlds in which sensors are looked at."""
 
 
@@ -94,15 +96,15 @@ class SensorRow(doc.Document):
     places: Annotated[
         doc.Natural, doc.about("the number of the first sensor that has the same places")
     ]
-    tried: sweep.TriedPlaces
+    tried: TriedPlaces
 
 
 @doc.with_options(ManyWorldsOptions)
 class SensorsScope(doc.Document):
     """The scope of a comparison of sensors."""
 
-    given: sweep.GivenCount
-    sha256: sweep.FileDigests
+    given: GivenCount
+    sha256: FileDigests
 
 
 class AmbiguitySensors(Report, kw_only=True):
@@ -236,7 +238,7 @@ def compared(request: SensorsRequest) -> AmbiguitySensors:
     enough = {row.lighthouse for row in rows if row.sufficient}
     finer = {b for a, b in coarser if a in enough and (b, a) not in coarser}
     return AmbiguitySensors(
-        scope=sweep.told_scope(SensorsScope, request),
+        scope=told_scope(SensorsScope, request),
         rows=rows,
         dominates=dominates,
         coarser=coarser,
@@ -266,7 +268,7 @@ def sensors(*lighthouses: kinds.GivenLighthouse, **asked: Any) -> AmbiguitySenso
 
 
 def worlds_of_level(
-    request: limits.ListenerOptions, extent: classes.Extent, edges: int, kind: kinds.LighthouseKind
+    request: ListenerOptions, extent: classes.Extent, edges: int, kind: kinds.LighthouseKind
 ) -> list[list[Placed]]:
     """The worlds of a level, some at a time; their maps are counted.
 

@@ -11,7 +11,8 @@ from msgspec import Struct, field
 from typing_extensions import override
 
 from allworlds.documents import document as doc
-from allworlds.engines.limits import EndedReport, Listener, deadline_after
+from allworlds.engines.limits import deadline_after
+from allworlds.engines.listeners import Listener
 from allworlds.inputs.checks import INSTALL, InputError, a_path, at_most, show
 from allworlds.inputs.requests import answers
 from allworlds.maps.classes import MapClass
@@ -35,6 +36,7 @@ from allworlds.studies.ambiguity.solvers import (
     solve_with_python_sat,
     solve_with_z3,
 )
+from allworlds.studies.reports import EndedReport
 from allworlds.world.bisimulation import flaw, same_world_from, sensed
 from allworlds.world.lighthouses.base import Where
 from allworlds.world.world import World

@@ -8,7 +8,7 @@ from typing_extensions import override
 
 from allworlds import outcome
 from allworlds.documents import document as doc
-from allworlds.engines import limits, single, tally, units
+from allworlds.engines import single, tally, units
 from allworlds.engines.engine_table import (
     ENGINES,
     EngineKind,
@@ -19,6 +19,7 @@ from allworlds.engines.engine_table import (
 )
 from allworlds.engines.job_records import Identity
 from allworlds.engines.limits import deadline_after
+from allworlds.engines.listeners import Listener
 from allworlds.inputs.checks import InputError
 from allworlds.inputs.requests import answers
 from allworlds.judging.findings.finding import labelled
@@ -83,9 +84,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
 
     @override
     @classmethod
-    def known(
-        cls, identity: Identity, portion: units.Shard, listener: limits.Listener
-    ) -> "CheckSweep":
+    def known(cls, identity: Identity, portion: units.Shard, listener: Listener) -> "CheckSweep":
         request = cls.asked_then(identity, portion, listener)
         rules = tally_sweep.rules_known(request, identity.parameters)
         scope = units.Scope(request.extent, rules, request.schedules, portion)

@@ -10,14 +10,8 @@ from typing import Annotated, Literal, TypeAlias, get_args
 from typing_extensions import override
 
 from allworlds.documents import document as doc
-from allworlds.engines import engine_table, lane, single, sweep
-from allworlds.engines.limits import (
-    ClusterOptions,
-    Limits,
-    ListenerOptions,
-    RunDirectoryOptions,
-    positive,
-)
+from allworlds.engines import engine_table, lane, single
+from allworlds.engines.limits import Limits, positive
 from allworlds.engines.tally import Tally
 from allworlds.engines.units import WHOLE, Sample, Scope, ShardOptions, cells_of_level
 from allworlds.explorers import loading, sources
@@ -34,6 +28,9 @@ from allworlds.outcome import Completed, Verdict
 from allworlds.protocol.choices import Schedule
 from allworlds.studies.check import tally_sweep
 from allworlds.studies.check.covered import CoveredRow, covered_rows
+from allworlds.studies.options import ClusterOptions, ListenerOptions, RunDirectoryOptions
+from allworlds.studies.scopes import FileDigests, GivenCount, TriedPlaces, told_scope, tried_places
+from allworlds.studies.swept import PortionReport
 from allworlds.world import selection
 from allworlds.world.world import World
 
@@ -215,12 +212,12 @@ Gated: TypeAlias = tuple[GateCell, ...] | Literal["absent", "deferred to the mer
 class CheckedScope(doc.Document):
     """The scope of a check: every option that its counts and its verdict depend on."""
 
-    places: sweep.TriedPlaces
+    places: TriedPlaces
     shared_file: SharedFile
     shard: doc.WhichShard
     sample: Annotated[SampleReport | None, doc.about("of `fuzz`: how the worlds were drawn")]
-    given: sweep.GivenCount
-    sha256: sweep.FileDigests
+    given: GivenCount
+    sha256: FileDigests
     symmetry: Annotated[str | None, doc.about("why one run was counted for several, if it was")]
     gate: Annotated[
         Gated,
@@ -260,7 +257,7 @@ class CheckRow(doc.Document):
     bound: Annotated[int | None, doc.about("the largest bound of a run; null without a bound")]
 
 
-class CheckReport(sweep.PortionReport):
+class CheckReport(PortionReport):
     """Report of 'check' and of 'fuzz'.
 
     What a check has seen, and what follows from it.
@@ -294,14 +291,14 @@ class CheckReport(sweep.PortionReport):
             gate = "absent"
         elif coverage != WHOLE:
             gate = "deferred to the merge of all shards"
-        return sweep.told_scope(
+        return told_scope(
             CheckedScope,
             self.request,
             rules,
             edges=extent.edges,
-            places=sweep.tried_places(rules.lighthouse, extent),
+            places=tried_places(rules.lighthouse, extent),
             shared_file=rules.shared_file,
-            sample=sweep.told_scope(SampleReport, self.request, mix=coverage.mix)
+            sample=told_scope(SampleReport, self.request, mix=coverage.mix)
             if isinstance(coverage, Sample)
             else None,
             symmetry=self.symmetry or None,

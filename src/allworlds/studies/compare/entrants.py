@@ -16,7 +16,6 @@ from allworlds import outcome
 from allworlds.documents import document as doc
 from allworlds.engines import job_records, single, sweep, units
 from allworlds.engines.engine_table import Job, ReadyEngine, players_for
-from allworlds.engines.limits import ClusterOptions, RunDirectoryOptions
 from allworlds.engines.tally import Outcome, RunCounter, Tally
 from allworlds.explorers import loading, sources
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
@@ -27,6 +26,9 @@ from allworlds.maps import classes, combinatorial, families
 from allworlds.notations.given import GivenOptions
 from allworlds.studies.check.report import ManyWorlds, SharedFile
 from allworlds.studies.check.tally_sweep import Confirmation, record_of, rules_record
+from allworlds.studies.options import ClusterOptions, RunDirectoryOptions
+from allworlds.studies.scopes import FileDigests, GivenCount, TriedPlaces, told_scope, tried_places
+from allworlds.studies.swept import RowOptions, SweptReport
 from allworlds.world import named, selection, world
 from allworlds.world.lighthouses.kinds import LighthouseKind
 
@@ -119,7 +121,7 @@ class ContestWorldsOptions(selection.WhereOptions, GivenOptions, classes.ExtentO
 
 
 class CompareRequest(
-    sweep.RowOptions,
+    RowOptions,
     RunDirectoryOptions,
     ClusterOptions,
     ManyWorlds,
@@ -347,7 +349,7 @@ class Compared(doc.Document):
     """An explorer of a comparison, with the rules of its runs."""
 
     name: Annotated[doc.Text, doc.about("the explorer's, with `@` and a lighthouse if so named")]
-    places: sweep.TriedPlaces
+    places: TriedPlaces
     shared_file: SharedFile
 
 
@@ -355,12 +357,12 @@ class Compared(doc.Document):
 class ContestScope(doc.Document):
     """The worlds of a comparison."""
 
-    given: sweep.GivenCount
-    sha256: sweep.FileDigests
+    given: GivenCount
+    sha256: FileDigests
     shard: doc.WhichShard
 
 
-class ContestReport(sweep.SweptReport, kw_only=True):
+class ContestReport(SweptReport, kw_only=True):
     """The report of explorers that were run in the same worlds.
 
     ``entrants`` were run; ``by`` says for what there are rows for programs.
@@ -384,7 +386,7 @@ class ContestReport(sweep.SweptReport, kw_only=True):
             Compared(
                 name=one.name,
                 **one.rules.in_effect,
-                places=sweep.tried_places(one.rules.lighthouse, self.extent),
+                places=tried_places(one.rules.lighthouse, self.extent),
                 shared_file=one.rules.shared_file,
             )
             for one in self.entrants
@@ -393,7 +395,7 @@ class ContestReport(sweep.SweptReport, kw_only=True):
     @doc.computed
     def scope(self) -> ContestScope:
         """The worlds in which they were run."""
-        return sweep.told_scope(ContestScope, self.request)
+        return told_scope(ContestScope, self.request)
 
     @property
     @override

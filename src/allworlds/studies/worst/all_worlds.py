@@ -28,6 +28,8 @@ from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.judging.laws.bounds import default_step_budget, paper_bound
 from allworlds.maps import classes, combinatorial
 from allworlds.notations.given import GivenOptions
+from allworlds.studies.scopes import FileDigests, GivenCount, told_scope
+from allworlds.studies.swept import SweptOptions, SweptReport, ToldGate
 from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit
 from allworlds.world.lighthouses.kinds import LighthouseKind
 from allworlds.world.lighthouses.marked import Directional
@@ -65,7 +67,7 @@ class Algorithm1Option(Request, kw_only=False):
 
 
 class WorstRequest(
-    sweep.SweptOptions, limits.WorkerOptions, GivenOptions, classes.ClassOptions, Algorithm1Option
+    SweptOptions, limits.WorkerOptions, GivenOptions, classes.ClassOptions, Algorithm1Option
 ):
     """Request of ``worst``: the worlds and the effort."""
 
@@ -148,12 +150,12 @@ class WorstScope(doc.Document):
 
     schedules: Annotated[Literal["all"], doc.about("each was searched")]
     symmetry: Annotated[doc.Text, doc.about("why one world stands for every direction")]
-    given: sweep.GivenCount
-    sha256: sweep.FileDigests
+    given: GivenCount
+    sha256: FileDigests
     shard: doc.WhichShard
 
 
-class WorstReport(sweep.SweptReport, kw_only=True):
+class WorstReport(SweptReport, kw_only=True):
     """Report of 'worst'.
 
     The worst and best costs of Algorithm 1, by size.
@@ -176,7 +178,7 @@ class WorstReport(sweep.SweptReport, kw_only=True):
     @doc.computed
     def scope(self) -> WorstScope:
         """All that was searched."""
-        return sweep.told_scope(
+        return told_scope(
             WorstScope,
             self.request,
             self.rules,
@@ -187,7 +189,7 @@ class WorstReport(sweep.SweptReport, kw_only=True):
         )
 
     @doc.computed
-    def gate(self) -> sweep.ToldGate:
+    def gate(self) -> ToldGate:
         """Count gate, if there is anything to compare."""
         return self.compared
 

@@ -1,0 +1,22 @@
+"""Listeners to the progress of a job."""
+
+
+class Listener:
+    """A listener to the progress of a job; by default each event is ignored."""
+
+    def level(self, edges: int, worlds: int) -> None:
+        """Hear that a level begins, with its number of worlds (of a shard: about that many)."""
+
+    def stage(self, name: str, total: int, of: str) -> None:
+        """Hear that a part of another kind begins, with the number of its items, named ``of``."""
+
+    def progress(self, count: int) -> None:
+        """Hear how many more worlds, or other units of the stage, are done."""
+
+    def notice(self, text: str) -> None:
+        """Hear a message to the user."""
+
+
+NOBODY = Listener()
+"""The listener where none is named, and that of a report, which is equal to another if all else
+is."""

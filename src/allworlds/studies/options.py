@@ -1,0 +1,45 @@
+"""Options of studies besides their limits: parts of requests."""
+
+from pathlib import Path
+from typing import Annotated
+
+from allworlds.engines.listeners import NOBODY, Listener
+from allworlds.inputs.requests import RARE_EFFORT, Converted, Option, Request
+
+
+class ListenerOptions(Request):
+    """The part of a request that names the listener."""
+
+    listener: Annotated[
+        Converted[Listener | None, Listener],
+        "is told of the progress; by default nobody",
+    ] = Converted(lambda listener: listener or NOBODY, None)
+
+
+class RunDirectoryOptions(Request):
+    """The part of a request that names the run directory."""
+
+    run: Annotated[
+        str | Path | None,
+        Option(
+            RARE_EFFORT,
+            "DIR",
+            "A directory that keeps what is finished: the same command goes on from there, and "
+            "'merge' joins shards.",
+            apart=True,
+        ),
+    ] = None
+
+
+class ClusterOptions(Request):
+    """The part of a request that names the cluster."""
+
+    dask: Annotated[
+        str | None,
+        Option(
+            RARE_EFFORT,
+            "ADDRESS|local",
+            "Do the work on the workers of this Dask scheduler (extra: distributed).",
+            apart=True,
+        ),
+    ] = None

@@ -1,0 +1,105 @@
+"""Requests and reports of the studies that go through units; the gate of their counts."""
+
+from typing import Annotated, Any, TypeAlias, get_args
+
+from typing_extensions import override
+
+from allworlds.documents import document as doc
+from allworlds.engines import units
+from allworlds.engines.limits import TimeLimitOptions
+from allworlds.engines.sweep import By
+from allworlds.engines.units import ShardOptions
+from allworlds.inputs.checks import a_word
+from allworlds.inputs.requests import OUTPUT, Converted, Option, Request
+from allworlds.maps import classes, count_source
+from allworlds.studies.options import ClusterOptions, ListenerOptions, RunDirectoryOptions
+from allworlds.studies.reports import EndedReport, RowsReport
+
+
+class SweptOptions(
+    ListenerOptions,
+    ClusterOptions,
+    RunDirectoryOptions,
+    TimeLimitOptions,
+    ShardOptions,
+):
+    """The part of a request that says how, and for how long, its units are gone through."""
+
+
+_by = a_word("by", get_args(By))
+
+
+class RowOptions(Request):
+    """The part of a request that says for what there are rows."""
+
+    by: Annotated[
+        Converted[str | None, By | None],
+        Option(
+            OUTPUT,
+            "size|world|run",
+            "Rows of -o FILE.csv: one for each size, world, or run, and explorer [default: size; "
+            "of worlds that grow: run].",
+            apart=True,
+        ),
+    ] = Converted(lambda given: None if given is None else _by(given), None)
+
+
+class Gate(doc.Document):
+    """A count gate: the comparison of every count with an independent source."""
+
+    source: Annotated[doc.Text, doc.about("the independent source of the counts")]
+    agrees: Annotated[bool, doc.about("whether each count equals the source's")]
+
+
+ToldGate: TypeAlias = Annotated[
+    Gate | None,
+    doc.about(
+        "the comparison of the rows with an independent source, of a shard as far as it goes; "
+        "null: there is no source, or no row"
+    ),
+]
+
+
+class PortionReport(EndedReport):
+    """A report about the worlds of an ``extent``; the ``request`` says what was asked."""
+
+    request: doc.NotInDocument[Any]
+    extent: doc.NotInDocument[classes.Extent]
+
+    @property
+    def portion(self) -> units.Shard:
+        """The part of the job that was to be done."""
+        portion: units.Shard = self.request.shard
+        return portion
+
+    @property
+    @override
+    def whole(self) -> bool:
+        return self.portion == units.WHOLE
+
+
+class SweptReport(PortionReport, RowsReport):
+    """A report with rows about the worlds of an extent."""
+
+    @doc.computed
+    def stopped(self) -> doc.Why:
+        """Reason why rows are missing."""
+        return self.ending.stopped
+
+    @property
+    @override
+    def empty(self) -> bool:
+        return not getattr(self, "rows", ())
+
+    @property
+    def source(self) -> str:
+        """The name of the independent source of the counts; empty if there is none."""
+        source = count_source.source_of(self.extent)
+        return source.name if source else ""
+
+    @property
+    def compared(self) -> Gate | None:
+        """The count gate, if there is anything to compare."""
+        rows: Any = getattr(self, "rows", ())
+        some = self.source and (rows or not self.agrees)
+        return Gate(source=self.source, agrees=self.agrees) if some else None
