@@ -115,9 +115,14 @@ def plain_command(verb: Verb) -> Callable[..., int]:
     function = resolve_name(verb.path)
 
     def command(request: Any, *, output: OutputGroup) -> int:
-        ensure_directory(getattr(request, "corpus", None))
+        from allworlds.engines.limits import WorkerOptions
+        from allworlds.studies.check.tally_sweep import CorpusOptions
+
+        if isinstance(request, CorpusOptions):
+            ensure_directory(request.corpus)
         report = answered(function, request, output)
-        return emit(report, output, getattr(request, "workers", None))
+        workers = request.workers if isinstance(request, WorkerOptions) else None
+        return emit(report, output, workers)
 
     hints = {"request": function.request, "output": OutputGroup, "return": int}
     command.__annotations__ = hints

@@ -244,7 +244,9 @@ def answered(function: Callable[..., Answer], request: Any, output: OutputGroup)
     Raises:
         InputError: naming an option that tells of a file which is not written.
     """
-    by = getattr(request, "by", None)
+    from allworlds.studies.swept import RowOptions
+
+    by = request.by if isinstance(request, RowOptions) else None
     if by is not None and not {"csv", "parquet"} & {form for form, _ in output.named}:
         raise InputError(f"by {by} has no effect without -o FILE.csv")
     if not isinstance(request, ListenerOptions):

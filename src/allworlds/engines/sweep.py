@@ -80,14 +80,15 @@ class Sweep(ABC, Generic[Total, Answer]):
     """A study that goes through all units of its levels.
 
     Args:
-        request: of the study; of its fields ``listener``, ``time_limit`` and, where there
-            are shards, ``shard`` mean the same for every study.
+        request: of the study; of its fields ``listener``, ``time_limit`` and ``shard`` mean the
+            same for every study.
         extent: of the worlds, if they are all of a class.
 
     Attributes:
         verb: the study's name on the command line.
         asked: the class of its requests.
         result: the class of its results, where it needs nothing but what was kept.
+        narrowed: the extent whose condition is asked again.
         portion: the part of the units that is done.
         seconds: those that each finished level took.
         deadline: on the monotonic clock, or None.
@@ -101,8 +102,9 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def __init__(self, request: Any, extent: classes.Extent | None = None) -> None:
         self.request, self.extent = request, extent
+        self.narrowed = extent
         self.listener: Listener = request.listener
-        self.portion: units.Shard = getattr(request, "shard", units.WHOLE)
+        self.portion: units.Shard = request.shard
         self.deadline = limits.deadline_after(request.time_limit)
         self.seconds: list[float] = []
 
@@ -116,9 +118,8 @@ class Sweep(ABC, Generic[Total, Answer]):
     @classmethod
     def asked_then(cls, identity: Identity, portion: units.Shard, listener: Listener) -> Any:
         """Return the request of that identity, for a portion."""
-        shard = {"shard": portion} if issubclass(cls.asked, units.ShardOptions) else {}
         options = requests.remembered(cls.asked, identity.parameters)
-        return cls.asked(**options, **shard, listener=listener)
+        return cls.asked(**options, shard=portion, listener=listener)
 
     def list_by(self, by: By) -> None:
         """Have rows for programs for each of these.
@@ -220,8 +221,8 @@ class Sweep(ABC, Generic[Total, Answer]):
         Raises:
             Gap: if a unit is missing.
         """
-        self.ready = lambda: ReadyEngine(ThisThread(), None)  # type: ignore[method-assign]  # none
-        return self._answered(records, self._swept)
+        no_engine = ReadyEngine(ThisThread(), None)
+        return self._answered(records, lambda: self._swept(lambda: no_engine))
 
     def _answered(self, records: Records, swept: Callable[[], outcome.Ending]) -> Answer:
         self.records = records
@@ -230,10 +231,10 @@ class Sweep(ABC, Generic[Total, Answer]):
         return self.report(ending)
 
     def _from_the_beginning(self) -> outcome.Ending:
-        return self._guarded(self.begin) or self._swept()
+        return self._guarded(self.begin) or self._swept(self.ready)
 
-    def _swept(self) -> outcome.Ending:
-        ending = self._guarded(self._through) or outcome.Completed()
+    def _swept(self, ready: Callable[[], ReadyEngine]) -> outcome.Ending:
+        ending = self._guarded(lambda: self._through(ready)) or outcome.Completed()
         return self._guarded(lambda: self.conclude(ending)) or ending
 
     def _guarded(self, job: Callable[[], outcome.Ending | None]) -> outcome.Ending | None:
@@ -252,10 +253,10 @@ class Sweep(ABC, Generic[Total, Answer]):
         except players.Unsettled as error:
             return outcome.Stopped(str(error))
 
-    def _through(self) -> outcome.Ending | None:
-        made, shards = self.ready(), self.portion.count
+    def _through(self, ready: Callable[[], ReadyEngine]) -> outcome.Ending | None:
+        made, shards = ready(), self.portion.count
         drawn = list[units.Unit]()
-        narrowed = None if made.engine is None else getattr(self, "scope", self).extent
+        narrowed = None if made.engine is None else self.narrowed
         ending: outcome.Ending | None = None
         with made.transport as there, linux.compilers_ended():
             if self.extent is not None:

@@ -12,6 +12,7 @@ from typing import Annotated, Any, Protocol, Self, TypeAlias
 
 from msgspec import Struct
 from msgspec.structs import force_setattr
+from typing_extensions import override
 
 from allworlds.engines.listeners import Listener
 from allworlds.inputs.checks import InputError, an_integer, at_most, show
@@ -138,6 +139,11 @@ class ShardOptions(Request):
             apart=True,
         ),
     ] = Converted(a_shard, None)
+
+    @property
+    @override
+    def in_effect(self) -> dict[str, Any]:
+        return {**super().in_effect, "shard": str(self.shard)}
 
 
 def dealt(weights: Sequence[int], shard: Shard) -> Iterator[int]:

@@ -154,6 +154,11 @@ class Request:
                         f"{part.__name__}: give one of them another name"
                     )
 
+    @property
+    def in_effect(self) -> dict[str, Any]:
+        """Keys of a scope that follow from the options: by default there are none."""
+        return {}
+
 
 class Field(NamedTuple):
     """A field of a request.

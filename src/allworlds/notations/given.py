@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Annotated, Any, TypeAlias
 
 from msgspec import Struct
+from typing_extensions import override
 
 from allworlds.documents.document import IfAny, Text, about, replace
 from allworlds.inputs.checks import InputError, a_path, existing_file, not_one_of, show
@@ -360,6 +361,11 @@ class GivenOptions(FileOptions):
             return None
         made = [GivenMap(it.map, (it.start,), it.lighthouse, it.labels) for it in self.worlds]
         return _held("given world", "", "the worlds were given", made)
+
+    @property
+    @override
+    def in_effect(self) -> dict[str, Any]:
+        return {**super().in_effect, **(self.given.described if self.given else {})}
 
     def lighthouse_of_given(self, named: Any) -> Any:
         """The lighthouse that the given worlds fix, or the one that is named.

@@ -3,7 +3,6 @@
 from typing import Annotated, Any, TypeAlias, TypeVar
 
 from allworlds.documents import document as doc
-from allworlds.engines import units
 from allworlds.inputs import requests
 from allworlds.judging.findings.rules import Rules
 from allworlds.maps import classes
@@ -34,7 +33,7 @@ Scope_ = TypeVar("Scope_", bound=doc.Document)
 
 
 def told_scope(
-    kind: type[Scope_], request: object, rules: Rules | None = None, **more: Any
+    kind: type[Scope_], request: requests.Request, rules: Rules | None = None, **more: Any
 ) -> Scope_:
     """The scope of a document: what was asked, as it took effect.
 
@@ -49,8 +48,6 @@ def told_scope(
         one.name: requests.as_json(getattr(request, one.name))
         for one in requests.in_scope(type(request))
     }
-    given = getattr(request, "given", None)
-    of_given = given.described if given else {"sha256": None, "given": None}
-    told = {**asked, **(rules.in_effect if rules else {}), **of_given}
-    told["shard"] = str(getattr(request, "shard", units.WHOLE))
+    of_rules = rules.in_effect if rules else {}
+    told = {"sha256": None, "given": None, **asked, **of_rules, **request.in_effect}
     return kind(**({name: told[name] for name in told if name in keys} | more))

@@ -1,5 +1,6 @@
 """Requests and reports of the studies that go through units; the gate of their counts."""
 
+from collections.abc import Sequence
 from typing import Annotated, Any, TypeAlias, get_args
 
 from typing_extensions import override
@@ -89,7 +90,12 @@ class SweptReport(PortionReport, RowsReport):
     @property
     @override
     def empty(self) -> bool:
-        return not getattr(self, "rows", ())
+        return not self.rows
+
+    @property
+    def rows(self) -> Sequence[Any]:
+        """Rows of all that was finished: a key of each of these reports."""
+        raise NotImplementedError
 
     @property
     def source(self) -> str:
@@ -100,6 +106,5 @@ class SweptReport(PortionReport, RowsReport):
     @property
     def compared(self) -> Gate | None:
         """The count gate, if there is anything to compare."""
-        rows: Any = getattr(self, "rows", ())
-        some = self.source and (rows or not self.agrees)
+        some = self.source and (self.rows or not self.agrees)
         return Gate(source=self.source, agrees=self.agrees) if some else None

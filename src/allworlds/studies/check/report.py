@@ -64,7 +64,7 @@ class ManyWorlds(ListenerOptions, Limits, RuleOptions, selection.LighthouseOptio
         """
         fixed = isinstance(self, GivenOptions) and self.lighthouse_of_given(self.lighthouse)
         lighthouse = fixed or self.lighthouse or subject.lighthouse
-        where = getattr(self, "where", None)
+        where = self.where if isinstance(self, selection.WhereOptions) else None
         rules = self.rules_of(
             subject, lighthouse, promised=self.map_class.planar, among=Among.of(where)
         )

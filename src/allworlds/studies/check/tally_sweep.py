@@ -314,13 +314,13 @@ def rules_record(rules: Rules) -> dict[str, Any]:
     return {name: requests.as_json(getattr(rules, name)) for name in names}
 
 
-def rules_known(request: object, record: Mapping[str, Any]) -> Rules:
-    """The rules of a request with this record."""
+def rules_known(request: Any, record: Mapping[str, Any]) -> Rules:
+    """The rules of a request of many worlds, under a condition, with this record."""
     names = [each.name for each in fields(RuleOptions)]
-    asked = {name: getattr(request, name) for name in names if hasattr(request, name)}
+    asked = {name: getattr(request, name) for name in names}
     asked["step_budget"] = record["step_budget"]
     kept = {name: record[name] for name in ("promised", "own_bound", "shared_file")}
-    among = Among.of(getattr(request, "where", None))
+    among = Among.of(request.where)
     return Rules(record["lighthouse"], among=among, **kept, **asked)
 
 
@@ -370,9 +370,10 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
     ) -> None:
         super().__init__(request, extent)
         self.scope = scope
+        self.narrowed = scope.extent
         notice = self.listener.notice
         self.job = Job(scope, subject, request.limits, keep, self.deadline, notice, request.dask)
-        named = getattr(request, "corpus", None)
+        named = request.corpus
         self.corpus = None if named is None else UserCorpus(checks.a_path("corpus", named))
         if named is not None and request.run is not None:
             raise checks.InputError(
