@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from heapq import heapify, heapreplace
 from math import inf
 from random import Random
-from typing import Annotated, Any, Protocol, Self, TypeAlias
+from typing import Annotated, Any, ClassVar, Protocol, Self, TypeAlias
 
 from msgspec import Struct
 from msgspec.structs import force_setattr
@@ -80,12 +80,24 @@ class Transport(Protocol):
 class Shard(Struct, frozen=True):
     """The part of number ``index`` when every level is dealt out to ``count`` parts.
 
+    As the coverage of a scope it says, as :class:`Sample` does, whether worlds are drawn, by what
+    words those that were finished are called, and the least number of edges.
+
     Raises:
         InputError: naming what is out of range.
     """
 
     index: int
     count: int
+
+    drawn: ClassVar[bool] = False
+    finished: ClassVar[str] = "finished levels"
+    min_edges: ClassVar[int] = 1
+
+    @property
+    def portion(self) -> "Shard":
+        """The whole, or a shard of it."""
+        return self
 
     def __post_init__(self) -> None:
         for name, key in (("K", "index"), ("N", "count")):
@@ -432,6 +444,9 @@ class Sample(Struct, frozen=True):
     portion: Shard = WHOLE
     mix: tuple[str, ...] = ()
 
+    drawn: ClassVar[bool] = True
+    finished: ClassVar[str] = "drawn worlds"
+
     def __post_init__(self) -> None:
         for name in ("runs", "seed", "min_edges"):
             force_setattr(self, name, an_integer(name, getattr(self, name)))
@@ -475,4 +490,4 @@ class Scope(Struct, frozen=True):
     @property
     def portion(self) -> Shard:
         """The whole, or a shard of it."""
-        return self.coverage.portion if isinstance(self.coverage, Sample) else self.coverage
+        return self.coverage.portion

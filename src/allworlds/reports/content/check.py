@@ -32,7 +32,7 @@ def check_content(report: CheckReport | time_estimate.TimeEstimate) -> parts.Rep
     """
     if isinstance(report, time_estimate.TimeEstimate):
         return _estimate(report)
-    verb = "fuzz" if isinstance(report.asked.coverage, units.Sample) else "check"
+    verb = "fuzz" if report.asked.coverage.drawn else "check"
     findings = _findings(report, range(len(report.findings)))
     tables = [size_table(report), *([covered_table(report)] if report.covered else [])]
     seen = parts.Section("seen", "What was checked", [parts.FactList(scope_words(report)), *tables])
@@ -102,10 +102,11 @@ def size_table(report: CheckReport) -> parts.Table:
     header = ["edges", "vertices", "worlds", "runs", "traversals", "max cost", "bound"]
     if every:
         header[4:4], header[6:6] = ["schedules"], ["best cost"]
-    sampled = isinstance(report.asked.coverage, units.Sample)
+    coverage = report.asked.coverage
     groups: dict[tuple[int, int], tuple[list[int], tally.Row]] = {}
     for (edges, vertices), row in sorted(report.tally.rows.items()):
-        met, total = groups.setdefault((edges, 0 if sampled else vertices), ([], tally.Row()))
+        group = (edges, 0 if coverage.drawn else vertices)
+        met, total = groups.setdefault(group, ([], tally.Row()))
         met.append(vertices)
         total.add(row)
     rows: list[list[parts.Cell]] = []
@@ -114,7 +115,7 @@ def size_table(report: CheckReport) -> parts.Table:
         played = [row.worlds, row.runs, *([row.episodes] if every else []), row.traversals]
         best = [row.best_cost] if every else []
         rows.append([edges, between, *played, *best, row.max_cost, row.bound])
-    return parts.Table(header, rows, "Drawn worlds" if sampled else "Finished levels", keys=2)
+    return parts.Table(header, rows, coverage.finished.capitalize(), keys=2)
 
 
 def covered_table(report: CheckReport) -> parts.Table:
@@ -131,7 +132,7 @@ def verdict_of(report: CheckReport) -> parts.Headline:
         f"{plural(report.worlds, 'world')}, {plural(report.runs, 'run')}, "
         f"{plural(report.tally.traversals, 'traversal')}"
     )
-    where = "drawn worlds" if isinstance(report.asked.coverage, units.Sample) else "finished levels"
+    where = report.asked.coverage.finished
     if report.verdict in (Verdict.HOLDS, Verdict.NOT_REFUTED) and not report.runs:
         said = f"{done} fall to this shard, which is finished and has nothing to check"
         return parts.Headline("EMPTY", said, "vacuous")
@@ -156,14 +157,13 @@ def verdict_of(report: CheckReport) -> parts.Headline:
 def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     """The scope of the verdict as named texts. A text without a name continues the one before."""
     scope, rules = report.asked, report.asked.rules
-    least = scope.coverage.min_edges if isinstance(scope.coverage, units.Sample) else 1
     shard = f", shard {scope.portion}" if scope.portion != units.WHOLE else ""
     what = (
         f"{_which(report)} of the {rules.lighthouse} lighthouse in {_maps(report)} "
-        f"{of_the_class(scope.extent, least)}{shard}; {_schedules(report)}"
+        f"{of_the_class(scope.extent, scope.coverage.min_edges)}{shard}; {_schedules(report)}"
     )
     unfinished = ""
-    if not report.complete and not isinstance(scope.coverage, units.Sample):
+    if not report.complete and not scope.coverage.drawn:
         finished = ", ".join(map(str, report.levels)) or "none"
         why = "" if report.ending.final else f"{report.ending.reason}; "
         unfinished = f"NOT complete: {why}finished levels (edges): {finished}"
@@ -216,7 +216,7 @@ CHECK_SAID = (
 
 def _which(report: CheckReport) -> str:
     given = report.asked.extent.given
-    if isinstance(report.asked.coverage, units.Sample) or (given and given.fixed):
+    if report.asked.coverage.drawn or (given and given.fixed):
         return "one start and marker"
     some = tried_places(report.asked.rules.lighthouse, report.extent)
     return "every start and the places named below" if some else "every start and marker"
@@ -269,7 +269,7 @@ def _laws(report: CheckReport) -> str:
 def _gate(report: CheckReport) -> str:
     if (given := report.asked.extent.given) is not None:
         return given.gate
-    if isinstance(report.asked.coverage, units.Sample):
+    if report.asked.coverage.drawn:
         return "absent: a sample is not to be counted"
     if report.asked.coverage != units.WHOLE:
         return "deferred to the merge of all shards"

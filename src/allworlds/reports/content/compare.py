@@ -1,7 +1,8 @@
 """Content of comparisons."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from shlex import quote
+from typing import NamedTuple, TypeAlias
 
 from allworlds.engines.sweep import By
 from allworlds.explorers.sources import short_names
@@ -24,45 +25,86 @@ def compare_content(report: comparison.Comparison | growth.Growth) -> parts.Repo
 
     On a page of equal sizes also a walk of each explorer in the world that differs most.
     """
+    seen = _growth(report) if isinstance(report, growth.Growth) else _comparison(report)
     findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
     verdict = report.verdict.value
-    blocks: list[parts.Block]
-    if isinstance(report, growth.Growth):
-        ratios = [_ratios(report)] if report.ratios else []
-        facts = parts.FactList(_growth_facts(report))
-        blocks = [*_curve(report), _growth_table(report), *ratios, facts]
-    else:
-        cells = _by_size(report, _short_names(report))
-        table = parts.Table([*SIZES], cells, "Compared worlds", keys=4)
-        blocks = [_side_by_side(report), *_curve(report), table, parts.FactList(_facts(report))]
     return parts.ReportContent(
         "allworlds compare",
         ", ".join(report.names),
         report,
         parts.Headline(verdict.upper(), _verdict(report), verdict),
-        [*findings, parts.Section("seen", "What was compared", blocks)],
-        more=lambda: () if isinstance(report, growth.Growth) else _walks(report),
-        rows=lambda: _growth_rows(report) if isinstance(report, growth.Growth) else _rows(report),
+        [*findings, parts.Section("seen", "What was compared", seen.blocks)],
+        more=seen.more,
+        rows=seen.rows,
         apart=frozenset({"findings"}),
     )
 
 
-def _curve(report: comparison.Comparison | growth.Growth) -> Iterator[parts.Curve]:
-    """The mean cost by size, with a line for each explorer and family; none of a single size."""
-    lines: dict[str, list[tuple[float, float, float, float]]] = {}
+class _Seen(NamedTuple):
+    """Parts of the content: blocks, walks that a page shows besides, and rows for programs."""
+
+    blocks: list[parts.Block]
+    more: Callable[[], Iterable[parts.Section]]
+    rows: Callable[[], parts.CsvRows]
+
+
+def _comparison(report: comparison.Comparison) -> _Seen:
+    """Explorers in the same worlds, with the walks in the world that differs most."""
+    cells = _by_size(report, _short_names(report))
+    table = parts.Table([*SIZES], cells, "Compared worlds", keys=4)
+    curve = _curve(_lines_of_levels(report))
+    blocks: list[parts.Block] = [
+        _side_by_side(report),
+        *curve,
+        table,
+        parts.FactList(_facts(report)),
+    ]
+    return _Seen(blocks, lambda: _walks(report), lambda: _rows(report))
+
+
+def _growth(report: growth.Growth) -> _Seen:
+    """Explorers in worlds that grow."""
+    ratios = [_ratios(report)] if report.ratios else []
+    facts = parts.FactList(_growth_facts(report))
+    blocks: list[parts.Block] = [
+        *_curve(_lines_of_families(report)),
+        _growth_table(report),
+        *ratios,
+        facts,
+    ]
+    return _Seen(blocks, lambda: (), lambda: _growth_rows(report))
+
+
+Lines: TypeAlias = dict[str, list[tuple[float, float, float, float]]]
+"""By name the points of a curve's lines: edges, mean, and the ends of the interval."""
+
+
+def _lines_of_levels(report: comparison.Comparison) -> Lines:
+    """A line for each explorer."""
+    lines: Lines = {}
     shown = dict(zip(report.names, _short_names(report), strict=True))
-    if isinstance(report, growth.Growth):
-        for row in report.rows:
-            low, high = row.interval or (row.mean, row.mean)
-            points = lines.setdefault(f"{shown[row.explorer]}, {row.family}", [])
-            points.append((row.edges, row.mean, low, high))
-    else:
-        for edges in sorted({row.edges for row in report.rows}):
-            level = [row for row in report.rows if row.edges == edges]
-            worlds = sum(row.worlds for row in level)
-            for name in report.names:
-                mean = sum(row.mean[name] * row.worlds for row in level) / worlds
-                lines.setdefault(shown[name], []).append((edges, mean, mean, mean))
+    for edges in sorted({row.edges for row in report.rows}):
+        level = [row for row in report.rows if row.edges == edges]
+        worlds = sum(row.worlds for row in level)
+        for name in report.names:
+            mean = sum(row.mean[name] * row.worlds for row in level) / worlds
+            lines.setdefault(shown[name], []).append((edges, mean, mean, mean))
+    return lines
+
+
+def _lines_of_families(report: growth.Growth) -> Lines:
+    """A line for each explorer and family."""
+    lines: Lines = {}
+    shown = dict(zip(report.names, _short_names(report), strict=True))
+    for row in report.rows:
+        low, high = row.interval or (row.mean, row.mean)
+        points = lines.setdefault(f"{shown[row.explorer]}, {row.family}", [])
+        points.append((row.edges, row.mean, low, high))
+    return lines
+
+
+def _curve(lines: Lines) -> Iterator[parts.Curve]:
+    """The mean cost by size; none of a single size."""
     if all(
         len({x for x, *_ in line}) > 1 and all(min(p) > 0 for p in line) for line in lines.values()
     ):
@@ -239,11 +281,10 @@ def _verdict(report: comparison.Comparison | growth.Growth) -> str:
     said = f"no law is broken in {plural(sum(row.runs for row in report.rows), 'run')}"
     if report.findings:
         return "a run has broken a law"
-    if isinstance(report, comparison.Comparison) and not report.all_counted:
+    if not report.agrees:
         return "the enumeration and its count disagree"
     if not report.complete:
-        part = "sizes" if isinstance(report, growth.Growth) else "levels"
-        return f"{report.stopped or 'interrupted'}; {said} of finished {part}"
+        return f"{report.stopped or 'interrupted'}; {said} of finished {report.steps}"
     if not report.rows:
         return "there is no world in which every explorer has a place"
     return said

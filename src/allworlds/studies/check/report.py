@@ -287,7 +287,7 @@ class CheckReport(PortionReport):
         """All that was checked."""
         extent, rules, coverage = self.asked.extent, self.asked.rules, self.asked.coverage
         gate: Gated = self.cells
-        if count_source.source_of(extent) is None or isinstance(coverage, Sample):
+        if count_source.source_of(extent) is None or coverage.drawn:
             gate = "absent"
         elif coverage != WHOLE:
             gate = "deferred to the merge of all shards"
@@ -386,7 +386,7 @@ class CheckReport(PortionReport):
     @property
     def complete(self) -> bool:
         """Whether every world of the scope was tried. A sample is never complete."""
-        return isinstance(self.ending, Completed) and not isinstance(self.asked.coverage, Sample)
+        return isinstance(self.ending, Completed) and not self.asked.coverage.drawn
 
     @property
     @override
@@ -412,8 +412,7 @@ class CheckReport(PortionReport):
     @property
     def judged(self) -> Verdict:
         """The verdict; for a sample it is never 'holds'."""
-        sampled = isinstance(self.asked.coverage, Sample)
-        return self.facts.sample_verdict if sampled else self.facts.verdict
+        return self.facts.sample_verdict if self.asked.coverage.drawn else self.facts.verdict
 
 
 def _rows(tally: Tally) -> Iterator[CheckRow]:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field as entry
 from itertools import groupby
-from typing import Annotated, Any, NamedTuple, Self, TypeAlias, TypeVar
+from typing import Annotated, Any, ClassVar, NamedTuple, Self, TypeAlias, TypeVar
 
 from msgspec import Struct, field
 from typing_extensions import override
@@ -366,7 +366,12 @@ class ContestReport(SweptReport, kw_only=True):
     """The report of explorers that were run in the same worlds.
 
     ``entrants`` were run; ``by`` says for what there are rows for programs.
+
+    Attributes:
+        steps: what is finished one after another.
     """
+
+    steps: ClassVar[str] = "levels"
 
     findings: Annotated[
         tuple[Finding, ...], doc.about("the smallest of each explorer that broke a law")

@@ -6,7 +6,7 @@ from functools import cache
 from math import fsum
 from random import Random
 from statistics import geometric_mean
-from typing import Annotated, TypeAlias
+from typing import Annotated, ClassVar, TypeAlias
 
 from msgspec import Struct
 from typing_extensions import override
@@ -254,6 +254,8 @@ class Growth(entrants.ContestReport, kw_only=True):
 
     Explorers in worlds that grow.
     """
+
+    steps: ClassVar[str] = "sizes"
 
     rows: Annotated[tuple[GrowRow, ...], doc.about("one for each family, size and explorer")]
     left_out: Annotated[doc.Natural, doc.about("members in which a lighthouse had no place")] = 0
