@@ -1,6 +1,7 @@
 """Lighthouses of the user's own: found by name, known by content, and checked."""
 
 import copy
+import importlib
 import json
 import pickle
 from pathlib import Path
@@ -443,3 +444,55 @@ def test_places_sees_an_option_by_its_name_and_not_among_the_fields(folder):
     )
     kind = lighthouse_kind("seen.py:Seen:of=5").as_class
     assert [place.of for place in kind.places(PLANE, 0)] == [5]
+
+
+MODULE = """
+from dataclasses import dataclass
+
+from allworlds import Lighthouse, Percept
+
+
+class Bare(Lighthouse):
+    dart: int = 0
+
+    @classmethod
+    def places(cls, map_, start):
+        yield cls(start)
+
+    def sensed(self, map_, here):
+        return Percept(map_.degree_at[here], int(here == self.dart))
+
+
+@dataclass(frozen=True)
+class Decorated(Bare):
+    turned: int = 0
+
+    @classmethod
+    def places(cls, map_, start):
+        yield Decorated(start)
+"""
+
+
+@pytest.mark.parametrize("name", ["Bare", "Decorated"])
+def test_the_users_own_class_stays_as_it_was(tmp_path, monkeypatch, name):
+    module = f"lamp_{name.lower()}"
+    (tmp_path / f"{module}.py").write_text(MODULE)
+    monkeypatch.syspath_prepend(tmp_path)
+    theirs = getattr(importlib.import_module(module), name)
+    before = dict(vars(theirs))
+    own = lighthouse_kind(theirs).as_class
+    (place,) = own.places(EDGE, 0)
+    assert vars(theirs) == before
+    assert type(place) is own is not theirs
+    assert issubclass(own, theirs)
+    assert own.__qualname__ == name
+    assert pickle.loads(pickle.dumps(place)) == place
+    assert lighthouse_kind(theirs) == lighthouse_kind(own) == kind_of(place)
+
+
+def test_a_place_of_the_users_class_is_one_of_the_kind_that_was_made_from_it(tmp_path, monkeypatch):
+    (tmp_path / "lamp_placed.py").write_text(MODULE)
+    monkeypatch.syspath_prepend(tmp_path)
+    theirs = importlib.import_module("lamp_placed").Decorated
+    own = lighthouse_kind(theirs).as_class
+    assert World(EDGE, theirs(0)) == World(EDGE, own(0))

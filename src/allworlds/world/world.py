@@ -19,6 +19,7 @@ from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_from_json
 from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.lighthouses.options import InvalidWorld, refuse_other_keys, the_integer
+from allworlds.world.lighthouses.own_kind import own_place
 from allworlds.world.state import State
 
 
@@ -122,6 +123,7 @@ class World(Pictured):
         if not isinstance(lighthouse, Lighthouse):
             kind = Directional.kind if lighthouse is None else lighthouse
             lighthouse = lighthouse_from_json(None, map, start, kind)
+        lighthouse = own_place(lighthouse)
         lighthouse.check(map, start)
         object.__setattr__(self, "map", map)
         object.__setattr__(self, "lighthouse", lighthouse)

@@ -34,25 +34,53 @@ def own_kind(code: user_code.UserCode) -> type[Lighthouse]:
 @cache
 def _kind(code: user_code.UserCode) -> type[Lighthouse]:
     """The class, which is loaded once a process; of a factory one for each of its arguments."""
-    kind = code.made()
-    if not isinstance(kind, type) or not issubclass(kind, Lighthouse) or inspect.isabstract(kind):
-        raise InvalidWorld(f"{show(code.name)} is no lighthouse, but {shown(kind)}; one is {SHAPE}")
-    if "__dataclass_params__" not in vars(kind):
-        kind = dataclass(frozen=True)(kind)
+    made = code.made()
+    if not isinstance(made, type) or not issubclass(made, Lighthouse) or inspect.isabstract(made):
+        raise InvalidWorld(f"{show(code.name)} is no lighthouse, but {shown(made)}; one is {SHAPE}")
+    kind = _subclass(made, code)
     if not vars(kind)["__dataclass_params__"].frozen or "__hash__" not in vars(kind):
         raise InvalidWorld(
             f"{show(code.name)} is no frozen dataclass; write @dataclass(frozen=True)"
         )
     if kind.refusal is not Lighthouse.refusal and not kind.leaves_marks:
         raise InvalidWorld(f"{show(code.name)} has a method refusal, but leaves_marks is False")
-    for each in fields(kind):
+    for each in fields(kind):  # type: ignore[arg-type]  # it is a dataclass
         told = vars(kind).get(each.name, each.default)
         if each.default is not MISSING and told != each.default and not hasattr(told, "__get__"):
             raise InvalidWorld(
                 f"{show(code.name)} sets {each.name} = {show(told)} without a type, and so the "
                 f"field keeps {show(each.default)}; write {each.name}: {type(told).__name__} = ..."
             )
-    return _named(kind, code)
+    _check_methods(kind, code)
+    copyreg.pickle(kind, _reduced)
+    _OF_THEIRS[made] = kind
+    return kind
+
+
+_OF_THEIRS: dict[type[Lighthouse], type[Lighthouse]] = {}
+"""By the user's class the kind that was made from it."""
+
+NOT_INHERITED = {"__dict__", "__weakref__", "__slots__", "__abstractmethods__", "_abc_impl"}
+"""Parts of a class that Python makes anew for each class."""
+
+
+def _subclass(theirs: Any, code: user_code.UserCode) -> type[Lighthouse]:
+    """A subclass that names itself in errors, files and pickles; the user's class stays as it is.
+
+    It has the same body, and is a dataclass even where the user's class is none.
+    """
+    body = {name: part for name, part in vars(theirs).items() if name not in NOT_INHERITED}
+    body |= {"kind": code.plain, "code": code}
+    own: type[Lighthouse] = type(theirs)(theirs.__name__, (theirs,), body)
+    return own if "__dataclass_params__" in body else dataclass(frozen=True)(own)
+
+
+def own_place(place: Lighthouse) -> Lighthouse:
+    """The place of the kind that was made from the class of this one; itself if there is none."""
+    own = _OF_THEIRS.get(type(place))
+    if own is None:
+        return place
+    return own(**{each.name: getattr(place, each.name) for each in fields(own) if each.init})  # type: ignore[arg-type]  # as above
 
 
 def shown(value: object) -> str:
@@ -74,16 +102,13 @@ METHODS = [
 """The methods that can be written anew: their errors are the user's."""
 
 
-def _named(kind: type[Lighthouse], code: user_code.UserCode) -> type[Lighthouse]:
-    """The class itself, which from now on names itself in errors, files and pickles."""
-    kind.kind, kind.code = code.plain, code
+def _check_methods(kind: type[Lighthouse], code: user_code.UserCode) -> None:
+    """Check the methods that the user has written."""
     for name in METHODS:
         owner = next((each for each in kind.__mro__ if name in vars(each)), Lighthouse)
         theirs = not owner.__module__.startswith("allworlds.")
         if theirs or name == "percepts":
             _check(kind, code.name, name, theirs=theirs)
-    copyreg.pickle(kind, _reduced)
-    return kind
 
 
 def _check(kind: type[Lighthouse], name: str, method: str, *, theirs: bool) -> None:
@@ -118,11 +143,12 @@ def _check(kind: type[Lighthouse], name: str, method: str, *, theirs: bool) -> N
 
 def _places(places: tuple[Any, ...], kind: type[Lighthouse], *_asked: object) -> Iterator[Any]:
     """Places of the class, with the options that were asked for."""
-    for place in places:
-        made = isinstance(place, Lighthouse) and place.code is kind.code
-        if not made or any(getattr(place, key) != kind.chosen[key] for key in kind.chosen):
+    made = [own_place(place) if isinstance(place, Lighthouse) else place for place in places]
+    for place in made:
+        ours = isinstance(place, Lighthouse) and place.code is kind.code
+        if not ours or any(getattr(place, key) != kind.chosen[key] for key in kind.chosen):
             raise TypeError
-    return iter(places)
+    return iter(made)
 
 
 def _percepts(
