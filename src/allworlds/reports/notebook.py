@@ -81,11 +81,5 @@ def _steps(transcript: Transcript) -> Table:
     return Table(["step", "action", "sensed"], steps)
 
 
-WRITERS = Writers(
-    text=text_of,
-    short_text=short_text_of,
-    page=shown,
-    picture=lambda value: draw(value).svg,
-    records=records,
-)
+WRITERS = Writers(text_of, short_text_of, shown, lambda value: draw(value).svg, records)
 """The writers of values that show themselves; the package registers them."""

@@ -102,11 +102,10 @@ def size_table(report: CheckReport) -> parts.Table:
     header = ["edges", "vertices", "worlds", "runs", "traversals", "max cost", "bound"]
     if every:
         header[4:4], header[6:6] = ["schedules"], ["best cost"]
-    coverage = report.asked.coverage
+    sampled = report.asked.coverage.drawn
     groups: dict[tuple[int, int], tuple[list[int], tally.Row]] = {}
     for (edges, vertices), row in sorted(report.tally.rows.items()):
-        group = (edges, 0 if coverage.drawn else vertices)
-        met, total = groups.setdefault(group, ([], tally.Row()))
+        met, total = groups.setdefault((edges, 0 if sampled else vertices), ([], tally.Row()))
         met.append(vertices)
         total.add(row)
     rows: list[list[parts.Cell]] = []
@@ -115,7 +114,7 @@ def size_table(report: CheckReport) -> parts.Table:
         played = [row.worlds, row.runs, *([row.episodes] if every else []), row.traversals]
         best = [row.best_cost] if every else []
         rows.append([edges, between, *played, *best, row.max_cost, row.bound])
-    return parts.Table(header, rows, coverage.finished.capitalize(), keys=2)
+    return parts.Table(header, rows, report.asked.coverage.finished.capitalize(), keys=2)
 
 
 def covered_table(report: CheckReport) -> parts.Table:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from shlex import quote
-from typing import NamedTuple, TypeAlias
+from typing import Any, TypeAlias
 
 from allworlds.engines.sweep import By
 from allworlds.explorers.sources import short_names
@@ -25,54 +25,46 @@ def compare_content(report: comparison.Comparison | growth.Growth) -> parts.Repo
 
     On a page of equal sizes also a walk of each explorer in the world that differs most.
     """
-    seen = _growth(report) if isinstance(report, growth.Growth) else _comparison(report)
+    return _growth(report) if isinstance(report, growth.Growth) else _comparison(report)
+
+
+def _comparison(report: comparison.Comparison) -> parts.ReportContent:
+    """Explorers in the same worlds, with the walks in the world that differs most."""
+    cells = _by_size(report, _short_names(report))
+    table = parts.Table([*SIZES], cells, "Compared worlds", keys=4)
+    curve = _curve(_lines_of_levels(report))
+    blocks = [_side_by_side(report), *curve, table, parts.FactList(_facts(report))]
+    return _content(report, blocks, lambda: _rows(report), lambda: _walks(report))
+
+
+def _growth(report: growth.Growth) -> parts.ReportContent:
+    """Explorers in worlds that grow."""
+    ratios = [_ratios(report)] if report.ratios else []
+    facts = parts.FactList(_growth_facts(report))
+    blocks = [*_curve(_lines_of_families(report)), _growth_table(report), *ratios, facts]
+    return _content(report, blocks, lambda: _growth_rows(report), lambda: ())
+
+
+def _content(
+    report: comparison.Comparison | growth.Growth,
+    blocks: Iterable[Any],
+    rows: Callable[[], parts.CsvRows],
+    more: Callable[[], Iterable[parts.Section]],
+) -> parts.ReportContent:
+    """The verdict, the findings, and what was compared."""
     findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
     verdict = report.verdict.value
+    seen = parts.Section("seen", "What was compared", [*blocks])
     return parts.ReportContent(
         "allworlds compare",
         ", ".join(report.names),
         report,
         parts.Headline(verdict.upper(), _verdict(report), verdict),
-        [*findings, parts.Section("seen", "What was compared", seen.blocks)],
-        more=seen.more,
-        rows=seen.rows,
+        [*findings, seen],
+        more=more,
+        rows=rows,
         apart=frozenset({"findings"}),
     )
-
-
-class _Seen(NamedTuple):
-    """Parts of the content: blocks, walks that a page shows besides, and rows for programs."""
-
-    blocks: list[parts.Block]
-    more: Callable[[], Iterable[parts.Section]]
-    rows: Callable[[], parts.CsvRows]
-
-
-def _comparison(report: comparison.Comparison) -> _Seen:
-    """Explorers in the same worlds, with the walks in the world that differs most."""
-    cells = _by_size(report, _short_names(report))
-    table = parts.Table([*SIZES], cells, "Compared worlds", keys=4)
-    curve = _curve(_lines_of_levels(report))
-    blocks: list[parts.Block] = [
-        _side_by_side(report),
-        *curve,
-        table,
-        parts.FactList(_facts(report)),
-    ]
-    return _Seen(blocks, lambda: _walks(report), lambda: _rows(report))
-
-
-def _growth(report: growth.Growth) -> _Seen:
-    """Explorers in worlds that grow."""
-    ratios = [_ratios(report)] if report.ratios else []
-    facts = parts.FactList(_growth_facts(report))
-    blocks: list[parts.Block] = [
-        *_curve(_lines_of_families(report)),
-        _growth_table(report),
-        *ratios,
-        facts,
-    ]
-    return _Seen(blocks, lambda: (), lambda: _growth_rows(report))
 
 
 Lines: TypeAlias = dict[str, list[tuple[float, float, float, float]]]
