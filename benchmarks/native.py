@@ -35,7 +35,7 @@ from allworlds.engines.tally import Examiner, RunCounter
 from allworlds.engines.units import Scope, units_of_level
 from allworlds.explorers.loading import load
 from allworlds.explorers.shared_library import ROOM, Library, NativeExplorer
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.protocol.choices import Choices

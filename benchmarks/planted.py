@@ -38,7 +38,7 @@ from allworlds.explorers.builtin.algorithm1 import Algorithm1, TwoVertices, Walk
 from allworlds.explorers.loading import in_process_subject
 from allworlds.judging.episode import AroundExplorer
 from allworlds.judging.findings.finding import place_of
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import build, families
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.combinatorial import CombinatorialMap

@@ -19,7 +19,7 @@ from collections.abc import Callable
 import allworlds
 from allworlds.engines.tally import Examiner
 from allworlds.explorers.loading import load
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import family, rooted_code, rooted_maps, unrooted_code
 from allworlds.protocol.choices import Choices
 

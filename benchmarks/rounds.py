@@ -31,8 +31,8 @@ from allworlds.engines.sweep import gather
 from allworlds.engines.tally import Examiner, Tally
 from allworlds.engines.units import Scope, units_of_level
 from allworlds.explorers.loading import load
-from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import default_step_budget, paper_bound
+from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.maps.classes import Extent
 from allworlds.maps.counting import SOURCES

@@ -19,7 +19,7 @@ from allworlds.engines.tally import RunCounter
 from allworlds.engines.units import Scope
 from allworlds.explorers.loading import Subject
 from allworlds.judging.episode import Ending, Episode, Fault, fault_of
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.log import Log
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent

@@ -40,9 +40,9 @@ from allworlds.engines.kernel.records import Level, Rows
 from allworlds.engines.units import LevelUnit, drawn_units
 from allworlds.explorers.loading import load
 from allworlds.judging.episode import Answered, Episode, play
-from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.judging.laws.law_table import Case
+from allworlds.judging.rules import Rules
 from allworlds.maps import CombinatorialMap, MapClass, rooted_code
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import numbering

@@ -11,7 +11,7 @@ from allworlds.engines.single import subject_of
 from allworlds.engines.units import Scope
 from allworlds.explorers.loading import Subject, load
 from allworlds.inputs.checks import InputError
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from shared_fixtures import EXPLORERS

@@ -11,7 +11,7 @@ import pytest
 from allworlds.engines import lanes, tally, units
 from allworlds.engines.limits import Limits
 from allworlds.engines.single import subject_of
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from processes import end, workers_of

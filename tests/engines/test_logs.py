@@ -7,7 +7,7 @@ from allworlds.engines.judge import difference_of
 from allworlds.engines.kernel.engine import UnitJudge
 from allworlds.engines.kernel.records import Stretch
 from allworlds.engines.players import Logs
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.log import ANSWERED, BEYOND as STRANGE, CHOICE, SHOWN, Log
 from allworlds.maps.classes import Extent, MapClass
 

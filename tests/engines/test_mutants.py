@@ -8,7 +8,7 @@ from allworlds.engines import compiled_engine as compiled
 from allworlds.engines.compiled_engine import AGREED, UNBOUNDED, bounds_of
 from allworlds.engines.kernel.engine import judge
 from allworlds.engines.kernel.runs import UNDEFINED
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 
 pytestmark = pytest.mark.usefixtures("compiled")
 

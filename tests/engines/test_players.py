@@ -24,7 +24,7 @@ from allworlds.engines.tally import RunCounter
 from allworlds.engines.units import Scope
 from allworlds.explorers.loading import Subject, load, source_of
 from allworlds.inputs.checks import InputError
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.log import Log
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent

@@ -8,7 +8,7 @@ from allworlds.engines.limits import Limits
 from allworlds.engines.single import subject_of
 from allworlds.engines.tally import Row, RunCounter, Tally
 from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.studies.fuzz import SampleCounter, batches

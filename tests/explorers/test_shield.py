@@ -12,8 +12,8 @@ from allworlds.explorers.builtin.folding import FoldedLog, Shield, has_open_dart
 from allworlds.explorers.loading import in_process_subject, load, named_on_command_line, own_bound
 from allworlds.explorers.sources import content_digest, place_of_explorer, whole_name
 from allworlds.inputs.checks import InputError
-from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import paper_bound
+from allworlds.judging.rules import Rules
 from allworlds.maps import rooted_maps
 from allworlds.protocol.actions import Checkpoint, Drop, ExplorerFault
 from interrupts import interrupted_at_its_close

@@ -9,9 +9,9 @@ from allworlds.documents.document import replace
 from allworlds.inputs.checks import InputError
 from allworlds.judging.explanations.by_law import TELLERS, _say_sizes, tell_whose_bound
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import BOUNDS
 from allworlds.judging.laws.law_table import PRECEDENCE
+from allworlds.judging.rules import Rules
 from allworlds.protocol.actions import Estimate, Move
 from allworlds.studies.explain import explain
 from allworlds.studies.run import run

@@ -9,7 +9,7 @@ import allworlds
 from allworlds import Estimate, Move
 from allworlds.documents.document import replace
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.run import run
 from allworlds.world import Directional, World, world_named

@@ -8,7 +8,7 @@ import pytest
 from allworlds import run
 from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import Answered, AroundExplorer, Over
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.judging.tasks import TASKS, Task, task_named
 from allworlds.judging.walk import Walk
 from allworlds.protocol.actions import Estimate, Move

@@ -19,7 +19,7 @@ from allworlds.judging.explanations.by_law import (
     tell_whose_bound,
     tell_whose_budget,
 )
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.judging.walk import Walk
 from allworlds.maps import CombinatorialMap
 from allworlds.protocol.actions import Drop, Pick, Write

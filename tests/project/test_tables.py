@@ -26,9 +26,9 @@ from allworlds.explorers.languages import LANGUAGES
 from allworlds.explorers.loading import load
 from allworlds.inputs.requests import fields_of
 from allworlds.judging.explanations.by_law import TELLERS
-from allworlds.judging.findings.rules import RecordedRules, RuleOptions, Rules
 from allworlds.judging.laws.bounds import bound_named
 from allworlds.judging.laws.law_table import LAWS, PRECEDENCE
+from allworlds.judging.rules import RecordedRules, RuleOptions, Rules
 from allworlds.judging.tasks import task_named
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent

@@ -13,7 +13,7 @@ from allworlds.documents.document import replace
 from allworlds.engines.units import shard_numbers
 from allworlds.explorers.loading import built_in
 from allworlds.inputs.checks import InputError
-from allworlds.judging.findings.rules import law_names
+from allworlds.judging.rules import law_names
 from allworlds.outcome import Completed, Disagreed, Interrupted, Stopped
 from allworlds.reports.formats import file_of
 from allworlds.reports.plain_text import finding_in_words as finding_text

@@ -8,7 +8,7 @@ from allworlds.engines import units
 from allworlds.engines.tally import Examiner
 from allworlds.explorers.loading import load
 from allworlds.inputs.checks import InputError
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.maps.counting import rooted_maps as counted
 from allworlds.reports.formats import text

@@ -5,7 +5,7 @@ import pytest
 from allworlds import check, merge
 from allworlds.engines.tally import Examiner
 from allworlds.explorers.loading import load
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import rooted_maps
 from allworlds.protocol.actions import Move
 from allworlds.reports.formats import text

@@ -11,7 +11,7 @@ from allworlds.engines.units import Scope
 from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import AroundExplorer
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.build import cycle, named_map
 from allworlds.maps.classes import Extent

@@ -17,7 +17,7 @@ from allworlds.engines.players import Unsettled
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import load
 from allworlds.inputs.checks import InputError
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import CombinatorialMap, MapClass, rooted_code, rooted_isomorphism
 from allworlds.maps.classes import Extent
 from allworlds.maps.families import edges_of

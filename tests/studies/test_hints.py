@@ -9,7 +9,7 @@ from allworlds.engines import engine_table
 from allworlds.engines.units import Scope
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import Subject
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps.classes import Extent, MapClass, condition_named
 from allworlds.studies.check import hints
 from allworlds.studies.explain import explain

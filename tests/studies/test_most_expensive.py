@@ -2,7 +2,7 @@
 
 from allworlds.engines.tally import AtRun, Examiner, Row
 from allworlds.explorers.loading import load
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import rooted_code, rooted_maps
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import most_expensive_runs

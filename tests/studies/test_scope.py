@@ -6,7 +6,7 @@ import pytest
 
 from allworlds import ambiguity, check, compare, count, fuzz
 from allworlds.inputs.requests import in_scope
-from allworlds.judging.findings.rules import RuleOptions
+from allworlds.judging.rules import RuleOptions
 from allworlds.notations.given import GivenOptions
 from allworlds.reports.formats import text
 from allworlds.verbs import VERBS

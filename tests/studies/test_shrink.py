@@ -3,7 +3,7 @@ import pytest
 import allworlds
 from allworlds.documents.document import replace
 from allworlds.engines.units import Scope
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass, contracted, deleted, rooted_code
 from allworlds.maps.build import without
 from allworlds.maps.classes import Extent

@@ -26,8 +26,8 @@ from allworlds.engines.tally import AtRun, EnginesDisagree, Examiner, Row, RunCo
 from allworlds.engines.units import LevelUnit, Scope, UnitOfRuns
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError
-from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import LAWS
+from allworlds.judging.rules import Rules
 from allworlds.maps import classes, combinatorial, enumeration
 from allworlds.world.lighthouses.marked import Cluster, Natural
 from allworlds.world.world import World

@@ -32,8 +32,8 @@ from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.nesting import ensure_outermost
 from allworlds.judging.episode import Answered, Fault, Over, ending_of
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
-from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.law_table import checked_laws
+from allworlds.judging.rules import RecordedRules, Rules
 from allworlds.judging.walk import Walk
 from allworlds.log import Log
 from allworlds.maps.classes import Extent, MapClass

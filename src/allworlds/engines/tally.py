@@ -24,8 +24,8 @@ from allworlds.judging.findings.finding import (
     canonical_world,
     place_of,
 )
-from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import LAWS, Case, Violation, first_wrong, judge
+from allworlds.judging.rules import Rules
 from allworlds.judging.walk import Walk
 from allworlds.maps.combinatorial import rooted_code
 from allworlds.protocol import actions, choices

@@ -17,7 +17,7 @@ from typing_extensions import override
 from allworlds.engines.listeners import Listener
 from allworlds.inputs.checks import InputError, an_integer, at_most, show
 from allworlds.inputs.requests import RARE_SCOPE, Converted, Option, Request
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import combinatorial, count_source, counting
 from allworlds.maps.classes import Extent
 from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps

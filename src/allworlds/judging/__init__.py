@@ -6,6 +6,8 @@
     the walk of a run in its world, at which all others look;
 ``belief``
     the walk as an answer has it, and the step at which the two part;
+``rules``
+    the rules by which a run is played and judged; a finding records them;
 ``tasks``
     what counts as done;
 ``laws``

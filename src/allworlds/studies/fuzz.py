@@ -34,8 +34,8 @@ from allworlds.explorers import loading, sources
 from allworlds.inputs.checks import InputError, integer_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, Request, answers
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.rules import Rules, law_names
 from allworlds.judging.laws.law_table import LAWS
+from allworlds.judging.rules import Rules, law_names
 from allworlds.maps import build
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code

@@ -20,8 +20,8 @@ from allworlds.inputs import checks, requests
 from allworlds.inputs.checks import InputError, an_integer, show
 from allworlds.inputs.requests import RULES, SCOPE, Converted, Option, OptionGroup, answers
 from allworlds.judging.findings.finding import Finding, FindingOptions
-from allworlds.judging.findings.rules import RuleOptions
 from allworlds.judging.laws.law_table import LawName
+from allworlds.judging.rules import RuleOptions
 from allworlds.judging.walk import Walk
 from allworlds.outcome import Facts
 from allworlds.protocol.actions import Action, IllegalAction, Percept, Transcript

@@ -4,7 +4,7 @@ from typing import Annotated, Any, TypeAlias, TypeVar
 
 from allworlds.documents import document as doc
 from allworlds.inputs import requests
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import classes
 from allworlds.world.lighthouses.kinds import LighthouseKind
 

@@ -15,7 +15,7 @@ from allworlds.engines.compiled_engine import AGREED, compare_engines, compared_
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.units import Scope
 from allworlds.explorers.loading import load
-from allworlds.judging.findings.rules import RuleOptions, Rules
+from allworlds.judging.rules import RuleOptions, Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.maps.counting import rooted_maps as counted

@@ -16,8 +16,8 @@ from allworlds.engines.kernel.records import ACTION, ANSWER, PERCEPT, ROBOT
 from allworlds.engines.units import LevelUnit, Scope
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import in_process_subject
-from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import LAWS
+from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.maps.enumeration import prefixes

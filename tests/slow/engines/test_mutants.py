@@ -11,7 +11,7 @@ from allworlds.engines.kernel.worlds import gluing_rule
 from allworlds.engines.tally import EnginesDisagree
 from allworlds.engines.units import Scope
 from allworlds.explorers.loading import load
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import CombinatorialMap, MapClass, rooted_maps, unrooted_code
 from allworlds.maps.classes import Extent
 from allworlds.maps.enumeration import prefixes

@@ -6,7 +6,7 @@ import pytest
 
 import small
 from allworlds.explorers.loading import load
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.studies.check.exhaustive import check

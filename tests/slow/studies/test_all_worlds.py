@@ -5,7 +5,7 @@ import pytest
 from allworlds import check
 from allworlds.engines.tally import Examiner
 from allworlds.explorers.loading import load
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.studies.worst.all_worlds import worst
 from allworlds.studies.worst.every_schedule import EverySchedule

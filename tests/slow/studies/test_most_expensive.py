@@ -4,7 +4,7 @@ import pytest
 
 from allworlds.engines.compiled_engine import level_of
 from allworlds.engines.kernel.engine import judge, walk
-from allworlds.judging.findings.rules import Rules
+from allworlds.judging.rules import Rules
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.maps.enumeration import prefixes
 from allworlds.studies.check.exhaustive import check

@@ -26,9 +26,9 @@ from allworlds.corpus.explorers import (
 from allworlds.explorers.loading import in_process_subject
 from allworlds.judging.episode import Answered, play
 from allworlds.judging.findings.finding import canonical_world
-from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.bounds import default_step_budget, paper_bound
 from allworlds.judging.laws.law_table import LAWS, Case, judge
+from allworlds.judging.rules import Rules
 from allworlds.judging.tasks import task_named
 from allworlds.maps import CombinatorialMap, rooted_code, rooted_maps
 from allworlds.maps.counting import SOURCES

@@ -14,8 +14,8 @@ from allworlds.documents.shown import Paged
 from allworlds.explorers.loading import HASH_SEED, named_on_command_line, own_bound
 from allworlds.inputs.checks import InputError, in_file, integer_of, parse_json, read_text, show
 from allworlds.inputs.requests import SCOPE, Argument, Option, OptionGroup, Request
-from allworlds.judging.findings.rules import RecordedRules, Rules
 from allworlds.judging.laws.law_table import PRECEDENCE, LawName, Value
+from allworlds.judging.rules import RecordedRules, Rules
 from allworlds.maps.combinatorial import Code, Dart, numbering, rooted_code
 from allworlds.protocol import actions
 from allworlds.protocol.actions import Transcript

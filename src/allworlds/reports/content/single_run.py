@@ -14,8 +14,8 @@ from allworlds.judging.belief import believed_walk, find_parting
 from allworlds.judging.episode import Answered, Over
 from allworlds.judging.explanations.story import Belief, Story, Walked
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.rules import Rules
 from allworlds.judging.laws.law_table import embed
+from allworlds.judging.rules import Rules
 from allworlds.judging.walk import Walk
 from allworlds.maps.build import completed
 from allworlds.maps.combinatorial import Dart, InvalidMap

@@ -17,8 +17,8 @@ from allworlds.engines.units import WHOLE, Sample, Scope, ShardOptions, cells_of
 from allworlds.explorers import loading, sources
 from allworlds.inputs import checks, requests
 from allworlds.judging.findings.finding import Finding, labelled
-from allworlds.judging.findings.rules import Among, RuleOptions, Rules
 from allworlds.judging.laws.law_table import checked_laws
+from allworlds.judging.rules import Among, RuleOptions, Rules
 from allworlds.judging.tasks import Task
 from allworlds.maps import classes, combinatorial, count_source
 from allworlds.maps.build import named_map

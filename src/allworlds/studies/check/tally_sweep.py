@@ -27,8 +27,8 @@ from allworlds.engines.limits import Limits, deadline_after
 from allworlds.explorers import loading, sources
 from allworlds.inputs import checks, requests
 from allworlds.judging.findings.finding import DIGITS, Finding, digest_of, labelled
-from allworlds.judging.findings.rules import Among, RuleOptions, Rules
 from allworlds.judging.laws.law_table import LAWS
+from allworlds.judging.rules import Among, RuleOptions, Rules
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.protocol.user_code import OtherText
 from allworlds.studies.check import hints

@@ -21,7 +21,7 @@ from allworlds.explorers import loading, sources
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, OptionGroup, as_json
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.rules import RuleOptions, Rules
+from allworlds.judging.rules import RuleOptions, Rules
 from allworlds.maps import classes, combinatorial, families
 from allworlds.notations.given import GivenOptions
 from allworlds.studies.check.report import ManyWorlds, SharedFile

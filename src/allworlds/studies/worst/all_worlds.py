@@ -24,8 +24,8 @@ from allworlds.inputs.checks import (
 from allworlds.inputs.requests import RULES, SCOPE, Argument, Converted, Option, Request, answers
 from allworlds.judging.episode import Answered, play
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.findings.rules import RuleOptions, Rules
 from allworlds.judging.laws.bounds import default_step_budget, paper_bound
+from allworlds.judging.rules import RuleOptions, Rules
 from allworlds.maps import classes, combinatorial
 from allworlds.notations.given import GivenOptions
 from allworlds.studies.scopes import FileDigests, GivenCount, told_scope
