@@ -21,7 +21,7 @@ from allworlds.log import Log
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import actions, playing
 from allworlds.protocol.choices import DEFAULT_POLICY, are_due, next_script
-from allworlds.world.lighthouses.base import State
+from allworlds.world.state import State
 from allworlds.world.world import World
 
 SHOWN_BEFORE, SHOWN_AFTER = 8, 4

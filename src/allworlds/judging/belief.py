@@ -10,7 +10,8 @@ from allworlds.judging.walk import Walk
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import actions
 from allworlds.protocol.actions import Transcript
-from allworlds.world.lighthouses.base import State, WalkInAnswer
+from allworlds.world.lighthouses.base import WalkInAnswer
+from allworlds.world.state import State
 
 
 def trail_to(map_: CombinatorialMap, here: Dart, walk: Walk | Transcript) -> list[Dart]:

@@ -11,7 +11,7 @@ from msgspec import Struct, field
 from allworlds.inputs.checks import InputError
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol.actions import Action, IllegalAction, Move, Percept, Transcript
-from allworlds.world.lighthouses.base import State
+from allworlds.world.state import State
 from allworlds.world.world import World
 
 
