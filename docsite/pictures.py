@@ -29,6 +29,7 @@ import allworlds
 from allworlds import Estimate, Finding
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.documents.document import replace
+from allworlds.judging.walk import Walk
 from allworlds.maps.combinatorial import CombinatorialMap, isomorphism
 from allworlds.reports.drawing.svg import picture
 from allworlds.reports.parts import Scene, scene_of, walk_in_answer, walk_in_world
@@ -175,9 +176,10 @@ def figure(name: str) -> str:
 
 def refutation(finding: Finding) -> list[Scene]:
     """The world of a finding, and the explorer's answer, if it is a map."""
-    scenes = [walk_in_world(finding.world, finding.transcript)]
+    walk = Walk.of(finding.world, finding.transcript.actions)
+    scenes = [walk_in_world(walk)]
     if isinstance(finding.seen, Estimate):
-        scenes.append(walk_in_answer(finding.world, finding.seen, finding.transcript))
+        scenes.append(walk_in_answer(walk, finding.seen))
     return scenes
 
 

@@ -15,6 +15,7 @@ from frame import framed
 
 import allworlds
 from allworlds import Estimate, Finding
+from allworlds.judging.walk import Walk
 from allworlds.reports.drawing.layout import layout
 from allworlds.reports.drawing.svg import picture, tag
 from allworlds.reports.parts import Scene, walk_in_answer, walk_in_world
@@ -58,8 +59,8 @@ def figure(finding: Finding) -> ET.Element:
     answer = finding.seen
     assert isinstance(answer, Estimate), f"a finding of the law {finding.law} has no answer"
     edges = finding.world.map.edge_count
-    world = walk_in_world(finding.world, finding.transcript)
-    believed = walk_in_answer(finding.world, answer, finding.transcript)
+    walk = Walk.of(finding.world, finding.transcript.actions)
+    world, believed = walk_in_world(walk), walk_in_answer(walk, answer)
     scale = min(map(_scale, (world, believed)))
     return framed(
         "A world that refutes an explorer, and the explorer's answer",

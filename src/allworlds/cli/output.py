@@ -263,7 +263,10 @@ def stdout_on_stderr() -> Iterator[None]:
     try:
         yield
     finally:
-        printed.flush()
+        with suppress(
+            OSError
+        ):  # of a terminal that was closed; what is printed later meets it, too
+            printed.flush()
         os.dup2(stdout, 1)
         os.close(stdout)
 

@@ -9,7 +9,7 @@ from allworlds.engines.compiled_engine import compare_engines
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.kernel.worlds import gluing_rule
 from allworlds.engines.tally import EnginesDisagree
-from allworlds.engines.units import Scope
+from allworlds.engines.units import Scope, units_of_level
 from allworlds.explorers.loading import load
 from allworlds.judging.rules import Rules
 from allworlds.maps import CombinatorialMap, MapClass, rooted_maps, unrooted_code
@@ -84,14 +84,14 @@ def test_a_check_with_a_damaged_table_ends_as_an_internal_error(
 @pytest.mark.long
 @pytest.mark.parametrize("damage", ["doubled", "lost"])
 def test_work_that_is_doubled_or_lost_fails_at_the_count_gate(monkeypatch, damage):
-    units = Scope.units
+    units = units_of_level
 
-    def damaged(self, edges):
-        for i, unit in enumerate(units(self, edges)):
+    def damaged(extent, edges, portion):
+        for i, unit in enumerate(units(extent, edges, portion)):
             copies = {"doubled": 2, "lost": 0}[damage] if (edges, i) == (6, 40) else 1
             yield from [unit] * copies
 
-    monkeypatch.setattr(Scope, "units", damaged)
+    monkeypatch.setattr("allworlds.engines.units.units_of_level", damaged)
     report = check(edges=6, engine="kernel", workers=2)
     assert report.verdict is Verdict.ERROR
     wrong = [cell for cell in report.cells if not cell.agrees]

@@ -8,7 +8,10 @@ pytestmark = pytest.mark.usefixtures("compiled")
 
 
 # Keys that may be missing, and objects whose keys are data.
-OPTIONAL = {"best_cost", "detail", "distinct", "labelled", "step", "stopped", "wrong_checkpoint"}
+OPTIONAL = {
+    *("after", "believed", "best_cost", "code", "covered", "detail", "distinct", "labelled"),
+    *("step", "stopped", "tried", "twins", "wrong_checkpoint"),
+}
 
 
 # What a percept that is read may leave out, or call by another name.

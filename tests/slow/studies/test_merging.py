@@ -30,8 +30,8 @@ def test_what_is_sharded_and_merged_is_the_whole(name, shards, report, tmp_path)
     [
         ({"edges": 3}, "size"),
         ({"edges": 2}, "world"),
-        ({"family": "strip", "to": 30, "worlds": 3}, "size"),
-        ({"family": "strip", "to": 20, "worlds": 2}, "run"),
+        ({"family": "strip", "to": 30, "draws": 3}, "size"),
+        ({"family": "strip", "to": 20, "draws": 2}, "run"),
     ],
 )
 def test_a_merge_has_the_rows_that_the_whole_has(worlds, by, tmp_path):
