@@ -32,13 +32,18 @@ def main() -> NoReturn:
 
 
 def _interrupt(*_: object) -> NoReturn:
-    """Interrupt the command; what it still writes to a terminal that was closed is dropped."""
+    """Interrupt the command."""
+    drop_closed_terminals()
+    raise KeyboardInterrupt
+
+
+def drop_closed_terminals() -> None:
+    """Drop what is still written to a terminal that was closed."""
     for stream in (1, 2):
         terminal = select.poll()
         terminal.register(stream, select.POLLHUP)
         if any(event & select.POLLHUP for _, event in terminal.poll(0)):
             os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
-    raise KeyboardInterrupt
 
 
 def _interrupt_again(dropped: Any) -> None:

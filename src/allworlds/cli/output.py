@@ -15,6 +15,7 @@ from tempfile import TemporaryFile
 from typing import Annotated, Any, ClassVar, Self, TypeVar
 
 from allworlds import outcome, verbs, words
+from allworlds.cli import drop_closed_terminals
 from allworlds.cli.defaults import defaults_used, made_by, words_of_command
 from allworlds.documents import document as doc
 from allworlds.documents.report import Report
@@ -263,12 +264,10 @@ def stdout_on_stderr() -> Iterator[None]:
     try:
         yield
     finally:
-        with suppress(
-            OSError
-        ):  # of a terminal that was closed; what is printed later meets it, too
-            printed.flush()
+        printed.flush()
         os.dup2(stdout, 1)
         os.close(stdout)
+        drop_closed_terminals()
 
 
 def abandon_stdout() -> None:
