@@ -31,10 +31,11 @@ from allworlds.engines.judge import PythonJudge, Work
 from allworlds.engines.kernel.library_player import LibraryPlayer
 from allworlds.engines.kernel.records import LONGEST_STRETCH, RUN_TOLD
 from allworlds.engines.players import Logs
-from allworlds.engines.tally import Examiner, RunCounter
+from allworlds.engines.tally import RunCounter
 from allworlds.engines.units import Scope, units_of_level
 from allworlds.explorers.loading import load
 from allworlds.explorers.shared_library import ROOM, Library, NativeExplorer
+from allworlds.judging.referee import Examiner
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent

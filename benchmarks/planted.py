@@ -32,12 +32,12 @@ from typing import Any
 from allworlds.corpus.explorers import ConfirmedTooEarly
 from allworlds.engines.lanes import workers_for
 from allworlds.engines.limits import Limits
-from allworlds.engines.tally import Examiner
 from allworlds.engines.units import Sample, Scope
 from allworlds.explorers.builtin.algorithm1 import Algorithm1, TwoVertices, Walk
 from allworlds.explorers.loading import in_process_subject
 from allworlds.judging.episode import AroundExplorer
 from allworlds.judging.findings.finding import place_of
+from allworlds.judging.referee import Examiner
 from allworlds.judging.rules import Rules
 from allworlds.maps import build, families
 from allworlds.maps.classes import Extent, MapClass

@@ -17,8 +17,8 @@ from collections import deque
 from collections.abc import Callable
 
 import allworlds
-from allworlds.engines.tally import Examiner
 from allworlds.explorers.loading import load
+from allworlds.judging.referee import Examiner
 from allworlds.judging.rules import Rules
 from allworlds.maps import family, rooted_code, rooted_maps, unrooted_code
 from allworlds.protocol.choices import Choices

@@ -28,10 +28,11 @@ from allworlds.engines.kernel.worlds import by_vertices_and_faces
 from allworlds.engines.limits import Limits
 from allworlds.engines.listeners import Listener
 from allworlds.engines.sweep import gather
-from allworlds.engines.tally import Examiner, Tally
+from allworlds.engines.tally import Tally
 from allworlds.engines.units import Scope, units_of_level
 from allworlds.explorers.loading import load
 from allworlds.judging.laws.bounds import default_step_budget, paper_bound
+from allworlds.judging.referee import Examiner
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.maps.classes import Extent

@@ -5,9 +5,9 @@ import pytest
 from allworlds import run
 from allworlds.documents.document import replace
 from allworlds.engines import units
-from allworlds.engines.tally import Examiner
 from allworlds.explorers.loading import load
 from allworlds.inputs.checks import InputError
+from allworlds.judging.referee import Examiner
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.maps.counting import rooted_maps as counted

@@ -3,8 +3,8 @@
 import pytest
 
 from allworlds import check, merge
-from allworlds.engines.tally import Examiner
 from allworlds.explorers.loading import load
+from allworlds.judging.referee import Examiner
 from allworlds.judging.rules import Rules
 from allworlds.maps import rooted_maps
 from allworlds.protocol.actions import Move

@@ -1,7 +1,8 @@
 """The most expensive run of each size is the least of those that cost most, in every engine."""
 
-from allworlds.engines.tally import AtRun, Examiner, Row
+from allworlds.engines.tally import AtRun, Row
 from allworlds.explorers.loading import load
+from allworlds.judging.referee import Examiner
 from allworlds.judging.rules import Rules
 from allworlds.maps import rooted_code, rooted_maps
 from allworlds.studies.check.exhaustive import check

@@ -8,7 +8,7 @@ import pytest
 
 from allworlds.engines.limits import Limits
 from allworlds.engines.single import subject_of
-from allworlds.engines.tally import Examiner
+from allworlds.judging.referee import Examiner
 from allworlds.judging.rules import Rules
 from allworlds.protocol.choices import Choices
 from allworlds.studies.fuzz import fuzz

@@ -12,12 +12,12 @@ from allworlds import Drop, Move, Percept, Pick, Write
 from allworlds.cli.output import OutputGroup, complain, emit, printable
 from allworlds.documents import document as doc
 from allworlds.engines.single import SingleRun
-from allworlds.engines.tally import Examiner, name_run
 from allworlds.explorers import loading
 from allworlds.explorers.sources import ProgramWords, names_explorer
 from allworlds.inputs.checks import InputError, integer_of, show
 from allworlds.inputs.requests import OUTPUT, RARE_SCOPE, SCOPE, Argument, Option, answer, values_of
 from allworlds.judging.findings.finding import canonical_world
+from allworlds.judging.referee import Examiner, name_run
 from allworlds.studies.run import PlayRequest, ReplayRequest, RunOptions, RunRequest, WorldNames
 from allworlds.world.named import names_of_worlds, world_named
 

@@ -32,7 +32,7 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
     the judge of every law, with the comparison of two plays, and its twin for the laws that the
     kernel knows: the same bytes;
 ``tally``
-    one judged run; what is counted and found;
+    what is counted and found;
 ``compiled_engine``, ``kernel``
     the engine in compiled code, for built-in explorers, and what it is asked; the code itself, the
     only importer of numba;

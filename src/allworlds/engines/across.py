@@ -32,9 +32,9 @@ from allworlds.engines.players import (
     lost_log,
     started,
 )
-from allworlds.engines.tally import Outcome
 from allworlds.engines.units import TWICE, AcrossUnit
 from allworlds.judging.findings.finding import canonical_world
+from allworlds.judging.referee import Outcome
 from allworlds.log import Log
 from allworlds.maps.combinatorial import CombinatorialMap, rooted_code
 from allworlds.world.world import World

@@ -22,11 +22,12 @@ from allworlds.engines.engine_table import WALKED_FROM, Job, kind_of, walks
 from allworlds.engines.kernel import capabilities, engine, engine as kernel, library_player, records
 from allworlds.engines.kernel.compiling import is_compiled, uncollected
 from allworlds.engines.kernel.runs import UNDEFINED, examine
-from allworlds.engines.tally import AtRun, EnginesDisagree, Examiner, Row, RunCounter, Tally
+from allworlds.engines.tally import AtRun, EnginesDisagree, Row, RunCounter, Tally
 from allworlds.engines.units import LevelUnit, Scope, UnitOfRuns
 from allworlds.explorers.loading import Subject
 from allworlds.inputs.checks import InputError
 from allworlds.judging.laws.law_table import LAWS
+from allworlds.judging.referee import Examiner
 from allworlds.judging.rules import Rules
 from allworlds.maps import classes, combinatorial, enumeration
 from allworlds.world.lighthouses.marked import Cluster, Natural

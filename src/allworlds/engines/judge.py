@@ -13,10 +13,11 @@ from typing import Any, NamedTuple
 from allworlds import log as entries
 from allworlds.documents import document as doc
 from allworlds.engines import players, units
-from allworlds.engines.tally import LOST, Outcome, Referee, RunCounter, Tally, name_run
+from allworlds.engines.tally import RunCounter, Tally
 from allworlds.inputs.checks import InputError, show
 from allworlds.judging.episode import Answered, Episode, Fault, Over, ending_of, fault_of, followed
 from allworlds.judging.laws.law_table import PRECEDENCE, Violation
+from allworlds.judging.referee import LOST, Outcome, Referee, name_run
 from allworlds.log import Log
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import actions, playing

@@ -47,6 +47,7 @@ from allworlds.engines.players import (
 )
 from allworlds.explorers.loading import Subject, is_program
 from allworlds.judging.episode import fault_of
+from allworlds.judging.referee import Outcome
 from allworlds.log import Log
 
 FIRST, SECOND = 0, 1
@@ -395,18 +396,18 @@ class Lane:
         for row, outcome in sorted(outcomes.items()):
             self._find(batch, batch.work, row, outcome)
 
-    def _find(self, batch: RunBatch, work: Work, row: int, outcome: tally.Outcome) -> None:
+    def _find(self, batch: RunBatch, work: Work, row: int, outcome: Outcome) -> None:
         due = batch.runs[row]
         self.engine.settle(self.judge.referee, due.world, due.place, outcome, work.tally)
 
-    def _own(self, batch: RunBatch, row: int) -> tally.Outcome:
+    def _own(self, batch: RunBatch, row: int) -> Outcome:
         """The outcome of a run by its first play."""
         one = batch.outcome(row)
         if not one.fits:
             return replace(one.outcome, violation=nondeterministic(OTHER_CHOICES))
         return one.outcome
 
-    def _in_words(self, batch: RunBatch, row: int) -> tally.Outcome:
+    def _in_words(self, batch: RunBatch, row: int) -> Outcome:
         """The outcome of a run whose log compiled code has written, by a play in Python."""
         before, batch.plain = batch.outcome(row), True
         (log,), _ = self._anew_from(self._seeds[FIRST], batch.worlds([row]))
@@ -417,7 +418,7 @@ class Lane:
 
     def _explained(
         self, batch: RunBatch, work: Work, differing: Sequence[tuple[int, Log]]
-    ) -> dict[int, tally.Outcome]:
+    ) -> dict[int, Outcome]:
         """The outcomes of runs whose plays differ."""
         few, (first, second) = differing[:MOST_SETTLED], self._seeds
         rows = [row for row, _ in few]
@@ -441,7 +442,7 @@ class Lane:
             found[row] = anew or overruled(one.outcome, one.log, other, choices=self.judge.every)
         return found
 
-    def _alike(self, batch: RunBatch, work: Work, row: int, other: Log) -> tally.Outcome | None:
+    def _alike(self, batch: RunBatch, work: Work, row: int, other: Log) -> Outcome | None:
         """The outcome of a run by two later plays of it alone; None if they are not alike.
 
         What has happened once, and in no fresh process, refutes nothing.  The second play has the
@@ -458,11 +459,11 @@ class Lane:
         work.tally.remark(f"a run ended otherwise when it was tried again; at first: {ended}")
         return anew
 
-    def _anew(self, due: Due, log: Log) -> tally.Outcome:
+    def _anew(self, due: Due, log: Log) -> Outcome:
         episode = self.judge.episode(due.world, log)
         return self.judge.referee.outcome(due.world, episode, tuple(log.choices))
 
-    def _by_seed(self, batch: RunBatch, work: Work, rows: list[int]) -> dict[int, tally.Outcome]:
+    def _by_seed(self, batch: RunBatch, work: Work, rows: list[int]) -> dict[int, Outcome]:
         """The outcomes of runs of an explorer that goes by hashes, in their worlds by each seed."""
         work.tally.remark(GOES_BY_HASHES)
         first, second = self._seeds

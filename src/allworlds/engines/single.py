@@ -24,7 +24,7 @@ from allworlds.engines.judge import (
 )
 from allworlds.engines.lane import FIRST, SECOND, Lane
 from allworlds.engines.players import answered, lost_log, started
-from allworlds.engines.tally import LOST, Examiner, Outcome, Referee, RunCounter, Tally, name_run
+from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import GivenWorlds, Scope
 from allworlds.explorers import loading, program, sources
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
@@ -33,6 +33,7 @@ from allworlds.inputs.nesting import ensure_outermost
 from allworlds.judging.episode import Answered, Fault, Over, ending_of
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.judging.laws.law_table import checked_laws
+from allworlds.judging.referee import LOST, Examiner, Outcome, Referee, name_run
 from allworlds.judging.rules import RecordedRules, Rules
 from allworlds.judging.walk import Walk
 from allworlds.log import Log

@@ -8,6 +8,8 @@
     the walk as an answer has it, and the step at which the two part;
 ``rules``
     the rules by which a run is played and judged; a finding records them;
+``referee``
+    one run by the laws: an outcome, and the finding of one that refutes;
 ``tasks``
     what counts as done;
 ``laws``

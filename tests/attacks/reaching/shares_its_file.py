@@ -8,7 +8,7 @@ options: --edges 2 --where shares_its_file.py:everything
 """
 
 from allworlds import Estimate, Lighthouse, Percept
-from allworlds.engines.tally import Referee
+from allworlds.judging.referee import Referee
 from allworlds.maps import named_map
 
 Referee.verdict = lambda self, world, episode, bound: None

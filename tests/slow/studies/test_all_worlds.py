@@ -3,8 +3,8 @@
 import pytest
 
 from allworlds import check
-from allworlds.engines.tally import Examiner
 from allworlds.explorers.loading import load
+from allworlds.judging.referee import Examiner
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.studies.worst.all_worlds import worst

@@ -28,6 +28,7 @@ from allworlds.explorers import loading, sources
 from allworlds.inputs import checks, requests
 from allworlds.judging.findings.finding import DIGITS, Finding, digest_of, labelled
 from allworlds.judging.laws.law_table import LAWS
+from allworlds.judging.referee import LOST
 from allworlds.judging.rules import Among, RuleOptions, Rules
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.protocol.user_code import OtherText
@@ -104,7 +105,7 @@ class Confirmation(Struct, frozen=True):
     def _settled(self, found: Finding, *, number: int) -> Finding | str:
         """Confirm in a fresh process. A crash that is not repeated becomes a remark."""
         again = self._again(found, number=number)
-        if again.law not in tally.LOST or not self.subject.importable or again.confirmed:
+        if again.law not in LOST or not self.subject.importable or again.confirmed:
             return again
         if not again.machine:
             broken = nondeterministic(f"{again.law}, and not in a fresh process: {again.seen}")

@@ -16,11 +16,12 @@ from allworlds import outcome
 from allworlds.documents import document as doc
 from allworlds.engines import job_records, single, sweep, units
 from allworlds.engines.engine_table import Job, ReadyEngine, players_for
-from allworlds.engines.tally import Outcome, RunCounter, Tally
+from allworlds.engines.tally import RunCounter, Tally
 from allworlds.explorers import loading, sources
 from allworlds.inputs.checks import InputError, a_text, integer_of, show
 from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, OptionGroup, as_json
 from allworlds.judging.findings.finding import Finding
+from allworlds.judging.referee import Outcome
 from allworlds.judging.rules import RuleOptions, Rules
 from allworlds.maps import classes, combinatorial, families
 from allworlds.notations.given import GivenOptions

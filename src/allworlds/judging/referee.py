@@ -1,0 +1,182 @@
+"""One run, judged: the referee, who knows the name of an explorer, and the examiner, who plays it.
+
+A run that breaks a law is made a finding.
+"""
+
+from msgspec import Struct
+
+from allworlds.documents.document import replace
+from allworlds.explorers.loading import Subject
+from allworlds.inputs.checks import show
+from allworlds.judging.episode import Answered, Episode, Fault, play
+from allworlds.judging.findings.finding import (
+    Believed,
+    EarlierRun,
+    Finding,
+    canonical_world,
+    place_of,
+)
+from allworlds.judging.laws.law_table import LAWS, Case, Violation, first_wrong, judge
+from allworlds.judging.rules import Rules
+from allworlds.judging.walk import Walk
+from allworlds.maps.combinatorial import rooted_code
+from allworlds.protocol import actions, choices
+from allworlds.world.world import World
+
+LOST = ("crash", "timeout")
+"""The laws that the machine may break, not the explorer alone."""
+
+
+class Outcome(Struct, frozen=True):
+    """One judged episode.
+
+    Attributes:
+        episode: the run.
+        violation: the first broken law, or None.
+        detail: a traceback, or a program's stderr; may be empty.
+        choices: the index taken at each choice.
+        bound: the largest legal number of traversals, or None.
+        hash_seed: the players' one, if it makes a difference.
+        output: the explorer's prints, if they were recorded.
+        after: the worlds before it in the same process, if they make a difference.
+    """
+
+    episode: Episode
+    violation: Violation | None
+    detail: str
+    choices: tuple[int, ...]
+    bound: int | None
+    hash_seed: int | None = None
+    output: str = ""
+    after: tuple[World, ...] = ()
+
+    @property
+    def cost(self) -> int:
+        """The number of edge traversals."""
+        return self.episode.walk.cost
+
+
+class Referee:
+    """A referee judges runs under one set of rules; it knows only the name of the explorer."""
+
+    def __init__(self, explorer: str, rules: Rules) -> None:
+        self.explorer = explorer
+        self.rules = rules
+        self._checks = [LAWS[law].check for law in rules.applying]
+
+    def outcome(self, world: World, episode: Episode, choices: tuple[int, ...]) -> Outcome:
+        """Judge an episode."""
+        bound = self.rules.the_bound.of(world.map, world.start)
+        violation = self.verdict(episode, bound)
+        ending = episode.ending
+        detail = ending.detail if isinstance(ending, Fault) else ""
+        return Outcome(episode, violation, detail, choices, bound)
+
+    def verdict(self, episode: Episode, bound: int | None) -> Violation | None:
+        """The first law that a finished episode breaks."""
+        walk, ending = episode.walk, episode.ending
+        if isinstance(ending, Fault):
+            expected = ending.expected
+            if ending.law == "budget" and self.rules.task.ends_runs:  # no answer is waited for
+                done = self.rules.task.asks.partition(";")[0]
+                expected = expected.replace("an answer within", f"{done} within")
+            return Violation(ending.law, expected, ending.seen)
+        task, answer = self.rules.task, ending.answer if isinstance(ending, Answered) else None
+        lighthouse = walk.world.lighthouse
+        if (
+            task.is_map
+            and isinstance(answer, actions.Ambiguous)
+            and not lighthouse.as_kind.leaves_open
+        ):
+            return Violation(
+                "no-estimate",
+                f"a map: the {lighthouse.kind} lighthouse has no answer without one",
+                show(answer),
+            )
+        if not task.is_map and (wrong := task.flaw(walk, ending)) is not None:
+            return Violation("task", task.asks, wrong)
+        estimate = answer if task.is_map else None
+        return judge(Case(walk, episode.checkpoints, estimate, bound), self._checks)
+
+    def finding(self, world: World, place: int, outcome: Outcome) -> Finding:
+        """The finding of a refuting outcome, in canonical numbering."""
+        assert outcome.violation is not None
+        violation, ending = outcome.violation, outcome.episode.ending
+        canonical, step = canonical_world(world), violation.step
+        believed, wrong = _believed(outcome.episode, step)
+        if not isinstance(ending, Fault) or "invariant-1" not in self.rules.applying:
+            wrong = ""
+        if believed and wrong:
+            step = believed.step
+        if not isinstance(ending, Fault):
+            # What was expected and seen may name darts: judge again under the canonical names.
+            walk = Walk.of(canonical, outcome.episode.walk.actions)
+            again = self.verdict(replace(outcome.episode, walk=walk), outcome.bound)
+            if again and again.law == violation.law:
+                violation = again
+        return Finding(
+            version=2,
+            explorer=self.explorer,
+            world=canonical,
+            at=place,
+            options=self.rules.recorded,
+            under=self.rules,
+            law=violation.law,
+            choices=outcome.choices,
+            transcript=outcome.episode.transcript,
+            expected=violation.expected,
+            seen=violation.seen,
+            detail=outcome.detail,
+            step=step,
+            wrong_checkpoint=wrong,
+            believed=believed,
+            machine=isinstance(ending, Fault) and ending.machine,
+            hash_seed=outcome.hash_seed,
+            output=outcome.output,
+            after=tuple(EarlierRun(world=before) for before in outcome.after),
+        )
+
+
+DARTS = range(1 << 63)
+"""The darts that a document can hold; whatever else a checkpoint says is none."""
+
+
+def _believed(episode: Episode, step: int | None) -> tuple[Believed | None, str]:
+    """The first wrong checkpoint after so many steps, or of all, and what is wrong with it.
+
+    Where none is wrong it is the last.
+    """
+    at = [i for i, (steps, _) in enumerate(episode.checkpoints) if step in (None, steps)]
+    given = tuple([episode.checkpoints[i] for i in at])
+    wrong = first_wrong(Case(episode.walk, given, None, None))
+    if not at:
+        return None, ""
+    number = at[wrong[0] if wrong else -1]
+    steps, shown = episode.checkpoints[number]
+    sigma, alpha, what = tuple(shown.sigma), tuple(shown.alpha), wrong[1] if wrong else ""
+    here = shown.here if shown.here in DARTS else 0
+    if not all(dart in DARTS for dart in (*sigma, *alpha)):
+        sigma, alpha = (), ()
+    return Believed(number=number, step=steps, sigma=sigma, alpha=alpha, here=here), what
+
+
+class Examiner(Referee):
+    """An examiner plays and judges runs of a built-in explorer in this process, each once."""
+
+    def __init__(self, subject: Subject, rules: Rules) -> None:
+        super().__init__(subject.name, rules)
+        self._player = subject.player()
+
+    def examine(self, world: World, choices: choices.Choices) -> Outcome:
+        """Play one episode, and judge it."""
+        rules, task = self.rules, self.rules.task
+        budget = rules.budget(world.map)
+        episode = play(world, self._player, choices, budget, maps=task.is_map, over=task.over)
+        return self.outcome(world, episode, tuple(choices.record))
+
+
+def name_run(rules: Rules, world: World) -> str:
+    """A name for a run that does not depend on the order of runs; empty if unused."""
+    if not rules.policy.startswith("random"):
+        return ""
+    return f"{rooted_code(world.map.sigma, world.map.alpha, 0)}/{place_of(world)}"
