@@ -2,10 +2,10 @@
 
 import pytest
 
-from allworlds.engines.judge import side_by_side
 from allworlds.engines.lane import SECOND
 from allworlds.engines.limits import Limits
 from allworlds.engines.single import played_again, subject_of
+from allworlds.judging.differences import side_by_side
 from allworlds.studies.check.exhaustive import check
 
 pytestmark = pytest.mark.processes

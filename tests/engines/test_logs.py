@@ -3,10 +3,10 @@
 import pytest
 
 from allworlds.engines.compiled_engine import level_of
-from allworlds.engines.judge import difference_of
 from allworlds.engines.kernel.engine import UnitJudge
 from allworlds.engines.kernel.records import Stretch
 from allworlds.engines.players import Logs
+from allworlds.judging.differences import difference_of
 from allworlds.judging.rules import Rules
 from allworlds.log import ANSWERED, BEYOND as STRANGE, CHOICE, SHOWN, Log
 from allworlds.maps.classes import Extent, MapClass

@@ -29,8 +29,7 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
 ``players``, ``player``
     a player from outside, started and heard, perhaps lost; and the program that it is;
 ``judge``, ``compiled_judge``
-    the judge of every law, with the comparison of two plays, and its twin for the laws that the
-    kernel knows: the same bytes;
+    the judge of every law, and its twin for the laws that the kernel knows: the same bytes;
 ``tally``
     what is counted and found;
 ``compiled_engine``, ``kernel``

@@ -12,17 +12,7 @@ own.
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from allworlds.documents.document import replace
-from allworlds.engines.judge import (
-    Due,
-    Judged,
-    PythonJudge,
-    RunBatch,
-    Work,
-    difference_of,
-    nondeterministic,
-    overruled,
-)
+from allworlds.engines.judge import Due, Judged, PythonJudge, RunBatch, Work
 from allworlds.engines.players import (
     Lost,
     PlayerHere,
@@ -33,6 +23,7 @@ from allworlds.engines.players import (
     started,
 )
 from allworlds.engines.units import TWICE, AcrossUnit
+from allworlds.judging.differences import after_worlds, difference_of, overruled
 from allworlds.judging.findings.finding import canonical_world
 from allworlds.judging.referee import Outcome
 from allworlds.log import Log
@@ -305,13 +296,3 @@ class Across:
                     low = middle
             needed, rest = [rest[low], *needed], rest[:low]
         return needed
-
-
-def after_worlds(outcome: Outcome, worlds: Sequence[World]) -> Outcome:
-    """The outcome of a run with these worlds before it, if its plays with and without differ."""
-    violation = outcome.violation
-    if violation is None or violation.law != "nondeterministic":
-        return outcome
-    said = "that world" if len(worlds) == 1 else f"those {len(worlds)} worlds"
-    seen = f"after {said}, in the same process: {violation.seen}"
-    return replace(outcome, violation=nondeterministic(seen), after=tuple(worlds))

@@ -23,16 +23,7 @@ from typing import Any, NamedTuple
 from allworlds.documents.document import replace
 from allworlds.engines import limits, tally, units
 from allworlds.engines.across import OTHER_SEED, Across, At, FirstLog
-from allworlds.engines.judge import (
-    Due,
-    PythonJudge,
-    Recorded,
-    RunBatch,
-    Work,
-    difference_of,
-    nondeterministic,
-    overruled,
-)
+from allworlds.engines.judge import Due, PythonJudge, Recorded, RunBatch, Work
 from allworlds.engines.players import (
     Logs,
     Lost,
@@ -46,6 +37,7 @@ from allworlds.engines.players import (
     wait,
 )
 from allworlds.explorers.loading import Subject, is_program
+from allworlds.judging.differences import difference_of, nondeterministic, overruled
 from allworlds.judging.episode import fault_of
 from allworlds.judging.referee import Outcome
 from allworlds.log import Log

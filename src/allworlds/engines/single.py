@@ -11,17 +11,7 @@ from allworlds import log as entries
 from allworlds.documents import document as doc
 from allworlds.documents.report import Report
 from allworlds.engines import limits, players
-from allworlds.engines.across import after_worlds
-from allworlds.engines.judge import (
-    Due,
-    PythonJudge,
-    Recorded,
-    difference_of,
-    in_words,
-    nondeterministic,
-    overruled,
-    side_by_side,
-)
+from allworlds.engines.judge import Due, PythonJudge, Recorded
 from allworlds.engines.lane import FIRST, SECOND, Lane
 from allworlds.engines.players import answered, lost_log, started
 from allworlds.engines.tally import RunCounter, Tally
@@ -30,6 +20,14 @@ from allworlds.explorers import loading, program, sources
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.nesting import ensure_outermost
+from allworlds.judging.differences import (
+    after_worlds,
+    difference_of,
+    in_words,
+    nondeterministic,
+    overruled,
+    side_by_side,
+)
 from allworlds.judging.episode import Answered, Fault, Over, ending_of
 from allworlds.judging.findings.finding import Finding, canonical_world, place_of
 from allworlds.judging.laws.law_table import checked_laws

@@ -10,6 +10,8 @@
     the rules by which a run is played and judged; a finding records them;
 ``referee``
     one run by the laws: an outcome, and the finding of one that refutes;
+``differences``
+    two plays of one run: where they differ, and what that overrules;
 ``tasks``
     what counts as done;
 ``laws``

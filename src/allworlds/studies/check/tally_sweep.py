@@ -22,10 +22,10 @@ from allworlds.documents.document import Document, IfAny, Text, about, replace
 from allworlds.engines import lanes, single, sweep, tally, units
 from allworlds.engines.engine_table import Job
 from allworlds.engines.job_records import Records, canonical, from_kept
-from allworlds.engines.judge import nondeterministic
 from allworlds.engines.limits import Limits, deadline_after
 from allworlds.explorers import loading, sources
 from allworlds.inputs import checks, requests
+from allworlds.judging.differences import nondeterministic
 from allworlds.judging.findings.finding import DIGITS, Finding, digest_of, labelled
 from allworlds.judging.laws.law_table import LAWS
 from allworlds.judging.referee import LOST

@@ -1,0 +1,128 @@
+"""Two plays of one run, compared: the violation of an explorer that plays it differently.
+
+Pure functions of two logs.  What a log says is judged elsewhere.
+"""
+
+from collections.abc import Sequence
+
+from allworlds import log as entries
+from allworlds.documents.document import replace
+from allworlds.inputs.checks import show
+from allworlds.judging.episode import Answered, Fault, ending_of, fault_of
+from allworlds.judging.laws.law_table import PRECEDENCE, Violation
+from allworlds.judging.referee import LOST, Outcome
+from allworlds.log import Log
+from allworlds.protocol import actions
+from allworlds.world.world import World
+
+SHOWN_BEFORE, SHOWN_AFTER = 8, 4
+"""The number of actions that are shown before the first that differs, and from it on."""
+
+
+def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = False) -> Outcome:
+    """The outcome of a first play, overruled by the violation of two plays that differ."""
+    difference = difference_of(first, second, choices=choices)
+    if difference is None or not _may_be_overruled(outcome.violation, second):
+        return outcome
+    faults = [fault for fault in (fault_of(second), fault_of(first)) if fault]
+    detail = next((fault.detail for fault in faults if fault.detail), "")
+    detail = "\n".join(filter(None, [side_by_side(in_words(first), in_words(second)), detail]))
+    return replace(outcome, violation=difference, detail=detail)
+
+
+def _may_be_overruled(violation: Violation | None, second: Log) -> bool:
+    """Whether nondeterminism has precedence over this law, or the second play does not break it.
+
+    A law that is broken in one of two plays alone is no more than a sign that they differ.
+    """
+    if violation is None or violation.law in LOST:
+        return True
+    fault = fault_of(second)
+    if fault is None or fault.law != violation.law:
+        return True
+    return PRECEDENCE.index("nondeterministic") < PRECEDENCE.index(violation.law)
+
+
+def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violation | None:
+    """The violation of an explorer whose plays on the same percepts differ; None if they do not.
+
+    The words of a fault are not compared: they may hold an address or a time.
+
+    Args:
+        first: in the world.
+        second: against its percepts.
+        choices: whether every schedule is tried: which there are follows from the choices.
+    """
+    actions, again = [*first.actions], [*second.actions]
+    if actions != again:
+        pairs = zip(actions, again, strict=False)
+        same = next((i for i, (a, b) in enumerate(pairs) if a != b), None)
+        where = "in its length" if same is None else f"at step {same + 1}"
+        difference = f"the second walk differs {where}"
+        beyond = second.ending[0] == entries.BEYOND and len(again) == len(actions) + 1
+        if same is None and beyond and fault_of(first) is None:
+            return nondeterministic("the second walk goes on where the first one ended")
+    elif _meaning(first) != _meaning(second):
+        difference = "the second answer differs"
+    elif choices and (first.choices, first.widths) != (second.choices, second.widths):
+        difference = "the choices of the second play differ"
+    else:
+        return None
+    for which, log in (("first", first), ("second", second)):
+        # Where the second walk leaves the first, nothing that it does is legal.
+        left, fault = log is second and actions != again, fault_of(log)
+        if fault and not (left and fault.law == "illegal-action"):
+            difference += f"; the {which} ended with {fault.law}: {fault.seen}"
+    return nondeterministic(difference)
+
+
+def side_by_side(first: tuple[list[str], str], second: tuple[list[str], str]) -> str:
+    """Both plays, a line each: the actions around the first that differs, and the endings."""
+    pairs = zip(first[0], second[0], strict=False)
+    differ = next((i for i, (a, b) in enumerate(pairs) if a != b), len(first[0]))
+    begin, end = max(0, differ - SHOWN_BEFORE), differ + SHOWN_AFTER
+    lines = []
+    for which, (moves, ending) in (("first", first), ("second", second)):
+        more = len(moves) - end
+        shown = [*moves[begin:end], f"and {more} more" if more > 0 else ending]
+        lines.append(f"{which} play, from step {begin + 1} on: {', '.join(shown)}")
+    return "\n".join(lines)
+
+
+def in_words(log: Log) -> tuple[list[str], str]:
+    """The actions of a play and its ending."""
+    return [str(actions.action_numbered(number)) for number in log.actions], _ending(log)
+
+
+def _ending(log: Log) -> str:
+    ending = ending_of(log)
+    if isinstance(ending, Fault):
+        return ending.law
+    return f"the answer {show(ending.answer)}" if isinstance(ending, Answered) else "all was done"
+
+
+def nondeterministic(seen: str) -> Violation:
+    """The violation of two plays with this difference."""
+    return Violation(
+        "nondeterministic",
+        "the same walk and answer when the same world is explored again",
+        seen,
+    )
+
+
+def _meaning(log: Log) -> object:
+    """The part of the ending that both plays must share: the answer, or the law of the fault."""
+    if log.ending[0] in (entries.BEYOND, entries.REFUSED):
+        return entries.REFUSED  # of a refused action no percept was recorded
+    fault = fault_of(log)
+    return fault.law if fault else log.ending
+
+
+def after_worlds(outcome: Outcome, worlds: Sequence[World]) -> Outcome:
+    """The outcome of a run with these worlds before it, if its plays with and without differ."""
+    violation = outcome.violation
+    if violation is None or violation.law != "nondeterministic":
+        return outcome
+    said = "that world" if len(worlds) == 1 else f"those {len(worlds)} worlds"
+    seen = f"after {said}, in the same process: {violation.seen}"
+    return replace(outcome, violation=nondeterministic(seen), after=tuple(worlds))
