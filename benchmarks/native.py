@@ -25,9 +25,10 @@ from pathlib import Path
 from typing import Any
 
 import allworlds.explorers.shared_library
+from allworlds.engines.batch import Work
 from allworlds.engines.compiled_engine import load_native
 from allworlds.engines.compiled_judge import CompiledBatch, CompiledJudge
-from allworlds.engines.judge import PythonJudge, Work
+from allworlds.engines.judge import PythonJudge
 from allworlds.engines.kernel.library_player import LibraryPlayer
 from allworlds.engines.kernel.records import LONGEST_STRETCH, RUN_TOLD
 from allworlds.engines.players import Logs
@@ -113,10 +114,12 @@ class Measured:
         batches = self.judge.batches(work, lambda: LONGEST_STRETCH)
         while batch := timed("laid out", lambda: next(batches, None)):
             rows = range(len(batch))
-            first = timed("first play", lambda b=batch, r=rows: self.played(0, b.worlds(r)))
+            first = timed("first play", lambda b=batch, r=rows: self.played(0, b.by.worlds(b, r)))
             batch.logs[0] = first
             good = timed("judged", lambda b=batch: self.judge.judge(b))
-            second = timed("second play", lambda b=batch, r=rows: self.played(1, b.records(r, r)))
+            second = timed(
+                "second play", lambda b=batch, r=rows: self.played(1, b.by.records(b, r, r))
+            )
             if not good or batch.broken or first.message != second.message:
                 raise SystemExit("a law is broken: this measures nothing")
             timed("compared", lambda a=first, b=second: a.message == b.message)

@@ -11,7 +11,8 @@ from contextlib import closing
 from itertools import islice
 from typing import Any
 
-from allworlds.engines.judge import Due, PythonJudge, Recorded
+from allworlds.engines.batch import Due, Recorded
+from allworlds.engines.judge import PythonJudge
 from allworlds.engines.lane import answered, started
 from allworlds.engines.limits import Limits
 from allworlds.engines.players import Lost, PlayerHere, PlayerProcess, Setup

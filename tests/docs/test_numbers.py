@@ -7,7 +7,7 @@ import pytest
 
 from allworlds.cli import output
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS, WRONG_LEARNERS
-from allworlds.engines import lane, players
+from allworlds.engines import batch, players
 from allworlds.engines.compiled_engine import AGREEMENT_EDGES
 from allworlds.engines.kernel import capabilities
 from allworlds.explorers import program
@@ -54,7 +54,7 @@ def test_the_page_of_proofs_says_how_many_mutants_there_are():
         ("verdicts.md", r"step budgets \| up to ([\d,]+)", capabilities.MOST_BUDGET),
         ("verdicts.md", r"one line of at most (\d+) characters", output.LONGEST),
         ("verdicts.md", r"is smaller than (\d+) MB", frame.LARGEST // 1_000_000),
-        ("trust.md", r"`PYTHONHASHSEED` 0, the second (\d)", lane.SECOND),
+        ("trust.md", r"`PYTHONHASHSEED` 0, the second (\d)", batch.SECOND),
         (
             "how-to/languages.md",
             r"law of the protocol its last (\d) KiB",

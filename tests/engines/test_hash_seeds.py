@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds.engines.lane import SECOND
+from allworlds.engines.batch import SECOND
 from allworlds.engines.limits import Limits
 from allworlds.engines.single import played_again, subject_of
 from allworlds.judging.differences import side_by_side

@@ -10,7 +10,8 @@ import pytest
 
 from allworlds import log as entries
 from allworlds.engines import linux, player, players
-from allworlds.engines.judge import Due, PythonJudge
+from allworlds.engines.batch import Due
+from allworlds.engines.judge import PythonJudge
 from allworlds.engines.limits import Limits
 from allworlds.engines.players import (
     Lost,
@@ -121,7 +122,7 @@ def test_a_signal_for_the_player_of_a_program_is_not_the_programs_fault(number):
 
 
 def judge_record(judged):
-    from allworlds.engines.judge import Recorded
+    from allworlds.engines.batch import Recorded
 
     return Recorded.of(Due(0, 0, WORLD), judged.outcome.episode)
 

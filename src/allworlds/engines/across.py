@@ -12,7 +12,8 @@ own.
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from allworlds.engines.judge import Due, Judged, PythonJudge, RunBatch, Work
+from allworlds.engines.batch import Due, RunBatch, Work
+from allworlds.engines.judge import PythonJudge
 from allworlds.engines.players import (
     Lost,
     PlayerHere,
@@ -73,19 +74,6 @@ class _Play:
         self.player = None
 
 
-class _Batch(RunBatch):
-    """The runs of all units, each judged by its log in the first play when that is asked for."""
-
-    def __init__(self, judge: PythonJudge, work: Work, runs: Sequence[Due]) -> None:
-        super().__init__(judge, work, runs)
-        self._known: dict[int, Judged] = {}
-
-    def outcome(self, row: int) -> Judged:
-        if row not in self._known:
-            self._known[row] = self.judge.judged(self.runs[row], self.logs[0][row])
-        return self._known[row]
-
-
 class Across:
     """The plays of one such unit.
 
@@ -108,7 +96,7 @@ class Across:
         self._setup, self._judge, self.work = setup, judge, work
         self._seed = seeds[0]
         self._plays = _Play(seeds[0], None), _Play(seeds[1], started(setup, seeds[1]))
-        self.batch: RunBatch = _Batch(judge, work, [])
+        self.batch = RunBatch(judge, work, [])
         self.begun = False
         self.found: dict[int, Outcome] = {}
         self.odd: list[tuple[int, Log]] = []
@@ -122,7 +110,7 @@ class Across:
         """
         assert isinstance(self.work.unit, AcrossUnit)
         self.begun = True
-        due = [run for run in self._judge.engine.runs(self.work.unit) if run.lighthouse]
+        due = [run for run in self._judge.counter.runs(self.work.unit) if run.lighthouse]
         first, second = self._plays
         wanted = {(run.map, run.place) for run in due}
         if wanted <= known.keys():
@@ -136,7 +124,7 @@ class Across:
             ]
             first.player = started(self._setup, first.seed)
         self._right = {(*at, one.log) for at, one in known.items() if one.right}
-        self.batch = _Batch(self._judge, self.work, runs)
+        self.batch = RunBatch(self._judge, self.work, runs)
         self._message = self._judge.worlds_message(self.batch.runs)
         first.order = [*range(len(runs))]
         second.order = first.order[::-1] + (first.order if self.work.unit.edges <= TWICE else [])

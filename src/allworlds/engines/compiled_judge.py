@@ -10,8 +10,9 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import islice
 from typing import Any
 
+from allworlds.engines.batch import Due, Message, RunBatch, Work
 from allworlds.engines.compiled_engine import compare, level_of, tally_of
-from allworlds.engines.judge import Due, Judged, PythonJudge, RunBatch, Work
+from allworlds.engines.judge import PythonJudge
 from allworlds.engines.kernel import records
 from allworlds.engines.kernel.engine import LaidOutRuns, UnitJudge
 from allworlds.engines.players import Logs
@@ -33,16 +34,19 @@ class CompiledBatch(RunBatch):
     """
 
     def __init__(
-        self, judge: "CompiledJudge", work: Work, unit_judge: UnitJudge, laid: LaidOutRuns
+        self,
+        judge: "CompiledJudge",
+        work: Work,
+        unit: LevelUnit,
+        unit_judge: UnitJudge,
+        laid: LaidOutRuns,
     ) -> None:
-        super().__init__(judge.python, work, ())
-        self.unit_judge, self.laid, self.plain = unit_judge, laid, not judge.native
+        super().__init__(judge, work, ())
+        self.unit, self.unit_judge, self.laid = unit, unit_judge, laid
+        self.plain = not judge.native
         self.heads, self.tables = unit_judge.heads.copy(), unit_judge.worlds[: laid.runs].copy()
-        self.by: Any = judge
         self.percepts, self.starts = b"", array("i")
         self.motioned: Any = None
-        self._found: list[int] = []
-        self._known: dict[int, Judged] = {}
 
     def __len__(self) -> int:
         return self.laid.runs
@@ -51,70 +55,15 @@ class CompiledBatch(RunBatch):
     def runs(self) -> list[Due]:
         """The runs, as Python has them."""
         if not self._runs and len(self):
-            unit, laid = self.work.unit, self.laid
+            laid = self.laid
             self._runs = [
                 Due(run.number, run.place, World(run.map, run.lighthouse, 0))
-                for run in islice(self.by.engine.runs(unit, laid.first), laid.until - laid.first)
+                for run in islice(
+                    self.by.counter.runs(self.unit, laid.first), laid.until - laid.first
+                )
                 if run.lighthouse is not None
             ]
         return self._runs
-
-    def worlds(self, rows: Sequence[int]) -> dict[str, Any]:
-        """The message to a player that plays these runs in their worlds."""
-        if not self.plain:
-            whole = len(rows) == len(self)
-            heads, tables = (each if whole else each[[*rows]] for each in (self.heads, self.tables))
-            return self._native(rows, heads) | {"again": False, "worlds": tables}
-        tables = (self.tables[row].tobytes() for row in rows)
-        return self.judge.message("table", self._rows_of(rows, tables))
-
-    def _rows_of(self, rows: Sequence[int], places: Iterable[bytes]) -> list[tuple[Any, ...]]:
-        """Rows of a message: worlds or records, and what is said of each run."""
-        said = self.heads[[*rows]][:, [records.RUN_BUDGET, records.RUN_TOLD]].tolist()
-        return [
-            (place, None if number < 0 else number, False, budget, "", ())
-            for place, (budget, number) in zip(places, said, strict=True)
-        ]
-
-    def records(self, rows: Sequence[int], order: Sequence[int] = ()) -> dict[str, Any]:
-        """The message to a player that plays recorded percepts; a library's draws the order."""
-        if len(rows) == len(self) and not self.plain:
-            again = {"again": True, "percepts": self.percepts, "starts": self.starts}
-            return self._native(rows, self.motioned) | again
-        if not self.percepts:  # Python has judged them
-            return super().records(rows, order)
-        sensed = (self.percepts[self.starts[row] : self.starts[row + 1]] for row in rows)
-        return self.judge.message("record", self._rows_of(rows, sensed), order)
-
-    def _native(self, rows: Sequence[int], heads: Any) -> dict[str, Any]:
-        return {
-            "kind": "native",
-            "edges": self.work.unit.edges,  # type: ignore[attr-defined]
-            "runs": len(rows),
-            "seed": self.by.seed(),
-            "policy": self.judge.rules.policy,
-            "heads": heads,
-        }
-
-    @property
-    def without_words(self) -> list[int]:
-        """The broken runs of which compiled code has written the log: without words or choices."""
-        return [] if self.plain else self.broken
-
-    def outcome(self, row: int) -> Judged:
-        """A run, judged by the Python judge."""
-        if row not in self._known:
-            self._known[row] = self.judge.judged(self.runs[row], self.logs[0][row])
-        return self._known[row]
-
-    @property
-    def broken(self) -> list[int]:
-        """The least of the runs that break a law."""
-        return self._found
-
-    def follow_ups(self) -> list[Due]:
-        """Return no run: this judge knows one schedule alone."""
-        return []
 
 
 class CompiledJudge:
@@ -129,38 +78,37 @@ class CompiledJudge:
     every = False
 
     def __init__(self, python: PythonJudge, seed: Callable[[], int], *, native: bool) -> None:
-        self.python, self.engine, self.rules = python, python.engine, python.rules
+        self.python, self.counter, self.rules = python, python.counter, python.rules
         self.seed, self.native = seed, native
         self._memories: dict[int, tuple[records.Stretch, records.Stretch]] = {}
-        self._compared = False
+        self.judged, self._compared = python.judged, False
 
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[CompiledBatch]:
         """The runs of a unit, so many at a time."""
         unit = work.unit
         assert isinstance(unit, LevelUnit)
-        scope, edges = self.engine.scope, unit.edges
+        scope, edges = self.counter.scope, unit.edges
         if edges not in self._memories:
             self._memories[edges] = records.Stretch.of(edges), records.Stretch.of(edges)
         level = level_of(self.python.referee.explorer, scope.rules, scope.extent, edges)
-        judge = UnitJudge(level, unit.prefix, self.engine.keep, *self._memories[edges])
+        judge = UnitJudge(level, unit.prefix, self.counter.keep, *self._memories[edges])
         last = False
         while not last:
             laid = judge.lay_out(size() * (LIBRARIES if self.native else 1))
             last = laid.last
-            batch = CompiledBatch(self, work, judge, laid)
+            batch = CompiledBatch(self, work, unit, judge, laid)
             if laid.runs:
                 yield batch
             elif laid.until > laid.first:  # worlds without a place
                 self.judge(batch)
                 work.tally.add(batch.tally)
 
-    def judge(self, batch: CompiledBatch) -> bool:
+    def judge(self, batch: RunBatch) -> bool:
         """Judge the first logs of a batch, and count them; those of one unit in their order.
 
         Return False if compiled code has written logs that only Python knows how to write.
         """
-        unit = batch.work.unit
-        assert isinstance(unit, LevelUnit)
+        assert isinstance(batch, CompiledBatch)
         if self.native and batch.plain:
             self._by_python(batch)
             return True
@@ -169,10 +117,10 @@ class CompiledJudge:
             if not self.native:
                 self._by_python(batch)
             return not self.native
-        tally = tally_of(rows, unit, self.engine.scope, self.engine.tally())
+        tally = tally_of(rows, batch.unit, self.counter.scope, self.counter.tally())
         if not self._compared and batch.logs[0]:
             self._compared = True
-            compare(tally, rows, self._python_tally(batch), unit)
+            compare(tally, rows, self._python_tally(batch), batch.unit)
         batch.tally.add(tally)
         for broken in rows.broken:
             batch.broken.append(self._row(batch, (broken.sigma, broken.alpha), broken.place))
@@ -188,18 +136,18 @@ class CompiledJudge:
 
     def _rows(self, batch: CompiledBatch) -> tuple[records.Rows, bool]:
         """The rows of a batch, and whether all logs could be judged."""
-        edges = batch.work.unit.edges  # type: ignore[attr-defined]
-        stretch, records = self._memories[edges]
+        stretch, replay = self._memories[batch.unit.edges]
         given = batch.logs[0]
-        logs = Logs.of([given[row] for row in range(len(batch))] if type(given) is dict else given)
+        in_order = given if not isinstance(given, dict) else [given[row] for row in sorted(given)]
+        logs = Logs.of(in_order)
         size = stretch.put(logs)
         judge = batch.unit_judge
         judge.heads = batch.heads
         rows, good = judge.judge(batch.laid, max(0, size))
         count = len(logs)
-        starts = [*records.starts[:count].tolist(), judge.noted]
-        batch.percepts = records.percepts[: judge.noted].tobytes()
-        batch.starts, batch.motioned = array("i", starts), records.heads[:count].copy()
+        starts = [*replay.starts[:count].tolist(), judge.noted]
+        batch.percepts = replay.percepts[: judge.noted].tobytes()
+        batch.starts, batch.motioned = array("i", starts), replay.heads[:count].copy()
         return rows, good and size >= 0
 
     def _by_python(self, batch: CompiledBatch) -> None:
@@ -212,12 +160,12 @@ class CompiledJudge:
 
     def _python_tally(self, batch: CompiledBatch) -> Tally:
         """Return the tally that the Python judge makes of the same logs."""
-        tally, laid, row = self.engine.tally(), batch.laid, 0
-        runs = islice(self.engine.runs(batch.work.unit, laid.first), laid.until - laid.first)
+        tally, laid, row = self.counter.tally(), batch.laid, 0
+        runs = islice(self.counter.runs(batch.unit, laid.first), laid.until - laid.first)
         for run in runs:
-            if self.engine.count_run(run, tally) is not None:
+            if self.counter.count_run(run, tally) is not None:
                 due, one = batch.runs[row], batch.outcome(row)
-                self.engine.count_outcome(due.world, due.place, one.outcome, tally)
+                self.counter.count_outcome(due.world, due.place, one.outcome, tally)
                 row += 1
         return tally
 
@@ -228,6 +176,42 @@ class CompiledJudge:
             if due.place == place and rooted_code(map_.sigma, map_.alpha, 0) == code:
                 return row
         raise EnginesDisagree(f"the kernel has met a world that is none: {code}")
+
+    # ---------------------------------------------------------------- messages
+
+    def worlds(self, batch: RunBatch, rows: Sequence[int]) -> Message:
+        """The message to a player that plays these runs in their worlds."""
+        assert isinstance(batch, CompiledBatch)
+        if not batch.plain:
+            whole = len(rows) == len(batch)
+            laid = batch.heads, batch.tables
+            heads, tables = (each if whole else each[[*rows]] for each in laid)
+            return self._native(batch, rows, heads) | {"again": False, "worlds": tables}
+        places = (batch.tables[row].tobytes() for row in rows)
+        return self.python.message("table", _rows_of(batch, rows, places))
+
+    def records(self, batch: RunBatch, rows: Sequence[int], order: Sequence[int] = ()) -> Message:
+        """The message to a player that plays recorded percepts; a library's draws the order."""
+        assert isinstance(batch, CompiledBatch)
+        if len(rows) == len(batch) and not batch.plain:
+            again = {"again": True, "percepts": batch.percepts, "starts": batch.starts}
+            return self._native(batch, rows, batch.motioned) | again
+        if not batch.percepts:  # Python has judged them
+            return self.python.records(batch, rows, order)
+        sensed = (batch.percepts[batch.starts[row] : batch.starts[row + 1]] for row in rows)
+        return self.python.message("record", _rows_of(batch, rows, sensed), order)
+
+    def _native(self, batch: CompiledBatch, rows: Sequence[int], heads: Any) -> Message:
+        return {
+            "kind": "native",
+            "edges": batch.unit.edges,
+            "runs": len(rows),
+            "seed": self.seed(),
+            "policy": self.rules.policy,
+            "heads": heads,
+        }
+
+    # ---------------------------------------------------------------- its twin
 
     def compare_with(self, batches: Iterable[RunBatch]) -> None:
         """Compare both judges on whole units of logs.
@@ -240,7 +224,7 @@ class CompiledJudge:
             _, known = units.setdefault(batch.work.unit.key, (batch.work, {}))
             known.update({due.number: batch.logs[0][i] for i, due in enumerate(batch.runs)})
         for work, known in units.values():
-            whole = Work(work.unit, self.engine.tally())
+            whole = Work(work.unit, self.counter.tally())
             for batch in self.batches(whole, lambda: 1 << 10):
                 numbers = batch.heads[:, records.RUN_NUMBER].tolist()
                 if not all(number in known for number in numbers):
@@ -249,3 +233,14 @@ class CompiledJudge:
                 self._compared = False
                 self.judge(batch)
         self._compared = False
+
+
+def _rows_of(
+    batch: CompiledBatch, rows: Sequence[int], places: Iterable[bytes]
+) -> list[tuple[Any, ...]]:
+    """Rows of a message: worlds or records, and what is said of each run."""
+    said = batch.heads[[*rows]][:, [records.RUN_BUDGET, records.RUN_TOLD]].tolist()
+    return [
+        (place, None if number < 0 else number, False, budget, "", ())
+        for place, (budget, number) in zip(places, said, strict=True)
+    ]

@@ -23,7 +23,8 @@ from typing import Any, NamedTuple
 from allworlds.documents.document import replace
 from allworlds.engines import limits, tally, units
 from allworlds.engines.across import OTHER_SEED, Across, At, FirstLog
-from allworlds.engines.judge import Due, PythonJudge, Recorded, RunBatch, Work
+from allworlds.engines.batch import FIRST, SECOND, Due, Recorded, RunBatch, Work
+from allworlds.engines.judge import PythonJudge
 from allworlds.engines.players import (
     Logs,
     Lost,
@@ -41,9 +42,6 @@ from allworlds.judging.differences import difference_of, nondeterministic, overr
 from allworlds.judging.episode import fault_of
 from allworlds.judging.referee import Outcome
 from allworlds.log import Log
-
-FIRST, SECOND = 0, 1
-"""The numbers of the players, and their hash seeds."""
 
 SIX_MORE = (OTHER_SEED, 3, 4, 5, 6, 7)
 """Other seeds under which some records of larger worlds are played."""
@@ -92,7 +90,7 @@ class Lane:
 
     Args:
         subject: the explorer.
-        engine: counts, and knows the scope.
+        counter: counts, and knows the scope.
         limits: of the time for an answer, and of memory.
         given: the choices of the only run, whose record is not played under other seeds; None for
             those that the scope asks for.
@@ -106,15 +104,15 @@ class Lane:
     def __init__(
         self,
         subject: Subject,
-        engine: tally.RunCounter,
+        counter: tally.RunCounter,
         limits: limits.Limits,
         *,
         given: tuple[int, ...] | None = None,
         seeds: tuple[int, int] = (FIRST, SECOND),
         first_lane: bool = True,
     ) -> None:
-        self.subject, self.engine = subject, engine
-        self.judge = PythonJudge(engine, subject.name, given)
+        self.subject, self.counter = subject, counter
+        self.judge = PythonJudge(counter, subject.name, given)
         self._setup = Setup(subject, limits)
         self._twice = subject.from_user
         self._apart = subject.from_user and subject.importable
@@ -144,7 +142,7 @@ class Lane:
 
     def offer(self, unit: units.UnitOfRuns) -> None:
         """Take a unit."""
-        work = Work(unit, self.engine.tally())
+        work = Work(unit, self.counter.tally())
         if isinstance(unit, units.AcrossUnit):
             work.open, seeds = 1, (FIRST, self._seeds[SECOND] and OTHER_SEED)
             self._across = Across(self._setup, self.judge, work, seeds)
@@ -155,10 +153,10 @@ class Lane:
 
     def _judge_of(self, unit: units.UnitOfRuns) -> Any:
         """The judge in compiled code if the level is worth its loading, and it is compiled."""
-        least = self.engine.compiled_from
+        least = self.counter.compiled_from
         if least is None or not isinstance(unit, units.LevelUnit):
             return self.judge
-        extent = self.engine.scope.extent
+        extent = self.counter.scope.extent
         following = min(unit.edges + 1, extent.levels[-1])  # it is kept for them, too
         if max(units.level_size(extent, edges) for edges in (unit.edges, following)) < least:
             return self.judge
@@ -226,8 +224,8 @@ class Lane:
     def end(self) -> Any:
         """The tally of what other seeds show at the end, and of nothing else."""
         if not self._kept:
-            return self.engine.tally()
-        work = Work(self._kept[0][0].work.unit, self.engine.tally())
+            return self.counter.tally()
+        work = Work(self._kept[0][0].work.unit, self.counter.tally())
         runs = [batch.record(row) for batch, row in self._kept]
         for seed in SIX_MORE:
             order = self._random.sample(range(len(runs)), len(runs))
@@ -257,10 +255,10 @@ class Lane:
                 if not self._works and not self._due == self._judged == self._settled_runs:
                     raise RuntimeError("runs were left out")
                 for due, cost in work.best.values():
-                    self.engine.count_best(due.world, cost, work.tally)
+                    self.counter.count_best(due.world, cost, work.tally)
             if whole or late:
                 self._done.append(units.PartialResult(work.unit, work.tally, whole))
-                work.tally = self.engine.tally()
+                work.tally = self.counter.tally()
                 self._reported = time.monotonic()
 
     # ---------------------------------------------------------------- batches
@@ -285,7 +283,7 @@ class Lane:
 
     def _play_first(self, batch: RunBatch) -> None:
         rows = range(len(batch))
-        self._player(FIRST).give(RunsToPlay(batch, rows), batch.worlds(rows))
+        self._player(FIRST).give(RunsToPlay(batch, rows), batch.by.worlds(batch, rows))
 
     def _room(self, which: int) -> bool:
         return which not in self._players or len(self._players[which].jobs) < DEPTH
@@ -349,7 +347,7 @@ class Lane:
             self._remember(batch)
             if self._compiled is None and isinstance(batch.work.unit, units.LevelUnit):
                 edges = batch.work.unit.edges
-                self._small += [batch] if edges <= SMALL and self.engine.compiled_from else []
+                self._small += [batch] if edges <= SMALL and self.counter.compiled_from else []
             batch.work.more += batch.follow_ups()
             if self._twice:
                 self._waiting.append(batch)
@@ -390,7 +388,7 @@ class Lane:
 
     def _find(self, batch: RunBatch, work: Work, row: int, outcome: Outcome) -> None:
         due = batch.runs[row]
-        self.engine.settle(self.judge.referee, due.world, due.place, outcome, work.tally)
+        self.counter.settle(self.judge.referee, due.world, due.place, outcome, work.tally)
 
     def _own(self, batch: RunBatch, row: int) -> Outcome:
         """The outcome of a run by its first play."""
@@ -402,7 +400,7 @@ class Lane:
     def _in_words(self, batch: RunBatch, row: int) -> Outcome:
         """The outcome of a run whose log compiled code has written, by a play in Python."""
         before, batch.plain = batch.outcome(row), True
-        (log,), _ = self._anew_from(self._seeds[FIRST], batch.worlds([row]))
+        (log,), _ = self._anew_from(self._seeds[FIRST], batch.by.worlds(batch, [row]))
         one = self.judge.judged(batch.runs[row], log)
         if not self._differ(before.log, one.log):
             return one.outcome
@@ -415,8 +413,8 @@ class Lane:
         few, (first, second) = differing[:MOST_SETTLED], self._seeds
         rows = [row for row, _ in few]
         orders = rows, rows[::-1]
-        firsts = [self._fresh(first, batch.worlds, order) for order in orders]
-        seconds = [self._fresh(second, batch.records, order) for order in orders]
+        firsts = [self._fresh(first, partial(batch.by.worlds, batch), order) for order in orders]
+        seconds = [self._fresh(second, partial(batch.by.records, batch), order) for order in orders]
         before = {row: batch.outcome(row).log for row in rows}
         if first != second and not any(
             self._differ(old, play[row])
@@ -441,7 +439,7 @@ class Lane:
         record of the later one: that of the run may be too short.
         """
         due, one = batch.runs[row], batch.outcome(row).log
-        log = self._fresh(self._seeds[FIRST], batch.worlds, [row])[row]
+        log = self._fresh(self._seeds[FIRST], partial(batch.by.worlds, batch), [row])[row]
         anew = self._anew(due, log)
         message = self.judge.records_message([Recorded.of(due, anew.episode)])
         if self._differ(log, self._fresh(self._seeds[SECOND], lambda _: message, [row])[row]):
@@ -461,7 +459,7 @@ class Lane:
         first, second = self._seeds
         found = {row: self._own(batch, row) for row in rows}
         found = {row: replace(out, hash_seed=first) for row, out in found.items() if out.violation}
-        for row, log in self._fresh(second, batch.worlds, rows).items():
+        for row, log in self._fresh(second, partial(batch.by.worlds, batch), rows).items():
             other = self._anew(batch.runs[row], log)
             if other.violation is not None and row not in found:
                 found[row] = replace(other, hash_seed=second)
@@ -490,7 +488,7 @@ class Lane:
 
     def _keep(self, batch: RunBatch) -> None:
         """Keep some records of large worlds."""
-        edges, last = batch.runs[0].world.map.edge_count, self.engine.scope.extent.levels[-1]
+        edges, last = batch.runs[0].world.map.edge_count, self.counter.scope.extent.levels[-1]
         if edges > SMALL and edges == last and self._first_lane:
             rows = [(batch, row) for row in range(len(batch))]
             self._kept += rows[: KEPT - len(self._kept)]
@@ -586,11 +584,11 @@ class Lane:
 
     def _message(self, which: int, batch: RunBatch, rows: Sequence[int]) -> dict[str, Any]:
         if which == FIRST:
-            return batch.worlds(rows)
+            return batch.by.worlds(batch, rows)
         order = self._random.sample(range(len(rows)), len(rows))
         if self._random.getrandbits(1):  # who counts runs does not know which comes
             order.insert(self._random.randrange(len(order)), self._random.choice(order))
-        return batch.records(rows, order)
+        return batch.by.records(batch, rows, order)
 
     def _alone(self, which: int, batch: RunBatch, row: int, lost: Lost) -> bytes:
         """The log of a run in which a player was lost, by a fresh player that plays it alone."""
@@ -599,7 +597,9 @@ class Lane:
         if lost.law in self._repeated:
             batch.lost.add(row)
             return lost_log(b"", lost)
-        message = batch.worlds([row]) if which == FIRST else batch.records([row])
+        message = (
+            batch.by.worlds(batch, [row]) if which == FIRST else batch.by.records(batch, [row])
+        )
         (log,), again = self._anew_from(self._seeds[which], message)
         if again:
             self._repeated.add(again.law)

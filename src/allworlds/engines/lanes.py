@@ -183,7 +183,7 @@ class Lanes(Struct):
 
     def _lane_here(self, engine: tally.RunCounter) -> Lane | None:
         """One lane as long as the same is asked for; None once others have begun."""
-        if self._processes or (self._lane is not None and self._lane.engine != engine):
+        if self._processes or (self._lane is not None and self._lane.counter != engine):
             self._close_lane()
         if not self.here or self._processes:
             return None
@@ -252,7 +252,7 @@ def _lane_of(link: Connection, subject: Subject, limits: Limits, *, first_lane: 
         while True:
             while link.poll(0 if lane.busy else None):
                 asked, unit = link.recv()
-                if asked != lane.engine:
+                if asked != lane.counter:
                     lane.close()
                     lane = Lane(subject, asked, limits, first_lane=first_lane)
                 lane.offer(unit)

@@ -11,8 +11,9 @@ from allworlds import log as entries
 from allworlds.documents import document as doc
 from allworlds.documents.report import Report
 from allworlds.engines import limits, players
-from allworlds.engines.judge import Due, PythonJudge, Recorded
-from allworlds.engines.lane import FIRST, SECOND, Lane
+from allworlds.engines.batch import FIRST, SECOND, Due, Recorded
+from allworlds.engines.judge import PythonJudge
+from allworlds.engines.lane import Lane
 from allworlds.engines.players import answered, lost_log, started
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import GivenWorlds, Scope

@@ -11,10 +11,11 @@ from msgspec import Struct, json
 from typing_extensions import override
 
 from allworlds.documents.document import Text, about, replace
-from allworlds.engines import lane, lanes, single, sweep
+from allworlds.engines import batch, lanes, single, sweep
+from allworlds.engines.batch import Due
 from allworlds.engines.engine_table import ReadyEngine, players_for
 from allworlds.engines.job_records import Identity
-from allworlds.engines.judge import Due, PythonJudge
+from allworlds.engines.judge import PythonJudge
 from allworlds.engines.limits import Limits, TimeIsUp, deadline_after
 from allworlds.engines.listeners import NOBODY, Listener
 from allworlds.engines.players import Lost, Setup, answered, started
@@ -624,7 +625,7 @@ def bred(
     rules, extent = replace(scope.rules, step_budget=LONG), scope.extent
     number, pool = 0, _Pool(unit, extent, rules.kind)
     judge = PythonJudge(RunCounter(Scope(extent, rules), keep=1), subject.name)
-    player = started(Setup(subject, limits), lane.FIRST)
+    player = started(Setup(subject, limits), batch.FIRST)
     try:
         for generation in range(1 + BRED // GENERATION):
             placed = pool.bred() if generation else unit.placed(extent, rules.kind)

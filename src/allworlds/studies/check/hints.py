@@ -16,8 +16,8 @@ import msgspec
 
 from allworlds.documents.document import replace
 from allworlds.engines import players
+from allworlds.engines.batch import Due
 from allworlds.engines.engine_table import Job, players_for
-from allworlds.engines.judge import Due
 from allworlds.engines.limits import Limits, TimeIsUp
 from allworlds.engines.single import Plays
 from allworlds.engines.tally import RunCounter
