@@ -13,9 +13,8 @@ from typing import Any
 
 from allworlds.engines.batch import Due, Recorded
 from allworlds.engines.judge import PythonJudge
-from allworlds.engines.lane import answered, started
 from allworlds.engines.limits import Limits
-from allworlds.engines.players import Lost, PlayerHere, PlayerProcess, Setup
+from allworlds.engines.players import Lost, PlayerHere, PlayerProcess, Setup, answered, started
 from allworlds.engines.tally import RunCounter
 from allworlds.engines.units import Scope
 from allworlds.explorers.loading import Subject

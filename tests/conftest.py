@@ -127,7 +127,7 @@ def without_workers(monkeypatch):
             explorer = subject.player(notice) if notice and subject.own else subject.player()
             return PlayerHere(explorer, of_user=subject.from_user, prints=setup.prints)
 
-        for module in ("across", "lane", "single"):
+        for module in ("across", "plays", "single"):
             monkeypatch.setattr(f"allworlds.engines.{module}.started", player)
         monkeypatch.setattr(
             "allworlds.engines.lanes.Lanes",

@@ -2,7 +2,9 @@
 
 import pytest
 
-from allworlds.engines import lane, units
+from allworlds.engines import more_seeds, units
+from allworlds.engines.hash_seeds import SIX_MORE
+from allworlds.engines.judges import SMALL
 from allworlds.inputs.checks import InputError
 from allworlds.studies.check.exhaustive import check
 
@@ -32,7 +34,7 @@ def test_there_are_two_plays_a_run_and_more_under_other_seeds(tmp_path, edges, w
     report = check(f"{module}:explore", edges=edges, workers=workers)
     assert report.exit_code == 0
     small = sum(row.runs for row in report.rows if row.edges <= units.TWICE)
-    more = lane.KEPT * len(lane.SIX_MORE) if edges > lane.SMALL else 0
+    more = more_seeds.KEPT * len(SIX_MORE) if edges > SMALL else 0
     across = 2 * small + (report.runs if edges > units.TWICE else 0)
     least = 2 * report.runs + across + more
     # Of each batch of second plays one may be made once more, and with several workers all runs

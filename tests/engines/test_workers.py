@@ -3,7 +3,7 @@
 import pytest
 
 import small
-from allworlds.engines import lane
+from allworlds.engines import losses
 from allworlds.inputs.checks import InputError
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.run import run
@@ -34,7 +34,7 @@ def only_finding(name, **options):
 
 
 def test_silent_runs_of_a_level_are_not_all_waited_for(wrong, monkeypatch):
-    monkeypatch.setattr(lane, "SILENT_RUNS", 2)
+    monkeypatch.setattr(losses, "SILENT_RUNS", 2)
     waits = {"answer_timeout": PATIENCE, "start_timeout": 10**6}
     report = check(wrong("hang"), edges=2, max_findings=9, **waits)
     assert (report.exit_code, report.runs) == (1, RUNS)

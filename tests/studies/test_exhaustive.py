@@ -8,7 +8,7 @@ from functools import cache, partial
 import pytest
 
 from allworlds.documents.document import replace
-from allworlds.engines.lane import GOES_BY_HASHES
+from allworlds.engines.hash_seeds import GOES_BY_HASHES
 from allworlds.engines.listeners import Listener
 from allworlds.engines.tally import Tally
 from allworlds.engines.units import Scope

@@ -10,6 +10,8 @@ The way of a run of a user's explorer::
 A *unit* is some maps of a level, with places of the lighthouse; a *run* is one of them.  A *log* is
 bytes, and all that a *player* makes: a process with the explorer and without a judge.  A *judge*
 walks each log anew in the true map.  A *lane* is a judge with its two players, one for each worker.
+A run is, on its way: ``NumberedRun`` (of a unit), ``Due`` (in a batch), ``Log`` (of a play),
+``Episode`` (followed), ``Outcome`` (judged), and counted, or a ``Finding``.
 Built-in explorers in compiled code need none of this: the kernel plays and judges them, in threads.
 
 The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and read logs:
@@ -23,13 +25,22 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
 ``lanes``, ``dask``
     the places of work, transports: lanes here or forked; a Dask cluster;
 ``lane``
-    a judge with its two players: batches, losses, plays that differ, other hash seeds;
+    the loop: a judge with its two players;
+``batch``
+    some runs on their way, with their logs; the protocol of judges;
+``plays``
+    two players and what they are given, and fresh ones for runs that are played anew;
+``losses``, ``hash_seeds``
+    the meanings of the loss of a player, and of plays under other hash seeds: tables;
+``settling``, ``more_seeds``
+    what is wrong with a batch; records that are played under six seeds more;
 ``across``
     all runs of small levels in both orders, and which earlier run makes a later one another;
 ``players``, ``player``
     a player from outside, started and heard, perhaps lost; and the program that it is;
-``judge``, ``compiled_judge``
-    the judge of every law, and its twin for the laws that the kernel knows: the same bytes;
+``judge``, ``compiled_judge``, ``judges``
+    the judge of every law, and its twin for the laws that the kernel knows: the same bytes; the
+    choice between them;
 ``tally``
     what is counted and found;
 ``compiled_engine``, ``kernel``

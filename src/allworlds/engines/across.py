@@ -12,7 +12,7 @@ own.
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
-from allworlds.engines.batch import Due, RunBatch, Work
+from allworlds.engines.batch import FIRST, Due, RunBatch, Work
 from allworlds.engines.judge import PythonJudge
 from allworlds.engines.players import (
     Lost,
@@ -23,16 +23,13 @@ from allworlds.engines.players import (
     lost_log,
     started,
 )
-from allworlds.engines.units import TWICE, AcrossUnit
+from allworlds.engines.units import ACROSS, TWICE, AcrossUnit, GivenUnit, LevelUnit
 from allworlds.judging.differences import after_worlds, difference_of, overruled
 from allworlds.judging.findings.finding import canonical_world
 from allworlds.judging.referee import Outcome
 from allworlds.log import Log
 from allworlds.maps.combinatorial import CombinatorialMap, rooted_code
 from allworlds.world.world import World
-
-OTHER_SEED = 2
-"""The hash seed of the second process, which no other play of a check has."""
 
 MOST_EARLIER = 4
 """The largest number of earlier runs that a finding names."""
@@ -50,6 +47,16 @@ class FirstLog(NamedTuple):
     due: Due
     log: bytes
     right: bool
+
+
+def remember(batch: RunBatch, known: dict[At, FirstLog]) -> None:
+    """Remember the logs of small worlds that one process has played, in their order."""
+    unit, logs, broken = batch.work.unit, batch.logs[FIRST], {*batch.broken}
+    small = isinstance(unit, LevelUnit | GivenUnit) and unit.edges <= ACROSS
+    if small and batch.plain:  # a library draws the order
+        for row, due in enumerate(batch.runs):
+            one = FirstLog(due, logs[row], right=row not in broken)
+            known.setdefault((due.world.map, due.place), one)
 
 
 class _Play:

@@ -94,33 +94,6 @@ class Work:
     best: dict[int, tuple[Due, int]] = field(default_factory=dict)
 
 
-class Judge(Protocol):
-    """What lays out the runs of a unit, says what their players are told, and judges their logs.
-
-    Attributes:
-        counter: counts, and knows the scope.
-        every: whether every schedule is due.
-    """
-
-    counter: RunCounter
-    every: bool
-
-    def batches(self, work: Work, size: Callable[[], int]) -> "Iterator[RunBatch]":
-        """The runs of a unit, so many at a time."""
-
-    def judge(self, batch: "RunBatch") -> bool:
-        """Judge the first logs of a batch, and count them; return whether it can read them all."""
-
-    def judged(self, due: Due, log: bytes) -> Judged:
-        """One run with its log, judged by the judge in Python."""
-
-    def worlds(self, batch: "RunBatch", rows: Sequence[int]) -> Message:
-        """The message to a player that plays these runs in their worlds."""
-
-    def records(self, batch: "RunBatch", rows: Sequence[int], order: Sequence[int] = ()) -> Message:
-        """The message to a player that plays recorded percepts; nothing of a world."""
-
-
 class RunBatch:
     """Some runs of a unit, with their logs once they are judged.
 
@@ -135,7 +108,7 @@ class RunBatch:
         lost: the runs in which a player was lost, and so is their walk, or its end.
     """
 
-    def __init__(self, by: Judge, work: Work, runs: Iterable[Due]) -> None:
+    def __init__(self, by: "Judge", work: Work, runs: Iterable[Due]) -> None:
         self.by, self.work, self._runs = by, work, [*runs]
         self.tally = by.counter.tally()
         self.logs: list[LogOfRow] = [{}, {}]
@@ -162,6 +135,11 @@ class RunBatch:
             known = self.logs[which] = dict(enumerate(known))
         known.update(zip(rows, logs, strict=True))
 
+    def unplayed(self, which: int, rows: Sequence[int]) -> list[int]:
+        """Those of these runs of which a play is not known."""
+        known = self.logs[which]
+        return [row for row in rows if row not in known] if isinstance(known, dict) else []
+
     def outcome(self, row: int) -> Judged:
         """A run, judged by the Python judge."""
         if row not in self._known:
@@ -172,11 +150,6 @@ class RunBatch:
         """Return the record of a run: all that the second player gets of it."""
         return Recorded.of(self.runs[row], self.outcome(row).outcome.episode)
 
-    @property
-    def without_words(self) -> list[int]:
-        """The broken runs of which compiled code has written the log: without words or choices."""
-        return [] if self.plain else self.broken
-
     def follow_ups(self) -> list[Due]:
         """The runs with the next schedules, where every schedule is due."""
         if not self.by.every:
@@ -184,3 +157,30 @@ class RunBatch:
         logs = ((due, self.outcome(row).log) for row, due in enumerate(self.runs))
         scripts = ((due, next_script(due.script, log.choices, log.widths)) for due, log in logs)
         return [due._replace(script=script) for due, script in scripts if script is not None]
+
+
+class Judge(Protocol):
+    """A judge lays out the runs of a unit, says what players are told, and judges their logs.
+
+    Attributes:
+        counter: counts, and knows the scope.
+        every: whether every schedule is due.
+    """
+
+    counter: RunCounter
+    every: bool
+
+    def batches(self, work: Work, size: Callable[[], int]) -> Iterator[RunBatch]:
+        """The runs of a unit, so many at a time."""
+
+    def judge(self, batch: RunBatch) -> bool:
+        """Judge the first logs of a batch, and count them; return whether it can read them all."""
+
+    def judged(self, due: Due, log: bytes) -> Judged:
+        """One run with its log, judged by the judge in Python."""
+
+    def worlds(self, batch: RunBatch, rows: Sequence[int]) -> Message:
+        """The message to a player that plays these runs in their worlds."""
+
+    def records(self, batch: RunBatch, rows: Sequence[int], order: Sequence[int] = ()) -> Message:
+        """The message to a player that plays recorded percepts; nothing of a world."""

@@ -34,15 +34,11 @@ class CompiledBatch(RunBatch):
     """
 
     def __init__(
-        self,
-        judge: "CompiledJudge",
-        work: Work,
-        unit: LevelUnit,
-        unit_judge: UnitJudge,
-        laid: LaidOutRuns,
+        self, judge: "CompiledJudge", work: Work, unit_judge: UnitJudge, laid: LaidOutRuns
     ) -> None:
+        assert isinstance(work.unit, LevelUnit)
         super().__init__(judge, work, ())
-        self.unit, self.unit_judge, self.laid = unit, unit_judge, laid
+        self.unit, self.unit_judge, self.laid = work.unit, unit_judge, laid
         self.plain = not judge.native
         self.heads, self.tables = unit_judge.heads.copy(), unit_judge.worlds[: laid.runs].copy()
         self.percepts, self.starts = b"", array("i")
@@ -56,11 +52,10 @@ class CompiledBatch(RunBatch):
         """The runs, as Python has them."""
         if not self._runs and len(self):
             laid = self.laid
+            following = self.by.counter.runs(self.unit, laid.first)
             self._runs = [
                 Due(run.number, run.place, World(run.map, run.lighthouse, 0))
-                for run in islice(
-                    self.by.counter.runs(self.unit, laid.first), laid.until - laid.first
-                )
+                for run in islice(following, laid.until - laid.first)
                 if run.lighthouse is not None
             ]
         return self._runs
@@ -96,7 +91,7 @@ class CompiledJudge:
         while not last:
             laid = judge.lay_out(size() * (LIBRARIES if self.native else 1))
             last = laid.last
-            batch = CompiledBatch(self, work, unit, judge, laid)
+            batch = CompiledBatch(self, work, judge, laid)
             if laid.runs:
                 yield batch
             elif laid.until > laid.first:  # worlds without a place

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from allworlds.engines.batch import SECOND
-from allworlds.engines.lane import GOES_BY_HASHES
+from allworlds.engines.hash_seeds import GOES_BY_HASHES
 from allworlds.engines.listeners import Listener
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.fuzz import fuzz

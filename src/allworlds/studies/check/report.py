@@ -10,7 +10,7 @@ from typing import Annotated, Literal, TypeAlias, get_args
 from typing_extensions import override
 
 from allworlds.documents import document as doc
-from allworlds.engines import engine_table, lane, single
+from allworlds.engines import engine_table, hash_seeds, single
 from allworlds.engines.limits import Limits, positive
 from allworlds.engines.tally import Tally
 from allworlds.engines.units import WHOLE, Sample, Scope, ShardOptions, cells_of_level
@@ -425,7 +425,7 @@ def _rows(tally: Tally) -> Iterator[CheckRow]:
 def _remarks(tally: Tally) -> Iterator[str]:
     more_than_hashes = any(found.law == "nondeterministic" for found in tally.findings)
     for text, times in sorted(tally.remarks.items()):
-        if text != lane.GOES_BY_HASHES:
+        if text != hash_seeds.GOES_BY_HASHES:
             yield text if times == 1 else f"{text} ({times} times)"
         elif not more_than_hashes:
             yield text

@@ -1,0 +1,70 @@
+"""The judge that takes a unit: in Python, or in compiled code where that is worth it."""
+
+from functools import partial
+from random import Random
+from typing import TYPE_CHECKING
+
+from allworlds.engines import units
+from allworlds.engines.batch import Judge, RunBatch
+from allworlds.engines.judge import PythonJudge
+
+if TYPE_CHECKING:
+    from allworlds.engines.compiled_judge import CompiledJudge
+
+SMALL = 3
+"""The largest m whose every log both judges read."""
+
+
+class Judges:
+    """The judges of a lane.
+
+    Args:
+        python: the judge in Python.
+        random: draws seeds.
+        native: whether the explorer is a library.
+        compiles: whether it is the lane of all that does.
+    """
+
+    def __init__(
+        self, python: PythonJudge, random: Random, *, native: bool, compiles: bool
+    ) -> None:
+        self.python = python
+        self._native, self._seed = native, partial(random.getrandbits, 63)
+        self._may_compile = compiles
+        self._compiled: CompiledJudge | None = None
+        self._small: list[RunBatch] = []
+
+    def of(self, unit: units.UnitOfRuns) -> Judge:
+        """The judge in compiled code if the level is worth its loading, and it is compiled."""
+        counter = self.python.counter
+        least = counter.compiled_from
+        if least is None or not isinstance(unit, units.LevelUnit):
+            return self.python
+        extent = counter.scope.extent
+        following = min(unit.edges + 1, extent.levels[-1])  # it is kept for them, too
+        if max(units.level_size(extent, edges) for edges in (unit.edges, following)) < least:
+            return self.python
+        if self._compiled is None and (least == 0 or self._is_compiled()):
+            from allworlds.engines.compiled_judge import CompiledJudge
+
+            self._compiled = CompiledJudge(self.python, self._seed, native=self._native)
+            self._compiled.compare_with(self._small)
+            self._small.clear()
+        return self._compiled or self.python
+
+    def _is_compiled(self) -> bool:
+        """Whether compiled code is kept; if not, another process compiles, and this one goes on."""
+        from allworlds.engines.compiled_engine import compile_apart, is_kept
+
+        kept = is_kept()
+        if not kept and self._may_compile:
+            self._may_compile = False
+            compile_apart()
+        return kept
+
+    def remember(self, batch: RunBatch) -> None:
+        """Remember the logs of a small batch for the comparison of both judges."""
+        unit = batch.work.unit
+        wanted = self._compiled is None and self.python.counter.compiled_from
+        if wanted and isinstance(unit, units.LevelUnit) and unit.edges <= SMALL:
+            self._small.append(batch)

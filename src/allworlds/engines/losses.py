@@ -1,0 +1,109 @@
+"""The meaning of the loss of a player.
+
+    ======================================================  ====================================
+    a fresh player, with the run alone, is lost, too        the run breaks the law of the loss
+    it is not: no machine does such a thing, or it was      the run breaks it after other runs
+    silence, and not the first that was not repeated
+    it is not, otherwise                                    a remark: it refutes nothing
+    ======================================================  ====================================
+
+Once one law of a loss is repeated, further losses by that law count at once.
+"""
+
+from collections import Counter
+from collections.abc import Callable
+from enum import Enum
+
+from allworlds.engines.batch import RunBatch, Work
+from allworlds.engines.players import Lost, Unsettled, lost_log
+from allworlds.engines.plays import Attempt
+
+MOST_LOSSES = 20
+"""The number of losses that are put down to the machine, if no fresh player repeats them."""
+
+SILENT_RUNS, MOST_WAITED = 4, 60.0
+"""The silent runs, and the seconds in them, after both of which no other run is waited for."""
+
+AFTER = " when it was played after others; by itself it was not"
+
+
+class Meaning(Enum):
+    """The meaning of a loss."""
+
+    BROKEN = "the run breaks the law"
+    BROKEN_AFTER_OTHERS = "it does when it is played after others"
+    REMARK = "nothing is refuted"
+
+
+def meaning(lost: Lost, *, again: bool, before: int) -> Meaning:
+    """The meaning of a loss.
+
+    Args:
+        lost: how.
+        again: whether a fresh player was lost, too, or has been by this law.
+        before: the number of earlier losses by this law that no fresh player repeated.
+    """
+    if again:
+        return Meaning.BROKEN
+    if not lost.machine or (lost.law == "timeout" and before):
+        return Meaning.BROKEN_AFTER_OTHERS
+    return Meaning.REMARK
+
+
+def given_up(silences: int, timeout: float) -> str:
+    """The reason why after so many silent runs no other one is waited for; empty if one is."""
+    if silences < SILENT_RUNS or silences * timeout < MOST_WAITED:
+        return ""
+    waited = f"the explorer was silent in {silences} runs, for {timeout:g} s each"
+    return f"{waited}, and the other runs would take too long"
+
+
+class Losses:
+    """The losses of the players of a lane.
+
+    Attributes:
+        silences: the number of runs in which one was silent.
+        repeated: the laws by which a fresh player was lost, too.
+    """
+
+    def __init__(self) -> None:
+        self.silences = self._remarks = 0
+        self.repeated, self._unrepeated = set[str](), Counter[str]()
+
+    def log_of(self, lost: Lost, batch: RunBatch, row: int, alone: Callable[[], Attempt]) -> bytes:
+        """The log of a run in which a player was lost.
+
+        Args:
+            lost: how.
+            batch: of the run.
+            row: the run there.
+            alone: has a fresh player play it alone; returns its log, and its loss.
+        """
+        self.silences += lost.law == "timeout"
+        known = lost.law in self.repeated
+        (log,), again = ([lost_log(b"", lost)], lost) if known else alone()
+        means = meaning(lost, again=again is not None, before=self._unrepeated[lost.law])
+        if again:
+            self.repeated.add(again.law)
+        else:
+            self._unrepeated[lost.law] += 1
+        if means is Meaning.REMARK:
+            self.remark(batch.work, lost)
+            return log
+        batch.lost.add(row)
+        if means is Meaning.BROKEN_AFTER_OTHERS:
+            return lost_log(b"", Lost(lost.law, lost.seen + AFTER, machine=False))
+        return log
+
+    def remark(self, work: Work, lost: Lost) -> None:
+        """Remark on a loss that a fresh process has not repeated: it refutes nothing.
+
+        Raises:
+            Unsettled: if there are too many of them.
+        """
+        fresh = "and a fresh one was not: no refutation"
+        work.tally.remark(f"a player was lost ({lost.seen}), {fresh}")
+        self._remarks += 1
+        if self._remarks > MOST_LOSSES:
+            last = f"the last by {lost.seen}, and each time a fresh one was not"
+            raise Unsettled(f"{self._remarks} players were lost, {last}")

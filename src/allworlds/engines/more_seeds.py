@@ -1,0 +1,54 @@
+"""Records of large worlds that are played under six hash seeds more, at the end."""
+
+from random import Random
+
+from allworlds.engines.batch import RunBatch, Work
+from allworlds.engines.hash_seeds import SIX_MORE
+from allworlds.engines.judges import SMALL
+from allworlds.engines.settling import Settler
+from allworlds.engines.tally import Tally
+from allworlds.log import Log
+
+KEPT = 64
+"""The number of records of larger worlds that are played under six seeds more."""
+
+
+class MoreSeeds:
+    """The runs whose records are kept, and their plays under other seeds.
+
+    Args:
+        settler: of the lane.
+        random: draws orders.
+        wanted: whether any are.
+    """
+
+    def __init__(self, settler: Settler, random: Random, *, wanted: bool) -> None:
+        self._settler, self._random, self._wanted = settler, random, wanted
+        self._kept: list[tuple[RunBatch, int]] = []
+
+    def __bool__(self) -> bool:
+        return bool(self._kept)
+
+    def keep(self, batch: RunBatch) -> None:
+        """Keep some records, if they are of large worlds."""
+        levels = self._settler.judge.counter.scope.extent.levels
+        edges = batch.runs[0].world.map.edge_count if self._wanted else 0
+        if edges > SMALL and edges == levels[-1]:
+            self._kept += [(batch, row) for row in range(len(batch))][: KEPT - len(self._kept)]
+
+    def end(self) -> Tally:
+        """The tally of what other seeds show, and of nothing else; then no more are tried."""
+        judge = self._settler.judge
+        kept, self._kept = self._kept, []
+        work = Work(kept[0][0].work.unit, judge.counter.tally())
+        runs = [batch.record(row) for batch, row in kept]
+        for seed in SIX_MORE:
+            order = self._random.sample(range(len(runs)), len(runs))
+            logs, lost = self._settler.plays.anew(seed, judge.records_message(runs, order))
+            # What is lost is tried in the other players, too.
+            for (batch, row), log in () if lost else zip(kept, logs, strict=True):
+                if self._settler.differ(batch.outcome(row).log, Log(log)):
+                    batch.work, self._wanted = work, False
+                    self._settler.explain_under(seed, batch, [(row, Log(log))])
+                    return work.tally
+        return work.tally

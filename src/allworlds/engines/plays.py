@@ -1,0 +1,159 @@
+"""Both plays of the runs of a lane: two players, and fresh ones for runs that are played anew.
+
+The first player plays in worlds.  The second is another process, perhaps with another hash seed; it
+plays what the judge has recorded, in an order that is drawn, and holds no world.
+"""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from random import Random
+from typing import NamedTuple, TypeAlias
+
+from allworlds.engines.batch import FIRST, Message, RunBatch
+from allworlds.engines.hash_seeds import Seeds
+from allworlds.engines.players import (
+    Lost,
+    PlayerHere,
+    PlayerProcess,
+    Setup,
+    answered,
+    lost_log,
+    started,
+)
+from allworlds.log import Log
+
+DEPTH = 2
+"""The batches that a player has: it begins the next one while its answer is judged."""
+
+Attempt: TypeAlias = tuple[Sequence[bytes], Lost | None]
+"""The logs of a fresh player, and its loss, whose log is then the only one."""
+
+Rows: TypeAlias = Sequence[int]
+"""Runs of a batch, by their numbers there."""
+
+
+class RunsToPlay(NamedTuple):
+    """Runs of a batch that a player is to play."""
+
+    batch: RunBatch
+    rows: Rows
+
+
+class BothPlays:
+    """The two players of a lane, and the fresh ones.
+
+    Args:
+        setup: the explorer.
+        seeds: the hash seeds of both players.
+        random: draws orders.
+    """
+
+    def __init__(self, setup: Setup, seeds: Seeds, random: Random) -> None:
+        self.setup, self.seeds, self._random = setup, seeds, random
+        self._players: dict[int, PlayerProcess | PlayerHere] = {}
+
+    @property
+    def players(self) -> list[PlayerProcess | PlayerHere]:
+        """The players that are started."""
+        return [*self._players.values()]
+
+    @property
+    def here(self) -> bool:
+        """Whether the explorer plays in this process."""
+        return any(isinstance(player, PlayerHere) for player in self._players.values())
+
+    def close(self) -> None:
+        """End both players."""
+        for player in self._players.values():
+            player.close()
+        self._players.clear()
+
+    # ---------------------------------------------------------------- the two
+
+    def has_room(self, which: int) -> bool:
+        """Whether a player would take one more batch."""
+        return which not in self._players or len(self._players[which].jobs) < DEPTH
+
+    def give(self, which: int, batch: RunBatch, rows: Rows) -> None:
+        """Give a player runs of a batch."""
+        if which not in self._players:
+            self._players[which] = started(self.setup, self.seeds[which], self._notice)
+        self._players[which].give(RunsToPlay(batch, rows), self._message(which, batch, rows))
+
+    def _message(self, which: int, batch: RunBatch, rows: Rows) -> Message:
+        if which == FIRST:
+            return batch.by.worlds(batch, rows)
+        order = self._random.sample(range(len(rows)), len(rows))
+        if self._random.getrandbits(1):  # who counts runs does not know which comes
+            order.insert(self._random.randrange(len(order)), self._random.choice(order))
+        return batch.by.records(batch, rows, order)
+
+    def _notice(self, event: str) -> None:
+        """Count an event of a built-in explorer, in the batch that is being played."""
+        job, _ = self._players[FIRST].jobs[0]
+        job.batch.tally.witnesses[event] += 1
+
+    def hear(self, which: int) -> list[RunBatch]:
+        """Take the logs that have come from a player; return the batches that got some.
+
+        Raises:
+            Lost: if it is lost.
+            InputError, HarnessError: as a player does.
+        """
+        heard = list[RunBatch]()
+        for job, logs in self._players[which].heard() if which in self._players else ():
+            if logs is None:
+                job.batch.plain = True
+                self.give(which, job.batch, job.rows)
+            else:
+                job.batch.take(which, job.rows, logs)
+                heard.append(job.batch)
+        return heard
+
+    def lost_in(self, which: int) -> tuple[RunBatch | None, int | None]:
+        """The batch, and the run of it, in which a player was lost, if it was in one."""
+        player = self._players[which]
+        if not player.jobs or player.description is None:
+            return None, None
+        (batch, rows), _ = player.jobs[0]
+        number = player.beat[0]
+        return batch, rows[number] if 0 <= number < len(rows) else None
+
+    def go_on(self, which: int) -> None:
+        """Replace a player that was lost; of its first batch it plays what has no log yet."""
+        player = self._players[which]
+        if player.jobs:
+            (batch, rows), _ = player.jobs.popleft()
+            if rest := batch.unplayed(which, rows):
+                job = RunsToPlay(batch, rest)
+                player.jobs.appendleft((job, self._message(which, batch, rest)))
+        player.again()
+
+    # ---------------------------------------------------------------- fresh ones
+
+    def alone(self, which: int, batch: RunBatch, row: int) -> Attempt:
+        """The log of a run as one of the plays, by a fresh player, and perhaps its loss."""
+        message = batch.by.worlds if which == FIRST else batch.by.records
+        return self.anew(self.seeds[which], message(batch, [row]))
+
+    def again(self, which: int, seed: int, batch: RunBatch, rows: Rows) -> dict[int, Log]:
+        """The logs of these runs as one of the plays, by a fresh player under a seed."""
+        message = batch.by.worlds if which == FIRST else batch.by.records
+        return self.fresh(seed, partial(message, batch), rows)
+
+    def fresh(self, seed: int, message: Callable[[Rows], Message], rows: Rows) -> dict[int, Log]:
+        """The logs of these runs by a fresh player; each alone if it is lost over them."""
+        logs, lost = self.anew(seed, message(rows))
+        if lost and len(rows) > 1:
+            return {row: self.fresh(seed, message, [row])[row] for row in rows}
+        return dict(zip(rows, map(Log, logs), strict=True))
+
+    def anew(self, seed: int, message: Message) -> Attempt:
+        """The logs of a fresh player that answer a message, or its loss."""
+        player = started(self.setup, seed)
+        try:
+            return answered(player, message | {"hear": message["runs"] == 1}), None
+        except Lost as lost:
+            return [lost_log(bytes(player.part), lost)], lost
+        finally:
+            player.close()

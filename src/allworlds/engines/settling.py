@@ -1,0 +1,160 @@
+"""The runs of a batch that break a law, once both plays of them are known.
+
+If plays differ, both are repeated by fresh players, twice, in two orders, each under its own seed.
+"""
+
+from collections.abc import Sequence
+from typing import TypeAlias
+
+from allworlds.documents.document import replace
+from allworlds.engines import hash_seeds
+from allworlds.engines.batch import FIRST, SECOND, Due, Recorded, RunBatch
+from allworlds.engines.hash_seeds import Seeds
+from allworlds.engines.judge import PythonJudge
+from allworlds.engines.players import Logs
+from allworlds.engines.plays import BothPlays
+from allworlds.judging.differences import difference_of, nondeterministic, overruled
+from allworlds.judging.episode import fault_of
+from allworlds.judging.referee import Outcome
+from allworlds.log import Log
+
+MOST_SETTLED = 16
+"""The number of runs of a batch whose plays differ that are played anew."""
+
+OTHER_CHOICES = (
+    "the choices of one schedule are not those of the next, as far as they are asked for"
+)
+
+PLAYED_ONCE_MORE = "when it was played once more, the walk or the answer was another"
+
+Differing: TypeAlias = Sequence[tuple[int, Log]]
+"""Runs of a batch whose plays differ, with their second logs."""
+
+
+class Settler:
+    """A settler finds the runs of batches that break a law.
+
+    Args:
+        judge: of the runs.
+        plays: those of the runs, and fresh ones.
+    """
+
+    def __init__(self, judge: PythonJudge, plays: BothPlays) -> None:
+        self.judge, self.plays = judge, plays
+
+    def differ(self, one: Log, other: Log) -> bool:
+        """Whether two plays of a run differ."""
+        return difference_of(one, other, choices=self.judge.every) is not None
+
+    def settle(self, batch: RunBatch, *, twice: bool) -> None:
+        """Find what is wrong with a batch that was played once, or twice."""
+        # Compiled code writes logs without words or choices.
+        without_words = [] if batch.plain else batch.broken
+        outcomes = {row: self._in_words(batch, row) for row in without_words}
+        outcomes = {row: self._own(batch, row) for row in batch.broken} | outcomes
+        if twice and (differing := self._differing(batch)):
+            outcomes |= self._explained(batch, differing, self.plays.seeds)
+        self.find(batch, outcomes)
+
+    def find(self, batch: RunBatch, outcomes: dict[int, Outcome]) -> None:
+        """Find the runs of a batch with outcomes that break a law."""
+        counter, referee = self.judge.counter, self.judge.referee
+        for row, outcome in sorted(outcomes.items()):
+            due = batch.runs[row]
+            counter.settle(referee, due.world, due.place, outcome, batch.work.tally)
+
+    def give_up(self, which: int, batch: RunBatch) -> None:
+        """Find what is wrong with the runs of a batch that is not finished; nothing is counted."""
+        outcomes = dict[int, Outcome]()
+        for row in batch.lost:
+            one = self.judge.judged(batch.runs[row], batch.logs[FIRST][row])
+            second = Log(batch.logs[which][row])
+            outcomes[row] = overruled(one.outcome, one.log, second, choices=self.judge.every)
+        self.find(batch, outcomes)
+
+    def explain_under(self, seed: int, batch: RunBatch, differing: Differing) -> None:
+        """Find what is wrong with runs whose second logs, under this seed, differ."""
+        seeds = self.plays.seeds[FIRST], seed
+        self.find(batch, self._explained(batch, differing, seeds))
+
+    def _differing(self, batch: RunBatch) -> Differing:
+        """The runs whose logs differ, with the second ones."""
+        found = list[tuple[int, Log]]()
+        first, again = batch.logs
+        if isinstance(first, Logs) and isinstance(again, Logs) and first.message == again.message:
+            return found
+        for row in range(len(batch)):
+            if first[row] != again[row]:
+                second = Log(again[row])
+                if self.differ(batch.outcome(row).log, second):
+                    found.append((row, second))
+        return found
+
+    def _own(self, batch: RunBatch, row: int) -> Outcome:
+        """The outcome of a run by its first play."""
+        one = batch.outcome(row)
+        if not one.fits:
+            return replace(one.outcome, violation=nondeterministic(OTHER_CHOICES))
+        return one.outcome
+
+    def _in_words(self, batch: RunBatch, row: int) -> Outcome:
+        """The outcome of a run whose log compiled code has written, by a play in Python."""
+        before, batch.plain = batch.outcome(row), True
+        (log,), _ = self.plays.alone(FIRST, batch, row)
+        one = self.judge.judged(batch.runs[row], log)
+        if not self.differ(before.log, one.log):
+            return one.outcome
+        return replace(one.outcome, violation=nondeterministic(PLAYED_ONCE_MORE))
+
+    def _explained(self, batch: RunBatch, differing: Differing, seeds: Seeds) -> dict[int, Outcome]:
+        """The outcomes of runs whose plays, under these seeds, differ."""
+        few, plays = dict(differing[:MOST_SETTLED]), self.plays
+        orders = [*few], [*few][::-1]
+        firsts = [plays.again(FIRST, seeds[FIRST], batch, order) for order in orders]
+        seconds = [plays.again(SECOND, seeds[SECOND], batch, order) for order in orders]
+        before = {row: batch.outcome(row).log for row in few}
+        repeated = [(before[row], [play[row] for play in firsts]) for row in few]
+        repeated += [(other, [play[row] for play in seconds]) for row, other in few.items()]
+        if hash_seeds.explain(seeds, repeated, self.differ):
+            return self._by_seed(batch, [row for row, _ in differing], seeds)
+        return {row: self._of_plays(batch, row, other, seeds) for row, other in few.items()}
+
+    def _of_plays(self, batch: RunBatch, row: int, other: Log, seeds: Seeds) -> Outcome:
+        """The outcome of a run by two plays that differ, or by later ones that are alike."""
+        one, anew = batch.outcome(row), None
+        faults = fault_of(one.log), fault_of(other)
+        if any(fault and fault.machine for fault in faults):  # it may be the machine's
+            anew = self._alike(batch, row, other, seeds)
+        return anew or overruled(one.outcome, one.log, other, choices=self.judge.every)
+
+    def _alike(self, batch: RunBatch, row: int, other: Log, seeds: Seeds) -> Outcome | None:
+        """The outcome of a run by two later plays of it alone; None if they are not alike.
+
+        What has happened once, and in no fresh process, refutes nothing.  The second play has the
+        record of the later one: that of the run may be too short.
+        """
+        due, one = batch.runs[row], batch.outcome(row).log
+        log = self.plays.again(FIRST, seeds[FIRST], batch, [row])[row]
+        anew = self._anew(due, log)
+        message = self.judge.records_message([Recorded.of(due, anew.episode)])
+        again = self.plays.fresh(seeds[SECOND], lambda _: message, [row])
+        if self.differ(log, again[row]):
+            return None
+        fault = fault_of(one if self.differ(one, log) else other)
+        ended = fault.seen if fault else "it ended with an answer"
+        batch.work.tally.remark(f"a run ended otherwise when it was tried again; at first: {ended}")
+        return anew
+
+    def _anew(self, due: Due, log: Log) -> Outcome:
+        episode = self.judge.episode(due.world, log)
+        return self.judge.referee.outcome(due.world, episode, tuple(log.choices))
+
+    def _by_seed(self, batch: RunBatch, rows: list[int], seeds: Seeds) -> dict[int, Outcome]:
+        """The outcomes of runs of an explorer that goes by hashes, in their worlds by each seed."""
+        batch.work.tally.remark(hash_seeds.GOES_BY_HASHES)
+        again = self.plays.again(FIRST, seeds[SECOND], batch, rows)
+        outcomes = {
+            row: hash_seeds.by_seed(seeds, self._own(batch, row), self._anew(batch.runs[row], log))
+            for row, log in again.items()
+        }
+        return {row: outcome for row, outcome in outcomes.items() if outcome}
