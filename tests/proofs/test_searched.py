@@ -7,7 +7,7 @@ import sys
 import pytest
 
 import allworlds
-from allworlds.studies.ambiguity import formulas, solvers
+from allworlds.studies.ambiguity import solvers, twin_search
 
 needs_python_sat = pytest.mark.skipif(
     not solvers.python_sat_is_installed(), reason="python-sat is not installed: no certificates"
@@ -35,13 +35,13 @@ def wrong_dimacs(path):
     return variables, [() for _ in clauses]
 
 
-READ_DIMACS = formulas.read_dimacs
+READ_DIMACS = twin_search.read_dimacs
 
 
 @needs_python_sat
 def test_a_producer_that_reads_every_clause_as_empty_is_found_out(checkers, tmp_path, monkeypatch):
     """Its own checker would not notice: it is handed the same clauses."""
-    monkeypatch.setattr(formulas, "read_dimacs", wrong_dimacs)
+    monkeypatch.setattr(twin_search, "read_dimacs", wrong_dimacs)
     result = allworlds.search(lighthouse="directional", vertices=3, edges=2, out=tmp_path)
     assert result.certificate == tmp_path
     said = refusal(checkers, tmp_path, asked(checkers, "directional"), 3, 2)

@@ -3,7 +3,8 @@
 import pytest
 
 from allworlds.maps import MapClass
-from allworlds.studies.ambiguity.formulas import DIFFERENT, pair_formula, read_dimacs
+from allworlds.studies.ambiguity.clauses import read_dimacs
+from allworlds.studies.ambiguity.formulas import DIFFERENT, pair_formula
 from allworlds.studies.ambiguity.question import Question
 from allworlds.studies.ambiguity.solvers import (
     REQUIREMENTS,

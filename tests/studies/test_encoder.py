@@ -2,12 +2,9 @@ import pytest
 import z3
 
 from allworlds.maps import MapClass, named_map
-from allworlds.studies.ambiguity.formulas import (
-    Formula,
-    forbid_other_start,
-    one_world,
-    pair_formula,
-)
+from allworlds.studies.ambiguity.clauses import Formula
+from allworlds.studies.ambiguity.formulas import forbid_other_start, pair_formula
+from allworlds.studies.ambiguity.one_world import one_world
 from allworlds.studies.ambiguity.question import Question, Size, Sizes
 from allworlds.studies.ambiguity.solvers import solve_with_z3
 from allworlds.studies.ambiguity.twin_search import _fits

@@ -2,7 +2,7 @@ from random import Random
 
 import pytest
 
-from allworlds.studies.ambiguity.formulas import Formula
+from allworlds.studies.ambiguity.clauses import Formula
 from allworlds.studies.ambiguity.proofs import ProofRefused, check_lrat, lrat_of_drat
 from allworlds.studies.ambiguity.solvers import python_sat_is_installed, solve_with_python_sat
 from studies.test_proofs_by_propagation import lines

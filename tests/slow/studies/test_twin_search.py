@@ -5,7 +5,8 @@ import pytest
 import allworlds
 from allworlds.maps import MapClass, rooted_maps
 from allworlds.studies.ambiguity import solvers, twin_search as searching
-from allworlds.studies.ambiguity.formulas import forbid_other_start, pair_formula, read_dimacs
+from allworlds.studies.ambiguity.clauses import read_dimacs
+from allworlds.studies.ambiguity.formulas import forbid_other_start, pair_formula
 from allworlds.studies.ambiguity.proofs import check_lrat
 from allworlds.studies.ambiguity.question import Size, Sizes
 from allworlds.world import Compass, Directional, Nothing, Position, World

@@ -29,8 +29,10 @@ Modules
     the comparison of sensors; the weakest ones among all coarsenings of a finest one;
 ``question``, ``twin_search``
     the search by solvers for worlds that no motion tells apart;
-``formulas``, ``solvers``, ``proofs``
-    the formulas of a search, who solves them, and checkers of proofs that there are no twins; twins
+``clauses``, ``one_world``, ``formulas``
+    what a formula is; the formula of one world, and of two that no motion tells apart;
+``solvers``, ``proofs``
+    who solves formulas, and checkers of proofs that there are no twins; twins
     that were found are checked by :mod:`allworlds.world.bisimulation`.
 """
 

@@ -16,7 +16,8 @@ from typing import Literal, TypeAlias
 from msgspec import Struct
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.studies.ambiguity.formulas import ALIKE, DIFFERENT, dimacs, read_dimacs
+from allworlds.studies.ambiguity.clauses import dimacs, read_dimacs
+from allworlds.studies.ambiguity.formulas import ALIKE, DIFFERENT
 
 REQUIREMENTS = (DIFFERENT, ALIKE)
 """The sections of a formula that only together can rule out a pair."""

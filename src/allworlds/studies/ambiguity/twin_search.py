@@ -19,6 +19,8 @@ from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.outcome import COMPLETED, Disagreement, Ending, ended
 from allworlds.studies.ambiguity import formulas
+from allworlds.studies.ambiguity.clauses import Block, Formula, read_dimacs
+from allworlds.studies.ambiguity.one_world import OneWorld
 from allworlds.studies.ambiguity.proofs import ProofRefused, check_lrat, lrat_of_drat, write_lrat
 from allworlds.studies.ambiguity.question import (
     SEARCHED,
@@ -189,9 +191,7 @@ def decoded(pair: formulas.Pair, model: frozenset[int]) -> Twins:
     return Twins(pair=(one, two), bisimulation=classes)
 
 
-def _world(
-    asked: Question, world: formulas.OneWorld, pointed: formulas.Block | None, model: frozenset[int]
-) -> World:
+def _world(asked: Question, world: OneWorld, pointed: Block | None, model: frozenset[int]) -> World:
     sigma, alpha = (
         [_only([y for y, variable in enumerate(row) if variable in model]) for row in block.rows()]
         for block in (world.sigma, world.alpha)
@@ -358,7 +358,7 @@ class _TwinsSearch(Struct):
             return self.external.solve(path, path.with_suffix(".lrat"), self.deadline)
         return solve_with_z3(path, self.deadline)
 
-    def _accepts(self, formula: formulas.Formula, proof: Path) -> bool:
+    def _accepts(self, formula: Formula, proof: Path) -> bool:
         try:
             with proof.open(encoding="ascii", errors="replace") as lines:
                 check_lrat(formula.clauses, lines)
@@ -447,7 +447,7 @@ class _TwinsSearch(Struct):
                 f"its DRAT proof ({drat}) has {size:,} bytes, and the checker of "
                 f"this package accepts {PROOF_LIMIT:,}; a CaDiCaL 2 named with --solver writes LRAT"
             )
-        variables, clauses = formulas.read_dimacs(formula)
+        variables, clauses = read_dimacs(formula)
         with drat.open(encoding="ascii") as lines:
             write_lrat(lrat_of_drat(variables, clauses, lines), formula.with_suffix(".lrat"))
         drat.unlink()

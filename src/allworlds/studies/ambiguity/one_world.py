@@ -1,0 +1,219 @@
+"""The formula of one world: its models are exactly the rooted maps of a class, each once.
+
+The darts carry their canonical numbers (see :mod:`allworlds.maps.combinatorial`): in the order of
+steps ``t = 0, 1, 2, ...`` the map is asked for ``sigma(0), alpha(0), sigma(1), ...``, and an answer
+is either a number that has been given already or the next free one.  So a model is a canonical
+code, and the number of models is the number of rooted maps.
+"""
+
+from itertools import product
+
+from msgspec import Struct
+
+from allworlds.studies.ambiguity.clauses import Block, Clause, Formula
+from allworlds.studies.ambiguity.question import Question, Size
+
+
+class OneWorld(Struct, frozen=True):
+    """The variables of one rooted map; dart 0 is the root, vertex 0 is the root's.
+
+    Their meanings stand where they are made, in :func:`one_world`.  Vertices are numbered by their
+    first darts.
+    """
+
+    size: Size
+    sigma: Block
+    alpha: Block
+    given: Block
+    vertex: Block
+    used: Block
+    first: Block
+    degree: Block
+    place: Block
+
+    def step(self, t: int, y: int) -> int:
+        """The variable for: step t is answered by y."""
+        return (self.alpha if t % 2 else self.sigma)[t // 2, y]
+
+    def has_degree(self, x: int, degree: int) -> Clause:
+        """The part of a clause for: the vertex of x has this degree; empty if none can."""
+        return (self.degree[x, degree],) if degree < self.degree.shape[1] else ()
+
+
+def one_world(formula: Formula, name: str, size: Size, asked: Question) -> OneWorld:
+    """Add variables and clauses of one rooted map, and return the variables.
+
+    Every model restricted to sigma and alpha is a rooted map of that size, with the class and
+    degrees that are asked for, and every such map is one model.  ``name`` is appended to the names
+    of the variables.
+
+    Cost: O(N^3) clauses for N = 2m darts.
+    """
+    darts, most = size.darts, size.most
+    largest = _largest_degree(size, asked)
+    block = formula.block
+    world = OneWorld(
+        size,
+        sigma=block(f"sigma{name}", (darts, darts), "sigma(x) = y"),
+        alpha=block(f"alpha{name}", (darts, darts), "alpha(x) = y"),
+        given=block(
+            f"given{name}",
+            (2 * darts + 1, darts + 1),
+            "at least j numbers are given before step t; steps are sigma(0), alpha(0), sigma(1)..",
+        ),
+        vertex=block(f"vertex{name}", (darts, most), "dart x is at vertex v"),
+        used=block(f"used{name}", (darts, most), "some dart 0..x is at vertex v"),
+        first=block(f"first{name}", (darts,), "x is the first dart of its vertex"),
+        degree=block(f"degree{name}", (darts, largest + 1), "the vertex of x has degree k"),
+        place=block(f"place{name}", (darts, largest), "x is sigma^k of its vertex's first"),
+    )
+    _permutations(formula, world)
+    _canonical_numbers(formula, world)
+    _vertices(formula, world)
+    _degrees(formula, world, asked)
+    if asked.map_class.simple:
+        _simple(formula, world, name)
+    if asked.map_class.planar:
+        _planar(formula, world, name)
+    return world
+
+
+def _largest_degree(size: Size, asked: Question) -> int:
+    limit = min(size.edges, size.most - 1) if asked.map_class.simple else size.darts
+    if asked.degree_marked is not None and asked.degree_others is not None:
+        limit = min(limit, max(asked.degree_marked, asked.degree_others))
+    return max(limit, 1)
+
+
+def _permutations(formula: Formula, world: OneWorld) -> None:
+    sigma, alpha, darts = world.sigma, world.alpha, range(world.size.darts)
+    formula.section("sigma is a permutation, alpha an involution without fixed points")
+    for row in sigma.rows():
+        formula.exactly_one(row)
+    for y in darts:
+        formula.exactly_one([sigma[x, y] for x in darts])
+    for x, row in enumerate(alpha.rows()):
+        formula.exactly_one(row)
+        formula.add(-alpha[x, x])
+        for y in range(x):
+            formula.equivalent(alpha[x, y], alpha[y, x])
+
+
+def _canonical_numbers(formula: Formula, world: OneWorld) -> None:
+    given, darts = world.given, world.size.darts
+    formula.section("an answer is a number that has been given, or the next free one")
+    for j in range(darts + 1):
+        formula.add(given[0, j] if j <= 1 else -given[0, j])
+    for t in range(2 * darts):
+        for y in range(darts):
+            formula.add(-world.step(t, y), given[t, y])
+            formula.add(-given[t, y + 1], given[t, y])
+            formula.add(-given[t, y + 1], given[t + 1, y + 1])
+            formula.add(-world.step(t, y), given[t + 1, y + 1])
+            formula.add(-given[t + 1, y + 1], given[t, y + 1], world.step(t, y))
+        formula.add(given[t + 1, 0])
+    formula.section("a dart has its number before it is asked: the map is connected")
+    for x in range(darts):
+        formula.add(given[2 * x, x + 1])
+
+
+def _vertices(formula: Formula, world: OneWorld) -> None:
+    darts, most = world.size.darts, world.size.most
+    sigma, vertex, first = world.sigma, world.vertex, world.first
+    formula.section("sigma stays at the vertex")
+    for row in vertex.rows():
+        formula.exactly_one(row)
+    _constant(formula, sigma, vertex, vertex)
+    _in_order(formula, vertex, world.used)
+    formula.add(first[0])
+    for x, v in product(range(1, darts), range(most)):
+        formula.equivalent(first[x], -world.used[x - 1, v], -vertex[x, v])
+    formula.section(f"at least {world.size.fewest} vertices")
+    formula.add(world.used[darts - 1, world.size.fewest - 1])
+
+
+def _constant(formula: Formula, step: Block, here: Block, there: Block) -> None:
+    """Require that ``step`` takes a dart with a label in ``here`` to one with it in ``there``."""
+    labels = range(here.shape[1])
+    for x, y in product(range(step.shape[0]), repeat=2):
+        formula.clauses += [(-step[x, y], -here[x, v], there[y, v]) for v in labels]
+
+
+def _in_order(formula: Formula, label: Block, used: Block) -> None:
+    """Require labels to be given in the order of their first darts, as ``used`` records."""
+    formula.section(f"{label.name} is numbered in the order of first darts")
+    formula.add(label[0, 0])
+    for x, v in product(*map(range, label.shape)):
+        formula.add(-label[x, v], used[x, v])
+        if x == 0:
+            formula.add(-used[0, v], label[0, v])
+            continue
+        formula.add(-used[x - 1, v], used[x, v])
+        formula.add(-used[x, v], used[x - 1, v], label[x, v])
+        if v > 0:
+            formula.add(-label[x, v], used[x - 1, v - 1])
+
+
+def _degrees(formula: Formula, world: OneWorld, asked: Question) -> None:
+    darts, sigma, first, degree = world.size.darts, world.sigma, world.first, world.degree
+    largest, place = degree.shape[1] - 1, world.place
+    formula.section("places count from the first dart, so each vertex is one cycle of sigma")
+    for x, row in enumerate(place.rows()):
+        formula.exactly_one(row)
+        formula.equivalent(first[x], place[x, 0])
+    for x, y, k in product(range(darts), range(darts), range(largest)):
+        after = [place[y, k + 1]] if k + 1 < largest else []
+        formula.add(-sigma[x, y], -place[x, k], first[y], *after)
+    formula.section("the degree is one more than the place of the last dart")
+    for x, row in enumerate(degree.rows()):
+        formula.exactly_one(row)
+        formula.add(-degree[x, 0])
+        for y, k in product(range(darts), range(largest)):
+            formula.add(-sigma[x, y], -first[y], -place[x, k], degree[x, k + 1])
+    _constant(formula, sigma, degree, degree)
+    formula.section("the degrees that were asked for")
+    if asked.degree_marked is not None:
+        formula.add(*world.has_degree(0, asked.degree_marked))
+    if asked.degree_others is not None:
+        for x in range(1, darts):
+            formula.add(world.vertex[x, 0], *world.has_degree(x, asked.degree_others))
+
+
+def _simple(formula: Formula, world: OneWorld, name: str) -> None:
+    darts, most = world.size.darts, world.size.most
+    alpha, vertex = world.alpha, world.vertex
+    target = formula.block(f"target{name}", (darts, most), "alpha(x) is at vertex v")
+    formula.section("no loop")
+    for row in target.rows():
+        formula.exactly_one(row)
+    _constant(formula, alpha, vertex, target)
+    for x, v in product(range(darts), range(most)):
+        formula.add(-vertex[x, v], -target[x, v])
+    formula.section("no two edges with the same ends")
+    for x in range(darts):
+        for y, v, w in product(range(x), range(most), range(most)):
+            if w != v:
+                formula.add(-vertex[x, v], -vertex[y, v], -target[x, w], -target[y, w])
+
+
+def _planar(formula: Formula, world: OneWorld, name: str) -> None:
+    """Require ``n + f >= m + 2``.
+
+    More faces are impossible, so the labels are exactly the faces.
+    """
+    size, darts = world.size, world.size.darts
+    most_faces = size.edges + 2 - size.fewest
+    face = formula.block(f"face{name}", (darts, most_faces), "x is on face f")
+    ahead = formula.block(f"ahead{name}", (darts, most_faces), "alpha(x) is on face f")
+    met = formula.block(f"met{name}", (darts, most_faces), "some dart 0..x is on face f")
+    formula.section("phi = sigma . alpha stays at the face")
+    for block in (face, ahead):
+        for row in block.rows():
+            formula.exactly_one(row)
+    _constant(formula, world.alpha, face, ahead)
+    _constant(formula, world.sigma, ahead, face)
+    _in_order(formula, face, met)
+    formula.section("Euler's formula of the sphere: with n vertices there are m + 2 - n faces")
+    for n in range(size.fewest, size.most + 1):
+        more_vertices = [world.used[darts - 1, n]] if n < size.most else []
+        formula.add(*more_vertices, met[darts - 1, size.edges + 1 - n])
