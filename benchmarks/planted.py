@@ -47,7 +47,7 @@ from allworlds.maps.mixture import default_mix, glued, lattice, rerooted
 from allworlds.protocol import playing
 from allworlds.protocol.actions import Estimate, Move, Percept
 from allworlds.protocol.choices import Choices
-from allworlds.studies import fuzz
+from allworlds.studies.fuzz import breeding, sampling, shrinking
 from allworlds.world.lighthouses import kinds
 from allworlds.world.world import World
 
@@ -302,7 +302,7 @@ def sample(options: argparse.Namespace, kind: Any) -> Iterator[World | None]:
     extent = Extent(MapClass.MAPS, options.edges)
     mix = tuple(options.mix.split(",")) if options.mix else default_mix(extent)
     least = getattr(options, "min_edges", 1)
-    for batch in fuzz.batches(Sample(options.runs, options.seed, least, mix=mix)):
+    for batch in sampling.batches(Sample(options.runs, options.seed, least, mix=mix)):
         for map_, places in batch.placed(extent, kind):
             yield World(map_, places[0][1], 0) if places else None
 
@@ -325,14 +325,17 @@ def found_by_breeding(options: argparse.Namespace, name: str, slip: str) -> bool
     """Whether a world bred from the first block of the sample seems to refute."""
     kind, lighthouse = EXPLORERS[name]
     extent, rules = Extent(MapClass.MAPS, options.edges), Rules(lighthouse, bound="none")
-    block = fuzz.Bred(fuzz.Batch(options.seed, 0, fuzz.FIRST, default_mix(extent)))
+    block = breeding.Bred(
+        sampling.Batch(options.seed, 0, breeding.DRAWS_TRACED, default_mix(extent))
+    )
     subject = in_process_subject(explorer(HARD[slip](kind)))
-    return any(True for _ in fuzz.bred(block, Scope(extent, rules), subject, Limits()))
+    return any(True for _ in breeding.bred(block, Scope(extent, rules), subject, Limits()))
 
 
 def show_hard(options: argparse.Namespace) -> None:
     """A line for each hard slip: the first run that is wrong, and whether a bred world is."""
-    block, more, bred, every = fuzz.BLOCK, fuzz.BLOCK + fuzz.BRED, [0, 0, 0], 0
+    block = breeding.DRAWS_PER_BLOCK
+    more, bred, every = block + breeding.BRED_PER_BLOCK, [0, 0, 0], 0
     options.runs = more
     for name in options.only.split(",") if options.only else EXPLORERS:
         found, _ = first_wrong(options, name)
@@ -381,7 +384,7 @@ def shrunk(options: argparse.Namespace, name: str) -> Iterator[tuple[str, Any, A
             began = time.process_time(), time.monotonic()
             with workers_for(subject, limits, None) as workers:
                 scope = Scope(Extent(MapClass.MAPS, options.edges), rules)
-                reached = fuzz.smallest_from(finding, workers, scope).key[:2]
+                reached = shrinking.smallest_from(finding, workers, scope).key[:2]
             yield slip, size, reached, time.process_time() - began[0], time.monotonic() - began[1]
 
 

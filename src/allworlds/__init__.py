@@ -51,7 +51,7 @@ if TYPE_CHECKING:
     from allworlds.studies.convert import convert as convert
     from allworlds.studies.count import count as count
     from allworlds.studies.explain import explain as explain
-    from allworlds.studies.fuzz import fuzz as fuzz
+    from allworlds.studies.fuzz.sample_sweep import fuzz as fuzz
     from allworlds.studies.init import init as init
     from allworlds.studies.ledger import ledger as ledger
     from allworlds.studies.merge import merge as merge, status as status

@@ -35,7 +35,8 @@ from allworlds.notations.given import GivenOptions
 from allworlds.reports import formats, plain_text
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckReport
-from allworlds.studies.fuzz import MapsRequest, fuzz, refuted_in
+from allworlds.studies.fuzz.given_maps import MapsRequest, refuted_in
+from allworlds.studies.fuzz.sample_sweep import fuzz
 from allworlds.world import named, selection
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_kind
 

@@ -14,7 +14,7 @@ from allworlds.cli.defaults import Defaults, begin
 from allworlds.cli.output import emit, output_of
 from allworlds.reports.formats import file_of
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.sample_sweep import fuzz
 
 WRONG = f"{Path(__file__).parents[1] / 'recorded' / 'explorers.py'}:first_edge"
 

@@ -11,7 +11,8 @@ from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
-from allworlds.studies.fuzz import SampleCounter, batches
+from allworlds.studies.fuzz.sample_sweep import SampleCounter
+from allworlds.studies.fuzz.sampling import batches
 
 
 class Found:

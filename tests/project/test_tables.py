@@ -42,7 +42,7 @@ from allworlds.reports.formats import FORMATS, _maker as maker, formats_of, text
 from allworlds.studies.ambiguity.question import SEARCHED
 from allworlds.studies.check.report import CheckedScope
 from allworlds.studies.compare.growth import GROWING
-from allworlds.studies.fuzz import batches
+from allworlds.studies.fuzz.sampling import batches
 from allworlds.studies.worst.every_schedule import Transit
 from allworlds.verbs import BY_NAME, GROUPS, VERBS
 from allworlds.world import LIGHTHOUSES, Lighthouse, World, lighthouses

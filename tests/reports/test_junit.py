@@ -19,7 +19,7 @@ from allworlds.reports.formats import file_of
 from allworlds.reports.plain_text import finding_in_words as finding_text
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckRequest, GateCell
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.sample_sweep import fuzz
 
 
 def junit(report):

@@ -9,7 +9,7 @@ from allworlds.reports.formats import brief, text as text_of
 from allworlds.reports.plain_text import LONGEST_WALK, finding_in_words as finding_text
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.count import count
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.sample_sweep import fuzz
 from allworlds.studies.run import replay, run
 from allworlds.world import Directional, World
 

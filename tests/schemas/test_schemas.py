@@ -20,7 +20,7 @@ from allworlds.studies.compare.comparison import compare
 from allworlds.studies.convert import convert
 from allworlds.studies.count import count
 from allworlds.studies.explain import explain
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.sample_sweep import fuzz
 from allworlds.studies.init import init
 from allworlds.studies.ledger import ledger
 from allworlds.studies.merge import merge, status

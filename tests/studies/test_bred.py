@@ -19,7 +19,8 @@ from allworlds.maps.mixture import mutated
 from allworlds.protocol import playing
 from allworlds.protocol.choices import Choices
 from allworlds.protocol.code_lines import LinesPlay, TracedPlay
-from allworlds.studies.fuzz import fuzz, is_bred_for
+from allworlds.studies.fuzz.breeding import is_bred_for
+from allworlds.studies.fuzz.sample_sweep import fuzz
 from allworlds.world import Directional
 from allworlds.world.world import World
 

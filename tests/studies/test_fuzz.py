@@ -9,7 +9,7 @@ from allworlds.maps.quotient import classes_of_union
 from allworlds.reports.content.check import scope_words, size_table
 from allworlds.reports.formats import file_of, text as text_of
 from allworlds.studies.check.covered import FEATURES, telling_apart
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.sample_sweep import fuzz
 
 
 def test_algorithm_1_is_not_refuted_and_that_is_no_proof():

@@ -11,7 +11,7 @@ from allworlds.engines.single import subject_of
 from allworlds.judging.referee import Examiner
 from allworlds.judging.rules import Rules
 from allworlds.protocol.choices import Choices
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.sample_sweep import fuzz
 from allworlds.world.lighthouses import kinds
 
 ROOT = Path(__file__).parents[2]

@@ -9,7 +9,8 @@ from allworlds.maps import CombinatorialMap, MapClass, random_map, rooted_code, 
 from allworlds.maps.classes import Extent
 from allworlds.maps.mixture import PARTS, glued, rerooted
 from allworlds.studies.check.covered import telling_apart
-from allworlds.studies.fuzz import batches, fuzz, waves
+from allworlds.studies.fuzz.sample_sweep import fuzz
+from allworlds.studies.fuzz.sampling import batches, waves
 from allworlds.world import Directional
 
 CLASSES = pytest.mark.parametrize("map_class", list(MapClass))

@@ -8,7 +8,8 @@ from allworlds.maps import MapClass, contracted, deleted, rooted_code
 from allworlds.maps.build import without
 from allworlds.maps.classes import Extent
 from allworlds.protocol.actions import Estimate, Move
-from allworlds.studies.fuzz import FINE, fuzz, shrink
+from allworlds.studies.fuzz.sample_sweep import fuzz
+from allworlds.studies.fuzz.shrinking import EDGES_OF_FINE_STEPS, shrink
 from allworlds.world import Directional, World
 from small import long
 
@@ -130,9 +131,9 @@ def test_at_last_every_world_with_few_edges_is_tried(large):
 def test_of_what_stays_large_not_every_neighbour_is_tried(large):
     map_ = allworlds.maps.build.lattice(4, 4)
     far = replace(large, world=World(map_, next(Directional.places(map_, 0)), 0), choices=())
-    steps, recorder = smallest(far, lambda world: world.map.edge_count > FINE)
-    assert steps[-1].key[0] == FINE + 1
-    assert sum(5 <= edges <= FINE for edges, *_ in recorder.asked) < 300
+    steps, recorder = smallest(far, lambda world: world.map.edge_count > EDGES_OF_FINE_STEPS)
+    assert steps[-1].key[0] == EDGES_OF_FINE_STEPS + 1
+    assert sum(5 <= edges <= EDGES_OF_FINE_STEPS for edges, *_ in recorder.asked) < 300
 
 
 def test_the_part_at_the_start_is_left_without_edges_that_are_gone():

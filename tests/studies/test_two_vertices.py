@@ -17,7 +17,7 @@ from allworlds.protocol.actions import Move, Percept
 from allworlds.reports.formats import text as text_of
 from allworlds.studies.check import exhaustive as checker
 from allworlds.studies.explain import explain
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.sample_sweep import fuzz
 from allworlds.studies.run import replay, run
 from allworlds.world import Cluster, Natural, World, worlds
 

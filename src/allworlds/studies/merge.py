@@ -34,7 +34,7 @@ def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
     from allworlds.studies.check.exhaustive import CheckSweep
     from allworlds.studies.compare.comparison import SameWorlds
     from allworlds.studies.count import CountSweep
-    from allworlds.studies.fuzz import FuzzSweep
+    from allworlds.studies.fuzz.sample_sweep import FuzzSweep
     from allworlds.studies.worst.all_worlds import SchedulesSweep
 
     kinds = (CheckSweep, FuzzSweep, SameWorlds, SchedulesSweep, CountSweep, CensusSweep)

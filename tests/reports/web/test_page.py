@@ -19,7 +19,7 @@ from allworlds.reports.web.sections import table_element
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import GateCell
 from allworlds.studies.explain import explain
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.sample_sweep import fuzz
 from allworlds.words import escaped
 from html_tree import read
 

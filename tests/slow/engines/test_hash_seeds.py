@@ -8,7 +8,7 @@ from allworlds.engines.batch import SECOND
 from allworlds.engines.hash_seeds import GOES_BY_HASHES
 from allworlds.engines.listeners import Listener
 from allworlds.studies.check.exhaustive import check
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.sample_sweep import fuzz
 from allworlds.studies.run import replay
 
 pytestmark = pytest.mark.processes

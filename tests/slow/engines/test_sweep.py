@@ -69,7 +69,7 @@ def test_what_a_shrinker_had_when_the_time_was_up_is_not_the_end(tmp_path, monke
             late.append(finding)
             return finding
 
-        patch.setattr("allworlds.studies.fuzz.smallest_from", shrunk)
+        patch.setattr("allworlds.studies.fuzz.sample_sweep.smallest_from", shrunk)
         patch.setattr(
             "allworlds.studies.check.tally_sweep.Confirmation.is_late",
             property(lambda _: bool(late)),

@@ -11,7 +11,7 @@ from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import most_expensive_runs
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.sample_sweep import fuzz
 from allworlds.studies.run import run
 from allworlds.world import Directional, Position, World
 from explorers import test_native as quick

@@ -6,7 +6,15 @@ from allworlds.engines.single import subject_of
 from allworlds.engines.units import Sample
 from allworlds.maps.mixture import default_mix
 from allworlds.reports.formats import text as text_of
-from allworlds.studies.fuzz import BLOCK, BRED, FIRST, Batch, Bred, batches, bred, fuzz
+from allworlds.studies.fuzz.breeding import (
+    BRED_PER_BLOCK,
+    DRAWS_PER_BLOCK,
+    DRAWS_TRACED,
+    Bred,
+    bred,
+)
+from allworlds.studies.fuzz.sample_sweep import fuzz
+from allworlds.studies.fuzz.sampling import Batch, batches
 from studies.test_bred import EXTENT, SCOPE, is_late, late
 
 LATE = f"{late.__code__.co_filename}:late"
@@ -16,12 +24,12 @@ LATE = f"{late.__code__.co_filename}:late"
 def test_a_bred_world_finds_what_as_many_draws_do_not():
     drawn = [
         map_
-        for batch in batches(Sample(BLOCK + BRED))
+        for batch in batches(Sample(DRAWS_PER_BLOCK + BRED_PER_BLOCK))
         for map_, _ in batch.placed(EXTENT, SCOPE.rules.kind)
     ]
-    assert len(drawn) == BLOCK + BRED
+    assert len(drawn) == DRAWS_PER_BLOCK + BRED_PER_BLOCK
     assert not any(map(is_late, drawn))
-    block = Bred(Batch(0, 0, FIRST, default_mix(EXTENT)))
+    block = Bred(Batch(0, 0, DRAWS_TRACED, default_mix(EXTENT)))
     found = [[*bred(block, SCOPE, subject_of(late, Limits()), Limits())] for _ in range(2)]
     assert found[0]
     assert found[0] == found[1]
@@ -31,9 +39,9 @@ def test_a_bred_world_finds_what_as_many_draws_do_not():
 @pytest.mark.long
 @pytest.mark.processes
 def test_bred_worlds_depend_on_neither_workers_nor_shards(tmp_path):
-    sample = {"edges": 12, "runs": BLOCK + FIRST}
+    sample = {"edges": 12, "runs": DRAWS_PER_BLOCK + DRAWS_TRACED}
     whole = fuzz(LATE, **sample)
-    assert (whole.verdict, whole.runs, whole.bred) == ("refuted", BLOCK, BRED)
+    assert (whole.verdict, whole.runs, whole.bred) == ("refuted", DRAWS_PER_BLOCK, BRED_PER_BLOCK)
     assert is_late(whole.findings[0].world.map)
     assert "192 worlds from the draws" in text_of(whole, 100)
     assert fuzz(LATE, **sample, workers=2).to_json() == whole.to_json()
@@ -44,9 +52,13 @@ def test_bred_worlds_depend_on_neither_workers_nor_shards(tmp_path):
 
 
 def test_a_sample_without_a_finding_tells_how_many_were_bred():
-    report = fuzz(f"{__file__}:right", edges=3, runs=BLOCK)
-    assert (report.verdict, report.runs, report.bred) == ("not-refuted", BLOCK, BRED)
-    assert sum(row.worlds for row in report.rows) == BLOCK
+    report = fuzz(f"{__file__}:right", edges=3, runs=DRAWS_PER_BLOCK)
+    assert (report.verdict, report.runs, report.bred) == (
+        "not-refuted",
+        DRAWS_PER_BLOCK,
+        BRED_PER_BLOCK,
+    )
+    assert sum(row.worlds for row in report.rows) == DRAWS_PER_BLOCK
 
 
 def right(first, choices=None):

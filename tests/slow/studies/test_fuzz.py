@@ -1,7 +1,8 @@
 import pytest
 
 from allworlds.engines.limits import TimeIsUp
-from allworlds.studies.fuzz import fuzz, shrink
+from allworlds.studies.fuzz.sample_sweep import fuzz
+from allworlds.studies.fuzz.shrinking import shrink
 
 
 @pytest.mark.long
@@ -46,7 +47,7 @@ def test_what_has_been_reached_when_the_time_is_up_is_reported(planted, monkeypa
         yield step
         raise TimeIsUp
 
-    monkeypatch.setattr("allworlds.studies.fuzz.shrink", out_of_time)
+    monkeypatch.setattr("allworlds.studies.fuzz.shrinking.shrink", out_of_time)
     report = fuzz(planted(5, 4), edges=7, runs=40, seed=1)
     assert report.verdict == "refuted"
     assert [found.key for found in report.findings] == [found.key for found in reached]

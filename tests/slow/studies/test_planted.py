@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.sample_sweep import fuzz
 from studies.test_planted import options, planted
 
 

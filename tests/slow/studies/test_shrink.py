@@ -2,7 +2,7 @@ import pytest
 
 import allworlds
 from allworlds.maps import MapClass, contracted, deleted
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.sample_sweep import fuzz
 from small import long
 from studies import test_shrink as quick
 from studies.test_shrink import smallest

@@ -3,7 +3,7 @@
 import pytest
 
 from allworlds.outcome import Verdict
-from allworlds.studies.fuzz import fuzz
+from allworlds.studies.fuzz.sample_sweep import fuzz
 from studies import test_two_vertices as quick
 from studies.test_two_vertices import (
     CLUSTER,

@@ -1,0 +1,13 @@
+"""``fuzz``: worlds far beyond the exhaustive bound, and the way back to small ones.
+
+``sample_sweep``
+    the request, the verb, and the sweep through what is drawn and bred;
+``sampling``
+    the draws: which worlds the runs of a sample are in;
+``breeding``
+    worlds that are bred from draws, towards lines of the explorer that few worlds run;
+``shrinking``
+    the way from a refuting world to a small one;
+``given_maps``
+    runs in maps that others draw, such as Hypothesis, and their smallest finding.
+"""

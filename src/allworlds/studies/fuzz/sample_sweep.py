@@ -1,0 +1,242 @@
+"""The sweep of ``fuzz`` through a sample, and what it was asked for."""
+
+from collections.abc import Iterable, Iterator
+from itertools import islice
+from typing import Annotated
+
+from typing_extensions import override
+
+from allworlds.documents.document import Text, about
+from allworlds.engines import lanes, single
+from allworlds.engines.engine_table import ReadyEngine, players_for
+from allworlds.engines.job_records import Identity
+from allworlds.engines.limits import Limits, TimeIsUp
+from allworlds.engines.listeners import Listener
+from allworlds.engines.tally import RunCounter, Tally
+from allworlds.engines.units import (
+    NumberedRun,
+    Sample,
+    Scope,
+    Shard,
+    ShardOptions,
+    SweptLevel,
+    UnitOfRuns,
+)
+from allworlds.explorers import loading
+from allworlds.inputs.checks import InputError, integer_of, show
+from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Converted, Option, Request, answers
+from allworlds.judging.findings.finding import Finding
+from allworlds.judging.rules import Rules, law_names
+from allworlds.maps.classes import Extent
+from allworlds.maps.mixture import PARTS, default_mix, mix_named
+from allworlds.outcome import Completed, Ending
+from allworlds.studies.check.covered import features
+from allworlds.studies.check.report import CheckReport
+from allworlds.studies.check.tally_sweep import (
+    CorpusOptions,
+    TallySweep,
+    rules_known,
+    subject_of_record,
+)
+from allworlds.studies.fuzz.breeding import (
+    BRED_PER_BLOCK,
+    DRAWS_PER_BLOCK,
+    Bred,
+    bred,
+    bred_of,
+    is_bred_for,
+)
+from allworlds.studies.fuzz.given_maps import MapsRequest
+from allworlds.studies.fuzz.sampling import batches, waves
+from allworlds.studies.fuzz.shrinking import smallest_from
+from allworlds.studies.options import ClusterOptions, RunDirectoryOptions
+from allworlds.world import world
+
+
+class SampleOptions(Request):
+    """Options for drawing worlds: their sizes and their number."""
+
+    edges: Annotated[int, Option(SCOPE, "M", "At most M edges.", parse=integer_of)]
+    mix: Annotated[
+        Converted[Iterable[str] | None, tuple[str, ...] | None],
+        Option(
+            RARE_SCOPE,
+            "NAMES",
+            f"Draw of these alone, with commas: {', '.join(PARTS)} [default: those of the class].",
+            parse=law_names,
+            document_type=Annotated[
+                tuple[Text, ...], about("the distributions that were drawn of, in turn")
+            ],
+        ),
+    ] = Converted(mix_named, None)
+    min_edges: Annotated[
+        int,
+        Option(
+            SCOPE,
+            "L",
+            "At least L edges; choose more than an exhaustive check has tried.",
+            parse=integer_of,
+        ),
+    ] = 1
+    runs: Annotated[int, Option(SCOPE, "R", "The number of worlds.", parse=integer_of)] = 1024
+    seed: Annotated[int, Option(SCOPE, "S", "Which sample.", parse=integer_of)] = 0
+
+
+class FuzzRequest(
+    CorpusOptions, RunDirectoryOptions, ClusterOptions, ShardOptions, MapsRequest, SampleOptions
+):
+    """Request of ``fuzz``: an explorer, the sample, rules and effort."""
+
+
+@answers(FuzzRequest)
+def fuzz(request: FuzzRequest) -> CheckReport:
+    """Run an explorer in random worlds of up to ``edges`` edges; shrink what refutes it.
+
+    The report is a sample's: at best ``not-refuted``, never complete.  The sample depends on
+    the class, ``where``, ``edges``, ``min_edges``, ``mix``, ``runs`` and ``seed`` alone.  It ends
+    after the first 16, 64, 256, ... runs of which one refutes.  The finding is the smallest that
+    the shrinker reaches from the smallest refuting world of these; that may have fewer than
+    ``min_edges`` edges.  Shrinking ends with the time limit.  Of an explorer in Python worlds are
+    bred, too: see :func:`bred`.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+    """
+    subject = single.subject_of(request.explore, request.limits)
+    scope = scope_of(request, request.rules(subject))
+    return FuzzSweep(request, scope, subject).answer(request.run)
+
+
+def scope_of(request: FuzzRequest, rules: Rules) -> Scope:
+    """The scope of a request: the drawn worlds and the rules.
+
+    Raises:
+        InputError: for numbers out of range.
+    """
+    extent = Extent(request.map_class, request.edges, where=request.where)
+    mix = request.mix or default_mix(extent)
+    sample = Sample(request.runs, request.seed, request.min_edges, request.shard, mix)
+    if sample.min_edges > request.edges:
+        least, most = show(sample.min_edges), show(request.edges)
+        raise InputError(f"min-edges = {least} is more than edges = {most}")
+    return Scope(extent, rules, coverage=sample)
+
+
+class SampleCounter(RunCounter, frozen=True, kw_only=True):
+    """The runs of a sample, counted with the features of its worlds; and of bred worlds.
+
+    Attributes:
+        subject, limits: of the explorer, for those who are bred.
+    """
+
+    subject: loading.Subject
+    limits: Limits
+
+    @override
+    def runs(self, unit: UnitOfRuns, start: int = 0) -> Iterator[NumberedRun]:
+        if isinstance(unit, Bred):
+            return islice(bred(unit, self.scope, self.subject, self.limits), start, None)
+        return super().runs(unit, start)
+
+    @override
+    def count_run(self, run: NumberedRun, tally: Tally) -> world.World | None:
+        tally.covered.update(features(run.map))
+        return super().count_run(run, tally)
+
+
+class FuzzSweep(TallySweep[CheckReport]):
+    """The sweep of a sample.
+
+    Its levels are waves of draws, each four times as large as all before, and between them worlds
+    bred from the draws.  Every finished part is reported; a level with a finding is the last one.
+
+    Args:
+        request: what was asked for.
+        scope: the worlds and the rules.
+        subject: the explorer.
+    """
+
+    verb, asked = "fuzz", FuzzRequest
+
+    def __init__(self, request: FuzzRequest, scope: Scope, subject: loading.Subject) -> None:
+        super().__init__(request, scope, subject)
+        self._tally, self._bred = self.empty(), 0
+
+    @override
+    @classmethod
+    def known(cls, identity: Identity, portion: Shard, listener: Listener) -> "FuzzSweep":
+        request = cls.asked_then(identity, portion, listener)
+        rules = rules_known(request, identity.parameters)
+        subject = subject_of_record(identity.explorer)
+        return cls(request, scope_of(request, rules), subject)
+
+    @override
+    def levels(self) -> Iterable[SweptLevel]:
+        sample, edges = self.scope.coverage, self.request.edges
+        assert isinstance(sample, Sample)
+        subject, blocks = self.job.subject, 0
+        for begin, end in waves(sample.runs):
+            yield SweptLevel(edges, end - begin, batches(sample, begin, end))
+            until = end // DRAWS_PER_BLOCK
+            if until > blocks and is_bred_for(subject):
+                begins = range(blocks * DRAWS_PER_BLOCK, until * DRAWS_PER_BLOCK, DRAWS_PER_BLOCK)
+                mine = [*bred_of(sample, begins)]
+                yield SweptLevel(edges, 0, mine, of=len(mine) * BRED_PER_BLOCK)
+                blocks = until
+
+    @override
+    def begin(self) -> Ending | None:
+        """Try past findings."""
+        return self.retry_past(self._tally)
+
+    @override
+    def ready(self) -> ReadyEngine:
+        job = self.job
+        counter = SampleCounter(self.scope, job.keep, subject=job.subject, limits=job.limits)
+        return ReadyEngine(players_for(job), counter)
+
+    @override
+    def finish(self, level: SweptLevel, total: Tally) -> Ending | None:
+        self.leave(level, total)
+        self._bred += level.of or 0
+        return Completed() if self._tally.findings else None
+
+    @override
+    def leave(self, level: SweptLevel, total: Tally) -> None:
+        if level.of is not None:  # bred worlds do not count
+            total = Tally(total.keep, findings=total.findings, remarks=total.remarks)
+        self._tally.add(total)
+
+    @override
+    def conclude(self, ending: Ending) -> None:
+        """Shrink the findings of the whole sample, and confirm the result."""
+        settled = self.confirmation
+        if isinstance(ending, Completed):
+            self._tally.findings = [
+                settled.replaced("shrunk", found, self._shrunk) for found in self._tally.findings
+            ]
+        past = self.corpus is not None and any(map(self.corpus.holds, self._tally.findings))
+        if not past:
+            self._tally.findings = settled.confirmed(self._tally.findings)
+            self.keep_new(self._tally)
+        if self._tally.findings and settled.is_late:
+            raise TimeIsUp  # it may have been given up
+
+    def _shrunk(self, found: Finding) -> Finding:
+        job = self.job
+        with lanes.workers_for(job.subject, job.limits, self.deadline) as workers:
+            return smallest_from(found, workers, self.scope)
+
+    @override
+    def report(self, ending: Ending) -> CheckReport:
+        return CheckReport(
+            **self.ended(ending, self.scope.extent),
+            explorer=self.job.subject.name,
+            engine="python",
+            asked=self.scope,
+            tally=self._tally,
+            levels=(),
+            past=self.corpus,
+            offspring=self._bred,
+            seconds=tuple(self.seconds),
+        )
