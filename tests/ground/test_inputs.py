@@ -68,7 +68,7 @@ FAULTS = {
         "worlds",
     ),
     "findings that may be nested as deeply as they like": (
-        ("allworlds.judging.findings.finding.parse_json", json.loads),
+        ("allworlds.studies.findings.parse_json", json.loads),
         "findings",
     ),
     "a corpus of files that are texts": (

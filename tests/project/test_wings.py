@@ -53,7 +53,8 @@ MOST_ROWS, MOST_ARROWS, MOST_ENTRIES, MOST_IN_A_CIRCLE = 12, 60, 24, 8
 BY_FOLDER = {"studies"}
 
 # What is there for all studies, and knows none of them.
-SHARED_BY_STUDIES = {f"studies.{name}" for name in ("options", "reports", "scopes", "swept")}
+OF_ALL = ("findings", "options", "reports", "scopes", "swept")
+SHARED_BY_STUDIES = {f"studies.{name}" for name in OF_ALL}
 
 # What lies beside the wings and holds no code, or code that no wing knows.
 BESIDE = {"corpus", "schemas", "py.typed"}

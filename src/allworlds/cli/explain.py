@@ -3,8 +3,8 @@
 import allworlds
 from allworlds.cli.output import OutputGroup, emit
 from allworlds.inputs.requests import answer
-from allworlds.judging.findings.finding import FindingWords
 from allworlds.studies.explain import ExplainRequest
+from allworlds.studies.findings import FindingWords
 
 
 def explain(words: FindingWords, *, output: OutputGroup) -> int:

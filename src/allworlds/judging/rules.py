@@ -334,6 +334,12 @@ class Rules(RuleOptions, kw_only=False):
         of_run = replace(self, promised=False, laws=self.applying or None)
         return [*given_again(RuleOptions, of_run), *choices]
 
+    def keywords(self, script: Sequence[int] = ()) -> list[str]:
+        """The arguments of a call in Python that give the same, as ``NAME=VALUE``."""
+        words = self.arguments(script)
+        options = zip(words[::2], words[1::2], strict=True)
+        return [_keyword(option, text) for option, text in options]
+
     @property
     def in_effect(self) -> dict[str, Any]:
         """The options as they took effect, by the keys of documents."""
@@ -355,6 +361,15 @@ class Rules(RuleOptions, kw_only=False):
             where=self.among.name if self.among else None,
             where_digest=self.among.digest if self.among else None,
         )
+
+
+def _keyword(option: str, text: str) -> str:
+    """An option of the command line as an argument in Python."""
+    name = option.removeprefix("--").replace("-", "_")
+    value: Any = int(text) if name == "step_budget" else text
+    if name in ("laws", "choices"):
+        value = [int(part) if part.isdigit() else part for part in text.split(",")]
+    return f"{name}={value!r}"
 
 
 @doc.with_options(RuleOptions)

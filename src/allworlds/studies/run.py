@@ -19,13 +19,14 @@ from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs import checks, requests
 from allworlds.inputs.checks import InputError, an_integer, show
 from allworlds.inputs.requests import RULES, SCOPE, Converted, Option, OptionGroup, answers
-from allworlds.judging.findings.finding import Finding, FindingOptions
+from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import LawName
 from allworlds.judging.rules import RuleOptions
 from allworlds.judging.walk import Walk
 from allworlds.outcome import Facts
 from allworlds.protocol.actions import Action, IllegalAction, Percept, Transcript
 from allworlds.studies.check import hints
+from allworlds.studies.findings import FindingOptions
 from allworlds.world.lighthouses import kinds, marked
 from allworlds.world.named import HOLES, LIGHTHOUSE, WORLD, WorldOptions, world_named
 from allworlds.world.world import World

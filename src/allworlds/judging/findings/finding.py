@@ -5,15 +5,14 @@ import json
 import shlex
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property, partial
-from typing import Annotated, Any, Final, Literal, NamedTuple
+from typing import Annotated, Any, Final, Literal
 
 from allworlds.documents import document as doc
 from allworlds.documents.reading import parse
 from allworlds.documents.report import SCHEMA
 from allworlds.documents.shown import Paged
 from allworlds.explorers.loading import HASH_SEED, named_on_command_line, own_bound
-from allworlds.inputs.checks import InputError, in_file, integer_of, parse_json, read_text, show
-from allworlds.inputs.requests import SCOPE, Argument, Option, OptionGroup, Request
+from allworlds.inputs.checks import InputError, parse_json, show
 from allworlds.judging.laws.law_table import PRECEDENCE, LawName, Value
 from allworlds.judging.rules import RecordedRules, Rules
 from allworlds.maps.combinatorial import Code, Dart, numbering, rooted_code
@@ -187,9 +186,7 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
         module, _, name = self.explorer.partition(":")
         if "<" not in name and module != "__main__":
             return self.command
-        words = self.rules.arguments(self.choices)
-        options = zip(words[::2], words[1::2], strict=True)
-        told = [repr(self._world_text), *(_keyword(option, text) for option, text in options)]
+        told = [repr(self._world_text), *self.rules.keywords(self.choices)]
         return f"allworlds.run({name.rpartition('.')[2].strip('<>')}, {', '.join(told)})"
 
     @cached_property
@@ -285,15 +282,6 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
         return found
 
 
-def _keyword(option: str, text: str) -> str:
-    """An option of the command line as an argument in Python."""
-    name = option.removeprefix("--").replace("-", "_")
-    value: Any = int(text) if name == "step_budget" else text
-    if name in ("laws", "choices"):
-        value = [int(part) if part.isdigit() else part for part in text.split(",")]
-    return f"{name}={value!r}"
-
-
 def findings_of(document: Any) -> Sequence[Any]:
     """The documents of the findings of a report; any other document by itself.
 
@@ -340,49 +328,3 @@ DIGITS = 12
 def digest_of(text: str) -> str:
     """The digest of the text of a file, as in its name."""
     return hashlib.sha256(text.encode()).hexdigest()[:DIGITS]
-
-
-class ChosenFinding(NamedTuple):
-    """A finding, its number in its report, from 1 on, and the number of findings there."""
-
-    finding: Finding
-    number: int = 1
-    findings: int = 1
-
-
-class FindingWords(Request):
-    """The argument and options of the command line that name a finding."""
-
-    file: Annotated[str, Argument("", "FILE", "A finding, or a check's report; - for stdin.")]
-    number: Annotated[
-        int,
-        Option(
-            SCOPE, "K", "Which finding of a report: 1 is the smallest.", "finding", parse=integer_of
-        ),
-    ] = 1
-
-    def chosen(self) -> ChosenFinding:
-        """The finding of that number in the file.
-
-        Raises:
-            InputError: naming the file, the offending value in it, or the number.
-        """
-        document = parse_json(read_text(self.file), file=self.file)
-        with in_file(self.file):
-            found = findings_of(document)
-        if not 1 <= self.number <= len(found):
-            holds = f"findings 1 to {len(found)}" if len(found) > 1 else "1 finding"
-            raise InputError(f"finding = {self.number} is not there: the file holds {holds}")
-        with in_file(self.file):
-            finding = Finding.from_json(found[self.number - 1])
-        return ChosenFinding(finding, self.number, len(found))
-
-    def value(self) -> Finding:
-        """The chosen finding alone, without its number."""
-        return self.chosen().finding
-
-
-class FindingOptions(Request, kw_only=False):
-    """The part of a request that names a finding."""
-
-    finding: Annotated[Finding, OptionGroup(FindingWords, "the finding")]
