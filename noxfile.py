@@ -114,18 +114,18 @@ def proofs(session: nox.Session) -> None:
     session.install(".[fast,proofs]")
     certificate, played = f"{session.create_tmp()}/algorithm1.v", ("--against", "algorithm1")
     steps = (
-        ("python", "proofs/check.py"),
+        ("python", "proofs/certificates/check.py"),
         ("make", "-j2", "-C", "proofs/coq", "theorems", "assumptions"),
         ("make", "-C", "proofs/coq", "explorer", "mutants"),
         ("make", "-j2", "-C", "papers/lower_bounds/coq", "assumptions", "coqchk-all"),
         ("make", "-C", "papers/lower_bounds/coq", "mutants"),
         ("make", "-C", "proofs/coq", "enumeration", f"PYTHON={session.bin}/python"),
         ("python", "proofs/coq/certificates.py"),
-        ("python", "proofs/certified.py"),
-        ("python", "proofs/certified.py", "--sample"),
-        ("python", "proofs/certified.py", "--certificate", certificate, "algorithm1"),
-        ("python", "proofs/certified.py", "--verify", certificate, "algorithm1", *played),
-        ("python", "proofs/certified_trees.py"),
+        ("python", "proofs/coq/certified.py"),
+        ("python", "proofs/coq/certified.py", "--sample"),
+        ("python", "proofs/coq/certified.py", "--certificate", certificate, "algorithm1"),
+        ("python", "proofs/coq/certified.py", "--verify", certificate, "algorithm1", *played),
+        ("python", "proofs/coq/certified_trees.py"),
     )
     for step in steps:
         start = time.monotonic()
@@ -141,7 +141,7 @@ def full(session: nox.Session) -> None:
     session.run("pytest", *distributed, "-m", "long", "--durations=25", "tests/slow")
     further = ("walked", "judged", "checked", "folded", "shielded")
     limits = [word for name in further for word in (f"--{name}-edges", "4")]
-    session.run("python", "proofs/certified.py", "--edges", "5", *limits)
-    session.run("python", "proofs/certified.py", "--sample", "20000", "--seed", "1")
+    session.run("python", "proofs/coq/certified.py", "--edges", "5", *limits)
+    session.run("python", "proofs/coq/certified.py", "--sample", "20000", "--seed", "1")
     session.run("proofs/coq/minimality", external=True)
     session.run("python", "tests/support/mutants/matrix.py")

@@ -26,7 +26,7 @@ def certificate(_: Means, *, claim: str) -> Found | NotChecked:
 
     That code shares nothing with the package.
     """
-    command = [sys.executable, str(PROOFS / "check.py"), "--only", claim]
+    command = [sys.executable, str(PROOFS / "certificates" / "check.py"), "--only", claim]
     ended = subprocess.run(command, capture_output=True, text=True, check=False)
     lines = [line for line in ended.stdout.splitlines()[1:] if line.strip()]
     said = [re.sub(rf"^{claim}\s+\S+\s+\S+", "", line).strip() for line in lines]

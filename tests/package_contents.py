@@ -27,7 +27,7 @@ NEEDED = {
         "corpus/manifest.json",
         "examples/c/algorithm1.c",
         "examples/javascript/algorithm1.js",
-        "proofs/check.py",
+        "proofs/certificates/check.py",
         "proofs/coq/Main.v",
         "papers/minimal_information/ledger.toml",
         "papers/lower_bounds/coq/Main.v",

@@ -1,7 +1,7 @@
 (* ---------------------------------------------------------------------------------------------
    Decision trees: what an explorer does in all worlds with at most m edges, written down.  A file that
    holds one, with m, is a certificate that the explorer is right in these worlds: Coq's kernel checks it
-   by computation, and nothing else is computed.  `python proofs/certified.py --certificate` writes one.
+   by computation, and nothing else is computed.  `python proofs/coq/certified.py --certificate` writes one.
 
      decision_tree        Leaf e: stop, with the answer e.  Node k after: make motion k; `after` has a
                           branch for each percept that may be sensed then, with what to do next.

@@ -2,7 +2,7 @@
 
     python certificates.py [--limit SECONDS]
 
-reads the pairs of worlds in ../fig1, ../smallest-pairs, ../natural-lighthouse and in
+reads the pairs of worlds in fig1, smallest-pairs and natural-lighthouse of ../certificates and in
 ../../corpus/pairs, writes Certificates.v into build/, and compiles it: one theorem a pair, that
 no explorer finds the maps of both worlds, by `certified_map_impossible` from the classes of darts
 in the file.  `make theorems` must have been run.  Exit code 1: a certificate does not prove its
@@ -21,7 +21,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-PROOFS, CORPUS = HERE.parent, HERE.parent.parent / "corpus" / "pairs"
+KEPT = HERE.parent / "certificates"
+CORPUS = HERE.parents[1] / "corpus" / "pairs"
 
 HEAD = """(* Written by certificates.py from the files named below. *)
 From mathcomp Require Import all_ssreflect.
@@ -43,10 +44,10 @@ Proof. by apply: (@certified_map_impossible _ _ _ _ {name}_darts); vm_compute. Q
 def kept_pairs() -> Iterator[tuple[str, dict, str]]:
     """Every pair on file: where it stands, the document, and what the robot senses there."""
     for folder in ("fig1", "smallest-pairs"):
-        path = PROOFS / folder / "pairs.json"
+        path = KEPT / folder / "pairs.json"
         for name, document in json.loads(path.read_text(encoding="utf-8")).items():
             yield f"{folder} {name}", document, "position_percept"
-    path = PROOFS / "natural-lighthouse" / "pair.json"
+    path = KEPT / "natural-lighthouse" / "pair.json"
     document = json.loads(path.read_text(encoding="utf-8"))
     yield "natural-lighthouse", document, "degree_percept"
     for path in sorted(CORPUS.glob("*.json")):

@@ -5,12 +5,14 @@ from pathlib import Path
 import pytest
 
 PROOFS = Path(__file__).parents[2] / "proofs"
+CERTIFICATES, COQ = PROOFS / "certificates", PROOFS / "coq"
 
 
 @pytest.fixture
 def checkers(monkeypatch):
-    """The modules of the folder ``proofs`` by name: they stand outside the package."""
-    monkeypatch.syspath_prepend(str(PROOFS))
+    """The modules of the folders of proofs by name: they stand outside the package."""
+    for folder in (PROOFS, COQ, CERTIFICATES):
+        monkeypatch.syspath_prepend(str(folder))
     return importlib.import_module
 
 
@@ -19,7 +21,7 @@ def checker_of(checkers):
     """The module ``checker.py`` of a claim, loaded anew."""
 
     def load(claim):
-        path = PROOFS / claim / "checker.py"
+        path = CERTIFICATES / claim / "checker.py"
         specification = importlib.util.spec_from_file_location(f"{claim}_checker", path)
         module = importlib.util.module_from_spec(specification)
         specification.loader.exec_module(module)
@@ -31,4 +33,5 @@ def checker_of(checkers):
 
 @pytest.fixture
 def proofs():
-    return PROOFS
+    """The folder of the certificates."""
+    return CERTIFICATES

@@ -211,10 +211,10 @@ def test_coq_is_judged_by_all_that_it_prints(files, verified, mine, monkeypatch)
         assert verified(mine)[0] == verdict, (code, out, err)
 
 
-def test_it_needs_no_package_and_no_other_module(proofs, tmp_path, mine):
+def test_it_needs_no_package_and_no_other_module(tmp_path, mine):
     file = tmp_path / "theirs.v"
     file.write_text(mine.replace("edges W <= 1", "edges W <= 2"))
-    program = [sys.executable, "-I", "-S", "-c", BARE, str(proofs)]
+    program = [sys.executable, "-I", "-S", "-c", BARE, str(COQ)]
     run = subprocess.run(
         [*program, "--verify", str(file), "algorithm1", "--edges", "1"],
         capture_output=True,

@@ -7,15 +7,16 @@ from pathlib import Path
 
 import pytest
 
+COQ = Path(__file__).parents[2] / "proofs" / "coq"
 IMPOSTOR = Path(__file__).parents[1] / "support" / "explorers_for_tests" / "impostor.py"
 
 
 @pytest.fixture
-def certified(proofs, monkeypatch):
+def certified(monkeypatch):
     """The module ``certified_programs.py``, loaded anew."""
-    monkeypatch.syspath_prepend(str(proofs))
+    monkeypatch.syspath_prepend(str(COQ))
     specification = importlib.util.spec_from_file_location(
-        "certified_programs", proofs / "certified_programs.py"
+        "certified_programs", COQ / "certified_programs.py"
     )
     module = importlib.util.module_from_spec(specification)
     # Dataclasses look their module up.

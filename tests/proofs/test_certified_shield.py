@@ -1,7 +1,5 @@
 """The comparison with the certified shield can fail: others take its place."""
 
-import importlib
-
 import pytest
 
 from allworlds.explorers.builtin.folding import Shield
@@ -9,9 +7,8 @@ from allworlds.explorers.loading import Subject
 
 
 @pytest.fixture
-def certified(proofs, monkeypatch):
-    monkeypatch.syspath_prepend(str(proofs))
-    return importlib.import_module("certified_shield")
+def certified(checkers):
+    return checkers("certified_shield")
 
 
 def compared(certified, monkeypatch, shield, edges=2):

@@ -14,7 +14,7 @@ from allworlds.protocol.choices import Choices, policy_named
 from allworlds.world import worlds
 
 COQ = Path(__file__).parents[2] / "proofs" / "coq"
-SERVER = COQ.parent / "explorer_server.py"
+SERVER = COQ / "explorer_server.py"
 TREE_LINE = re.compile(
     r" *\(\(\d+, (None|Some \d+)\), (Node \d+ \[::|"
     r"Leaf \(NumberedMap \[::[\d; ]*\] \[::[\d; ]*\] \d+\))[]);.]*"
@@ -140,7 +140,7 @@ def test_a_program_without_an_answer_is_written_down_as_far_as_it_goes(written):
 
 
 def test_a_reader_that_has_gone_is_no_fault(tmp_path):
-    program = COQ.parent / "certified.py"
+    program = COQ / "certified.py"
     arguments = ["--certificate", str(tmp_path / "mine.v"), "algorithm1", "--edges", "1"]
     command = ["sh", "-c", '"$@" | :', "sh", sys.executable, str(program), *arguments]
     assert subprocess.run(command, capture_output=True, check=True).stderr == b""

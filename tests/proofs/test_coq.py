@@ -125,7 +125,7 @@ NOT_COQ |= {"proofs", "coq", "coqdoc", "Admitted", "Axiom", "Parameter", "Variab
 def test_no_text_names_what_is_not_there(text):
     """Every single word in backticks is in the code, or is the name of a file."""
     path = COQ.parent / text
-    python = {w for f in COQ.parent.glob("*.py") for w in re.findall(r"\w+", f.read_text())}
+    python = {w for f in COQ.parent.rglob("*.py") for w in re.findall(r"\w+", f.read_text())}
     named = re.findall(r"`([\w.']+)`", path.read_text(encoding="utf-8"))
     files = {file.name for file in COQ.parent.rglob("*")}
     known = WORDS | NOT_COQ | (python if text == "README.md" else set())

@@ -43,7 +43,9 @@ def certificate(decided, tmp_path):
     """The outcome for a certificate whose checker ends with this code."""
 
     def found(code):
-        (tmp_path / "check.py").write_text(CHECKER.format(code=code))
+        folder = tmp_path / "certificates"
+        folder.mkdir(exist_ok=True)
+        (folder / "check.py").write_text(CHECKER.format(code=code))
         return decided.certificate(Means(1), claim="cycles")
 
     return found
@@ -131,5 +133,5 @@ def test_every_theorem_that_is_named_is_a_headline():
 def test_every_certificate_that_is_named_has_its_checker():
     certificates = [name for _, name in named("cert-", "claim")]
     assert sorted(certificates) == sorted(
-        path.parent.name for path in (ROOT / "proofs").glob("*/checker.py")
+        path.parent.name for path in (ROOT / "proofs" / "certificates").glob("*/checker.py")
     )

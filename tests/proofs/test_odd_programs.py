@@ -7,11 +7,11 @@ from pathlib import Path
 import pytest
 
 COQ = Path(__file__).parents[2] / "proofs" / "coq"
-sys.path.insert(0, str(COQ.parent))
+sys.path.insert(0, str(COQ))
 try:
     from odd_program import ODD
 finally:
-    sys.path.remove(str(COQ.parent))
+    sys.path.remove(str(COQ))
 
 
 @pytest.fixture

@@ -20,10 +20,10 @@ def theorems():
 
 
 def test_each_claim_has_a_readme_and_a_row():
-    claims = {path.parent.name for path in PROOFS.glob("*/checker.py")}
+    claims = {path.parent.name for path in PROOFS.glob("certificates/*/checker.py")}
     assert {path.parent.name for path in READMES} == claims | {"proofs"}
     rows = re.findall(
-        r"^\| \[([\w-]+)\]\(([\w-]+)/README.md\)", READMES[0].read_text(), re.MULTILINE
+        r"^\| \[([\w-]+)\]\(certificates/([\w-]+)/README.md\)", READMES[0].read_text(), re.MULTILINE
     )
     assert {name for name, _ in rows} == {folder for _, folder in rows} == claims
 
@@ -48,15 +48,15 @@ def test_links_and_files_that_a_readme_names_are_there(path):
             assert heading in {h.lower().replace(" ", "-").replace(",", "") for h in headings}
     for name in code(text):
         if re.fullmatch(r"[\w/-]+\.(py|json|v)", name):
-            found = [path.parent / name, PROOFS / name, PROOFS / "coq" / name]
-            assert any(file.exists() for file in found), name
+            folders = (path.parent, PROOFS, PROOFS / "certificates", PROOFS / "coq")
+            assert any((folder / name).exists() for folder in folders), name
     for program in re.findall(r"python (proofs/[\w/-]+\.py)", text):
         assert (ROOT / program).exists(), program
 
 
 def test_the_manifest_and_the_readme_agree_on_how_much_is_kept():
-    formulas = sum(path.stat().st_size for path in PROOFS.glob("*/*.cnf.xz"))
-    everything = sum(path.stat().st_size for path in PROOFS.glob("*/*.xz"))
+    formulas = sum(path.stat().st_size for path in PROOFS.glob("certificates/*/*.cnf.xz"))
+    everything = sum(path.stat().st_size for path in PROOFS.glob("certificates/*/*.xz"))
     assert 400_000 < formulas < 600_000
     assert 3_250_000 < everything < 3_750_000
     text = READMES[0].read_text().replace("\n", " ")

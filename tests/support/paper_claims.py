@@ -189,17 +189,18 @@ def longer_retracing(self: Any, explored: Any, hypothesis: int, entry: int) -> A
 
 
 def damaged(name: str, damage: Callable[[bytes], bytes]) -> Callable[[Path], None]:
-    """Make one file of the proofs say something else, and the manifest have its digest."""
+    """Make one certificate say something else, and the manifest have its digest."""
 
     def damage_in(folder: Path) -> None:
-        path = folder / name
+        certificates = folder / "certificates"
+        path = certificates / name
         right = path.read_bytes()
         path.write_bytes(damage(right))
         assert path.read_bytes() != right
-        known = json.loads((folder / "manifest.json").read_text())
+        known = json.loads((certificates / "manifest.json").read_text())
         if name in known:
             known[name] = sha256(path.read_bytes()).hexdigest()
-            (folder / "manifest.json").write_text(json.dumps(known))
+            (certificates / "manifest.json").write_text(json.dumps(known))
 
     return damage_in
 

@@ -9,7 +9,7 @@ import pytest
 
 from proofs import test_certified_sample as quick
 
-PROGRAM = Path(__file__).parents[3] / "proofs" / "certified.py"
+PROGRAM = Path(__file__).parents[3] / "proofs" / "coq" / "certified.py"
 pytestmark = pytest.mark.usefixtures("compiled")
 samples = quick.samples
 

@@ -107,7 +107,8 @@ def test_coq_refuses_a_statement_that_is_not_proved(built, tmp_path, claimed, co
 def test_a_certificate_with_a_changed_class_is_no_theorem(built, tmp_path):
     root = tmp_path / "project"
     for folder in ("fig1", "smallest-pairs", "natural-lighthouse"):
-        shutil.copytree(COQ.parent / folder, root / "proofs" / folder)
+        kept = root / "proofs" / "certificates" / folder
+        shutil.copytree(COQ.parent / "certificates" / folder, kept)
     shutil.copytree(built, root / "proofs" / "coq")
     shutil.copytree(COQ.parents[1] / "corpus" / "pairs", root / "corpus" / "pairs")
     run = [sys.executable, str(root / "proofs" / "coq" / "certificates.py")]
@@ -124,7 +125,7 @@ def test_a_certificate_with_a_changed_class_is_no_theorem(built, tmp_path):
 def test_the_certified_programs_agree_with_the_python_ones():
     low = ("walked", "judged", "checked", "folded")
     limits = [word for name in low for word in (f"--{name}-edges", "2")]
-    run = [sys.executable, str(COQ.parent / "certified.py"), "--edges", "3", *limits]
+    run = [sys.executable, str(COQ / "certified.py"), "--edges", "3", *limits]
     told = subprocess.run(run, capture_output=True, text=True, check=False)
     assert told.returncode == 0, told.stdout
     assert told.stdout.splitlines()[-1] == "AGREE"

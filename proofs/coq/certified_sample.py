@@ -1,6 +1,6 @@
 """The extracted programs and the package, compared in a sample of worlds with 5 to 9 edges.
 
-    python proofs/certified.py --sample [RUNS] [--seed 0] [--policy POLICY] [--edges 9]
+    python proofs/coq/certified.py --sample [RUNS] [--seed 0] [--policy POLICY] [--edges 9]
 
 draws so many runs of Algorithm 1, 2,000 of them if no number is given, under each policy a third of
 them, always the same ones for a seed: half of the worlds uniformly among all rooted maps with so
@@ -52,7 +52,7 @@ from allworlds.protocol.choices import Choices, policy_named
 from allworlds.world import Directional, World
 from certified_checker import agreement, answered_by, not_lost, outcome
 
-COQ = Path(__file__).resolve().parent / "coq"
+COQ = Path(__file__).resolve().parent
 POLICIES = ("fifo", "lifo", "nearest")
 FEWEST, MOST = 5, 9
 """The numbers of edges, of which every world with at most four is met by other comparisons."""

@@ -1,6 +1,6 @@
 """Checks that an LRAT proof refutes a formula.  Python's standard library, nothing else.
 
-    python proofs/lrat.py FORMULA.cnf PROOF.lrat        (either may be compressed: .xz)
+    python proofs/certificates/lrat.py FORMULA.cnf PROOF.lrat        (either may be compressed: .xz)
 
 prints one line, ``VERIFIED: ...`` (exit code 0) or ``REFUSED: ...`` (1; 2: a file is missing).
 

@@ -1,6 +1,6 @@
 """z3 on the four conditions: each negation is unsatisfiable, and their hypotheses are not.
 
-    python proofs/cycles/prove.py
+    python proofs/certificates/cycles/prove.py
 
 The producer's side; ``checker.py`` beside it needs no solver.
 """

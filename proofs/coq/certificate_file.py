@@ -1,6 +1,6 @@
 """The file of a certificate: written from a tree, read, and checked with Coq; without the package.
 
-    python proofs/certified.py --verify FILE.v EXPLORER [--edges 4] [--limit paper]
+    python proofs/coq/certified.py --verify FILE.v EXPLORER [--edges 4] [--limit paper]
                                [--universe all] [--against EXPLORER]
 
 says whether FILE.v is a certificate of what is claimed of it: that what EXPLORER, a text that is
@@ -32,7 +32,7 @@ from itertools import zip_longest
 from pathlib import Path
 from typing import Literal, TypeAlias
 
-COQ = Path(__file__).resolve().parent / "coq"
+COQ = Path(__file__).resolve().parent
 LARGEST = 5000
 """Coq writes a number n as n signs, and its parser warns of larger ones."""
 REFUSAL = 'Unable to unify "true" with "false"'
@@ -83,7 +83,7 @@ Branches: TypeAlias = "dict[Sensed, Leaf | Node | Nothing]"
 # ---- The file ----
 
 HEAD = """(* A certificate (proofs/coq/DecisionTrees.v): what {who} does
-   in every world with at most {edges} edges.  Written by proofs/certified.py; coqc checks it.
+   in every world with at most {edges} edges.  Written by proofs/coq/certified.py; coqc checks it.
    If it cannot unify true with false, it has computed that in some of these worlds the explorer
    gives no answer, or a wrong one, or makes more motions than the limit. *)
 Set Warnings "-notation-overridden".

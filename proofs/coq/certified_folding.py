@@ -33,7 +33,7 @@ from allworlds.protocol.choices import Choices, policy_named
 from allworlds.world import World, worlds
 from certified_checker import agreement, answered_by
 
-FOLDING = Path(__file__).resolve().parent / "coq" / "folding"
+FOLDING = Path(__file__).resolve().parent / "folding"
 POLICIES = ("fifo", "lifo", "nearest")
 
 

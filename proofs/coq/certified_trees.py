@@ -1,6 +1,6 @@
 """Certificates: what a program does in all worlds to a bound, as a file that Coq's kernel checks.
 
-    python proofs/certified.py --certificate FILE.v (EXPLORER | --exec 'COMMAND') [--edges 4]
+    python proofs/coq/certified.py --certificate FILE.v (EXPLORER | --exec 'COMMAND') [--edges 4]
                                [--limit paper] [--universe all]
 
 runs the explorer in every world with at most so many edges under a directional lighthouse, and
@@ -12,7 +12,7 @@ EXPLORER is a name that ``allworlds check`` takes: a built-in one, MODULE:FUNCTI
 FILE.py:FUNCTION, native:LIBRARY.  The file is the same, byte by byte, whenever the explorer does
 the same.
 
-    python proofs/certified.py --check FILE.v (EXPLORER | --exec 'COMMAND') [--edges 4] ...
+    python proofs/coq/certified.py --check FILE.v (EXPLORER | --exec 'COMMAND') [--edges 4] ...
 
 has ``coqc`` judge FILE.v as the certificate of this explorer.  What ``coqc`` accepts is the theorem
 that stands in the file, whatever it says: so first every byte is compared with what is written now.
@@ -21,7 +21,7 @@ Exit code 0: written, or accepted; 1: a run without an answer, no function of th
 file than is claimed, or one that coqc refuses; 2: bad arguments, or no Coq; 3: undecided, for
 processes are lost again and again, or coqc has come to no verdict.
 
-    python proofs/certified_trees.py [--edges 3] [--all | WRONG ...]
+    python proofs/coq/certified_trees.py [--edges 3] [--all | WRONG ...]
 
 has ``coqc`` accept the certificate of Algorithm 1, and those of wrong explorers exactly where
 ``allworlds check`` finds nothing wrong.  It needs what ``make -C proofs/coq`` builds.  Exit code 1:

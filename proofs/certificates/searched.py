@@ -1,6 +1,6 @@
 """Checks what ``allworlds ambiguity search`` has written, without the package and without a solver.
 
-    python proofs/searched.py DIR --lighthouse position --class simple --vertices 6 --edges 5
+    python proofs/certificates/searched.py DIR --lighthouse position --vertices 6 --edges 5
 
 with the options of that search.  If DIR has a ``pair.json``, its two worlds must be as asked for,
 different, and look alike.  If not, every level must have the formula that is meant and an LRAT

@@ -1,6 +1,6 @@
 """The checker extracted from the Coq proofs: its verdicts, and those of ``allworlds check``.
 
-    python proofs/certified.py --exec 'COMMAND' [--edges 4] [--limit paper] [--universe all]
+    python proofs/coq/certified.py --exec 'COMMAND' [--edges 4] [--limit paper] [--universe all]
 
 asks it about a program (docs/how-to/languages.md): is it right, and within the limit, in every
 world with at most so many edges?  ``holds`` is a theorem (``check_correct`` in
@@ -47,7 +47,7 @@ from allworlds.words import plural
 from certificate_file import NoVerdict
 
 HERE = Path(__file__).resolve().parent
-CHECKER = HERE / "coq" / "checker"
+CHECKER = HERE / "checker"
 SERVER = HERE / "explorer_server.py"
 LAWS = ("map", "pose", "bound")
 """Those that the certified checker decides; a run that gives no answer breaks one before them."""

@@ -1,6 +1,6 @@
 """Compare how the extracted checker and ``allworlds check`` read what a program writes.
 
-    python proofs/certified_lines.py [NAME ...]
+    python proofs/coq/certified_lines.py [NAME ...]
 
 has both judge every program of ``odd_program.py``: the verdict must be the one that
 stands there, with the law that is broken, from both.  Where the extracted checker reads more

@@ -1,6 +1,6 @@
 """The programs extracted from the Coq proofs, compared with the package's, in every world.
 
-    python proofs/certified.py [--edges 4] [--walked-edges 3] [--judged-edges 3]
+    python proofs/coq/certified.py [--edges 4] [--walked-edges 3] [--judged-edges 3]
                                [--checked-edges 3] [--folded-edges 3] [--shielded-edges 3]
 
 The certified explorers, one for each lighthouse, are checked as any explorer is.  The traversals of
@@ -54,8 +54,8 @@ from certified_folding import FOLDING, foldings_agree
 from certified_shield import shields_agree
 
 HERE = Path(__file__).resolve().parent
-EXPLORER, JUDGE = HERE / "coq" / "explorer", HERE / "coq" / "judge"
-RUNS = HERE / "coq" / "runs"
+EXPLORER, JUDGE = HERE / "explorer", HERE / "judge"
+RUNS = HERE / "runs"
 POLICIES = ("fifo", "lifo", "nearest")
 """Those that the certified explorers know."""
 

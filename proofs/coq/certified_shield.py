@@ -27,7 +27,7 @@ from allworlds.protocol.choices import Choices, policy_named
 from allworlds.world import worlds
 from certified_checker import agreement, not_lost
 
-EXPLORER = Path(__file__).resolve().parent / "coq" / "explorer"
+EXPLORER = Path(__file__).resolve().parent / "explorer"
 
 Explore = Callable[[Percept], Generator[Any, Any, Any]]
 

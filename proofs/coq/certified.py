@@ -1,24 +1,24 @@
 """Ask Coq's kernel, and programs extracted from proofs, about an explorer; or compare programs.
 
-    python proofs/certified.py --verify FILE.v EXPLORER [--edges 4] [--against EXPLORER]
+    python proofs/coq/certified.py --verify FILE.v EXPLORER [--edges 4] [--against EXPLORER]
 
 has ``coqc`` judge a certificate that someone else has written; it needs no package
 (``certificate_file.py``).
 
-    python proofs/certified.py --certificate FILE.v (EXPLORER | --exec 'COMMAND') [--edges 4]
+    python proofs/coq/certified.py --certificate FILE.v (EXPLORER | --exec 'COMMAND') [--edges 4]
 
 writes what an explorer does into a file that Coq's kernel checks; ``--check FILE.v`` has ``coqc``
 check a file that was written so (``certified_trees.py``).
 
-    python proofs/certified.py --exec 'COMMAND' [--edges 4] [--limit paper] [--universe all]
+    python proofs/coq/certified.py --exec 'COMMAND' [--edges 4] [--limit paper] [--universe all]
 
 asks the certified checker whether a program is right (``certified_checker.py``).
 
-    python proofs/certified.py [--edges 4] ...
+    python proofs/coq/certified.py [--edges 4] ...
 
 compares the extracted programs with the package, in every world (``certified_programs.py``), and
 
-    python proofs/certified.py --sample [RUNS] [--seed 0]
+    python proofs/coq/certified.py --sample [RUNS] [--seed 0]
 
 in a sample of larger ones (``certified_sample.py``).  The last three need the programs that
 ``make -C proofs/coq explorer`` builds.  ``--help`` behind any of these words says more.  Exit code

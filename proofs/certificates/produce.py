@@ -1,6 +1,6 @@
 """Writes the formulas, proofs and pairs of the claims.  The producer: the checkers use none of it.
 
-    python proofs/produce.py [CLAIM...] [--solver PATH]
+    python proofs/certificates/produce.py [CLAIM...] [--solver PATH]
 
 and the manifest of all claims.  Needs the package with its extra ``proofs``, or a CaDiCaL 2 or
 later.

@@ -1,6 +1,6 @@
 """Checks every claim of this directory from its files alone, without a solver.
 
-    python proofs/check.py [--only CLAIM]...
+    python proofs/certificates/check.py [--only CLAIM]...
 
 prints a table.  Exit code 0: everything holds; 1: a claim fails, or a file is not the one that
 was committed; 2: a file is missing, or there is no such claim.

@@ -1,6 +1,6 @@
 """An explorer of the package behind JSON lines, to be judged from outside.
 
-    python proofs/explorer_server.py NAME [POLICY]
+    python proofs/coq/explorer_server.py NAME [POLICY]
 
 NAME: a built-in explorer, or a wrong one of ``corpus/explorers.py`` (``no-retracing``).
 POLICY answers the choices of a built-in explorer: fifo (default), lifo or nearest.

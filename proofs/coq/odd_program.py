@@ -1,6 +1,6 @@
 """Say right or wrong things in odd lines (docs/how-to/languages.md), to be judged from outside.
 
-    python proofs/odd_program.py NAME
+    python proofs/coq/odd_program.py NAME
 
 In each of the worlds with one edge the program makes one motion and gives the right answer; both
 lines, or one of them, are odd.  ``ODD`` has each by its name, with the law that it breaks, if any.

@@ -1,7 +1,7 @@
 """Checks what ``allworlds ambiguity sensors`` and ``weakest`` write, without the package.
 
     allworlds ambiguity sensors position word:12 --edges 4 -o twins.json
-    python proofs/sensor_twins.py twins.json
+    python proofs/certificates/sensor_twins.py twins.json
 
 Each two worlds must be different, starts included, and look alike: darts of one class sense the
 same, and sigma and alpha lead from them to darts of one class.  What is sensed there is computed
