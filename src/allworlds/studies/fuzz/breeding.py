@@ -8,7 +8,7 @@ from typing import Any
 from msgspec import Struct, json
 
 from allworlds.documents.document import replace
-from allworlds.engines.batch import Due
+from allworlds.engines.batch import FIRST, Due
 from allworlds.engines.judge import PythonJudge
 from allworlds.engines.limits import Limits
 from allworlds.engines.players import Lost, Setup, answered, started
@@ -101,7 +101,7 @@ def bred(
     rules, extent = replace(scope.rules, step_budget=TRAVERSALS_TRACED), scope.extent
     number, pool = 0, _Pool(unit, extent, rules.kind)
     judge = PythonJudge(RunCounter(Scope(extent, rules), keep=1), subject.name)
-    player = started(Setup(subject, limits), batch.FIRST)
+    player = started(Setup(subject, limits), FIRST)
     try:
         for generation in range(1 + BRED_PER_BLOCK // BRED_PER_GENERATION):
             placed = pool.bred() if generation else unit.placed(extent, rules.kind)
