@@ -1,8 +1,11 @@
 """A lighthouse of the user's own, wherever worlds are made."""
 
+import re
+
 import pytest
 
 import allworlds
+from allworlds.engines import asked_again
 from allworlds.inputs.checks import InputError
 from allworlds.reports.formats import text
 from models import PARITY
@@ -135,3 +138,96 @@ def test_arguments_of_a_name_make_an_explorer(folder):
         assert allworlds.replay(report.findings[0]).outcome == "reproduced"
     with pytest.raises(InputError, match=r"unexpected keyword argument 'width'; legal is \(depth"):
         allworlds.check("told.py:asks?width=2", edges=1)
+
+
+ANOTHER = """
+import os
+from dataclasses import dataclass
+from allworlds import CombinatorialMap, Estimate, Lighthouse, Move, Percept
+
+SEEN = set()
+
+
+class Base(Lighthouse):
+    @classmethod
+    def places(cls, map_, start):
+        yield cls(start)
+
+    def sensed(self, map_, here):
+        return Percept(map_.degree_at[here], self.marks(map_))
+
+
+@dataclass(frozen=True)
+class ByProcess(Base):
+    dart: int
+
+    def marks(self, map_):
+        return os.getpid()
+
+
+@dataclass(frozen=True)
+class AfterAnother(Base):
+    dart: int
+
+    def marks(self, map_):
+        SEEN.add(map_.edge_count)
+        return int(map_.edge_count == 1 and 2 in SEEN)
+
+
+@dataclass(frozen=True)
+class Tells(Base):
+    dart: int
+
+    def marks(self, map_):
+        return 0
+
+    def told(self, map_):
+        return os.getpid()
+
+
+@dataclass(frozen=True)
+class Constant(Base):
+    dart: int
+
+    def marks(self, map_):
+        return 3
+
+
+def wrong(first, told=None):
+    yield Move(0)
+    return Estimate(CombinatorialMap((1, 0), (1, 0)), 0)
+"""
+
+
+ASKED = {
+    "check": lambda kind: allworlds.check("another.py:wrong", edges=2, lighthouse=kind, workers=1),
+    "run": lambda kind: allworlds.run("another.py:wrong", "edge", lighthouse=kind),
+}
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize(
+    ("verb", "kind"),
+    [
+        ("check", "ByProcess"),
+        ("check", "AfterAnother"),
+        ("check", "Tells"),
+        ("check", "ByProcess+told:n"),
+        ("run", "ByProcess"),
+    ],
+)
+def test_a_lighthouse_that_is_another_one_in_other_processes_refutes_nothing(
+    folder, monkeypatch, verb, kind
+):
+    monkeypatch.setattr(asked_again, "PROCESSES", 1)
+    (folder / "another.py").write_text(ANOTHER)
+    said = re.escape(f"lighthouse 'another.py:{kind}' is no function of its map and place: ")
+    with pytest.raises(InputError, match=said):
+        ASKED[verb](f"another.py:{kind}")
+
+
+@pytest.mark.processes
+def test_a_lighthouse_that_is_the_same_is_asked_again_and_the_finding_stands(folder):
+    (folder / "another.py").write_text(ANOTHER)
+    (found,) = ASKED["check"]("another.py:Constant").findings
+    assert found.confirmed

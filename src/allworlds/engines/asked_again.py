@@ -1,13 +1,18 @@
-"""Predicates of the user's, asked again in fresh processes: each must make the same worlds."""
+"""Predicates and lighthouses of the user's, asked again in fresh processes.
+
+Each process must make the same worlds, and sense the same on the walk of a finding.
+"""
 
 from collections.abc import Sequence
 from random import sample
 from typing import Any
 
-from allworlds.engines import limits, players
+from allworlds.engines import limits, player, players
 from allworlds.explorers.loading import load
 from allworlds.inputs.checks import InputError, show
+from allworlds.judging.findings.finding import Finding
 from allworlds.maps.classes import Extent
+from allworlds.world.lighthouses.kinds import kind_of
 
 PROCESSES = 8
 """The number of fresh processes, each with a hash seed of its own.  A predicate that goes by one
@@ -26,27 +31,60 @@ def ensure_same_worlds(extent: Extent | None, asked: Sequence[Any], deadline: fl
     where: Any = extent and extent.where
     if not asked or not getattr(where, "codes", ()):
         return
-    patient = limits.Limits(answer_timeout=limits.MOST["answer-timeout"])
-    setup, said = players.Setup(load("algorithm1"), patient), f"where {show(where.name)}"
-    others = [players.PlayerProcess(setup, seed) for seed in range(PROCESSES)]
-    try:
-        for other in others:
-            order = sample(range(len(asked)), len(asked))
-            message = {"kind": "maps", "rows": (extent, asked), "runs": len(asked), "order": order}
-            other.give(None, message)
-        maps = list[Any]()
-        while len(maps) < len(others):
-            players.wait(others, limits.POLL)
-            maps += [logs for other in others for _, logs in other.heard()]
-            limits.check_deadline(deadline)
-    except players.Lost as lost:
-        raise InputError(f"{said}: a process that asked it came to {lost.seen}") from None
-    finally:
-        for other in others:
-            other.close()
+    said = f"where {show(where.name)}"
+    maps = _asked_in_processes("maps", (extent, asked), len(asked), said, deadline)
     for number, unit in enumerate(asked):
         if len({each[number] for each in maps}) > 1:
             raise InputError(
                 f"{said} is no function of the map: asked in {PROCESSES} processes, it is not true "
                 f"of the same maps of the unit {unit.key}"
             )
+
+
+def ensure_same_senses(finding: Finding) -> None:
+    """Raise InputError if a lighthouse of the user's senses or tells fresh processes other things.
+
+    They walk as the finding says, in its world made anew.
+    """
+    world, transcript = finding.world, finding.transcript
+    kind = kind_of(world.lighthouse)
+    if not kind.codes:
+        return
+    said = f"lighthouse {show(kind.name)}"
+    walk = world, transcript.actions
+    answers = _asked_in_processes("walk", walk, 1, said, None)
+    if {bytes(each[0]) for each in answers} != {player.in_bytes(world.told, transcript)}:
+        raise InputError(
+            f"{said} is no function of its map and place: asked again in {PROCESSES} processes, "
+            f"{world.lighthouse} senses or tells something else on the walk of a finding in "
+            f"{world.map}"
+        )
+
+
+def _asked_in_processes(
+    kind: str, rows: Any, number: int, said: str, deadline: float | None
+) -> list[Any]:
+    """The answers of fresh processes to a message of this kind, each in an order of its own.
+
+    Raises:
+        TimeIsUp: when the time limit has been reached.
+        InputError: if one of them is lost, or of a model of the user's.
+    """
+    patient = limits.Limits(answer_timeout=limits.MOST["answer-timeout"])
+    setup = players.Setup(load("algorithm1"), patient)
+    others = [players.PlayerProcess(setup, seed) for seed in range(PROCESSES)]
+    answers = list[Any]()
+    try:
+        for other in others:
+            order = sample(range(number), number)
+            other.give(None, {"kind": kind, "rows": rows, "runs": number, "order": order})
+        while len(answers) < len(others):
+            players.wait(others, limits.POLL)
+            answers += [logs for other in others for _, logs in other.heard()]
+            limits.check_deadline(deadline)
+    except players.Lost as lost:
+        raise InputError(f"{said}: a process that asked it came to {lost.seen}") from None
+    finally:
+        for other in others:
+            other.close()
+    return answers

@@ -17,6 +17,7 @@ from allworlds.log import Log
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol import actions, playing
 from allworlds.protocol.choices import DEFAULT_POLICY, are_due
+from allworlds.world.lighthouses.kinds import kind_of
 from allworlds.world.state import State
 from allworlds.world.world import World
 
@@ -91,7 +92,7 @@ class PythonJudge:
             budget = rules.budget(world.map)
             return followed(log, world, budget, maps=rules.task.is_map)
         except actions.IllegalAction as error:
-            if world.lighthouse.code is None:
+            if not kind_of(world.lighthouse).codes:
                 raise RuntimeError(f"the log of a run is no walk in its world: {error}") from None
             raise InputError(
                 f"lighthouse {show(world.lighthouse.kind)} is no function of the run: an action in "

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from allworlds.explorers.program import Program
     from allworlds.protocol.actions import Player
     from allworlds.protocol.code_lines import TracedPlay
+    from allworlds.world.world import World
 
 LINK, BEAT = 3, 4
 """The descriptors of a player."""
@@ -39,6 +40,9 @@ LINK, BEAT = 3, 4
 READY, LOGS, PART, REFUSAL, FAILURE, NO_ROOM = b"RLPEFN"
 """The letters of the answers: the explorer is loaded; the logs of a batch; the log so far; bad
 input; a mistake of ours; the second logs of a library do not fit."""
+
+PICKLED = ("model", "maps", "walk")
+"""The kinds of messages with worlds whose code the player loads."""
 
 NO_RUN = -1
 """The number of the run in progress where there is none."""
@@ -134,12 +138,15 @@ class _Server:
         self._beat[1] = 0
 
     def _play(self, batch: dict[str, Any]) -> None:
-        if batch["kind"] in ("model", "maps"):
+        if batch["kind"] in PICKLED:
             import pickle
 
             batch["rows"] = pickle.loads(batch["rows"])  # noqa: S301  # our own process
         if batch["kind"] == "maps":
             _answer(LOGS, *logs_message(maps_made(batch)))
+            return
+        if batch["kind"] == "walk":
+            _answer(LOGS, *logs_message([senses(*batch["rows"])]))
             return
         logs = played(batch, self._player, self._beat, _sender() if batch["hear"] else None)
         for timer in TIMERS:
@@ -209,6 +216,22 @@ def maps_made(batch: dict[str, Any]) -> list[bytes]:
         codes = [(map_.sigma, map_.alpha) for map_, _ in unit.placed(extent, Nothing)]
         made[number] = hashlib.sha256(repr(codes).encode()).digest()
     return made
+
+
+def senses(world: World, made: Sequence[actions.Action]) -> bytes:
+    """What the explorer is told, and senses on this walk, in the world made anew."""
+    from allworlds.judging.walk import Walk
+
+    anew = type(world)(world.map, world.lighthouse, world.start)
+    try:
+        return in_bytes(anew.told, Walk.of(anew, made).transcript)
+    except actions.IllegalAction as error:
+        return str(error).encode()
+
+
+def in_bytes(told: actions.Told, transcript: actions.Transcript) -> bytes:
+    """Bytes that are equal if these are."""
+    return repr((told, transcript.to_json())).encode()
 
 
 def _around(kind: str, world: Any, told: Any, over: bool) -> Any:

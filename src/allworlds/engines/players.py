@@ -204,7 +204,7 @@ class PlayerProcess:
         self._put(message)
 
     def _put(self, message: dict[str, Any]) -> None:
-        if message.get("kind") in ("model", "maps"):  # worlds whose code the player loads
+        if message.get("kind") in player.PICKLED:
             import pickle
 
             message = {**message, "rows": pickle.dumps(message["rows"])}

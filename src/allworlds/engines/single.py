@@ -11,6 +11,7 @@ from allworlds import log as entries
 from allworlds.documents import document as doc
 from allworlds.documents.report import Report
 from allworlds.engines import limits, players
+from allworlds.engines.asked_again import ensure_same_senses
 from allworlds.engines.batch import FIRST, SECOND, Due, Recorded
 from allworlds.engines.judge import PythonJudge
 from allworlds.engines.lane import Lane
@@ -246,6 +247,7 @@ def single_run(
     finding = None
     if outcome.violation:
         finding = Referee(subject.name, rules).finding(world, place_of(world), outcome)
+        ensure_same_senses(finding)
     return SingleRun(
         explorer=subject.name, world=world, finding=finding, rules=rules, outcome=outcome
     )
@@ -313,7 +315,11 @@ def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limi
     A run that was lost is played in its world once more, and so gets its walk.  An explorer that
     no other process can import is not confirmed; it plays once more in this process, for its
     prints.
+
+    Raises:
+        InputError: if a lighthouse of the user's is not the same when it is asked again.
     """
+    ensure_same_senses(finding)
     rules, world, choices = finding.rules, finding.world, finding.choices
     plays = Plays(subject, rules, world, limits)
     seed = SECOND if finding.hash_seed is None else finding.hash_seed
