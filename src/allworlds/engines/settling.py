@@ -48,9 +48,11 @@ class Settler:
 
     def settle(self, batch: RunBatch, *, twice: bool) -> None:
         """Find what is wrong with a batch that was played once, or twice."""
-        # Compiled code writes logs without words or choices.
-        without_words = [] if batch.plain else batch.broken
-        outcomes = {row: self._in_words(batch, row) for row in without_words}
+        # Compiled code writes logs without words or choices; that of a lost player has them.
+        without_words = [] if batch.plain else [*batch.broken]
+        outcomes = {
+            row: self._in_words(batch, row) for row in without_words if row not in batch.lost
+        }
         outcomes = {row: self._own(batch, row) for row in batch.broken} | outcomes
         if twice and (differing := self._differing(batch)):
             outcomes |= self._explained(batch, differing, self.plays.seeds)
@@ -102,7 +104,7 @@ class Settler:
         before, batch.plain = batch.outcome(row), True
         (log,), _ = self.plays.alone(FIRST, batch, row)
         one = self.judge.judged(batch.runs[row], log)
-        if not self.differ(before.log, one.log):
+        if _is_refused(before.log, one.log) or not self.differ(before.log, one.log):
             return one.outcome
         return replace(one.outcome, violation=nondeterministic(PLAYED_ONCE_MORE))
 
@@ -158,3 +160,11 @@ class Settler:
             for row, log in again.items()
         }
         return {row: outcome for row, outcome in outcomes.items() if outcome}
+
+
+def _is_refused(without_words: Log, in_words: Log) -> bool:
+    """Whether both logs end with an illegal action, which the one without words leaves out."""
+    known = without_words.actions
+    faults = fault_of(without_words), fault_of(in_words)
+    illegal = all(fault and fault.law == "illegal-action" for fault in faults)
+    return illegal and in_words.actions[: len(known)] == known == in_words.actions[:-1]
