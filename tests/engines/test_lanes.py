@@ -8,9 +8,11 @@ from collections import Counter
 
 import pytest
 
-from allworlds.engines import lanes, tally, units
+from allworlds.engines import lane, lanes, tally, units
 from allworlds.engines.limits import Limits
+from allworlds.engines.listeners import Listener
 from allworlds.engines.single import subject_of
+from allworlds.engines.sweep import gather
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
@@ -19,6 +21,13 @@ from processes import end, workers_of
 pytestmark = pytest.mark.processes
 
 SCOPE = units.Scope(Extent(MapClass.MAPS, 3), Rules())
+
+
+class Heard(Listener):
+    worlds = 0
+
+    def progress(self, count):
+        self.worlds += count
 
 
 @pytest.mark.parametrize("workers", [2, 3])
@@ -54,6 +63,36 @@ def test_the_units_of_a_process_that_is_lost_are_done_again(monkeypatch):
                 lost = {*workers_of(os.getpid())} - before
                 os.kill(max(lost), signal.SIGKILL)
     assert whole == Counter(piece.key for piece in pieces)
+
+
+class LosesOne:
+    """A transport of lanes that loses one, as soon as that has handed over a part of a unit."""
+
+    def __init__(self, transport):
+        self.transport, self.lost = transport, None
+
+    def map(self, engine, pieces):
+        for part in self.transport.map(engine, pieces):
+            if not (self.lost or part.last) and part.result.worlds:
+                self.lost = part.unit
+                for process in self.transport._processes:
+                    if part.unit in process.units:
+                        os.kill(process.pid, signal.SIGKILL)
+            yield part
+
+
+def test_what_a_lost_process_has_handed_over_counts_once(monkeypatch):
+    monkeypatch.setattr(lanes, "ALONE", 0.0)
+    monkeypatch.setattr(tally, "REPORT_EVERY", -1.0)
+    monkeypatch.setattr(lane, "LEAST", 1)
+    monkeypatch.setattr(lane, "MOST", 1)
+    pieces = [*units.units_of_level(SCOPE.extent, 3, units.WHOLE)]
+    total, heard, limits = tally.Tally(1), Heard(), Limits(workers=2)
+    with lanes.workers_for(subject_of("algorithm1", limits), limits) as transport:
+        loses = LosesOne(transport)
+        gather(loses, tally.RunCounter(SCOPE, 1), pieces, total, heard)
+    assert loses.lost
+    assert total.worlds == heard.worlds == 74
 
 
 def test_a_process_that_ends_by_itself_has_the_time_to(monkeypatch):

@@ -54,7 +54,7 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
 ``sweep``
     **the** loop over units, and through the levels of a study;
 ``asked_again``
-    predicates of the user's, asked again in fresh processes;
+    predicates and lighthouses of the user's, asked again in fresh processes;
 ``single``
     single runs, and findings that are played again, by the same players;
 ``hints``

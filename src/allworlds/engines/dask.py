@@ -226,6 +226,8 @@ def done(job: str, version: str, packed: bytes, batch: list[Any]) -> tuple[list[
         state.engine = engine
     try:
         for part in takewhile(lambda _: not state.ended, lane.map(engine, batch)):
+            if part.anew:
+                results.pop(part.unit.key, None)
             whole = results.setdefault(part.unit.key, part.result)
             if whole is not part.result:
                 whole.add(part.result)

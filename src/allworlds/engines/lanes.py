@@ -170,7 +170,11 @@ class Lanes(Struct):
                 try:
                     part = process.link.recv()
                 except (EOFError, OSError):
-                    again += self._replace(process)
+                    left = self._replace(process)
+                    yield from (
+                        PartialResult(u, engine.tally(), last=False, anew=True) for u in left
+                    )
+                    again += left
                     continue
                 if isinstance(part, _KNOWN):
                     raise part

@@ -59,13 +59,15 @@ def gather(
     try:
         for part in transport.map(engine, undone):
             unit, result = part.unit, part.result
-            total.add(result)
+            if part.anew and unit.key in begun:
+                listener.progress(-begun.pop(unit.key).worlds)
             listener.progress(result.worlds)
             whole = begun.setdefault(unit.key, result)
             if whole is not result:
                 whole.add(result)
             if part.last:
-                records.keep(unit.key, begun.pop(unit.key))
+                total.add(begun.pop(unit.key))
+                records.keep(unit.key, whole)
     except limits.TimeIsUp:
         if records is NO_RECORDS or records.kept:
             raise
@@ -74,6 +76,9 @@ def gather(
             seconds = (time.monotonic() - started) * unit.weight(extent) / done
             said += f": a unit takes about {words.duration(1 + seconds)}"
         raise limits.TimeIsUp(said) from None
+    finally:
+        for unfinished in begun.values():
+            total.add(unfinished)
 
 
 class Sweep(ABC, Generic[Total, Answer]):

@@ -48,11 +48,19 @@ class Sum(Protocol):
 
 
 class PartialResult(Struct, frozen=True):
-    """A part of a unit's result; ``last``: whether it completes the unit."""
+    """A part of a unit's result.
+
+    Attributes:
+        unit: of which it is a part.
+        result: to be added to those before.
+        last: whether it completes the unit.
+        anew: whether the unit is begun anew, so that those before count no more.
+    """
 
     unit: Any
     result: Any
     last: bool
+    anew: bool = False
 
 
 class UnitEngine(Protocol):

@@ -274,7 +274,8 @@ class SideBySide:
             transport = self._transports[number]
             for part in transport.map(engine[number], (each.unit for each in own)):
                 result = CostsOfAll({number: part.result})
-                yield units.PartialResult(UnitOfOne(number, part.unit), result, part.last)
+                unit = UnitOfOne(number, part.unit)
+                yield units.PartialResult(unit, result, part.last, part.anew)
 
 
 Answer = TypeVar("Answer")
