@@ -2,7 +2,8 @@
 
 import pytest
 
-from allworlds.engines import across, lanes, units
+from allworlds.engines import across, lanes, players, units
+from allworlds.engines.limits import TimeIsUp, check_deadline
 from allworlds.engines.run_directory import FILE
 from allworlds.judging.findings.finding import Finding
 from allworlds.maps import MapClass
@@ -12,6 +13,7 @@ from allworlds.studies.explain import explain
 from allworlds.studies.merge import merge, status
 from allworlds.studies.run import replay
 from allworlds.world.world import World
+from models import PARITY
 
 pytestmark = pytest.mark.processes
 
@@ -120,3 +122,86 @@ def test_either_run_comes_before_the_other(latch, monkeypatch, sizes):
     monkeypatch.setitem(SIZES, "either", sizes)
     (found,) = check(latch("either"), edges=1).findings
     assert [size(world) for world in found.earlier] == [sizes[0]]
+
+
+def test_nothing_is_looked_for_past_the_time_limit(latch, monkeypatch):
+    """The clock is past the deadline once the earlier runs are looked for."""
+    settle = across.Across.settle
+
+    def late(self):
+        monkeypatch.setattr(players, "check_deadline", lambda at: check_deadline(at and 0.0))
+        settle(self)
+
+    monkeypatch.setattr(across.Across, "settle", late)
+    report = check(latch(), edges=3, time_limit=1000, workers=1)
+    assert report.ending.reason.startswith("the time limit of 1000 s was reached")
+    assert not any(found.after for found in report.findings)
+
+
+def test_a_check_that_ends_before_the_unit_finds_it_when_it_goes_on(latch, tmp_path, monkeypatch):
+    def up(self, known):
+        raise TimeIsUp
+
+    run, units_of = tmp_path / "run", lambda: status(tmp_path / "run").units
+    with monkeypatch.context() as patched:
+        patched.setattr(across.Across, "begin", up)
+        assert check(latch(), edges=3, workers=1, run=run, time_limit=1000).verdict.value != "holds"
+    assert units_of().done == units_of().all - 1
+    (found,) = check(latch(), edges=3, run=run).findings
+    assert [size(world) for world in found.earlier] == [SIZES["another"][0]]
+    assert units_of().done == units_of().all
+
+
+TURNS = """
+from allworlds import Move
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+
+SEEN = []
+
+
+def explore(first):
+    if first.degree == 1 and SEEN:
+        yield Move(0)
+        yield Move(0)
+    if first.degree == 3:
+        SEEN.append(1)
+    return (yield from algorithm1(first))
+"""
+
+
+@pytest.mark.parametrize(
+    ("ends", "options"),
+    [
+        ("raise ValueError", {}),
+        ("os._exit(3)", {"memory": 1000}),
+        ("os.kill(os.getpid(), signal.SIGKILL)", {}),
+    ],
+    ids=["error", "end", "signal"],
+)
+def test_who_is_lost_only_after_another_run_is_found(tmp_path, ends, options):
+    module = tmp_path / "lost.py"
+    begin = LATCH.partition("SEEN")[0] + "import os, signal\nSEEN = []\n"
+    module.write_text(
+        f"""{begin}
+def explore(first):
+    if first.degree == 4 and SEEN:
+        {ends}
+    if first.degree == 3:
+        SEEN.append(1)
+    return (yield from algorithm1(first))
+"""
+    )
+    (found,) = check(f"{module}:explore", edges=2, **options).findings
+    assert (found.law, found.confirmed) == ("nondeterministic", True)
+
+
+@pytest.mark.parametrize(
+    "options", [{"task": "cover"}, {"lighthouse": "parity.py:Parity:modulus=9"}], ids=str
+)
+def test_a_task_and_a_lighthouse_of_ones_own_find_it_too(tmp_path, monkeypatch, options):
+    monkeypatch.chdir(tmp_path)
+    tmp_path.joinpath("parity.py").write_text(PARITY)
+    module = tmp_path / "turns.py"
+    module.write_text(TURNS)
+    (found,) = check(f"{module}:explore", edges=2, **options).findings
+    assert (found.law, found.confirmed) == ("nondeterministic", True)

@@ -51,8 +51,7 @@ def ensure_same_senses(finding: Finding) -> None:
     if not kind.codes:
         return
     said = f"lighthouse {show(kind.name)}"
-    walk = world, transcript.actions
-    answers = _asked_in_processes("walk", walk, 1, said, None)
+    answers = _asked_in_processes("walk", (world, transcript.actions), 1, said, None)
     if {bytes(each[0]) for each in answers} != {player.in_bytes(world.told, transcript)}:
         raise InputError(
             f"{said} is no function of its map and place: asked again in {PROCESSES} processes, "

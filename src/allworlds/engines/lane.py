@@ -40,6 +40,7 @@ class Lane:
             those that the scope asks for.
         seeds: the hash seeds of both players.
         first_lane: whether it is the one of all lanes that compiles, and that tries six seeds.
+        deadline: past which no play is waited for, or None.
 
     Attributes:
         given_up: why too much is silent to go on; empty where it is not.
@@ -54,6 +55,7 @@ class Lane:
         given: tuple[int, ...] | None = None,
         seeds: hash_seeds.Seeds = (FIRST, SECOND),
         first_lane: bool = True,
+        deadline: float | None = None,
     ) -> None:
         self.counter, self.given_up = counter, ""
         self._twice = subject.from_user
@@ -61,7 +63,7 @@ class Lane:
         judge = PythonJudge(counter, subject.name, given)
         own = hash_seeds.seeds_of(subject, seeds)
         more = first_lane and given is None and hash_seeds.are_more_tried(subject, own)
-        self._plays = BothPlays(Setup(subject, limits), own, random)
+        self._plays = BothPlays(Setup(subject, limits, deadline=deadline), own, random)
         self._judges = Judges(judge, random, native=subject.compiled, compiles=first_lane)
         self._settler = Settler(judge, self._plays)
         self._more_seeds = MoreSeeds(self._settler, random, wanted=more)

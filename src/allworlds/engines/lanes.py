@@ -170,11 +170,9 @@ class Lanes(Struct):
                 try:
                     part = process.link.recv()
                 except (EOFError, OSError):
-                    left = self._replace(process)
-                    yield from (
-                        PartialResult(u, engine.tally(), last=False, anew=True) for u in left
-                    )
-                    again += left
+                    for left in self._replace(process):
+                        again.append(left)
+                        yield PartialResult(left, engine.tally(), last=False, anew=True)
                     continue
                 if isinstance(part, _KNOWN):
                     raise part
@@ -192,7 +190,8 @@ class Lanes(Struct):
         if not self.here or self._processes:
             return None
         self._until = self._until or time.monotonic() + ALONE
-        self._lane = self._lane or Lane(self.subject, engine, self.limits)
+        if self._lane is None:
+            self._lane = Lane(self.subject, engine, self.limits, deadline=self.deadline)
         return self._lane
 
     def _close_lane(self) -> None:

@@ -28,7 +28,7 @@ from typing_extensions import override
 
 from allworlds import outcome, words
 from allworlds.engines import linux, player
-from allworlds.engines.limits import POLL, Limits
+from allworlds.engines.limits import POLL, Limits, check_deadline
 from allworlds.engines.prints import Prints, printing_to
 from allworlds.explorers.loading import HASH_SEED, Subject, is_library, is_program
 from allworlds.inputs.checks import InputError, show
@@ -121,11 +121,19 @@ Answer: TypeAlias = tuple[Any, Sequence[bytes] | None]
 
 
 class Setup(Struct, frozen=True):
-    """An explorer as players are told of it; ``prints``: whether its prints are recorded."""
+    """An explorer as players are told of it.
+
+    Attributes:
+        subject: the explorer.
+        limits: of its effort.
+        prints: whether its prints are recorded.
+        deadline: past which nobody waits for an answer, on the monotonic clock; or None.
+    """
 
     subject: Subject
     limits: Limits
     prints: bool = False
+    deadline: float | None = None
 
     def message(self) -> dict[str, Any]:
         """The first message to a player."""
@@ -497,6 +505,7 @@ def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> Seq
 
     Raises:
         Lost: if it is lost.
+        TimeIsUp: past the deadline.
     """
     if isinstance(player, PlayerProcess) and player.setup.prints:
         player.loaded()  # what is printed then is not of the run
@@ -508,6 +517,8 @@ def logs_from(player: PlayerProcess | PlayerHere) -> Sequence[bytes]:
     """The logs that answer its only job; raises as :func:`answered` does."""
     while True:
         wait([player], POLL)
+        if isinstance(player, PlayerProcess):
+            check_deadline(player.setup.deadline)
         try:
             for _, logs in player.heard():
                 assert logs is not None
