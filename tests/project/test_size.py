@@ -49,12 +49,6 @@ MOST_OF_FUNCTION = 60
 MOST_ATTRIBUTES = 20
 """Attributes that a class sets on itself; fields that are declared do not count."""
 
-# They are being cut, and these two entries go with that: a module with its class, and a class.
-BEING_CUT = {
-    "engines/lane.py": {"the module", "Lane"},
-    "engines/players.py": {"PlayerProcess"},
-}
-
 MOST_OF_PAPERS = 8_200
 """Lines of the papers' programs, without tests."""
 
@@ -178,9 +172,6 @@ def test_a_line_is_counted_in_its_wing():
 
 def test_no_module_no_function_and_no_class_is_too_large():
     found = {name: too_large(source) for name, source in SOURCES.items()}
-    for name, being_cut in BEING_CUT.items():
-        for each in being_cut & found[name].keys():
-            del found[name][each]
     assert not {name: large for name, large in found.items() if large}
 
 

@@ -219,7 +219,7 @@ def maps_made(batch: dict[str, Any]) -> list[bytes]:
 
 
 def senses(world: World, made: Sequence[actions.Action]) -> bytes:
-    """What the explorer is told, and senses on this walk, in the world made anew."""
+    """Return what the explorer is told, and senses on this walk, in the world made anew."""
     from allworlds.judging.walk import Walk
 
     anew = type(world)(world.map, world.lighthouse, world.start)

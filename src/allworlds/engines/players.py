@@ -184,7 +184,6 @@ class PlayerProcess:
         self._link.setblocking(False)  # noqa: FBT003  # of the library
         self._printed, printing = os.pipe()
         os.set_blocking(self._printed, False)
-        self._prints_come = True
         memory, beat = _shared(16)
         self.beat = memoryview(memory).cast("q")
         self.beat[0] = player.NO_RUN
@@ -202,7 +201,7 @@ class PlayerProcess:
     def files(self) -> tuple[int, ...]:
         """The descriptors on which something may come."""
         link = self._link.fileno()
-        return (link, self._printed) if self._prints_come else (link,)
+        return (link,) if self.prints.ended else (link, self._printed)
 
     def give(self, job: Any, message: dict[str, Any]) -> None:
         """Give it a batch; ``job`` is what its answer is about."""
@@ -306,7 +305,7 @@ class PlayerProcess:
                     with suppress(OSError, ValueError):
                         sys.stderr.write(words.harmless(text))
                         sys.stderr.flush()
-            self._prints_come = False  # nobody can write there any more
+            self.prints.ended = True
 
     def _silent_for(self) -> float:
         """Seconds without a turn of the explorer, while an answer is due."""

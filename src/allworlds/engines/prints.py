@@ -15,9 +15,14 @@ SIGN = "\n[... {} bytes more ...]\n"
 
 
 class Prints:
-    """A record of bytes of limited size, and its text."""
+    """A record of bytes of limited size, and its text.
+
+    Attributes:
+        ended: whether nobody can print any more.
+    """
 
     def __init__(self) -> None:
+        self.ended = False
         self._first, self._last, self._size = bytearray(), bytearray(), 0
 
     def add(self, printed: bytes) -> None:
