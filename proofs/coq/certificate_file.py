@@ -82,8 +82,9 @@ Branches: TypeAlias = "dict[Sensed, Leaf | Node | Nothing]"
 
 # ---- The file ----
 
+# Every byte is compared, also with files that others hold: the program stays named as it was there.
 HEAD = """(* A certificate (proofs/coq/DecisionTrees.v): what {who} does
-   in every world with at most {edges} edges.  Written by proofs/coq/certified.py; coqc checks it.
+   in every world with at most {edges} edges.  Written by proofs/certified.py; coqc checks it.
    If it cannot unify true with false, it has computed that in some of these worlds the explorer
    gives no answer, or a wrong one, or makes more motions than the limit. *)
 Set Warnings "-notation-overridden".

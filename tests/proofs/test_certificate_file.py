@@ -137,6 +137,11 @@ def test_an_explorer_is_played_even_where_the_file_differs(verified, any_coq, mi
     assert "it has motion 2; algorithm1 makes motion 0" in said
 
 
+def test_the_head_is_that_of_the_files_that_are_already_there(mine):
+    *_, second = mine.splitlines()[:2]
+    assert second.endswith("at most 1 edges.  Written by proofs/certified.py; coqc checks it.")
+
+
 def test_an_empty_tree_is_compared_with_nothing_and_so_refused(files, verified, any_coq):
     code, said = verified(files.written({}, 1, "algorithm1"), "--against", "algorithm1")
     assert (code, any_coq) == (1, [])
