@@ -61,10 +61,10 @@ def gather(
             unit, result = part.unit, part.result
             if part.anew and unit.key in begun:
                 listener.progress(-begun.pop(unit.key).worlds)
-            listener.progress(result.worlds)
-            whole = begun.setdefault(unit.key, result)
+            whole, worlds = begun.setdefault(unit.key, result), result.worlds
             if whole is not result:
                 whole.add(result)
+            listener.progress(worlds)  # which may end the job: the part is counted by then
             if part.last:
                 total.add(begun.pop(unit.key))
                 records.keep(unit.key, whole)
