@@ -4,6 +4,7 @@ Answers are an explorer's statements about the world, at the end and on the way.
 is its actions and percepts.  A fault is raised by the adapter of an explorer.
 """
 
+import json
 from collections.abc import Generator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -99,6 +100,49 @@ class Write:
     def __str__(self) -> str:
         """For example ``write 1``."""
         return f"write {self.k}"
+
+
+@dataclass(frozen=True, slots=True)
+class Wait:
+    """Do nothing in this activation; only in worlds with several robots."""
+
+    def __str__(self) -> str:
+        """The action in a word: ``wait``."""
+        return "wait"
+
+
+@dataclass(frozen=True, slots=True)
+class Watch:
+    """Do nothing, and be activated again once something else is sensed here than now.
+
+    Only in worlds with several robots.
+    """
+
+    def __str__(self) -> str:
+        """The action in a word: ``watch``."""
+        return "watch"
+
+
+@dataclass(frozen=True, slots=True)
+class Do:
+    """Whatever the model of the world understands, a value that JSON has."""
+
+    value: Any
+
+    def __str__(self) -> str:
+        """For example ``do first``."""
+        return f"do {self.value if isinstance(self.value, str) else json.dumps(self.value)}"
+
+
+@dataclass(frozen=True, slots=True)
+class End:
+    """The end of an automaton, with its answer, as a generator returns it."""
+
+    answer: Any = None
+
+    def __str__(self) -> str:
+        """The action in a word, with an answer that is no map."""
+        return "end" if self.answer is None else f"end: {self.answer}"
 
 
 Action: TypeAlias = Move | Drop | Pick | Write

@@ -124,7 +124,7 @@ def play_run(
         ):  # of a model of the user's
             raise
         turns.note_choices()
-        log += _raised(error)
+        log += raised(error)
     finally:
         closed(generator)
         beat[1] = 0
@@ -199,7 +199,7 @@ class _Turns(Struct):
             else:
                 legal = "a Move, Drop, Pick, Write or Checkpoint"
                 such = f", such as Move({checks.show(message)})" if type(message) is int else ""
-                log += _illegal(legal + such, message)
+                log += illegal(legal + such, message)
                 return None
         add(entries.OVER)
         return None
@@ -211,7 +211,7 @@ class _Turns(Struct):
         except BaseException as error:  # noqa: BLE001  # __index__ is the explorer's code
             checks.let_users_interrupt(error)
             name = type(message).__name__
-            self.log += _illegal(f"{name}(k) with an integer k", message)
+            self.log += illegal(f"{name}(k) with an integer k", message)
             return None
 
     def _act(
@@ -224,7 +224,7 @@ class _Turns(Struct):
             if number is None:
                 return None
             if number < 0:
-                log += _illegal("Write(k) with k from 0 on", action)
+                log += illegal("Write(k) with k from 0 on", action)
                 return None
             action = actions.Write(number)
             log += entries.written(number)
@@ -257,14 +257,13 @@ class _Turns(Struct):
             return False
         except BaseException as error:  # noqa: BLE001  # the parts are the explorer's code
             checks.let_users_interrupt(error)
-            self.log += _illegal(
-                "a checkpoint of two sequences of integers and an integer", message
-            )
+            self.log += illegal("a checkpoint of two sequences of integers and an integer", message)
             return False
         return True
 
 
-def _illegal(expected: str, message: object) -> bytes:
+def illegal(expected: str, message: object) -> bytes:
+    """The entry of what is no action."""
     return entries.fault("illegal-action", expected, checks.show(message))
 
 
@@ -332,7 +331,7 @@ def integers(values: Iterable[object], most: int = MOST_DARTS) -> tuple[int, ...
 # ---------------------------------------------------------------- faults
 
 
-def _raised(error: BaseException) -> bytes:
+def raised(error: BaseException) -> bytes:
     """The entry of an explorer that has raised."""
     checks.let_users_interrupt(error)
     if type(error) is actions.ExplorerFault and error.law in entries.LAWS:

@@ -1,0 +1,269 @@
+"""Programs of robots that are asked turn by turn: what a program does next, after what it sensed.
+
+Nobody who asks knows of worlds or schedules here.  A *turn* is a row ``(number, before, percept)``:
+the history ``before`` with one percept more.  Runs of a generator are kept alive, and continued by
+that percept; a second branch is replayed, since a generator cannot be copied.  An automaton steps
+from a memory, which has a number here and is never sent.
+"""
+
+from __future__ import annotations
+
+import json
+import marshal
+from collections.abc import Callable, Generator, MutableSequence, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, TypeAlias
+
+from allworlds.inputs import checks
+from allworlds.protocol import actions, playing
+from allworlds.protocol.choices import Choices
+
+ALIVE = 100_000
+"""The number of runs that are kept alive."""
+
+Sensed: TypeAlias = tuple[int, ...] | bytes
+"""A percept on its way: the numbers of a :class:`Percept`, or a value as canonical JSON."""
+
+Row: TypeAlias = tuple[int, int, Any]
+"""A turn: its number, that of the turn (of an automaton: of the memory) before it, and what is
+sensed; a beginning, whose number before is :data:`BEGIN`, has what is told in place of it."""
+
+BEGIN = -1
+"""The number before the first turn."""
+
+ACTION, ENDED, FAULT = "aef"
+"""The letters of what a program says: an action, its answer, or a fault as a log has it."""
+
+FREE_STANDING = {actions.Wait: "wait", actions.Watch: "watch"}
+"""The actions that are words, besides those of one robot."""
+
+LEGAL = "a Move, Drop, Pick, Write, Wait, Watch, Do or Checkpoint"
+
+
+@dataclass(frozen=True)
+class Automaton:
+    """A program with a memory: what it does is a function of the memory and of one percept.
+
+    Attributes:
+        start: the memory at the start, any hashable value; or a function that returns it for what
+            the robot is told.
+        step: the function ``step(memory, percept) -> (memory, action)``.  ``End(answer)`` ends it.
+
+    Of finite automata everything is decided for all time.  Under ``check`` it is an explorer.
+    """
+
+    start: Any
+    step: Callable[[Any, Any], tuple[Any, Any]]
+
+    def begun(self, told: Any) -> Any:
+        """The memory at the start."""
+        return self.start(told) if callable(self.start) else self.start
+
+    def __call__(self, first: Any, *, told: Any = None) -> Generator[Any, Any, Any]:
+        """Play as an explorer does."""
+        memory, percept = self.begun(told), first
+        while True:
+            memory, action = self.step(memory, percept)
+            if type(action) is actions.End:
+                return action.answer
+            percept = yield action
+
+
+class Turns:
+    """One program, asked turn by turn.
+
+    Args:
+        explore: the function of the program, or an automaton.
+        player: the same as a player calls it.
+        beat: ``beat[0]`` is the row, ``beat[1]`` grows with every percept, and is 0 at the end.
+    """
+
+    def __init__(
+        self, explore: Any, player: actions.Player, beat: MutableSequence[int] | None = None
+    ) -> None:
+        self._explore, self._player = explore, player
+        self._beat = [0, 0] if beat is None else beat
+        self._told: dict[int, Any] = {}
+        self._before: dict[int, int] = {}
+        self._sensed: dict[int, Sensed] = {}
+        self._alive: dict[int, Generator[Any, Any, Any]] = {}
+        self._memories: list[Any] = []
+        self._numbers: dict[Any, int] = {}
+
+    def answers(self, rows: Sequence[Row], *, known: bool = False) -> list[bytes]:
+        """What the program says in each turn, as bytes of :func:`said`; rows before it are known.
+
+        Args:
+            rows: the turns.
+            known: whether nothing is asked for: these were answered before.
+        """
+        found = []
+        for place, row in enumerate(rows):
+            self._beat[0], self._beat[1] = place, 1
+            if isinstance(self._explore, Automaton):
+                found.append(self._step(*row))
+            else:
+                self._note(row)
+                found.append(b"" if known or row[1] == BEGIN else self._turn(row[0]))
+        self._beat[1] = 0
+        return found
+
+    def plays(self, histories: Sequence[tuple[Any, Sequence[Sensed]]]) -> list[bytes]:
+        """All that the program says in each history: what was told, and the percepts.
+
+        Nothing of it is kept; of an automaton the memories are numbered as they are met.
+        """
+        found = []
+        for place, (told, history) in enumerate(histories):
+            self._beat[0], self._beat[1] = place, 1
+            anew = Turns(self._explore, self._player, self._beat)
+            anew._memories, anew._numbers = self._memories, self._numbers
+            row, words = (0, BEGIN, told), list[bytes]()
+            for number, sensed in enumerate(history, 1):
+                before = anew.answers([row])[0]
+                words.append(before)
+                automaton = isinstance(self._explore, Automaton)
+                row = number, said(before)[0] if automaton else number - 1, sensed
+            words.append(anew.answers([row])[0])
+            anew.close()
+            found.append(marshal.dumps(words))
+        self._beat[1] = 0
+        return found
+
+    def close(self) -> None:
+        """End every run that is alive."""
+        for generator in self._alive.values():
+            playing.closed(generator)
+        self._alive.clear()
+
+    # ---------------------------------------------------------------- automata
+
+    def _step(self, _number: int, memory: int, sensed: Any) -> bytes:
+        """The number of the memory after a step, and the action."""
+        try:
+            if memory == BEGIN:
+                after, letter, words = self._explore.begun(told_of(sensed)), ACTION, None
+            else:
+                made = self._explore.step(self._memories[memory], percept_of(sensed))
+                if not isinstance(made, tuple) or len(made) != 2:
+                    expected = "(memory, action) from step"
+                    return _marshalled(0, FAULT, _illegal(expected, made))
+                after, action = made
+                ended = type(action) is actions.End
+                letter, words = _answer(action.answer) if ended else _action(action)
+            number = self._numbers.setdefault(after, len(self._numbers))
+            if number == len(self._memories):
+                self._memories.append(after)
+        except BaseException as error:  # noqa: BLE001  # the user's code
+            return _marshalled(0, FAULT, playing.raised(error))
+        return _marshalled(number, letter, words)
+
+    # ---------------------------------------------------------------- generators
+
+    def _note(self, row: Row) -> None:
+        number, before, sensed = row
+        if before == BEGIN:
+            self._told[number] = sensed
+        else:
+            self._before[number], self._sensed[number] = before, sensed
+
+    def _turn(self, number: int) -> bytes:
+        """What the program says at the end of a history."""
+        generator = self._alive.pop(self._before[number], None)
+        history, at = [self._sensed[number]], self._before[number]
+        while generator is None and at in self._before:
+            history.append(self._sensed[at])
+            at = self._before[at]
+        try:
+            message: Any = None
+            for sensed in reversed(history):
+                self._beat[1] += 1
+                percept = percept_of(sensed)
+                if generator is None:
+                    generator = self._player(percept, Choices(), told_of(self._told[at]))
+                    message = next(generator)
+                else:
+                    message = generator.send(percept)
+                while type(message) is actions.Checkpoint:
+                    message = generator.send(None)
+        except StopIteration as stop:
+            return _marshalled(0, *_answer(stop.value))
+        except BaseException as error:  # noqa: BLE001  # the user's code
+            return _marshalled(0, FAULT, playing.raised(error))
+        letter, words = _action(message)
+        if letter == ACTION and generator is not None and len(self._alive) < ALIVE:
+            self._alive[number] = generator
+        else:
+            playing.closed(generator)
+        return _marshalled(0, letter, words)
+
+
+# ---------------------------------------------------------------- on the way
+
+
+def percept_of(sensed: Sensed) -> Any:
+    """The percept that a program gets; a value of JSON is its own."""
+    return json.loads(sensed) if isinstance(sensed, bytes) else _percept(*sensed)
+
+
+@lru_cache(maxsize=1 << 12)
+def _percept(*numbers: Any) -> actions.Percept:
+    return actions.Percept(*numbers)
+
+
+def told_of(told: bytes | None) -> Any:
+    """The value that a robot is told, from canonical JSON."""
+    return None if told is None else json.loads(told)
+
+
+def _marshalled(number: int, letter: str, words: Any) -> bytes:
+    return marshal.dumps((number, letter, words))
+
+
+def said(answer: bytes) -> tuple[int, str, Any]:
+    """The number of the memory, the letter, and the words of what a program said."""
+    return marshal.loads(answer)  # type: ignore[no-any-return]  # noqa: S302  # of our own process
+
+
+def _action(message: Any) -> tuple[str, Any]:
+    """The letter and the words of an action: a number, or JSON in a text."""
+    kind = type(message)
+    try:
+        if kind is actions.Move:
+            return ACTION, checks.integer(message.k)
+        if kind is actions.Write:
+            return ACTION, json.dumps({"write": checks.integer(message.k)})
+        if kind is actions.Do:
+            words = json.dumps({"do": message.value}, allow_nan=False, default=checks.integer)
+            return ACTION, words
+    except BaseException as error:  # noqa: BLE001  # the parts are the user's code
+        checks.let_users_interrupt(error)
+        return FAULT, _illegal("Move and Write with an integer, Do with a value of JSON", message)
+    if kind in FREE_STANDING:
+        return ACTION, json.dumps({FREE_STANDING[kind]: True})
+    if kind in (actions.Drop, actions.Pick):
+        return ACTION, json.dumps({str(message): True})
+    return FAULT, _illegal(LEGAL, message)
+
+
+@lru_cache(maxsize=1 << 12)
+def action_of(words: int | str) -> Any:
+    """The action of these words."""
+    if isinstance(words, int):
+        return actions.Move(words)
+    row = json.loads(words)
+    if "do" in row:
+        return actions.Do(row["do"])
+    for kind, name in FREE_STANDING.items():
+        if name in row:
+            return kind()
+    return actions.action_from_json(row)
+
+
+def _answer(answer: Any) -> tuple[str, bytes]:
+    return ENDED, playing.any_answer_entry(answer)
+
+
+def _illegal(expected: str, message: object) -> bytes:
+    return playing.illegal(expected, message)

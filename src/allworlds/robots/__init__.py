@@ -1,0 +1,24 @@
+"""Several robots in worlds that change: every schedule, and every choice of the adversary.
+
+``model`` the base of every model, ``models`` those that are built in, ``schedulers`` who is
+activated, ``minds`` what a program does next, ``configurations`` the search of one world,
+``graph`` its steps, ``cycles`` the runs that never end, ``events`` what happened, ``one_world``
+the same in this process.
+"""
+
+from typing import TYPE_CHECKING
+
+from allworlds.lazy import open_door
+
+if TYPE_CHECKING:
+    from allworlds.robots.model import (
+        QUIET as QUIET,
+        Assumption as Assumption,
+        Condition as Condition,
+        Model as Model,
+        Places as Places,
+        every_start as every_start,
+    )
+    from allworlds.robots.one_world import Searched as Searched, search as search
+else:
+    open_door(__name__)

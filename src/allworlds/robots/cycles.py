@@ -1,0 +1,164 @@
+"""Runs that never end: a fair cycle on which what must be so again and again never is.
+
+Weak fairness: on the cycle each robot is activated, or somewhere it could not be.  With the
+assumptions on the adversary these are conditions of the form 'again and again', and a cycle through
+all that a strongly connected part has of them is there if each is met in the part.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING, TypeAlias
+
+from allworlds.robots.graph import Broken
+from allworlds.robots.model import Assumption, Condition
+
+if TYPE_CHECKING:
+    from allworlds.robots.configurations import Search
+
+Wish: TypeAlias = Callable[[int, int], bool]
+"""Whether a step, by the configuration before it and its number, is what is looked for."""
+
+
+def broken_for_ever(search: Search) -> Broken | None:
+    """The first condition that an infinite run breaks, with a shortest way to a cycle that does."""
+    graph = search.graph
+    if not search.minds.finite and all(graph.group):
+        return None  # each step makes a history longer
+    every = range(len(search))
+    for condition in search.world.progress():
+        inside = [*every]
+        if condition.holds is not None and not condition.forever:
+            inside = [number for number in every if not _holds(search, condition, number)]
+        for part in components(search, inside):
+            wishes = [*_broken_by(search, condition), *_fairness(search)]
+            if cycle := _cycle(search, part, wishes):
+                return _told(search, condition, min(part), cycle)
+    return None
+
+
+def _told(search: Search, condition: Condition, at: int, cycle: tuple[int, ...]) -> Broken | None:
+    if not any(search.graph.group[step] for step in cycle):
+        return search.stopped(at)  # nobody is able, while the world changes
+    forever = condition.forever or condition.holds is None
+    seen = (
+        f"again and again not {condition.name}" if forever else f"for ever without {condition.name}"
+    )
+    return Broken("progress", seen, at, cycle=cycle)
+
+
+def _holds(search: Search, condition: Condition, number: int) -> bool:
+    return search.world.holds(condition, search.states[search.state_number(number)])
+
+
+def _broken_by(search: Search, condition: Condition) -> Iterator[Wish]:
+    """The steps of which a cycle that breaks the condition has one, if that is not any."""
+    if condition.holds is None:
+        yield lambda _before, step: bool(search.graph.acts[step])
+    elif condition.forever:
+        yield lambda before, _step: not _holds(search, condition, before)
+
+
+def _fairness(search: Search) -> Iterator[Wish]:
+    """The steps of which every cycle that counts has one."""
+    graph = search.graph
+    for robot in range(len(search.team)):
+        bit = 1 << robot
+
+        def fair(before: int, step: int, robot: int = robot, bit: int = bit) -> bool:
+            return bool(graph.group[step] & bit) or robot not in search.able(before)[0]
+
+        yield fair
+    for assumption in search.world.assumes():
+
+        def assumed(before: int, step: int, assumption: Assumption = assumption) -> bool:
+            return search.assumed(assumption, before, step)
+
+        yield assumed
+
+
+def components(search: Search, inside: Sequence[int]) -> Iterator[list[int]]:
+    """The strongly connected parts that hold a step, by the least configuration met (Tarjan).
+
+    Args:
+        search: the search.
+        inside: the configurations, ascending; others do not count.
+    """
+    to, steps = search.graph.to, search.graph.steps
+    index = dict.fromkeys(inside, -1)
+    low: dict[int, int] = {}
+    stack: list[int] = []
+    on, count = set[int](), 0
+    found = list[list[int]]()
+    for root in inside:
+        if index[root] >= 0:
+            continue
+        work = [(root, iter(steps(root)))]
+        index[root] = low[root] = count
+        count += 1
+        stack.append(root)
+        on.add(root)
+        while work:
+            at, rest = work[-1]
+            following = next((to[step] for step in rest if to[step] in index), None)
+            if following is None:
+                work.pop()
+                if work:
+                    low[work[-1][0]] = min(low[work[-1][0]], low[at])
+                if low[at] == index[at]:
+                    part = [stack.pop()]
+                    while part[-1] != at:
+                        part.append(stack.pop())
+                    on.difference_update(part)
+                    if len(part) > 1 or any(to[step] == at for step in steps(at)):
+                        found.append(sorted(part))
+            elif index[following] < 0:
+                index[following] = low[following] = count
+                count += 1
+                stack.append(following)
+                on.add(following)
+                work.append((following, iter(steps(following))))
+            elif following in on:
+                low[at] = min(low[at], index[following])
+    yield from sorted(found)
+
+
+def _cycle(search: Search, part: Sequence[int], wishes: Iterable[Wish]) -> tuple[int, ...]:
+    """The steps of a cycle from the least configuration of a part that has all that is wished for.
+
+    Empty if the part has not.
+    """
+    inside, start = {*part}, part[0]
+    at, cycle = start, list[tuple[int, int]]()
+    for wish in wishes:
+        if any(wish(before, step) for before, step in cycle):
+            continue
+        way = _shortest(search, inside, at, wish)
+        if not way:
+            return ()
+        cycle += way
+        at = search.graph.to[cycle[-1][1]]
+    if at != start or not cycle:
+        back = _shortest(search, inside, at, lambda _, step: search.graph.to[step] == start)
+        assert back
+        cycle += back
+    return tuple(step for _, step in cycle)
+
+
+def _shortest(search: Search, inside: set[int], at: int, wish: Wish) -> list[tuple[int, int]]:
+    """The steps of a shortest way inside whose last one is as wished; none if there is no way."""
+    to = search.graph.to
+    came: dict[int, tuple[int, int]] = {at: (-1, -1)}
+    for number in (queue := [at]):
+        for step in search.graph.steps(number):
+            if to[step] not in inside:
+                continue
+            if wish(number, step):
+                way = [(number, step)]
+                while came[way[-1][0]][0] >= 0:
+                    way.append(came[way[-1][0]])
+                return way[::-1]
+            if to[step] not in came:
+                came[to[step]] = number, step
+                queue.append(to[step])
+    return []

@@ -1,0 +1,71 @@
+"""Gathering, and rendezvous of two."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, NamedTuple
+
+from typing_extensions import override
+
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import IllegalAction, Move, Percept
+from allworlds.robots.model import Model, every_start
+
+
+class Met(NamedTuple):
+    """The dart of each robot."""
+
+    darts: tuple[Dart, ...]
+
+
+@dataclass(frozen=True)
+class Meeting(Model):
+    """Robots that shall all be at one vertex; a robot senses the degree, and others there as marks.
+
+    Attributes:
+        multiplicity: how exactly it senses the others at its vertex: not at all, whether there
+            are some (weak), or how many (strong).
+        labels: whether each is told its number; else all are anonymous.
+        apart: whether they start at different vertices.
+    """
+
+    multiplicity: Literal["none", "weak", "strong"] = "strong"
+    labels: bool = False
+    apart: bool = True
+
+    @override
+    def starts(self, map_: CombinatorialMap, robots: int) -> Iterator[tuple[Dart, ...]]:
+        for start in every_start(map_, robots):
+            if not self.apart or len({map_.vertex_of[dart] for dart in start}) == robots:
+                yield start
+
+    @override
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Met]:
+        yield Met(tuple(starts))
+
+    @override
+    def told(self, map_: CombinatorialMap, robot: int) -> int | None:
+        return robot if self.labels else None
+
+    @override
+    def sensed(self, map_: CombinatorialMap, state: Met, robot: int) -> Percept:
+        here = map_.vertex_of[state.darts[robot]]
+        others = sum(map_.vertex_of[dart] == here for dart in state.darts) - 1
+        most = {"none": 0, "weak": 1, "strong": others}[self.multiplicity]
+        return Percept(map_.degree_at[state.darts[robot]], min(others, most))
+
+    @override
+    def step(
+        self, map_: CombinatorialMap, state: Met, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[Met, str]]:
+        darts = [*state.darts]
+        for robot, action in acts.items():
+            if type(action) is not Move:
+                raise IllegalAction(f"legal is a Move, not {action}")
+            darts[robot] = map_.move(darts[robot], action.k)
+        yield Met(tuple(darts)), ""
+
+    @override
+    def over(self, map_: CombinatorialMap, state: Met) -> bool:
+        return len({map_.vertex_of[dart] for dart in state.darts}) == 1
