@@ -5,7 +5,8 @@ Explorers are written against these names::
     from allworlds import CombinatorialMap, Percept, Move, Drop, Pick, Write
     from allworlds import Estimate, Ambiguous, Choices, Checkpoint
 
-a lighthouse of one's own against ``Lighthouse``,
+of several robots also against ``Wait``, ``Watch``, ``Do``, ``End`` and ``Automaton``, a lighthouse
+of one's own against ``Lighthouse``, a world that changes against ``Model``,
 
 and everything that the command line does is a function of the same name, for example
 ``allworlds.check(explore, edges=4)``.  The functions are loaded when they are first used, so
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from allworlds import (
         claims as claims,
         maps as maps,
+        robots as robots,
         strategies as strategies,
         testing as testing,
         world as world,
@@ -34,15 +36,22 @@ if TYPE_CHECKING:
     from allworlds.protocol.actions import (
         Ambiguous as Ambiguous,
         Checkpoint as Checkpoint,
+        Do as Do,
         Drop as Drop,
+        End as End,
         Estimate as Estimate,
+        IllegalAction as IllegalAction,
         Move as Move,
         Percept as Percept,
         Pick as Pick,
+        Wait as Wait,
+        Watch as Watch,
         Write as Write,
     )
     from allworlds.protocol.choices import Choices as Choices
+    from allworlds.protocol.turns import Automaton as Automaton
     from allworlds.reports.drawing.svg import Drawing as Drawing, draw as draw
+    from allworlds.robots.model import Model as Model
     from allworlds.studies import ambiguity as ambiguity
     from allworlds.studies.ambiguity.members import twins as twins
     from allworlds.studies.ambiguity.twin_search import search as search
@@ -56,6 +65,7 @@ if TYPE_CHECKING:
     from allworlds.studies.ledger import ledger as ledger
     from allworlds.studies.merge import merge as merge, status as status
     from allworlds.studies.run import play as play, replay as replay, run as run
+    from allworlds.studies.team import team as team
     from allworlds.studies.worst.all_worlds import worst as worst
     from allworlds.version import __version__ as __version__
     from allworlds.world.lighthouses.base import Lighthouse as Lighthouse

@@ -95,6 +95,20 @@ VERBS = (
         ),
     ),
     Verb(
+        "team",
+        "team",
+        "Search every schedule of several robots in worlds that change.",
+        panel=EVERYDAY,
+        has=(ROWS, CASES),
+        swept=True,
+        example="waits.py:wait searches.py:search --model meeting:labels=true --edges 3",
+        help=(
+            "Several robots in every world of a class, from every start, under every schedule and "
+            "every choice of an adversary: a model says how the world changes. Exit code 0: holds, "
+            "1: refuted, with a shortest run in the smallest world, 3: a budget cuts a run off."
+        ),
+    ),
+    Verb(
         "play",
         "play",
         "Be the robot, in a web page or in the terminal.",

@@ -16,7 +16,7 @@ import time
 import traceback
 import warnings
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import islice
 from random import Random
@@ -58,7 +58,7 @@ _KNOWN = (InputError, players.Unsettled, tally.EnginesDisagree, players.HarnessE
 class _Process:
     """A lane in a process of its own, forked from this one beside the others."""
 
-    def __init__(self, subject: Subject, limits: Limits, others: Sequence[_Process]) -> None:
+    def __init__(self, lanes: Lanes, others: Sequence[_Process]) -> None:
         from multiprocessing.connection import Pipe
 
         self.link, theirs = Pipe()
@@ -76,7 +76,7 @@ class _Process:
                 linux.end_with_parent(parent)
                 for other in (self, *others):  # whose owner hangs up when this process ends, too
                     other.link.close()
-                _serve(theirs, subject, limits, first_lane=not others)
+                _serve(theirs, lanes, first_lane=not others)
         gc.unfreeze()
         theirs.close()
 
@@ -116,6 +116,7 @@ class Lanes(Struct):
         here: whether one is here, which goes before the others.
         apart: whether there are others.
         models: whether models of the user's judge the runs, or choose the worlds.
+        make: makes a lane.
     """
 
     subject: Subject
@@ -124,6 +125,7 @@ class Lanes(Struct):
     here: bool = True
     apart: bool = False
     models: bool = False
+    make: Callable[..., Lane] = Lane
     _until: float = 0.0
     _lane: Lane | None = None
     _processes: list[_Process] = field(default_factory=list)
@@ -191,7 +193,7 @@ class Lanes(Struct):
             return None
         self._until = self._until or time.monotonic() + ALONE
         if self._lane is None:
-            self._lane = Lane(self.subject, engine, self.limits, deadline=self.deadline)
+            self._lane = self.make(self.subject, engine, self.limits, deadline=self.deadline)
         return self._lane
 
     def _close_lane(self) -> None:
@@ -203,7 +205,7 @@ class Lanes(Struct):
         """A lane that can take a unit: the one with the fewest, or a new one; None if all have."""
         least = min(self._processes, key=lambda one: len(one.units), default=None)
         if least is None or (least.units and len(self._processes) < self.limits.workers):
-            self._processes.append(_Process(self.subject, self.limits, self._processes))
+            self._processes.append(_Process(self, self._processes))
             return self._processes[-1]
         return least if len(least.units) < AHEAD else None
 
@@ -226,16 +228,16 @@ class Lanes(Struct):
         return left
 
 
-def _serve(link: Connection, subject: Subject, limits: Limits, *, first_lane: bool) -> NoReturn:
+def _serve(link: Connection, lanes: Lanes, *, first_lane: bool) -> NoReturn:
     """Be a lane: take units, and send parts, until the owner hangs up."""
     status = 1
     try:
         os.setsid()
         leave_interrupts_to_owner()
         signal.pthread_sigmask(signal.SIG_UNBLOCK, INTERRUPTS)
-        if limits.memory is not None and not subject.from_user:
-            linux.limit_memory(limits.memory)
-        _lane_of(link, subject, limits, first_lane=first_lane)
+        if lanes.limits.memory is not None and not lanes.subject.from_user:
+            linux.limit_memory(lanes.limits.memory)
+        _lane_of(link, lanes, first_lane=first_lane)
         status = 0
     except (EOFError, OSError):
         pass
@@ -247,9 +249,9 @@ def _serve(link: Connection, subject: Subject, limits: Limits, *, first_lane: bo
         os._exit(status)
 
 
-def _lane_of(link: Connection, subject: Subject, limits: Limits, *, first_lane: bool) -> None:
+def _lane_of(link: Connection, lanes: Lanes, *, first_lane: bool) -> None:
     engine, unit = link.recv()
-    lane = Lane(subject, engine, limits, first_lane=first_lane)
+    lane = lanes.make(lanes.subject, engine, lanes.limits, first_lane=first_lane)
     try:
         lane.offer(unit)
         while True:
@@ -257,7 +259,7 @@ def _lane_of(link: Connection, subject: Subject, limits: Limits, *, first_lane: 
                 asked, unit = link.recv()
                 if asked != lane.counter:
                     lane.close()
-                    lane = Lane(subject, asked, limits, first_lane=first_lane)
+                    lane = lanes.make(lanes.subject, asked, lanes.limits, first_lane=first_lane)
                 lane.offer(unit)
             for part in lane.turn([link.fileno()]):
                 if part.last and not lane.busy and lane.keeps:
@@ -280,7 +282,12 @@ def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:
 
 
 def workers_for(
-    subject: Subject, limits: Limits, deadline: float | None = None, *, models: bool = False
+    subject: Subject,
+    limits: Limits,
+    deadline: float | None = None,
+    *,
+    models: bool = False,
+    make: Callable[..., Lane] = Lane,
 ) -> Transport:
     """Lanes for an explorer.
 
@@ -289,6 +296,7 @@ def workers_for(
         limits: the number of lanes, and the limits of each.
         deadline: on the monotonic clock, or None.
         models: whether models of the user's judge the runs.
+        make: makes a lane.
     """
     players.child_path()  # who has lost the current directory hears of it before a process starts
     only_here = subject.from_user and not subject.importable
@@ -296,4 +304,4 @@ def workers_for(
     apart = not only_here and (limits.workers > 1 or models or limited)
     # Players of libraries load compiled code, which takes longer than a small job.
     here = only_here or not (models or limited or (apart and subject.compiled))
-    return Lanes(subject, limits, deadline, here, apart, models)
+    return Lanes(subject, limits, deadline, here, apart, models, make)

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from allworlds.explorers.program import Program
     from allworlds.protocol.actions import Player
     from allworlds.protocol.code_lines import TracedPlay
+    from allworlds.protocol.turns import Turns
     from allworlds.world.world import World
 
 LINK, BEAT = 3, 4
@@ -40,6 +41,9 @@ LINK, BEAT = 3, 4
 READY, LOGS, PART, REFUSAL, FAILURE, NO_ROOM = b"RLPEFN"
 """The letters of the answers: the explorer is loaded; the logs of a batch; the log so far; bad
 input; a mistake of ours; the second logs of a library do not fit."""
+
+TURNS = "turns", "histories"
+"""The kinds of messages that ask a program of a robot turn by turn."""
 
 PICKLED = ("model", "maps", "walk")
 """The kinds of messages with worlds whose code the player loads."""
@@ -118,6 +122,7 @@ class _Server:
         self._subject, self._beat, self._pid = subject, beat, os.getpid()
         self._player: Player = subject.player()
         self._library: LibraryPlayer | None = None
+        self._turns: Turns | None = None
 
     def serve(self, batch: dict[str, Any]) -> None:
         """Play a batch, and send its logs."""
@@ -125,6 +130,8 @@ class _Server:
         try:
             if batch["kind"] == "native":
                 self._native(batch)
+            elif batch["kind"] in TURNS:
+                self._take_turns(batch)
             else:
                 self._play(batch)
         except InputError as error:  # a model of the user's
@@ -152,6 +159,19 @@ class _Server:
         for timer in TIMERS:
             signal.setitimer(timer, 0)
         _answer(LOGS, *logs_message(logs))
+
+    def _take_turns(self, batch: dict[str, Any]) -> None:
+        from allworlds.protocol.turns import Turns
+
+        if self._turns is None or batch.get("anew"):
+            explore, kept = self._subject.explore, not self._subject.program
+            self._turns = Turns(explore, self._player, self._beat, keeps=kept)
+        said = turns_taken(self._turns, batch)
+        if os.getpid() != self._pid:
+            os._exit(0)
+        for timer in TIMERS:
+            signal.setitimer(timer, 0)
+        _answer(LOGS, *logs_message(said))
 
     def _native(self, batch: dict[str, Any]) -> None:
         from allworlds.engines.kernel.library_player import LibraryPlayer
@@ -201,6 +221,13 @@ def played(
     if traced:
         logs[-1] = written(traced)
     return logs
+
+
+def turns_taken(turns: Turns, batch: dict[str, Any]) -> list[bytes]:
+    """What a program says in the turns, or in the histories, of a batch."""
+    if batch["kind"] == "histories":
+        return turns.plays(batch["rows"])
+    return turns.answers(batch["rows"], known=batch["known"])
 
 
 def maps_made(batch: dict[str, Any]) -> list[bytes]:

@@ -410,11 +410,13 @@ class PlayerHere:
     Attributes:
         beat, description, files, part: as of a player.
         prints: those of the last job, if they are recorded.
+        turns: the explorer as one asks it turn by turn.
     """
 
     description = Description(frozenset(), has_shield=False)
     files: tuple[int, ...] = ()
     seed = None
+    turns: Any = None
 
     def __init__(self, explorer: Explorer, *, of_user: bool = True, prints: bool = False) -> None:
         self._explorer, self._of_user, self._recorded = explorer, of_user, prints
@@ -433,7 +435,10 @@ class PlayerHere:
         job, message = self.jobs[0]
         sink = self.prints if self._recorded else Prints()
         with printing_to(sink) if self._of_user else nullcontext():
-            logs = player.played(message, self._explorer, self.beat)
+            if message["kind"] in player.TURNS:
+                logs = player.turns_taken(self.turns, message)
+            else:
+                logs = player.played(message, self._explorer, self.beat)
         self.jobs.popleft()
         return [(job, logs)]
 

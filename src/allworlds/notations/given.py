@@ -160,11 +160,12 @@ class GivenMaps:
                     yield World(given.map, again.lighthouse, start, labels=given.labels)
 
 
-def _held(
-    noun: str, of: str, gate: str, held: Sequence[GivenMap], codes: tuple[Digest, ...] = ()
+def held(
+    noun: str, of: str, gate: str, maps: Sequence[GivenMap], codes: tuple[Digest, ...] = ()
 ) -> GivenMaps:
-    found = ((f"worlds[{i}]", (0, i, i), each) for i, each in enumerate(held))
-    return GivenMaps(noun, of, gate, found, lambda _file, _offset, number: held[number], codes)
+    """Given maps that are held: see :class:`GivenMaps`."""
+    found = ((f"worlds[{i}]", (0, i, i), each) for i, each in enumerate(maps))
+    return GivenMaps(noun, of, gate, found, lambda _file, _offset, number: maps[number], codes)
 
 
 def files_of(*names: str) -> tuple[Digest, ...]:
@@ -222,9 +223,9 @@ def embeddings_of(
     genus = int(of_genus[1]) if of_genus else None
     labels = Labelling(entry.labels.name, entry.labels.vertices)
     every = embeddings(to_networkx(entry.map), genus=genus)
-    held = [GivenMap(map_, map_.darts, labels=labels) for map_ in every]
+    maps = [GivenMap(map_, map_.darts, labels=labels) for map_ in every]
     of = graph if genus is None else f"{graph} of genus {genus}"
-    return _held("embedding", of, "embeddings of a graph", held, codes)
+    return held("embedding", of, "embeddings of a graph", maps, codes)
 
 
 def _given(entry: Entry, name: str) -> GivenMap:
@@ -360,7 +361,7 @@ class GivenOptions(FileOptions):
         if self.worlds is None:
             return None
         made = [GivenMap(it.map, (it.start,), it.lighthouse, it.labels) for it in self.worlds]
-        return _held("given world", "", "the worlds were given", made)
+        return held("given world", "", "the worlds were given", made)
 
     @property
     @override

@@ -77,12 +77,19 @@ class Turns:
         explore: the function of the program, or an automaton.
         player: the same as a player calls it.
         beat: ``beat[0]`` is the row, ``beat[1]`` grows with every percept, and is 0 at the end.
+        keeps: whether runs are kept alive; a program behind a pipe has one at a time.
     """
 
     def __init__(
-        self, explore: Any, player: actions.Player, beat: MutableSequence[int] | None = None
+        self,
+        explore: Any,
+        player: actions.Player,
+        beat: MutableSequence[int] | None = None,
+        *,
+        keeps: bool = True,
     ) -> None:
         self._explore, self._player = explore, player
+        self._most = ALIVE if keeps else 0
         self._beat = [0, 0] if beat is None else beat
         self._told: dict[int, Any] = {}
         self._before: dict[int, int] = {}
@@ -117,7 +124,7 @@ class Turns:
         found = []
         for place, (told, history) in enumerate(histories):
             self._beat[0], self._beat[1] = place, 1
-            anew = Turns(self._explore, self._player, self._beat)
+            anew = Turns(self._explore, self._player, self._beat, keeps=True)
             anew._memories, anew._numbers = self._memories, self._numbers
             row, words = (0, BEGIN, told), list[bytes]()
             for number, sensed in enumerate(history, 1):
@@ -148,7 +155,7 @@ class Turns:
                 made = self._explore.step(self._memories[memory], percept_of(sensed))
                 if not isinstance(made, tuple) or len(made) != 2:
                     expected = "(memory, action) from step"
-                    return _marshalled(0, FAULT, _illegal(expected, made))
+                    return marshalled(0, FAULT, _illegal(expected, made))
                 after, action = made
                 ended = type(action) is actions.End
                 letter, words = _answer(action.answer) if ended else _action(action)
@@ -156,8 +163,8 @@ class Turns:
             if number == len(self._memories):
                 self._memories.append(after)
         except BaseException as error:  # noqa: BLE001  # the user's code
-            return _marshalled(0, FAULT, playing.raised(error))
-        return _marshalled(number, letter, words)
+            return marshalled(0, FAULT, playing.raised(error))
+        return marshalled(number, letter, words)
 
     # ---------------------------------------------------------------- generators
 
@@ -188,15 +195,15 @@ class Turns:
                 while type(message) is actions.Checkpoint:
                     message = generator.send(None)
         except StopIteration as stop:
-            return _marshalled(0, *_answer(stop.value))
+            return marshalled(0, *_answer(stop.value))
         except BaseException as error:  # noqa: BLE001  # the user's code
-            return _marshalled(0, FAULT, playing.raised(error))
+            return marshalled(0, FAULT, playing.raised(error))
         letter, words = _action(message)
-        if letter == ACTION and generator is not None and len(self._alive) < ALIVE:
+        if letter == ACTION and generator is not None and len(self._alive) < self._most:
             self._alive[number] = generator
         else:
             playing.closed(generator)
-        return _marshalled(0, letter, words)
+        return marshalled(0, letter, words)
 
 
 # ---------------------------------------------------------------- on the way
@@ -217,7 +224,8 @@ def told_of(told: bytes | None) -> Any:
     return None if told is None else json.loads(told)
 
 
-def _marshalled(number: int, letter: str, words: Any) -> bytes:
+def marshalled(number: int, letter: str, words: Any) -> bytes:
+    """What a program said, as bytes: see :func:`said`."""
     return marshal.dumps((number, letter, words))
 
 

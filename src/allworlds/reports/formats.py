@@ -302,6 +302,7 @@ MAKERS = {
     "compare.compare_content": ("Comparison", "Growth"),
     "sizes.worst_content": ("WorstReport",),
     "sizes.count_content": ("Census",),
+    "team.team_content": ("TeamReport",),
     "ambiguity.twins_content": ("ComparedWorlds",),
     "ambiguity.class_content": ("AmbiguityClass",),
     "ambiguity.census_content": ("AmbiguityCensus",),

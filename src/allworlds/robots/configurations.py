@@ -137,6 +137,10 @@ class Search:
         """What a robot would sense in a configuration."""
         return self._sensed_in(self._keys[number][0])[robot]  # type: ignore[no-any-return]
 
+    def sensed_first(self, of: int, robot: int) -> Sensed | None:
+        """What a robot has sensed in the state of that number, if it was asked for."""
+        return self._sensed[of][robot] if self._sensed[of] else None
+
     def able(self, number: int) -> tuple[list[int], list[int]]:
         """The robots that can be activated, and those that the budget alone keeps from it."""
         key, able, cut = self._keys[number], [], []

@@ -53,7 +53,7 @@ class Program(Protocol):
         """What it says in each turn: see :class:`allworlds.protocol.turns.Turns`."""
 
 
-class _Kept(Struct):
+class Kept(Struct):
     """What is known of one program.
 
     Attributes:
@@ -93,7 +93,7 @@ class Minds:
         self.watches: list[bool] = []
         self.messages: list[int] = []
         self._counted = counted
-        self.kept = [_Kept(program, {}, [], [], []) for program in programs]
+        self.kept = [Kept(program, {}, [], [], []) for program in programs]
         self._of: list[int] = []
         self._memory: list[int] = []  # of a history the mind before
         self._after: dict[tuple[int, Any], int] = {}
@@ -118,7 +118,7 @@ class Minds:
         kept.automaton = bool(answer)
         if kept.automaton:
             memory, letter, words = said(answer)
-            fault = None if letter == ACTION else _value(letter, words)
+            fault = None if letter == ACTION else value_of(letter, words)
             mind = self._automaton(program, memory, fault, None, 0)
         else:
             self._new(program, -1, None, None, 0)
@@ -163,7 +163,7 @@ class Minds:
             kept.said += answers
             for (row, mind), answer in zip(kept.waiting, answers, strict=True):
                 memory, letter, words = said(answer)
-                value = _value(letter, words)
+                value = value_of(letter, words)
                 if mind < 0:
                     self._steps[program, row[1], row[2]] = memory, value
                 else:
@@ -195,13 +195,12 @@ class Minds:
             return mind
         return self._automaton(program, self._memory[mind], None, None, self.depth[mind])
 
-    def history(self, mind: int) -> list[Sensed]:
-        """The percepts that lead to the mind of a generator."""
-        percepts = list[Sensed]()
-        while (sensed := self.sensed[mind]) is not None:
-            percepts.append(sensed)
-            mind = self._memory[mind]
-        return percepts[::-1]
+    def precedes(self, mind: int, before: int) -> bool:
+        """Whether a turn whose number before is that one begins in a mind."""
+        automaton = self.kept[self._of[mind]].automaton
+        first = self.depth[mind] == 0 and self.sensed[mind] is None
+        own = self._memory[mind] if automaton else mind
+        return first if before == BEGIN else own == before
 
     def _automaton(
         self, program: int, memory: int, value: Any, sensed: Sensed | None, depth: int
@@ -224,7 +223,7 @@ class Minds:
         return len(self.value) - 1
 
 
-def _value(letter: str, words: Any) -> Any:
+def value_of(letter: str, words: Any) -> Any:
     """The action, or the end, that a program has said."""
     if letter == ACTION:
         return None if words is None else action_of(words)

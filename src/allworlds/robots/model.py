@@ -253,6 +253,10 @@ class Guarded:
         except Exception as error:  # noqa: BLE001  # the model is the user's
             raise self._raised("progress", error) from None
 
+    def places(self, state: Any) -> Places:
+        """What a picture shows of a state."""
+        return Places(*self._ask("places", state))
+
     @property
     def says_progress(self) -> bool:
         """Whether the model has conditions of its own."""

@@ -35,9 +35,13 @@ def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
     from allworlds.studies.compare.comparison import SameWorlds
     from allworlds.studies.count import CountSweep
     from allworlds.studies.fuzz.sample_sweep import FuzzSweep
+    from allworlds.studies.team import TeamSweep
     from allworlds.studies.worst.all_worlds import SchedulesSweep
 
-    kinds = (CheckSweep, FuzzSweep, SameWorlds, SchedulesSweep, CountSweep, CensusSweep)
+    kinds: tuple[type[sweep.Sweep[Any, Any]], ...] = (
+        *(CheckSweep, FuzzSweep, SameWorlds, SchedulesSweep, CountSweep, CensusSweep),
+        TeamSweep,
+    )
     return next(kind for kind in kinds if kind.verb == verb)
 
 

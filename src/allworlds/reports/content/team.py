@@ -1,0 +1,254 @@
+"""Content of ``team``: the verdict, a shortest run as a space-time diagram, and the counts."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator, Sequence
+from shlex import join
+from typing import Any
+
+from allworlds.explorers.loading import named_on_command_line
+from allworlds.inputs.requests import given_again
+from allworlds.outcome import Verdict
+from allworlds.protocol.actions import Percept
+from allworlds.reports import parts
+from allworlds.reports.content.scope import SAID, each_of, of_the_class, option_facts
+from allworlds.robots.finding import EventRow, TeamFinding, Turned
+from allworlds.robots.team import TeamRow
+from allworlds.studies.team import TeamReport
+from allworlds.words import counted, number, plural, size
+
+NARROWEST, WIDEST = 10, 34
+"""The columns of a robot in a diagram."""
+
+TEAM_SAID = (
+    *(*SAID, "model", "robots", "scheduler", "budget", "within", "lead", "start_delay"),
+    *("max_findings", "world", "starts"),
+)
+"""The fields of the request of which the scope tells."""
+
+
+def team_content(report: TeamReport) -> parts.ReportContent:
+    """The verdict, the findings, the scope and the counts."""
+    findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
+    if report.unfinished and not findings:
+        findings.append(unfinished_section(report.unfinished))
+    seen = parts.Section(
+        "seen", "What was searched", [parts.FactList(scope_words(report)), size_table(report)]
+    )
+    return parts.ReportContent(
+        "allworlds team",
+        report.asked.team.name,
+        report,
+        verdict_of(report),
+        [*findings, seen],
+        rows=lambda: parts.CsvRows.of(
+            report.rows, edges=int, vertices=int, **dict.fromkeys(TeamRow.__slots__, int)
+        ),
+        cases=lambda: [*_cases(report)],
+        command=_command(report),
+        apart=frozenset({"findings", "unfinished"}),
+        short=[(name, said) for name, said in scope_words(report) if said],
+    )
+
+
+def _command(report: TeamReport) -> str:
+    names = dict.fromkeys(report.explorers) if len({*report.explorers}) == 1 else report.explorers
+    named = [word for name in names for word in named_on_command_line(name)]
+    return join([*named, *given_again(type(report.request), report.request)])
+
+
+def verdict_of(report: TeamReport) -> parts.Headline:
+    """The verdict and its explanation."""
+    total, time = report.total, report.asked.time
+    done = (
+        f"{plural(total.worlds, 'world')} with starts, {plural(len(report.explorers), 'robot')}, "
+        f"every {time.scheduler} schedule"
+    )
+    searched = plural(total.configurations, "configuration")
+    match report.verdict:
+        case Verdict.HOLDS:
+            most = f", at most {plural(total.longest, 'activation')} each" if total.longest else ""
+            text = f"{done}{most}; {searched}"
+        case Verdict.REFUTED:
+            first = report.findings[0]
+            text = f"{first.law}: {first.seen}; {done}; {searched}"
+        case Verdict.INCONCLUSIVE if total.cut_off and not report.ending.stopped:
+            text = (
+                f"no law is broken, but {plural(total.cut_off, 'run')} went on after "
+                f"{plural(time.budget, 'activation')} of each robot; {done}; {searched}"
+            )
+        case Verdict.INCONCLUSIVE if total.full and not report.ending.stopped:
+            text = (
+                f"no law is broken, but {plural(total.full, 'world')} had more than "
+                f"{number(time.configurations)} configurations; {done}; {searched}"
+            )
+        case Verdict.VACUOUS:
+            text = "the scope holds no start of the robots, or no state at the start"
+        case _:
+            text = f"{report.ending.reason}; {done}; {searched}"
+    return parts.Headline(report.verdict.value.upper(), text, report.verdict.value)
+
+
+def scope_words(report: TeamReport) -> list[tuple[str, str]]:
+    """The scope of the verdict as named texts."""
+    scope, time, extent = report.asked, report.asked.time, report.extent
+    maps = each_of(extent.given) if extent.given is not None else "every map"
+    starts = "the given starts" if scope.starts else "every start of its model"
+    shard = "" if report.whole else f", shard {report.portion}"
+    bounds = [f"every {time.scheduler} schedule"]
+    if time.within:
+        bounds.append(f"within {plural(time.budget, 'activation')} of each robot")
+    if time.lead is not None:
+        bounds.append(f"nobody more than {plural(time.lead, 'activation')} ahead")
+    if time.start_delay:
+        bounds.append(f"robot 1 up to {plural(time.start_delay, 'round')} later")
+    total = report.total
+    paths = "infinitely many, or not known" if total.schedules is None else number(total.schedules)
+    return [
+        ("programs", ", ".join(report.explorers)),
+        ("model", scope.name),
+        ("scope", f"{starts} in {maps} {of_the_class(extent)}{shard}; {', '.join(bounds)}"),
+        *option_facts(report, TEAM_SAID),  # type: ignore[arg-type]  # about worlds, too
+        ("gate", _gate(report)),
+        ("schedules", paths if report.verdict is Verdict.HOLDS else ""),
+        ("anonymous", _anonymous(report)),
+        *(("remark", remark) for remark in report.remarks),
+    ]
+
+
+def _anonymous(report: TeamReport) -> str:
+    alike = len(report.asked.team.subjects) == 1 and len(report.explorers) > 1
+    said = "starts that differ by the numbers of robots are searched by themselves"
+    return said if alike and not report.asked.starts else ""
+
+
+def _gate(report: TeamReport) -> str:
+    if (given := report.extent.given) is not None:
+        return given.gate
+    if not report.whole:
+        return "deferred to the merge of all shards"
+    if not report.cells:
+        return "absent: no source counts these maps, or no level was finished"
+    wrong = [cell for cell in report.cells if not cell.agrees]
+    if wrong:
+        cell = wrong[0]
+        return (
+            f"MISMATCH: of maps with {size(cell.edges, cell.vertices)} {cell.enumerated} were "
+            f"enumerated, but {cell.source} counts {cell.counted}"
+        )
+    return f"no map was forgotten: {counted(report.cells[0].source)}"
+
+
+def size_table(report: TeamReport) -> parts.Table:
+    """Counts for each number of edges and vertices."""
+    header = ["edges", "vertices", "maps", "worlds", "configurations", "most", "longest"]
+    rows = [
+        [r.edges, r.vertices, r.maps, r.worlds, r.configurations, r.most, r.longest]
+        for r in report.rows
+    ]
+    return parts.Table(header, rows, "Finished levels", keys=2)
+
+
+# ---------------------------------------------------------------- a run
+
+
+def finding_section(found: TeamFinding, place: int) -> parts.Section:
+    """A finding: its world, the diagram of its run, and how it is played again."""
+    title = f"Finding {place}: {found.law}, {size(*found.key[:2])}"
+    return parts.Section(f"finding-{place}", title, [*_run(found)])
+
+
+def unfinished_section(found: TeamFinding) -> parts.Section:
+    """A shortest run that the budget cuts off."""
+    title = f"A run that is cut off, {size(*found.key[:2])}"
+    return parts.Section("unfinished", title, [*_run(found)])
+
+
+def _run(found: TeamFinding) -> Iterator[parts.Block]:
+    map_ = found.map
+    starts = ", ".join(
+        f"robot {robot} at dart {dart} of v{map_.vertex_of[dart]}"
+        for robot, dart in enumerate(found.starts)
+    )
+    yield parts.FactList(
+        [
+            ("broken", f"{found.law}: {found.seen}"),
+            ("map", f"sigma {[*map_.sigma]}, alpha {[*map_.alpha]}"),
+            ("starts", starts),
+            ("model", f"{found.model}, scheduler {found.time.scheduler}"),
+        ]
+    )
+    yield parts.Quote("diagram", "Space-time diagram", diagram(found))
+    if found.detail:
+        yield parts.Quote("detail", "Detail", found.detail)
+    yield parts.Quote("again", "Again", found.reproduce, command=True)
+
+
+def diagram(found: TeamFinding) -> str:
+    """The space-time diagram of a run: a column for each robot, a row for each event."""
+    rows = [["", *(f"robot {robot}" for robot in range(len(found.starts))), "world"]]
+    vertex_of, before = found.map.vertex_of, tuple[int | None, ...](found.starts)
+    repeats = len(found.events) - found.loop
+    for step, event in enumerate(found.events, 1):
+        cells = [_cell(event, robot) for robot in range(len(found.starts))]
+        where = [*_moved(before, event.darts, vertex_of)]
+        world = "; ".join(filter(None, [event.world, ", ".join(where)]))
+        mark = "*" if step > repeats else ""
+        rows.append([f"{step}{mark}", *cells, world])
+        before = event.darts
+    widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
+    lines = ["  ".join(_fitted(row, widths)).rstrip() for row in rows]
+    if found.loop:
+        lines.append("(the events with * repeat for ever)")
+    return "\n".join(lines)
+
+
+def _fitted(row: Sequence[str], widths: Sequence[int]) -> Iterator[str]:
+    for text, width in zip(row, widths, strict=True):
+        yield text.ljust(width)
+
+
+def _cell(event: EventRow, robot: int) -> str:
+    turn = next((each for each in event.robots if each.robot == robot), None)
+    if turn is None:
+        return "|"
+    if turn.phase == "move":
+        return f"'-> {turn.did}"
+    later = " ..." if turn.phase == "look" else ""
+    return f"{sensed_in_words(turn)}: {turn.did}{later}"
+
+
+def sensed_in_words(turn: Turned) -> str:
+    """What a robot sensed, in a few words."""
+    sensed: Any = turn.sensed
+    if isinstance(sensed, dict) and {*sensed} == {"degree", "marks", "bearing"}:
+        return str(Percept(**sensed))
+    text = json.dumps(sensed, separators=(",", ":"))
+    return text if len(text) <= WIDEST else text[: WIDEST - 3] + "..."
+
+
+def _moved(
+    before: Sequence[int | None], after: Sequence[int | None], vertex_of: Sequence[int]
+) -> Iterator[str]:
+    if len(before) != len(after):
+        return
+    for robot, (old, new) in enumerate(zip(before, after, strict=True)):
+        if old != new:
+            yield f"{robot} at v{vertex_of[new]}" if new is not None else f"{robot} is no more"
+
+
+def _cases(report: TeamReport) -> Iterable[parts.SuiteCase]:
+    """A case for each number of edges."""
+    for edges in report.extent.levels:
+        name = f"every world with {plural(edges, 'edge')}"
+        found = [i for i, each in enumerate(report.findings, 1) if each.key[0] == edges]
+        if found:
+            first = report.findings[found[0] - 1]
+            told = [finding_section(report.findings[i - 1], i) for i in found]
+            yield parts.SuiteCase(name, "failure", first.law, first.seen, told)
+        elif edges in report.levels and not report.undecided:
+            yield parts.SuiteCase(name)
+        else:
+            why = report.ending.reason or "a budget leaves the verdict open"
+            yield parts.SuiteCase(name, "skipped", message=why)

@@ -1,0 +1,280 @@
+"""The finding of a search: a shortest run that breaks a law, enough to play it again."""
+
+from __future__ import annotations
+
+import json
+import shlex
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Annotated, Any, Literal
+
+from allworlds.documents import document as doc
+from allworlds.documents.reading import parse
+from allworlds.explorers.loading import named_on_command_line
+from allworlds.inputs.checks import InputError, show
+from allworlds.judging.findings.finding import digest_of
+from allworlds.maps.combinatorial import Alpha, Code, CombinatorialMap, Dart, Sigma, rooted_code
+from allworlds.protocol.actions import Percept
+from allworlds.protocol.turns import Sensed, percept_of
+from allworlds.robots.configurations import Search
+from allworlds.robots.events import Event, Turn, events_of
+from allworlds.robots.graph import Broken
+from allworlds.robots.minds import Fault
+from allworlds.robots.model import Places, Scheduler
+from allworlds.robots.schedulers import Time
+
+LAWS: dict[str, str] = {
+    "crash": "A program raises no error, and its process does not end.",
+    "timeout": "A program answers in time.",
+    "illegal-action": "A program says what is an action in this world.",
+    "no-estimate": "A program answers with what can be an answer.",
+    "nondeterministic": "A program does the same after the same percepts.",
+    "never": "What must never be is not.",
+    "deadlock": "Robots do not wait for what will never be.",
+    "answer": "When all robots have ended, nothing is wrong.",
+    "progress": "What must be so again and again is so in every fair run that never ends.",
+    "budget": "The goal is reached within the activations that were asked for.",
+}
+"""Every law, with what it asks."""
+
+
+class Turned(doc.Document, forbid_unknown_fields=False):
+    """The part of a robot in an event."""
+
+    robot: Annotated[doc.Natural, doc.about("its number")]
+    phase: Annotated[
+        Literal["look", "move", "whole"],
+        doc.about("a look, whose move comes later; that move; or both at once"),
+    ]
+    sensed: Annotated[Any, doc.about("its percept; null: it only moves")]
+    did: Annotated[str, doc.about("its action, or its end, in words")]
+
+
+class EventRow(doc.Document, forbid_unknown_fields=False):
+    """An event: a step of a set of robots at once, and of the adversary."""
+
+    robots: Annotated[tuple[Turned, ...], doc.about("those that are activated")]
+    adversary: Annotated[doc.Natural, doc.about("the index of what it did, of all it could do")]
+    world: Annotated[str, doc.about("the same in words; may be empty")]
+    written: Annotated[str, doc.about("the event as a schedule has it, as `0L`, `0M+1L:2`")]
+    darts: Annotated[
+        tuple[Dart | None, ...], doc.about("of each robot after it; null: it is no more")
+    ]
+    vertices: Annotated[
+        doc.IfAny[dict[str, str]], doc.about("words at vertices after it, by their numbers")
+    ]
+    edges: Annotated[
+        doc.IfAny[dict[str, str]], doc.about("words at edges after it, by the smaller dart")
+    ]
+
+
+class TimeDocument(doc.Document, forbid_unknown_fields=False):
+    """The schedules that are tried."""
+
+    scheduler: Annotated[Scheduler, doc.about("who is activated at once")]
+    budget: Annotated[doc.Natural, doc.about("the most activations of a robot")]
+    lead: Annotated[
+        doc.IfAny[doc.Natural | None], doc.about("how many activations a robot may be ahead")
+    ] = None
+    start_delay: Annotated[
+        doc.IfAny[doc.Natural], doc.about("by how many rounds robot 1 may begin later")
+    ] = 0
+    within: Annotated[doc.IfAny[bool], doc.about("whether the budget is a bound")] = False
+
+    @classmethod
+    def of(cls, time: Time) -> TimeDocument:
+        """The document of these schedules."""
+        return cls(
+            scheduler=time.scheduler,
+            budget=time.budget,
+            lead=time.lead,
+            start_delay=time.start_delay,
+            within=time.within,
+        )
+
+    @property
+    def time(self) -> Time:
+        """The schedules."""
+        return Time(self.scheduler, self.budget, self.lead, self.start_delay, self.within)
+
+    @property
+    def arguments(self) -> list[str]:
+        """The arguments of the command line that ask for them."""
+        words = ["--scheduler", self.scheduler]
+        words += ["--within" if self.within else "--budget", str(self.budget)]
+        words += [] if self.lead is None else ["--lead", str(self.lead)]
+        words += ["--start-delay", str(self.start_delay)] if self.start_delay else []
+        return words
+
+
+class TeamFinding(doc.Document, forbid_unknown_fields=False, kw_only=True):
+    """Finding of a team.
+
+    A shortest run that breaks a law, in the smallest world in which one does.
+    """
+
+    version: Annotated[Literal[1], doc.about("the version of findings of teams")] = 1
+    law: Annotated[str, doc.about("the broken law")]
+    seen: Annotated[str, doc.about("how it is broken, in words")]
+    sigma: Sigma
+    alpha: Alpha
+    starts: Annotated[tuple[Dart, ...], doc.about("the dart of each robot at the start")]
+    model: Annotated[str, doc.about("the name of the model of the world")]
+    model_digest: Annotated[
+        doc.IfAny[str], doc.about("the SHA-256 of the file of a model of one's own")
+    ] = ""
+    programs: Annotated[tuple[str, ...], doc.about("the program of each robot")]
+    time: Annotated[TimeDocument, doc.about("the schedules that were tried")]
+    first: Annotated[doc.Natural, doc.about("the index of the state at the start")] = 0
+    events: Annotated[tuple[EventRow, ...], doc.about("from the start on")]
+    loop: Annotated[
+        doc.Natural, doc.about("how many of the last events repeat for ever; 0: the run ends")
+    ] = 0
+    robot: Annotated[
+        doc.IfAny[doc.Natural | None], doc.about("whose program is to blame, if it is one")
+    ] = None
+    detail: Annotated[
+        doc.IfAny[str], doc.about("a traceback, or the end of a program's stderr")
+    ] = ""
+    minimal: Annotated[bool, doc.about("no smaller world of the scope refutes")] = False
+
+    @doc.computed
+    def schedule(self) -> str:
+        """The schedule of its events, as `run` takes it."""
+        return " ".join(event.written for event in self.events)
+
+    @doc.computed
+    def reproduce(self) -> str:
+        """A shell command that searches this world again."""
+        named = [word for name in self.team for word in named_on_command_line(name)]
+        world = json.dumps({"sigma": self.sigma, "alpha": self.alpha}, separators=(",", ":"))
+        words = ["allworlds", "team", *named, "--model", self.model]
+        words += ["--robots", str(len(self.starts)), *self.time.arguments, "--world", world]
+        words += ["--starts", ",".join(map(str, self.starts))]
+        return shlex.join(words)
+
+    @property
+    def team(self) -> tuple[str, ...]:
+        """The programs as one names them: one, if all are the same."""
+        return self.programs[:1] if len({*self.programs}) == 1 else self.programs
+
+    @cached_property
+    def map(self) -> CombinatorialMap:
+        """The map."""
+        return CombinatorialMap(self.sigma, self.alpha)
+
+    @cached_property
+    def key(self) -> tuple[int, int, Code, tuple[int, ...]]:
+        """The order of findings: edges, vertices, canonical code, starts."""
+        map_ = self.map
+        return map_.edge_count, map_.vertex_count, rooted_code(*self._code, 0), self.starts
+
+    @property
+    def rank(self) -> tuple[Any, ...]:
+        """The order of findings, of one world by the law."""
+        return self.key, [*LAWS].index(self.law)
+
+    @cached_property
+    def kind(self) -> tuple[str, Code]:
+        """The kind of the finding: the law, and the map, whatever its root."""
+        return self.law, min(rooted_code(*self._code, dart) for dart in self.map.darts)
+
+    @property
+    def _code(self) -> tuple[tuple[int, ...], tuple[int, ...]]:
+        return self.map.sigma, self.map.alpha
+
+    @property
+    def text(self) -> str:
+        """The text of its file."""
+        return json.dumps(self.to_json(), indent=1) + "\n"
+
+    @property
+    def file_name(self) -> str:
+        """The name of its file: ``LAW-mMnN-DIGEST.json``."""
+        size = f"m{self.map.edge_count}n{self.map.vertex_count}"
+        return f"{self.law}-{size}-{digest_of(self.text)}.json"
+
+    @classmethod
+    def from_json(cls, document: Mapping[str, Any]) -> TeamFinding:
+        """The finding of :meth:`to_json`'s document.
+
+        Raises:
+            InputError: naming the offending value and what would be legal.
+        """
+        if (law := document.get("law")) not in LAWS:
+            raise InputError(f"law {show(law)} is not one of {', '.join(LAWS)}")
+        if document.get("version") != 1:
+            version = show(document.get("version"))
+            raise InputError(f"finding of a team of version {version}; this program reads 1")
+        return parse(document, cls, "finding")
+
+
+def is_of_team(document: object) -> bool:
+    """Whether a document is the finding of a team."""
+    return isinstance(document, Mapping) and "model" in document and "starts" in document
+
+
+def finding_of(
+    search: Search, broken: Broken, model: str, digest: str, programs: tuple[str, ...]
+) -> TeamFinding:
+    """The finding of a search that has found something."""
+    map_, first = search.world.map, search.way(broken.at)[0]
+    fault = None
+    events = [*events_of(search, broken)]
+    if events and broken.robot is not None:
+        fault = next((t.did for t in events[-1].turns if type(t.did) is Fault), None)
+    return TeamFinding(
+        law=broken.law,
+        seen=broken.seen,
+        sigma=map_.sigma,
+        alpha=map_.alpha,
+        starts=tuple(search.starts),
+        model=model,
+        model_digest=digest,
+        programs=programs,
+        time=TimeDocument.of(search.time),
+        first=search.came(first).adversary,
+        events=tuple(event_row(search, event) for event in events),
+        loop=len(broken.cycle),
+        robot=broken.robot,
+        detail=fault.detail if fault else "",
+    )
+
+
+def event_row(search: Search, event: Event) -> EventRow:
+    """An event as a finding has it."""
+    shown = search.world.places(event.state)
+    return EventRow(
+        robots=tuple(map(_turned, event.turns)),
+        adversary=event.adversary,
+        world=event.world,
+        written=event.written,
+        darts=shown.darts,
+        vertices={str(vertex): words for vertex, words in shown.vertices.items()},
+        edges={str(edge): words for edge, words in shown.edges.items()},
+    )
+
+
+PHASES = {"L": "look", "M": "move", "": "whole"}
+"""The phases of turns, by their letters in schedules."""
+
+
+def _turned(turn: Turn) -> Turned:
+    phase: Any = PHASES[turn.phase]
+    return Turned(
+        robot=turn.robot, phase=phase, sensed=_sensed_json(turn.sensed), did=str(turn.did)
+    )
+
+
+def _sensed_json(sensed: Sensed | None) -> Any:
+    if sensed is None:
+        return None
+    percept = percept_of(sensed)
+    return percept.to_json() if isinstance(percept, Percept) else percept
+
+
+def places_of(row: EventRow) -> Places:
+    """What a picture shows after an event."""
+    vertices = {int(vertex): words for vertex, words in row.vertices.items()}
+    edges = {int(edge): words for edge, words in row.edges.items()}
+    return Places(row.darts, vertices, edges)

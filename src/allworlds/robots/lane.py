@@ -1,0 +1,178 @@
+"""A lane of searches: it searches the worlds of units, and asks the players of each program.
+
+unit --> searches, in lockstep --> first players, a message a layer --> findings
+                                   second players at the end: every history again, the same?
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import islice
+from typing import Any
+
+from allworlds.documents.document import replace
+from allworlds.engines.batch import FIRST, SECOND
+from allworlds.engines.hash_seeds import seeds_of
+from allworlds.engines.limits import Limits
+from allworlds.engines.units import PartialResult
+from allworlds.protocol.turns import BEGIN
+from allworlds.robots.asked import Asked, Difference, difference
+from allworlds.robots.configurations import Search, in_lockstep
+from allworlds.robots.finding import finding_of
+from allworlds.robots.graph import Broken
+from allworlds.robots.minds import Minds
+from allworlds.robots.same import ensure_same_model
+from allworlds.robots.team import Team, TeamScope, TeamTally
+
+AT_ONCE = 2000
+"""The searches that go in lockstep."""
+
+SAME_TO = 2
+"""The largest m of the maps in which the model is asked again, and with other names of darts."""
+
+
+class SearchLane:
+    """A lane of searches.
+
+    Args:
+        team: the programs.
+        counter: the scope.
+        limits: of the time for an answer, and of memory.
+        first_lane: whether it is the first of all; nothing depends on it here.
+        deadline: past which no player is waited for, or None.
+    """
+
+    keeps = False
+
+    def __init__(
+        self,
+        team: Team,
+        counter: TeamScope,
+        limits: Limits,
+        *,
+        first_lane: bool = True,  # noqa: ARG002  # as other lanes have it
+        deadline: float | None = None,
+    ) -> None:
+        self.counter = counter
+        self._tally = counter.tally()
+        self._players: list[list[Asked]] = [[], []]
+        for subject in team.subjects:
+            for play, seed in zip((FIRST, SECOND), seeds_of(subject), strict=True):
+                asked = Asked(subject, limits, deadline, seed, self._remark)
+                self._players[play].append(asked)
+        self._units: list[Any] = []
+        self._parts: Iterator[TeamTally] | None = None
+
+    def offer(self, unit: Any) -> None:
+        """Take a unit."""
+        self._units.append(unit)
+
+    @property
+    def hungry(self) -> bool:
+        """Whether another unit could be begun."""
+        return not self._units
+
+    @property
+    def busy(self) -> bool:
+        """Whether there is work."""
+        return bool(self._units)
+
+    def turn(self, others: Sequence[int] = ()) -> list[PartialResult]:  # noqa: ARG002  # they wait
+        """Go on with some searches; return the part of the unit that is done.
+
+        Raises:
+            InputError: if a program cannot be loaded, or of the model.
+        """
+        unit = self._units[0]
+        self._parts = self._parts or self._of(unit)
+        part = next(self._parts, None)
+        if part is not None:
+            return [PartialResult(unit, part, last=False)]
+        self._parts = None
+        del self._units[0]
+        return [PartialResult(unit, self.counter.tally(), last=True)]
+
+    def end(self) -> TeamTally:
+        """What is left at the end: nothing."""
+        return self.counter.tally()
+
+    def close(self) -> None:
+        """End all players."""
+        for players in self._players:
+            for player in players:
+                player.close()
+
+    def _remark(self, text: str) -> None:
+        self._tally.remarks[text] += 1
+
+    def _of(self, unit: Any) -> Iterator[TeamTally]:
+        """The parts of a unit; the last one has what the second players have shown."""
+        for player in (*self._players[FIRST], *self._players[SECOND]):
+            player.forget()
+        minds = Minds(self._players[FIRST])
+        every = self.counter.searches(unit, minds)
+        while some := [*islice(every, AT_ONCE)]:
+            searches = [search for _, search in some if isinstance(search, Search)]
+            in_lockstep(searches, minds)
+            self._tally = self.counter.tally()
+            for new, search in some:
+                world = search.world if isinstance(search, Search) else search
+                self._tally.row(world.map).maps += new
+                if isinstance(search, Search):
+                    self._count(search)
+            yield self._tally
+        self._tally = self.counter.tally()
+        for program, again in enumerate(self._players[SECOND]):
+            if found := difference(minds.kept[program], again):
+                self._blame(unit, minds, program, found)
+        yield self._tally
+
+    def _count(self, search: Search) -> None:
+        map_, tally = search.world.map, self._tally
+        tally.row(map_).count(search)
+        if search.found and tally.wants(map_):
+            tally.find(self._finding(search, search.found))
+        if search.unfinished and tally.wants(map_, unfinished=True):
+            most = self.counter.time.budget
+            seen = f"the run goes on after {most} activations of each robot"
+            cut = Broken("budget", seen, search.shortest)
+            tally.find(self._finding(search, cut), unfinished=True)
+        if map_.edge_count <= SAME_TO:
+            ensure_same_model(search)
+
+    def _finding(self, search: Search, broken: Broken) -> Any:
+        scope = self.counter
+        return finding_of(search, broken, scope.name, scope.digest, scope.team.names)
+
+    def _blame(self, unit: Any, minds: Minds, program: int, found: Difference) -> None:
+        """Find the first world in which the program senses what it does not answer alike."""
+        for _, search in self.counter.searches(unit, minds):
+            if not isinstance(search, Search):
+                continue
+            in_lockstep([search], minds)
+            if at := _met(search, program, found, minds):
+                number, group, robot = at
+                seen = f"{found.first} in one play, {found.second} in another"
+                broken = Broken("nondeterministic", seen, number, group, robot=robot)
+                self._tally.find(replace(self._finding(search, broken)))
+                return
+
+
+def _met(
+    search: Search, program: int, found: Difference, minds: Minds
+) -> tuple[int, tuple[int, ...], int] | None:
+    """Where in a search a robot senses what is said, with the group that is activated."""
+    _, before, sensed = found.row
+    for number in range(len(search)):
+        _, of_robots, _ = search.configuration(number)
+        for robot, mind in enumerate(of_robots):
+            if search.team[robot] != program or mind < 0:
+                continue
+            if before != BEGIN and search.percept(number, robot) != sensed:
+                continue
+            if minds.precedes(mind, before):
+                able, _ = search.able(number)
+                groups = [group for group in search.time.groups(able) if robot in group]
+                if groups:
+                    return number, groups[0], robot
+    return None

@@ -1,0 +1,72 @@
+"""Whether a model answers the same again, and does not depend on the numbers of darts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from allworlds.robots.configurations import Search, in_lockstep
+from allworlds.robots.events import event_of
+from allworlds.robots.model import Guarded, ModelFault
+
+
+def ensure_same_model(search: Search) -> None:
+    """Ask the model again for all of a search, the last first; then with other names of darts.
+
+    Raises:
+        ModelFault: if it answers otherwise, or tells renumbered darts apart.
+    """
+    _ensure_same_answers(search)
+    if search.full:
+        return
+    for names in _other_names(len(search.world.map.sigma)):
+        _ensure_same_verdict(search, names)
+
+
+def _ensure_same_answers(search: Search) -> None:
+    world, name = search.world, search.world.name
+    for number in reversed(range(len(search.states))):
+        state = search.states[number]
+        for robot in range(len(search.team)):
+            sensed = search.sensed_first(number, robot)
+            if sensed is not None and world.sensed(state, robot) != sensed:
+                raise ModelFault(
+                    f"the model {name!r} is not the same twice: robot {robot} senses something "
+                    f"else in one state, {state!r}"
+                )
+    for number in reversed(range(len(search))):
+        for step in search.graph.steps(number):
+            reached = search.states[search.state_number(search.graph.to[step])]
+            if event_of(search, search.step(number, step)).state != reached:
+                raise ModelFault(
+                    f"the model {name!r} is not the same twice: another state follows "
+                    f"{search.states[search.state_number(number)]!r} after the same actions"
+                )
+
+
+def _other_names(darts: int) -> list[list[int]]:
+    """Some permutations of the darts."""
+    turned = [(dart + 1) % darts for dart in range(darts)]
+    return [turned, [darts - 1 - dart for dart in range(darts)]]
+
+
+def _ensure_same_verdict(search: Search, names: Sequence[int]) -> None:
+    map_ = search.world.map.relabelled(names)
+    world = Guarded(search.world.model, map_, search.world.name)
+    starts = [names[dart] for dart in search.starts]
+    other = Search(world, starts, search.team, search.minds, search.time)
+    in_lockstep([other], search.minds)
+    if _verdict(search) != _verdict(other):
+        first, second = (_verdict(each)[0] or "no law" for each in (search, other))
+        raise ModelFault(
+            f"the model {world.name!r} tells renumbered darts apart: {first} is broken in the map "
+            f"sigma={[*search.world.map.sigma]} alpha={[*search.world.map.alpha]}, and {second} "
+            f"with the darts renamed to {[*names]}"
+        )
+
+
+def _verdict(search: Search) -> tuple[str, int]:
+    """The law that is broken, and after how many events, where that is the least number."""
+    found = search.found
+    if found is None:
+        return "", len(search)
+    return found.law, 0 if found.cycle else len(search.way(found.at))

@@ -1,0 +1,213 @@
+"""A team under test: its programs, its model, its schedules; and what its searches have shown."""
+
+from __future__ import annotations
+
+from bisect import insort
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Annotated, Any
+
+from msgspec import Struct
+
+from allworlds.engines.job_records import Form
+from allworlds.engines.units import LevelUnit
+from allworlds.explorers.loading import Subject
+from allworlds.maps.classes import Extent
+from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.robots.configurations import Search
+from allworlds.robots.finding import TeamFinding
+from allworlds.robots.minds import Minds
+from allworlds.robots.model import Guarded, Model
+from allworlds.robots.schedulers import Time
+
+
+class Team(Struct, frozen=True, weakref=True):
+    """The programs of a team.
+
+    Attributes:
+        subjects: each program once.
+        of: for each robot the number of its program.
+    """
+
+    subjects: tuple[Subject, ...]
+    of: tuple[int, ...]
+
+    from_user = True
+    compiled = False
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The program of each robot."""
+        return tuple(self.subjects[program].name for program in self.of)
+
+    @property
+    def name(self) -> str:
+        """The programs in words."""
+        return ", ".join(self.subjects[program].name for program in dict.fromkeys(self.of))
+
+    @property
+    def importable(self) -> bool:
+        """Whether all of them can be played in other processes."""
+        return all(subject.importable or not subject.from_user for subject in self.subjects)
+
+
+@dataclass(slots=True)
+class TeamRow:
+    """The counts of the worlds with one number of edges and of vertices.
+
+    Attributes:
+        maps: rooted maps.
+        worlds: maps with starts of all robots, that is searches.
+        configurations: of all searches.
+        most: the largest number of them in a search.
+        ends: configurations in which a run ends.
+        cut_off: those in which the budget cuts one off.
+        full: searches that were ended because they have too many configurations.
+        longest: the largest number of activations of a robot in a run that ends.
+        schedules: the number of maximal runs; None where they are infinitely many, or not known.
+    """
+
+    maps: int = 0
+    worlds: int = 0
+    configurations: int = 0
+    most: int = 0
+    ends: int = 0
+    cut_off: int = 0
+    full: int = 0
+    longest: int = 0
+    schedules: int | None = 0
+
+    def add(self, other: TeamRow) -> None:
+        """Take in the counts of another part."""
+        self.maps += other.maps
+        self.worlds += other.worlds
+        self.configurations += other.configurations
+        self.most = max(self.most, other.most)
+        self.ends += other.ends
+        self.cut_off += other.cut_off
+        self.full += other.full
+        self.longest = max(self.longest, other.longest)
+        known = self.schedules is not None and other.schedules is not None
+        self.schedules = (self.schedules or 0) + (other.schedules or 0) if known else None
+
+    def count(self, search: Search) -> None:
+        """Take in a search."""
+        unknown = search.found or search.unfinished or search.full
+        self.add(
+            TeamRow(
+                worlds=1,
+                configurations=len(search),
+                most=len(search),
+                ends=search.ends,
+                cut_off=search.unfinished,
+                full=int(search.full),
+                longest=search.longest,
+                schedules=None if unknown else search.schedules(),
+            )
+        )
+
+
+def to_record(finding: TeamFinding) -> dict[str, Any]:
+    """The finding as a run directory keeps it."""
+    return finding.to_json()
+
+
+Kept = Annotated[TeamFinding, Form(to_record, TeamFinding.from_json)]
+
+
+@dataclass(slots=True)
+class TeamTally:
+    """The sum of all searches of a part of a job.
+
+    Attributes:
+        keep: the number of findings that are kept, each the smallest of its law and map.
+        rows: by (edges, vertices).
+        findings: the smallest, ascending.
+        unfinished: the smallest run that the budget cuts off, at most one.
+        remarks: events that refute nothing, each with its number of occurrences.
+    """
+
+    keep: int = 1
+    rows: dict[tuple[int, int], TeamRow] = field(default_factory=dict)
+    findings: list[Kept] = field(default_factory=list)
+    unfinished: list[Kept] = field(default_factory=list)
+    remarks: Counter[str] = field(default_factory=Counter)
+
+    @property
+    def worlds(self) -> int:
+        """The number of rooted maps."""
+        return sum(row.maps for row in self.rows.values())
+
+    def row(self, map_: CombinatorialMap) -> TeamRow:
+        """The row of the size of a map."""
+        return self.rows.setdefault((map_.edge_count, map_.vertex_count), TeamRow())
+
+    def find(self, finding: TeamFinding, *, unfinished: bool = False) -> None:
+        """Keep a finding if it is among the smallest; of one law and map the smallest alone."""
+        held, most = (self.unfinished, 1) if unfinished else (self.findings, self.keep)
+        for place, kept in enumerate(held):
+            if kept.kind == finding.kind:
+                if kept.rank <= finding.rank:
+                    return
+                del held[place]
+                break
+        insort(held, finding, key=lambda each: each.rank)
+        del held[most:]
+
+    def wants(self, map_: CombinatorialMap, *, unfinished: bool = False) -> bool:
+        """Whether a finding of that size could be among the smallest."""
+        held, most = (self.unfinished, 1) if unfinished else (self.findings, self.keep)
+        size = map_.edge_count, map_.vertex_count
+        return len(held) < most or size <= held[-1].key[:2]
+
+    def add(self, other: TeamTally) -> None:
+        """Take in another part's tally."""
+        for size, row in other.rows.items():
+            self.rows.setdefault(size, TeamRow()).add(row)
+        for finding in other.findings:
+            self.find(finding)
+        for finding in other.unfinished:
+            self.find(finding, unfinished=True)
+        self.remarks.update(other.remarks)
+
+
+class TeamScope(Struct, frozen=True):
+    """The searches of units, and their counting: the engine of a team.
+
+    Attributes:
+        extent: of the maps.
+        model: of their worlds.
+        name, digest: of the model.
+        team: the programs.
+        time: the schedules.
+        keep: the number of findings that are kept.
+        starts: the only ones that are tried; None: those of the model.
+    """
+
+    extent: Extent
+    model: Model
+    name: str
+    digest: str
+    team: Team
+    time: Time
+    keep: int
+    starts: tuple[int, ...] | None = None
+
+    def tally(self) -> TeamTally:
+        """An empty tally."""
+        return TeamTally(self.keep)
+
+    def searches(self, unit: LevelUnit, minds: Minds) -> Iterator[tuple[bool, Search | Guarded]]:
+        """The searches of a unit, in a fixed order; a map without a start by itself.
+
+        Each with whether its map is a new one.
+        """
+        for map_ in unit.maps(self.extent):
+            world, first = Guarded(self.model, map_, self.name), True
+            starts = [self.starts] if self.starts else world.starts(len(self.team.of))
+            for start in starts:
+                yield first, Search(world, start, self.team.of, minds, self.time)
+                first = False
+            if first:
+                yield True, world
