@@ -99,7 +99,7 @@ VERBS = (
         "team",
         "Search every schedule of several robots in worlds that change.",
         panel=EVERYDAY,
-        has=(ROWS, CASES),
+        has=(ROWS, CASES, FINDINGS),
         swept=True,
         example="waits.py:wait searches.py:search --model meeting:labels=true --edges 3",
         help=(

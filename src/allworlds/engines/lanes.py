@@ -20,7 +20,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
 from itertools import islice
 from random import Random
-from typing import TYPE_CHECKING, NoReturn, Self
+from typing import TYPE_CHECKING, Any, NoReturn, Self
 
 from msgspec import Struct, field
 
@@ -125,7 +125,7 @@ class Lanes(Struct):
     here: bool = True
     apart: bool = False
     models: bool = False
-    make: Callable[..., Lane] = Lane
+    make: Callable[..., Any] = Lane
     _until: float = 0.0
     _lane: Lane | None = None
     _processes: list[_Process] = field(default_factory=list)
@@ -287,7 +287,7 @@ def workers_for(
     deadline: float | None = None,
     *,
     models: bool = False,
-    make: Callable[..., Lane] = Lane,
+    make: Callable[..., Any] = Lane,
 ) -> Transport:
     """Lanes for an explorer.
 

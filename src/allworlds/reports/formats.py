@@ -28,6 +28,8 @@ from allworlds.judging.laws.law_table import ASKED
 from allworlds.notations.table import by_suffix, legal, to_write
 from allworlds.outcome import Verdict
 from allworlds.reports import parts, plain_text
+from allworlds.robots.finding import LAWS as TEAM_LAWS, TeamFinding
+from allworlds.studies.team import TeamReport
 from allworlds.version import __version__
 
 WIDTH = 100
@@ -136,15 +138,12 @@ LEVELS = {Verdict.ERROR: "error", Verdict.VACUOUS: "error", Verdict.INCONCLUSIVE
 
 def runner_commands(content: parts.ReportContent) -> str:
     """Commands, one for each finding at its line, as in SARIF; else for the verdict."""
-    from allworlds.reports.content.single_run import headline_of
-
     report: Any = content.result  # of a check
     head = content.headline
     assert head is not None
     root, place = _project(report.explorer)
     shown = [
-        (headline_of(found), plain_text.finding_in_words(found, WIDTH, i), _at(found, place, root))
-        for i, found in enumerate(report.findings, 1)
+        (*_told(found, i), _at(found, place, root)) for i, found in enumerate(report.findings, 1)
     ]
     kind, commands = "error" if shown else LEVELS.get(report.verdict, "notice"), []
     verdict = f"allworlds: {head.word}", f"{report.explorer}: {head.text}", place
@@ -156,12 +155,30 @@ def runner_commands(content: parts.ReportContent) -> str:
     return "".join(commands)
 
 
-def _at(finding: Finding, place: SourceLine | None, root: Path) -> SourceLine | None:
-    """The first wrong line, if it is known and stands in the repository; else that place."""
-    from allworlds.reports.content.single_run import wrong_line
-    from allworlds.studies.explain import explain
+def _told(finding: Finding | TeamFinding, number: int) -> tuple[str, str]:
+    """A finding in a line, and with its picture."""
+    if isinstance(finding, TeamFinding):
+        from allworlds.reports.content import team
 
-    file, _, line = wrong_line(finding, explain(finding).step).rpartition(":")
+        section = team.finding_section(finding, number)
+        return team.headline_of(finding), words.harmless(plain_text.text_of([section], WIDTH))
+    from allworlds.reports.content.single_run import headline_of
+
+    return headline_of(finding), plain_text.finding_in_words(finding, WIDTH, number)
+
+
+def _at(finding: Finding | TeamFinding, place: SourceLine | None, root: Path) -> SourceLine | None:
+    """The first wrong line, if it is known and stands in the repository; else that place.
+
+    Of a team that of the program that is to blame.
+    """
+    if isinstance(finding, TeamFinding):
+        blamed = place_of_explorer(finding.programs[finding.robot or 0])
+        return blamed if blamed and blamed.is_in(root) else place
+    from allworlds.reports.content.single_run import wrong_line
+    from allworlds.studies.explain import explained
+
+    file, _, line = wrong_line(finding, explained(finding).step).rpartition(":")
     wrong = SourceLine(Path(file).resolve(), int(line)) if file else None
     return wrong if wrong and wrong.is_in(root) and wrong.file.is_file() else place
 
@@ -210,7 +227,8 @@ def sarif(content: parts.ReportContent) -> str:
     report: Any = content.result  # of a check
     head = content.headline
     assert head is not None
-    rules = [_rule(law, asked) for law, asked in ASKED.items()]
+    asked_laws = TEAM_LAWS if isinstance(report, TeamReport) else ASKED
+    rules = [_rule(law, asked) for law, asked in asked_laws.items()]
     driver = {"name": "allworlds", "semanticVersion": __version__, "rules": rules}
     level = LEVELS.get(report.verdict)
     said = [(level, head.line)] if level else []
@@ -233,12 +251,12 @@ def sarif(content: parts.ReportContent) -> str:
     return words.harmless_json(json.dumps(log, indent=2)) + "\n"
 
 
-def _result(number: int, finding: Finding, place: SourceLine | None, root: Path) -> dict[str, Any]:
-    from allworlds.reports.content.single_run import headline_of
-
+def _result(
+    number: int, finding: Finding | TeamFinding, place: SourceLine | None, root: Path
+) -> dict[str, Any]:
     place = _at(finding, place, root)
-    text = plain_text.finding_in_words(finding, WIDTH, number)
-    head = f"{headline_of(finding)}."
+    head, text = _told(finding, number)
+    head += "."
     if place is None:
         head += " The explorer is no file of this repository, so this stands where it is checked."
         place = _place_of_check(root)
@@ -303,6 +321,8 @@ MAKERS = {
     "sizes.worst_content": ("WorstReport",),
     "sizes.count_content": ("Census",),
     "team.team_content": ("TeamReport",),
+    "team.team_replay_content": ("TeamReplay",),
+    "team.team_explain_content": ("TeamExplanation",),
     "ambiguity.twins_content": ("ComparedWorlds",),
     "ambiguity.class_content": ("AmbiguityClass",),
     "ambiguity.census_content": ("AmbiguityCensus",),

@@ -13,6 +13,8 @@ from msgspec import Struct
 from allworlds.engines.job_records import Form
 from allworlds.engines.units import LevelUnit
 from allworlds.explorers.loading import Subject
+from allworlds.explorers.sources import content_digest, not_alike, with_content
+from allworlds.inputs.checks import InputError, show
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.robots.configurations import Search
@@ -45,6 +47,32 @@ class Team(Struct, frozen=True, weakref=True):
     def name(self) -> str:
         """The programs in words."""
         return ", ".join(self.subjects[program].name for program in dict.fromkeys(self.of))
+
+    @property
+    def digests(self) -> tuple[str, ...]:
+        """The digest of each program's text."""
+        return tuple(map(content_digest, self.subjects))
+
+    @property
+    def with_content(self) -> Team:
+        """The team with the texts that other machines need.
+
+        Raises:
+            InputError: for a program that lives in this process alone.
+        """
+        for subject in self.subjects:
+            if subject.from_user and not subject.importable:
+                raise InputError(
+                    f"program {show(subject.name)} lives in this process alone and cannot be sent "
+                    "to others; put it into a file of its own"
+                )
+        return Team(tuple(map(with_content, self.subjects)), self.of)
+
+    def not_alike(self, digests: tuple[str, ...], answer_timeout: float) -> str:
+        """The reason why a program is another one here; empty if none is."""
+        pairs = zip(self.subjects, digests, strict=True)
+        found = (not_alike(subject, digest, answer_timeout) for subject, digest in pairs)
+        return next(filter(None, found), "")
 
     @property
     def importable(self) -> bool:

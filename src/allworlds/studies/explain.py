@@ -20,6 +20,8 @@ from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import LawName
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol.actions import Estimate
+from allworlds.robots.finding import TeamFinding
+from allworlds.studies.team import TeamExplanation
 from allworlds.world.world import World
 
 
@@ -73,13 +75,13 @@ class Explanation(Report):
 class ExplainRequest(Request, kw_only=False):
     """Request of ``explain``: the finding, and its place in its report."""
 
-    finding: Annotated[Finding, "the finding"]
+    finding: Annotated[Finding | TeamFinding, "the finding"]
     number: Annotated[int, "the number of the finding in its report, from 1 on"] = 1
     findings: Annotated[int, "how many findings the report holds"] = 1
 
 
 @answers(ExplainRequest)
-def explain(request: ExplainRequest) -> Explanation:
+def explain(request: ExplainRequest) -> Explanation | TeamExplanation:
     """Explain the finding in plain words.
 
     Raises:
@@ -87,8 +89,15 @@ def explain(request: ExplainRequest) -> Explanation:
             none.
     """
     finding = request.finding
+    if isinstance(finding, TeamFinding):
+        return TeamExplanation(finding=finding, number=request.number, findings=request.findings)
     if not isinstance(finding, Finding):
         raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
+    return explained(finding, request.number, request.findings)
+
+
+def explained(finding: Finding, number: int = 1, findings: int = 1) -> Explanation:
+    """The explanation of a finding of one robot; raises as :func:`explain` does."""
     story = Story(finding)
     telling = teller_of(finding.law)(story)
     return Explanation(
@@ -98,7 +107,7 @@ def explain(request: ExplainRequest) -> Explanation:
         answer=telling.answer,
         other=telling.other,
         slip=telling.slip or None,
-        number=request.number,
-        findings=request.findings,
+        number=number,
+        findings=findings,
         finding=finding,
     )

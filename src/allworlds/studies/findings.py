@@ -5,12 +5,13 @@ from typing import Annotated, NamedTuple
 from allworlds.inputs.checks import InputError, in_file, integer_of, parse_json, read_text
 from allworlds.inputs.requests import SCOPE, Argument, Option, OptionGroup, Request
 from allworlds.judging.findings.finding import Finding, findings_of
+from allworlds.robots.finding import TeamFinding, is_of_team
 
 
 class ChosenFinding(NamedTuple):
     """A finding, its number in its report, from 1 on, and the number of findings there."""
 
-    finding: Finding
+    finding: Finding | TeamFinding
     number: int = 1
     findings: int = 1
 
@@ -39,10 +40,12 @@ class FindingWords(Request):
             holds = f"findings 1 to {len(found)}" if len(found) > 1 else "1 finding"
             raise InputError(f"finding = {self.number} is not there: the file holds {holds}")
         with in_file(self.file):
-            finding = Finding.from_json(found[self.number - 1])
+            chosen = found[self.number - 1]
+            kind = TeamFinding if is_of_team(chosen) else Finding
+            finding = kind.from_json(chosen)
         return ChosenFinding(finding, self.number, len(found))
 
-    def value(self) -> Finding:
+    def value(self) -> Finding | TeamFinding:
         """The chosen finding alone, without its number."""
         return self.chosen().finding
 
@@ -50,4 +53,4 @@ class FindingWords(Request):
 class FindingOptions(Request, kw_only=False):
     """The part of a request that names a finding."""
 
-    finding: Annotated[Finding, OptionGroup(FindingWords, "the finding")]
+    finding: Annotated[Finding | TeamFinding, OptionGroup(FindingWords, "the finding")]

@@ -25,8 +25,10 @@ from allworlds.judging.rules import RuleOptions
 from allworlds.judging.walk import Walk
 from allworlds.outcome import Facts
 from allworlds.protocol.actions import Action, IllegalAction, Percept, Transcript
+from allworlds.robots.finding import TeamFinding
 from allworlds.studies.check import hints
 from allworlds.studies.findings import FindingOptions
+from allworlds.studies.team import TeamReplay, replayed
 from allworlds.world.lighthouses import kinds, marked
 from allworlds.world.named import HOLES, LIGHTHOUSE, WORLD, WorldOptions, world_named
 from allworlds.world.world import World
@@ -186,12 +188,13 @@ class Replay(Report):
 
 
 @answers(ReplayRequest)
-def replay(request: ReplayRequest) -> Replay:
+def replay(request: ReplayRequest) -> Replay | TeamReplay:
     """Run a finding's world again under its rules, with ``explore`` in place of its explorer.
 
     The recorded choices are repeated for the recorded explorer, as far as they fit: it may have
     been changed since.  Another one answers to the recorded policy.  After a finding of the law
-    ``nondeterministic`` the run is made up to :data:`TRIES` times.
+    ``nondeterministic`` the run is made up to :data:`TRIES` times.  Of a team the world of the
+    finding is searched again.
 
     Raises:
         InputError: if the explorer is not to be found, the finding's transcript is no walk in
@@ -199,6 +202,8 @@ def replay(request: ReplayRequest) -> Replay:
             named by ``explore``, too.
     """
     finding, explore = request.finding, request.explore
+    if isinstance(finding, TeamFinding):
+        return replayed(finding, explore, request)
     if not isinstance(finding, Finding):
         raise InputError(f"finding = {show(finding)} is no Finding; Finding.from_json makes one")
     limits = request.limits

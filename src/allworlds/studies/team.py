@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterator, Sequence
-from functools import cached_property
-from typing import Annotated, Any
+from functools import cached_property, partial
+from typing import Annotated, Any, Literal
 
 from typing_extensions import override
 
 from allworlds import outcome
 from allworlds.documents import document as doc
+from allworlds.documents.report import Report
 from allworlds.engines import lanes, single, sweep, units
 from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.job_records import Identity
-from allworlds.engines.limits import Limits, positive
+from allworlds.engines.limits import Limits, TimeoutOptions, positive
 from allworlds.engines.listeners import Listener
 from allworlds.explorers import sources
 from allworlds.inputs.checks import InputError, an_integer, integer_of, not_one_of, show
@@ -26,12 +28,14 @@ from allworlds.inputs.requests import (
     Option,
     OptionGroup,
     takes_fields,
+    values_of,
 )
 from allworlds.maps import combinatorial, count_source
 from allworlds.maps.classes import DEFAULT_EDGES, Extent, ExtentOptions
 from allworlds.maps.families import FORMS, family
 from allworlds.notations.given import GivenMap, GivenMaps, GivenOptions, held
-from allworlds.robots.finding import TeamFinding
+from allworlds.outcome import Facts, Verdict
+from allworlds.robots.finding import LAWS, TeamFinding
 from allworlds.robots.lane import SearchLane
 from allworlds.robots.model import SCHEDULERS, Model, Scheduler
 from allworlds.robots.models.table import NamedModel, model_of
@@ -41,6 +45,7 @@ from allworlds.studies.check.tally_sweep import record_of, subject_of_record
 from allworlds.studies.options import ClusterOptions, ListenerOptions, RunDirectoryOptions
 from allworlds.studies.scopes import FileDigests, GivenCount, told_scope
 from allworlds.studies.swept import PortionReport
+from allworlds.words import plural
 from allworlds.world import selection
 from allworlds.world.named import world_named
 
@@ -444,6 +449,16 @@ class TeamReport(PortionReport, kw_only=True):
         return next(iter(self.tally.unfinished), None)
 
     @property
+    @override
+    def seconds_by_part(self) -> dict[str, list[float]]:
+        return {"level_seconds": [*self.seconds]}
+
+    @property
+    def explorer(self) -> str:
+        """The name of the first program."""
+        return self.explorers[0]
+
+    @property
     def total(self) -> TeamRow:
         """The sum of all rows."""
         total = TeamRow()
@@ -539,12 +554,19 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
     def ready(self) -> ReadyEngine:
         where = self.extent.where
         models = bool(self.request.model.code or getattr(where, "codes", ()))
-        there = lanes.workers_for(
-            self.scope.team,  # type: ignore[arg-type]  # what a lane of searches takes
-            self.request.limits,
+        made: Any = partial(lanes.workers_for, models=models, make=SearchLane)
+        limits, team = self.request.limits, self.scope.team
+        if self.request.dask is None:
+            return ReadyEngine(made(team, limits, self.deadline), self.scope)
+        from allworlds.engines.dask import Dask
+
+        alone = doc.replace(limits, workers=1, time_limit=None)
+        there = Dask(
+            self.request.dask,
+            limits.workers,
             self.deadline,
-            models=models,
-            make=SearchLane,  # type: ignore[arg-type]  # a lane, too
+            inside=partial(made, team.with_content, alone),
+            probe=partial(team.not_alike, team.digests, limits.answer_timeout),
         )
         return ReadyEngine(there, self.scope)
 
@@ -584,6 +606,119 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
             seconds=tuple(self.seconds),
             levels=tuple(self._levels),
         )
+
+
+class TeamReplay(Report):
+    """Report of 'replay', of a team.
+
+    The search of a finding's world, made again.
+    """
+
+    again: Annotated[TeamReport, doc.about("the search of today")] = doc.key(name="search")
+    recorded: doc.NotInDocument[TeamFinding]
+    notice: doc.NotInDocument[str] = ""
+
+    @doc.computed
+    def law(self) -> doc.Text:
+        """The recorded one."""
+        return self.recorded.law
+
+    @doc.computed
+    def law_now(self) -> doc.Text | None:
+        """The law that is broken now; null: none."""
+        return self.again.findings[0].law if self.again.findings else None
+
+    @doc.computed
+    def outcome(self) -> Literal["reproduced", "fixed", "not-reproduced"]:
+        """``reproduced``: a law is broken again; ``fixed``: none is; else it is left open."""
+        if self.again.findings:
+            return "reproduced"
+        holds = self.again.verdict is Verdict.HOLDS
+        cut_off = self.recorded.law == "budget" and self.again.unfinished is not None
+        return "reproduced" if cut_off else "fixed" if holds else "not-reproduced"
+
+    @property
+    @override
+    def facts(self) -> Facts:
+        said = self.outcome
+        return Facts(fixed=said == "fixed", undecided=said == "not-reproduced")
+
+
+def replayed(finding: TeamFinding, explore: Any, limits: TimeoutOptions) -> TeamReplay:
+    """Search the world of a finding again, with another program in place of all if one is named.
+
+    Raises:
+        InputError: if a program or the model is not to be found, or the model has another text.
+    """
+    time = finding.time
+    model = model_of(finding.model)
+    if finding.model_digest and model.code is not None:
+        model.code.ensure_recorded(finding.model_digest)
+    request = TeamRequest(
+        explorers=(explore,) if explore is not None else finding.team,
+        model=model,
+        robots=len(finding.starts),
+        scheduler=time.scheduler,
+        budget=time.budget,
+        within=time.budget if time.within else None,
+        lead=time.lead,
+        start_delay=time.start_delay,
+        world=json.dumps({"sigma": finding.sigma, "alpha": finding.alpha}),
+        starts=finding.starts,
+        **values_of(TimeoutOptions, limits),
+    )
+    return TeamReplay(again=searched(request), recorded=finding)
+
+
+class TeamExplanation(Report):
+    """Report of 'explain', of a team.
+
+    The run of a finding, as a space-time diagram.
+    """
+
+    finding: TeamFinding
+    number: Annotated[doc.Positive, doc.about("of the finding in its report; 1: the first")]
+    findings: Annotated[doc.Positive, doc.about("how many findings the report holds")]
+
+    @doc.computed
+    def sentences(self) -> doc.Some[doc.Text]:
+        """In plain words."""
+        return tuple(told_of(self.finding))
+
+
+def told_of(finding: TeamFinding) -> Iterator[str]:
+    """A finding in a few sentences."""
+    yield f"{LAWS[finding.law]} Here it does not hold: {finding.seen}."
+    events = len(finding.events)
+    if finding.loop:
+        before = plural(events - finding.loop, "event")
+        yield f"After {before} the last {plural(finding.loop, 'event')} repeat for ever."
+        yield "In them every robot is activated, or cannot be: the schedule is fair."
+    elif events:
+        yield f"It is so after {plural(events, 'event')}, and in this world never after fewer."
+    late = [*_stale(finding)]
+    if late:
+        yield f"A move is done by what was sensed earlier: {'; '.join(late)}."
+    chosen = [event.world for event in finding.events if event.world]
+    if chosen:
+        yield f"The adversary: {'; '.join(dict.fromkeys(chosen))}."
+
+
+def _stale(finding: TeamFinding) -> Iterator[str]:
+    """The moves between whose look and themselves another robot has moved."""
+    looked: dict[int, int] = {}
+    moved: dict[int, int] = {}
+    for number, event in enumerate(finding.events, 1):
+        for turn in event.robots:
+            since = looked.get(turn.robot, number)
+            others = [at for robot, at in moved.items() if robot != turn.robot and at > since]
+            if turn.phase == "move" and others:
+                yield f"robot {turn.robot} looks in event {since} and moves in event {number}"
+        for turn in event.robots:
+            if turn.phase == "look":
+                looked[turn.robot] = number
+            else:
+                moved[turn.robot] = number
 
 
 def gate_of(extent: Extent, edges: int, tally: TeamTally) -> Iterator[TeamCell]:

@@ -190,9 +190,9 @@ def finding_section(
         title: in place of its number, its explorer and its law.
         checked: it comes from a check, which has confirmed it, or tried to.
     """
-    from allworlds.studies.explain import explain  # which a check that holds does not need
+    from allworlds.studies.explain import explained  # which a check that holds does not need
 
-    story, explanation = Story(finding), explain(finding)
+    story, explanation = Story(finding), explained(finding)
     title = title or f"Finding {number}: {headline_of(finding)}"
     said = "Copy the finding as JSON, for replay and explain"
     blocks = [

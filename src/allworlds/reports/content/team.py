@@ -15,11 +15,14 @@ from allworlds.reports import parts
 from allworlds.reports.content.scope import SAID, each_of, of_the_class, option_facts
 from allworlds.robots.finding import EventRow, TeamFinding, Turned
 from allworlds.robots.team import TeamRow
-from allworlds.studies.team import TeamReport
+from allworlds.studies.team import TeamExplanation, TeamReplay, TeamReport
 from allworlds.words import counted, number, plural, size
 
-NARROWEST, WIDEST = 10, 34
-"""The columns of a robot in a diagram."""
+WIDEST = 34
+"""The columns of a percept in a diagram."""
+
+SHOWN_EVENTS = 15
+"""The events at either end of a long run that its diagram shows."""
 
 TEAM_SAID = (
     *(*SAID, "model", "robots", "scheduler", "budget", "within", "lead", "start_delay"),
@@ -150,7 +153,44 @@ def size_table(report: TeamReport) -> parts.Table:
     return parts.Table(header, rows, "Finished levels", keys=2)
 
 
+def team_replay_content(replay: TeamReplay) -> parts.ReportContent:
+    """The search of today, where it breaks a law."""
+    names, outcome = ", ".join(dict.fromkeys(replay.again.explorers)), replay.outcome
+    now = replay.law_now or replay.law
+    text = f"law '{now}' is broken" + (" again" if now == replay.law else f", not '{replay.law}'")
+    said = parts.Headline("REPRODUCED", text, "refuted")
+    if outcome == "fixed":
+        said = parts.Headline("FIXED", f"{names}: no law is broken in the recorded world", "holds")
+    elif outcome == "not-reproduced":
+        text = f"{names}: a budget leaves it open whether a law is broken in the recorded world"
+        said = parts.Headline("NOT REPRODUCED", text, "inconclusive")
+    sections = [finding_section(found, i) for i, found in enumerate(replay.again.findings, 1)]
+    return parts.ReportContent(
+        "allworlds replay", names, replay, said, sections, apart=frozenset({"search"})
+    )
+
+
+def team_explain_content(told: TeamExplanation) -> parts.ReportContent:
+    """Sentences, and the diagram of the run."""
+    found = told.finding
+    sentences = [parts.Paragraph(sentence) for sentence in told.sentences]
+    section = parts.Section("run", "The run", [*_run(found)])
+    return parts.ReportContent(
+        "allworlds explain",
+        ", ".join(found.team),
+        told,
+        None,
+        [parts.Section("words", "", sentences), section],
+        apart=frozenset({"finding"}),
+    )
+
+
 # ---------------------------------------------------------------- a run
+
+
+def headline_of(found: TeamFinding) -> str:
+    """One line: the programs, the broken law and the world's size."""
+    return f"{', '.join(found.team)} breaks the law '{found.law}' with {size(*found.key[:2])}"
 
 
 def finding_section(found: TeamFinding, place: int) -> parts.Section:
@@ -199,6 +239,10 @@ def diagram(found: TeamFinding) -> str:
         before = event.darts
     widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
     lines = ["  ".join(_fitted(row, widths)).rstrip() for row in rows]
+    if len(lines) > 2 * SHOWN_EVENTS + 2:
+        hidden = len(lines) - 2 * SHOWN_EVENTS - 1
+        between = f"... {plural(hidden, 'event')}: all of them are in the JSON"
+        lines = [*lines[: SHOWN_EVENTS + 1], between, *lines[-SHOWN_EVENTS:]]
     if found.loop:
         lines.append("(the events with * repeat for ever)")
     return "\n".join(lines)
