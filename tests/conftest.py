@@ -125,13 +125,18 @@ def without_workers(monkeypatch):
             del seed  # of hashes: they are those of this process
             subject = loaded(setup.subject, setup.limits)
             explorer = subject.player(notice) if notice and subject.own else subject.player()
-            return PlayerHere(explorer, of_user=subject.from_user, prints=setup.prints)
+            return PlayerHere(
+                explorer, of_user=subject.from_user, prints=setup.prints, subject=subject
+            )
 
         for module in ("across", "plays", "single"):
             monkeypatch.setattr(f"allworlds.engines.{module}.started", player)
+        monkeypatch.setattr("allworlds.robots.asked.started", player)
         monkeypatch.setattr(
             "allworlds.engines.lanes.Lanes",
-            lambda subject, limits, deadline, *_: Lanes(subject, limits, deadline),
+            lambda subject, limits, deadline, *more: Lanes(
+                subject, limits, deadline, make=more[-1]
+            ),
         )
         monkeypatch.setattr("allworlds.explorers.program.Program._pass_stderr_on", lambda _: None)
         yield

@@ -65,7 +65,7 @@ if TYPE_CHECKING:
     from allworlds.studies.ledger import ledger as ledger
     from allworlds.studies.merge import merge as merge, status as status
     from allworlds.studies.run import play as play, replay as replay, run as run
-    from allworlds.studies.team import team as team
+    from allworlds.studies.team.search_sweep import team as team
     from allworlds.studies.worst.all_worlds import worst as worst
     from allworlds.version import __version__ as __version__
     from allworlds.world.lighthouses.base import Lighthouse as Lighthouse

@@ -100,6 +100,7 @@ def test_the_reference_of_the_package_has_every_name():
         "ambiguity",
         "claims",
         "maps",
+        "robots",
         "strategies",
         "testing",
         "world",

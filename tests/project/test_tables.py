@@ -39,6 +39,7 @@ from allworlds.outcome import Exit, Facts, Verdict
 from allworlds.protocol.choices import POLICIES, SEEDED, Schedule
 from allworlds.reports import schemas
 from allworlds.reports.formats import FORMATS, _maker as maker, formats_of, text
+from allworlds.robots.models.table import MODELS
 from allworlds.studies.ambiguity.question import SEARCHED
 from allworlds.studies.check.report import CheckedScope
 from allworlds.studies.compare.growth import GROWING
@@ -73,6 +74,7 @@ def section(text, heading):
 
 
 PROTOCOL = page("docs/protocol.md")
+ROBOTS = page("docs/robots.md")
 VERDICTS = page("docs/verdicts.md")
 
 # ---------------------------------------------------------------- verbs
@@ -107,9 +109,9 @@ def test_a_verb_is_a_function_of_the_package(name):
         assert verb.group in GROUPS
 
 
-def test_the_help_has_at_most_fifteen_entries_each_under_a_panel_that_issues_name():
+def test_the_help_has_at_most_sixteen_entries_each_under_a_panel_that_issues_name():
     entries = {verb.group or verb.name for verb in VERBS}
-    assert len(entries) <= 15
+    assert len(entries) <= 16
     panels = dict.fromkeys(verb.panel or GROUPS[verb.group].panel for verb in VERBS)
     assert [*panels] == [
         *("Everyday", "Long runs", "Costs", "Worlds"),
@@ -164,6 +166,7 @@ ONLY_CLI = {
     "replay": {"explorer", "command", "native", "file", "number"},
     "explain": {"file"},
     "compare": {"command", "native"},
+    "team": {"command", "native"},
 }
 ONLY_PYTHON = {
     "check": {"explore"},
@@ -365,6 +368,11 @@ def test_no_lighthouse_is_left_out_of_its_table():
         and isinstance(vars(kind).get("kind"), str)
     }
     assert kinds == set(LIGHTHOUSES.values())
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_every_model_is_told(model):
+    assert model in rows(section(ROBOTS, "Models"))
 
 
 @pytest.mark.parametrize("kind", LIGHTHOUSES)

@@ -1,6 +1,6 @@
 """Explorers for the recorded commands: each wrong in a way of its own, none by the clock."""
 
-from allworlds import CombinatorialMap, Estimate, Move
+from allworlds import Automaton, CombinatorialMap, Estimate, Move, Watch
 
 
 def stays(first):
@@ -38,3 +38,13 @@ def chooses(first, *, choices):
     """Walks where a choice leads it, and answers with one edge."""
     yield Move(choices.pick([0, 1], of="edge"))
     return Estimate(CombinatorialMap([0, 1], [1, 0]), 1)
+
+
+def waits(first):
+    """Waits until somebody comes."""
+    while True:
+        yield Watch()
+
+
+other_end = Automaton(None, lambda memory, percept: (None, Move(0)))
+"""Goes to and fro."""

@@ -39,6 +39,7 @@ LEAST = {
     "replay": "{findings}/lucky-guess.json",
     "explain": "{findings}/lucky-guess.json",
     "init": "{tmp}/least",
+    "team": "{recorded}/explorers.py:other_end --edges 1",
     "play": "theta -o {tmp}/least-play.html",
     "merge": "{run}",
     "status": "{run}",
@@ -94,6 +95,12 @@ COMMANDS = {
     "run-cluster": "run algorithm1-cluster k4 --json",
     "fuzz": "fuzz algorithm1 --edges 8 --runs 30 --json",
     "fuzz-wrong": "fuzz explorers.py:first_edge --edges 8 --runs 30 --seed 2 --json",
+    "team": "team explorers.py:other_end --edges 2 --json",
+    "team-text": "team explorers.py:waits explorers.py:other_end --edges 2",
+    "team-holds": "team explorers.py:other_end --scheduler central --edges 1 --json",
+    "team-cut-off": "team explorers.py:walks_for_ever --edges 1 --budget 3",
+    "replay-team": "replay team.json",
+    "explain-team": "explain team.json",
     "count": "count --edges 4 --json",
     "convert": "convert {plantri}/tri6.pl -o tri6.ec --json",
     "convert-text": "convert {plantri}/tri5.pl",
@@ -152,6 +159,7 @@ COMMANDS = {
 EXPLORERS = ("explorers.py", "features.py", "program.py")
 FILES = {
     "finding.json": "check explorers.py:first_edge --edges 3 --json",
+    "team.json": "team explorers.py:other_end --edges 2 --json",
     "crash.json": "check explorers.py:crashes --edges 3 --json",
 }
 BEFORE = {

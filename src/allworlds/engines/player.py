@@ -161,11 +161,9 @@ class _Server:
         _answer(LOGS, *logs_message(logs))
 
     def _take_turns(self, batch: dict[str, Any]) -> None:
-        from allworlds.protocol.turns import Turns
-
+        subject = self._subject
         if self._turns is None or batch.get("anew"):
-            explore, kept = self._subject.explore, not self._subject.program
-            self._turns = Turns(explore, self._player, self._beat, keeps=kept)
+            self._turns = turns_of(subject, self._player, self._beat)
         said = turns_taken(self._turns, batch)
         if os.getpid() != self._pid:
             os._exit(0)
@@ -223,8 +221,15 @@ def played(
     return logs
 
 
+def turns_of(subject: Subject, player: Player, beat: Any) -> Turns:
+    """The program as one asks it turn by turn, from the beginning."""
+    from allworlds.protocol.turns import Turns
+
+    return Turns(subject.explore, player, beat, keeps=not subject.program)
+
+
 def turns_taken(turns: Turns, batch: dict[str, Any]) -> list[bytes]:
-    """What a program says in the turns, or in the histories, of a batch."""
+    """The words of a program in the turns, or in the histories, of a batch."""
     if batch["kind"] == "histories":
         return turns.plays(batch["rows"])
     return turns.answers(batch["rows"], known=batch["known"])

@@ -406,20 +406,28 @@ class PlayerHere:
     Args:
         explorer: the explorer.
         of_user: whether it is a user's, whose prints are dropped.
+        subject: of the explorer, if it is a program that is asked turn by turn.
 
     Attributes:
         beat, description, files, part: as of a player.
         prints: those of the last job, if they are recorded.
-        turns: the explorer as one asks it turn by turn.
     """
 
     description = Description(frozenset(), has_shield=False)
     files: tuple[int, ...] = ()
     seed = None
-    turns: Any = None
 
-    def __init__(self, explorer: Explorer, *, of_user: bool = True, prints: bool = False) -> None:
+    def __init__(
+        self,
+        explorer: Explorer,
+        *,
+        of_user: bool = True,
+        prints: bool = False,
+        subject: Subject | None = None,
+    ) -> None:
         self._explorer, self._of_user, self._recorded = explorer, of_user, prints
+        self._subject = subject
+        self._turns: Any = None
         self.jobs: deque[tuple[Any, dict[str, Any]]] = deque()
         self.beat, self.part = [player.NO_RUN, 0], bytearray()
         self.prints = Prints()
@@ -435,12 +443,17 @@ class PlayerHere:
         job, message = self.jobs[0]
         sink = self.prints if self._recorded else Prints()
         with printing_to(sink) if self._of_user else nullcontext():
-            if message["kind"] in player.TURNS:
-                logs = player.turns_taken(self.turns, message)
-            else:
-                logs = player.played(message, self._explorer, self.beat)
+            logs = self._logs(message)
         self.jobs.popleft()
         return [(job, logs)]
+
+    def _logs(self, message: dict[str, Any]) -> list[bytes]:
+        if message["kind"] not in player.TURNS:
+            return player.played(message, self._explorer, self.beat)
+        if self._turns is None or message.get("anew"):
+            assert self._subject is not None
+            self._turns = player.turns_of(self._subject, self._explorer, self.beat)
+        return player.turns_taken(self._turns, message)
 
     def again(self) -> None:
         """Go on in this process, which cannot be replaced."""
@@ -501,7 +514,8 @@ def started(setup: Setup, seed: int, notice: Any = None) -> PlayerProcess | Play
     if subject.from_user and subject.importable:
         return fresh(setup, seed)
     explorer = subject.player(notice) if notice and not subject.from_user else subject.player()
-    return PlayerHere(explorer, of_user=subject.from_user, prints=setup.prints)
+    of_user, prints = subject.from_user, setup.prints
+    return PlayerHere(explorer, of_user=of_user, prints=prints, subject=subject)
 
 
 def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> Sequence[bytes]:

@@ -11,6 +11,8 @@ it is folded into the next :class:`Move`, or into ``here`` of the answer.
     the choices of an explorer: policies, and every schedule in turn;
 ``playing``, ``log``
     one run, played to its end, and the log that remains of it;
+``turns``
+    programs of several robots, asked turn by turn; automata;
 ``code_lines``
     the lines of the user's code that a play goes through, for findings;
 ``user_code``, ``importing``

@@ -99,7 +99,7 @@ class Turns:
         self._numbers: dict[Any, int] = {}
 
     def answers(self, rows: Sequence[Row], *, known: bool = False) -> list[bytes]:
-        """What the program says in each turn, as bytes of :func:`said`; rows before it are known.
+        """The words of the program in each turn, as bytes of :func:`said`.
 
         Args:
             rows: the turns.
@@ -117,7 +117,7 @@ class Turns:
         return found
 
     def plays(self, histories: Sequence[tuple[Any, Sequence[Sensed]]]) -> list[bytes]:
-        """All that the program says in each history: what was told, and the percepts.
+        """All words of the program in each history: what was told, and the percepts.
 
         Nothing of it is kept; of an automaton the memories are numbered as they are met.
         """
@@ -176,7 +176,7 @@ class Turns:
             self._before[number], self._sensed[number] = before, sensed
 
     def _turn(self, number: int) -> bytes:
-        """What the program says at the end of a history."""
+        """The words of the program at the end of a history."""
         generator = self._alive.pop(self._before[number], None)
         history, at = [self._sensed[number]], self._before[number]
         while generator is None and at in self._before:
@@ -225,7 +225,7 @@ def told_of(told: bytes | None) -> Any:
 
 
 def marshalled(number: int, letter: str, words: Any) -> bytes:
-    """What a program said, as bytes: see :func:`said`."""
+    """The words of a program, as bytes: see :func:`said`."""
     return marshal.dumps((number, letter, words))
 
 

@@ -29,7 +29,7 @@ from allworlds.notations.table import by_suffix, legal, to_write
 from allworlds.outcome import Verdict
 from allworlds.reports import parts, plain_text
 from allworlds.robots.finding import LAWS as TEAM_LAWS, TeamFinding
-from allworlds.studies.team import TeamReport
+from allworlds.studies.team.team_report import TeamReport
 from allworlds.version import __version__
 
 WIDTH = 100

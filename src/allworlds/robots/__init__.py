@@ -14,11 +14,11 @@ if TYPE_CHECKING:
     from allworlds.robots.model import (
         QUIET as QUIET,
         Assumption as Assumption,
-        Condition as Condition,
+        Liveness as Liveness,
         Model as Model,
         Places as Places,
         every_start as every_start,
     )
-    from allworlds.robots.one_world import Searched as Searched, search as search
+    from allworlds.robots.one_world import SearchOutcome as SearchOutcome, search as search
 else:
     open_door(__name__)

@@ -11,12 +11,12 @@ from itertools import islice
 from typing import Any, NamedTuple
 
 from allworlds.engines.limits import Limits
-from allworlds.engines.players import Lost, PlayerHere, Setup, Unsettled, answered, started
+from allworlds.engines.players import Lost, Setup, Unsettled, answered, started
 from allworlds.explorers.loading import Subject
 from allworlds.log import fault
 from allworlds.protocol.playing import AN_ACTION
-from allworlds.protocol.turns import BEGIN, FAULT, Row, Sensed, Turns, marshalled, said
-from allworlds.robots.minds import Kept, value_of
+from allworlds.protocol.turns import BEGIN, FAULT, Row, Sensed, marshalled, said
+from allworlds.robots.minds import AskedProgram, value_of
 
 MOST_LOST = 8
 """The number of turns in which a player may be lost before its program is given up."""
@@ -61,7 +61,7 @@ class Asked:
             self._player = None
 
     def answers(self, rows: Sequence[Row]) -> list[bytes]:
-        """What the program says in each turn.
+        """The words of the program in each turn.
 
         Raises:
             Unsettled: if players are lost in too many turns.
@@ -74,7 +74,7 @@ class Asked:
         return found
 
     def plays(self, histories: Sequence[tuple[Any, Sequence[Sensed]]]) -> Iterator[list[bytes]]:
-        """All that the program says in each history, in a play by itself."""
+        """All words of the program in each history, in a play by itself."""
         every = iter(histories)
         while some := [*islice(every, AT_ONCE)]:
             try:
@@ -93,7 +93,7 @@ class Asked:
             return [_fault(lost)]
 
     def _after(self, lost: Lost, rows: Sequence[Row]) -> list[bytes]:
-        """What the program says in turns in one of which its player was lost."""
+        """The words of the program in turns in one of which its player was lost."""
         at = min(max(0, self._player.beat[0]), len(rows) - 1)
         before = rows[:at]
         self._start()
@@ -141,8 +141,6 @@ class Asked:
     def _start(self) -> None:
         self.close()
         self._player = started(self._setup, self._seed)
-        if isinstance(self._player, PlayerHere):
-            self._player.turns = Turns(self._subject.explore, self._subject.player())
         self._anew = True
 
 
@@ -152,7 +150,7 @@ def _fault(lost: Lost) -> bytes:
 
 
 def said_of(answer: bytes) -> list[bytes]:
-    """All that was said in a history."""
+    """All words in a history."""
     return said(answer)  # type: ignore[return-value]  # a list here
 
 
@@ -184,7 +182,7 @@ class Difference(NamedTuple):
     second: str
 
 
-def histories_of(kept: Kept) -> list[History]:
+def histories_of(kept: AskedProgram) -> list[History]:
     """Histories in which every turn of a program comes, the longest ones of a trie."""
     came: dict[int, int] = {}  # by the number behind a turn: the turn that led there first
     inner = set[int]()
@@ -203,7 +201,7 @@ def histories_of(kept: Kept) -> list[History]:
     return found
 
 
-def difference(kept: Kept, again: Asked) -> Difference | None:
+def difference(kept: AskedProgram, again: Asked) -> Difference | None:
     """The first turn that is another one when every history is played again, the last one first."""
     histories = [history for history in histories_of(kept) if history.rows][::-1]
     sensed = [(told, [kept.rows[row][2] for row in rows]) for told, rows in histories]
@@ -224,7 +222,7 @@ def difference(kept: Kept, again: Asked) -> Difference | None:
     return min(found)[1] if found else None
 
 
-def _beginning(kept: Kept, told: Any) -> Iterator[int]:
+def _beginning(kept: AskedProgram, told: Any) -> Iterator[int]:
     for place, (_, before, heard) in enumerate(kept.rows):
         if before == BEGIN and heard == told:
             yield place

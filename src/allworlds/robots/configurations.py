@@ -12,18 +12,36 @@ from collections.abc import Iterable, Sequence
 from itertools import product
 from typing import Any
 
+from msgspec import Struct
+
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol.actions import IllegalAction, Wait, Watch
 from allworlds.protocol.turns import Sensed
 from allworlds.robots.cycles import broken_for_ever
 from allworlds.robots.events import event_of
-from allworlds.robots.graph import Broken, Graph, Step
-from allworlds.robots.minds import Ended, Fault, Minds
+from allworlds.robots.graph import Broken, Graph, GraphStep
+from allworlds.robots.minds import Ended, Minds, ProgramFault
 from allworlds.robots.model import Assumption, Guarded
 from allworlds.robots.schedulers import Time
 
-STILL = Wait, Watch, Ended, Fault
+STILL = Wait, Watch, Ended, ProgramFault
 """The values of minds that make no step of the world."""
+
+
+class Ends(Struct):
+    """The ends of runs in a search.
+
+    Attributes:
+        count: configurations in which a run ends.
+        longest: the largest number of activations of a robot in one of them.
+        cut_off: configurations in which the budget cuts a run off.
+        shortest: the first of them; -1 without one.
+    """
+
+    count: int = 0
+    longest: int = 0
+    cut_off: int = 0
+    shortest: int = -1
 
 
 class Search:
@@ -38,9 +56,8 @@ class Search:
 
     Attributes:
         found: what is broken, once it is known.
-        unfinished: the number of runs that the budget cuts off, and a shortest one.
+        ends: of runs.
         full: whether there are more configurations than are allowed.
-        longest: the largest number of activations of a robot in a run that ends.
     """
 
     def __init__(
@@ -49,14 +66,13 @@ class Search:
         self.world, self.starts, self.team = world, starts, team
         self.minds, self.time, self.graph = minds, time, Graph()
         self.found: Broken | None = None
-        self.unfinished, self.shortest, self.full = 0, -1, False
-        self.ends = self.longest = 0
+        self.ends, self.full = Ends(), False
         self._robots = range(len(team))
         self._slow = time.scheduler == "async"
         self._limited = False
         self._keys: list[tuple[Any, ...]] = []
         self._ids: dict[tuple[Any, ...], int] = {}
-        self._came = tuple(array("i") for _ in Step._fields)
+        self._came = tuple(array("i") for _ in GraphStep._fields)
         self.states: list[Any] = []
         self._state_ids: dict[Any, int] = {}
         self._sensed: list[list[Any]] = []
@@ -74,9 +90,9 @@ class Search:
             delays = [(delay,) for delay in range(self.time.start_delay + 1)]
         choices = product(self.world.initial(self.starts), delays)
         for index, (state, delay) in enumerate(choices):
-            self._meet(state, roots, (*delay, *ahead), Step(-1, 0, index))
+            self._meet(state, roots, (*delay, *ahead), GraphStep(-1, 0, index))
         for robot, root in enumerate(roots):
-            if type(value := self.minds.value[root]) is Fault and self._layer:
+            if type(value := self.minds.value[root]) is ProgramFault and self._layer:
                 self.found = Broken(value.law, value.seen, 0, robot=robot)
 
     # ---------------------------------------------------------------- the search
@@ -134,11 +150,11 @@ class Search:
         return self._keys[number][0]  # type: ignore[no-any-return]
 
     def percept(self, number: int, robot: int) -> Sensed | None:
-        """What a robot would sense in a configuration."""
+        """The percept of a robot that looks in a configuration."""
         return self._sensed_in(self._keys[number][0])[robot]  # type: ignore[no-any-return]
 
     def sensed_first(self, of: int, robot: int) -> Sensed | None:
-        """What a robot has sensed in the state of that number, if it was asked for."""
+        """The percept of a robot in the state of that number, if it was asked for."""
         return self._sensed[of][robot] if self._sensed[of] else None
 
     def able(self, number: int) -> tuple[list[int], list[int]]:
@@ -176,8 +192,8 @@ class Search:
         """Whether a run ends here because of the budget."""
         if not cut or (able and self.time.scheduler != "fsync"):
             return False
-        self.unfinished += 1
-        self.shortest = number if self.shortest < 0 else self.shortest
+        self.ends.cut_off += 1
+        self.ends.shortest = number if self.ends.shortest < 0 else self.ends.shortest
         if self.time.within:
             most = self.time.budget
             seen = f"the goal is not reached within {most} activations of each robot"
@@ -197,7 +213,7 @@ class Search:
         for robot, look in zip(group, looks, strict=True):
             mind = ~look if minds[robot] < 0 else self.minds.settled(look)
             value = self.minds.value[mind]
-            if type(value) is Fault:
+            if type(value) is ProgramFault:
                 self.found = Broken(value.law, value.seen, number, group, robot=robot)
                 return False
             if isinstance(value, STILL):
@@ -215,7 +231,7 @@ class Search:
         bits = sum(1 << robot for robot in group)
         extra = self._passed(extra, group, minds) if extra else extra
         for index, (to, _) in enumerate(following):
-            reached = self._meet(to, after, extra, Step(number, bits, index))
+            reached = self._meet(to, after, extra, GraphStep(number, bits, index))
             if not group and reached == number and len(following) == 1:
                 self._stop(number)  # nobody is able, and nothing changes any more
                 return self.found is None
@@ -242,7 +258,7 @@ class Search:
     def _passed(
         self, extra: tuple[int, ...], group: Iterable[int], minds: Sequence[int]
     ) -> tuple[int, ...]:
-        """What the scheduler keeps after a step."""
+        """The part of a configuration that the scheduler keeps after a step."""
         slept: tuple[int, ...] = ()
         if self.time.start_delay:
             slept = (max(0, extra[0] - 1),)
@@ -258,7 +274,9 @@ class Search:
         ]
         return (*slept, *done)
 
-    def _meet(self, state: Any, minds: Sequence[int], extra: tuple[int, ...], came: Step) -> int:
+    def _meet(
+        self, state: Any, minds: Sequence[int], extra: tuple[int, ...], came: GraphStep
+    ) -> int:
         of = self._state_ids.setdefault(state, len(self.states))
         if of == len(self.states):
             self.states.append(state)
@@ -277,7 +295,7 @@ class Search:
             self.graph.first.append(len(self.graph.to))
 
     def _sensed_in(self, of: int) -> list[Any]:
-        """What every robot senses in a state; each is asked once."""
+        """The percepts of all robots in a state; each is asked once."""
         found = self._sensed[of]
         if not found:
             state = self.states[of]
@@ -288,9 +306,9 @@ class Search:
     # ---------------------------------------------------------------- endings
 
     def _end(self, minds: Iterable[int]) -> None:
-        self.ends += 1
+        self.ends.count += 1
         depths = [self.minds.depth[max(mind, ~mind)] for mind in minds]
-        self.longest = max(self.longest, *depths)
+        self.ends.longest = max(self.ends.longest, *depths)
 
     def _stop(self, number: int) -> None:
         """Note what is wrong in a configuration in which nobody is able, for ever."""
@@ -307,7 +325,7 @@ class Search:
         )
 
     def stopped(self, number: int) -> Broken | None:
-        """What is wrong if the world stays for ever as it is in a configuration."""
+        """The law that is broken if the world stays for ever as it is in a configuration."""
         state, minds, _ = self.configuration(number)
         values = [self.minds.value[max(mind, ~mind)] for mind in minds]
         here = [self.percept(number, robot) is not None for robot in self._robots]
@@ -349,18 +367,18 @@ class Search:
         return assumption.holds(state, following, self.words(before, step))
 
     def words(self, number: int, step: int) -> str:
-        """What the adversary does in a step of the graph, in words."""
+        """The act of the adversary in a step of the graph, in words."""
         return event_of(self, self.step(number, step)).world
 
-    def came(self, number: int) -> Step:
+    def came(self, number: int) -> GraphStep:
         """The step by which a configuration was met first."""
-        return Step(*(part[number] for part in self._came))
+        return GraphStep(*(part[number] for part in self._came))
 
-    def step(self, number: int, step: int) -> Step:
+    def step(self, number: int, step: int) -> GraphStep:
         """A step of the graph, from a configuration."""
         group = self.graph.group[step]
         every = [each for each in self.graph.steps(number) if self.graph.group[each] == group]
-        return Step(number, group, every.index(step))
+        return GraphStep(number, group, every.index(step))
 
     def schedules(self) -> int | None:
         """The number of maximal runs; None if there is a cycle, so that they have no number."""

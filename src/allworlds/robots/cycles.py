@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, TypeAlias
 
 from allworlds.robots.graph import Broken
-from allworlds.robots.model import Assumption, Condition
+from allworlds.robots.model import Assumption, Liveness
 
 if TYPE_CHECKING:
     from allworlds.robots.configurations import Search
@@ -37,7 +37,7 @@ def broken_for_ever(search: Search) -> Broken | None:
     return None
 
 
-def _told(search: Search, condition: Condition, at: int, cycle: tuple[int, ...]) -> Broken | None:
+def _told(search: Search, condition: Liveness, at: int, cycle: tuple[int, ...]) -> Broken | None:
     if not any(search.graph.group[step] for step in cycle):
         return search.stopped(at)  # nobody is able, while the world changes
     forever = condition.forever or condition.holds is None
@@ -47,11 +47,11 @@ def _told(search: Search, condition: Condition, at: int, cycle: tuple[int, ...])
     return Broken("progress", seen, at, cycle=cycle)
 
 
-def _holds(search: Search, condition: Condition, number: int) -> bool:
+def _holds(search: Search, condition: Liveness, number: int) -> bool:
     return search.world.holds(condition, search.states[search.state_number(number)])
 
 
-def _broken_by(search: Search, condition: Condition) -> Iterator[Wish]:
+def _broken_by(search: Search, condition: Liveness) -> Iterator[Wish]:
     """The steps of which a cycle that breaks the condition has one, if that is not any."""
     if condition.holds is None:
         yield lambda _before, step: bool(search.graph.acts[step])

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from allworlds.protocol.actions import IllegalAction
 from allworlds.protocol.turns import Sensed
-from allworlds.robots.graph import Broken, Step
-from allworlds.robots.minds import Ended, Fault
+from allworlds.robots.graph import Broken, GraphStep
+from allworlds.robots.minds import Ended, ProgramFault
 
 if TYPE_CHECKING:
     from allworlds.robots.configurations import Search
@@ -59,7 +59,7 @@ class Event(NamedTuple):
         return f"{who}:{self.adversary}" if self.choices > 1 else who
 
 
-def event_of(search: Search, step: Step) -> Event:
+def event_of(search: Search, step: GraphStep) -> Event:
     """The event of a step; nothing is asked of a program."""
     state, minds, _ = search.configuration(step.before)
     group = [robot for robot in range(len(search.team)) if step.group >> robot & 1]
@@ -76,7 +76,7 @@ def event_of(search: Search, step: Step) -> Event:
         turns.append(Turn(robot, sensed, value, later))
         if acting and not later:
             acts[robot] = value
-    if any(type(turn.did) is Fault for turn in turns):
+    if any(type(turn.did) is ProgramFault for turn in turns):
         return Event(tuple(turns), 0, "", 1, state)
     try:
         following = search.following(state, acts)
@@ -92,7 +92,7 @@ def events_of(search: Search, broken: Broken) -> Iterator[Event]:
         yield event_of(search, search.came(number))
     if broken.group:
         bits = sum(1 << robot for robot in broken.group)
-        yield event_of(search, Step(broken.at, bits, 0))
+        yield event_of(search, GraphStep(broken.at, bits, 0))
     at = broken.at
     for step in broken.cycle:
         yield event_of(search, search.step(at, step))

@@ -19,7 +19,7 @@ from allworlds.protocol.turns import Sensed, percept_of
 from allworlds.robots.configurations import Search
 from allworlds.robots.events import Event, Turn, events_of
 from allworlds.robots.graph import Broken
-from allworlds.robots.minds import Fault
+from allworlds.robots.minds import ProgramFault
 from allworlds.robots.model import Places, Scheduler
 from allworlds.robots.schedulers import Time
 
@@ -222,7 +222,7 @@ def finding_of(
     fault = None
     events = [*events_of(search, broken)]
     if events and broken.robot is not None:
-        fault = next((t.did for t in events[-1].turns if type(t.did) is Fault), None)
+        fault = next((t.did for t in events[-1].turns if type(t.did) is ProgramFault), None)
     return TeamFinding(
         law=broken.law,
         seen=broken.seen,
@@ -274,7 +274,7 @@ def _sensed_json(sensed: Sensed | None) -> Any:
 
 
 def places_of(row: EventRow) -> Places:
-    """What a picture shows after an event."""
+    """The content of a picture after an event."""
     vertices = {int(vertex): words for vertex, words in row.vertices.items()}
     edges = {int(edge): words for edge, words in row.edges.items()}
     return Places(row.darts, vertices, edges)

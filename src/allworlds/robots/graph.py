@@ -8,7 +8,7 @@ from typing import NamedTuple
 from msgspec import Struct, field
 
 
-class Step(NamedTuple):
+class GraphStep(NamedTuple):
     """A step of a set of robots, and of the adversary.
 
     Attributes:

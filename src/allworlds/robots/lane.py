@@ -93,7 +93,7 @@ class SearchLane:
         return [PartialResult(unit, self.counter.tally(), last=True)]
 
     def end(self) -> TeamTally:
-        """What is left at the end: nothing."""
+        """The part that is left at the end: nothing."""
         return self.counter.tally()
 
     def close(self) -> None:
@@ -132,10 +132,10 @@ class SearchLane:
         tally.row(map_).count(search)
         if search.found and tally.wants(map_):
             tally.find(self._finding(search, search.found))
-        if search.unfinished and tally.wants(map_, unfinished=True):
+        if search.ends.cut_off and tally.wants(map_, unfinished=True):
             most = self.counter.time.budget
             seen = f"the run goes on after {most} activations of each robot"
-            cut = Broken("budget", seen, search.shortest)
+            cut = Broken("budget", seen, search.ends.shortest)
             tally.find(self._finding(search, cut), unfinished=True)
         if map_.edge_count <= SAME_TO:
             ensure_same_model(search)

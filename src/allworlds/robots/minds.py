@@ -1,4 +1,4 @@
-"""What a robot does next: a function of what it has sensed, never of a world.
+"""The next action of a robot: a function of what it has sensed, never of a world.
 
 A *mind* is a number.  Of a generator it stands for a history of percepts, a node of a trie; of an
 automaton for its memory, with the action that is due.  A search asks three things: the mind after
@@ -35,7 +35,7 @@ class Ended(NamedTuple):
         return "end" if self.answer is None else "end with an answer"
 
 
-class Fault(NamedTuple):
+class ProgramFault(NamedTuple):
     """The program has raised, was silent, or has said what is no action."""
 
     law: str
@@ -46,15 +46,15 @@ class Fault(NamedTuple):
         return f"{self.law}: {self.seen}"
 
 
-class Program(Protocol):
+class Answering(Protocol):
     """A program as it is asked."""
 
     def answers(self, rows: Sequence[Row]) -> Sequence[bytes]:
-        """What it says in each turn: see :class:`allworlds.protocol.turns.Turns`."""
+        """The words of the program in each turn: see :class:`allworlds.protocol.turns.Turns`."""
 
 
-class Kept(Struct):
-    """What is known of one program.
+class AskedProgram(Struct):
+    """The turns of one program so far.
 
     Attributes:
         roots: the first mind, by what is told.
@@ -64,7 +64,7 @@ class Kept(Struct):
         waiting: the turns of the next message, each with its mind; of an automaton -1.
     """
 
-    program: Program
+    program: Answering
     roots: dict[bytes | None, int]
     rows: list[Row]
     said: list[bytes]
@@ -86,14 +86,14 @@ class Minds:
         messages: the number of turns of each message.
     """
 
-    def __init__(self, programs: Sequence[Program], *, counted: bool = False) -> None:
+    def __init__(self, programs: Sequence[Answering], *, counted: bool = False) -> None:
         self.value: list[Any] = []
         self.sensed: list[Sensed | None] = []
         self.depth: list[int] = []
         self.watches: list[bool] = []
         self.messages: list[int] = []
         self._counted = counted
-        self.kept = [Kept(program, {}, [], [], []) for program in programs]
+        self.kept = [AskedProgram(program, {}, [], [], []) for program in programs]
         self._of: list[int] = []
         self._memory: list[int] = []  # of a history the mind before
         self._after: dict[tuple[int, Any], int] = {}
@@ -230,4 +230,4 @@ def value_of(letter: str, words: Any) -> Any:
     ending = ending_of(Log(words))
     if letter == ENDED and hasattr(ending, "answer"):
         return Ended(ending.answer)
-    return Fault(ending.law, ending.seen, ending.detail)  # type: ignore[union-attr]
+    return ProgramFault(ending.law, ending.seen, ending.detail)  # type: ignore[union-attr]

@@ -24,8 +24,8 @@ Compute or Move."""
 SCHEDULERS: tuple[Scheduler, ...] = "fsync", "ssync", "central", "async"
 
 
-class Condition(NamedTuple):
-    """What must be so in every infinite fair run of automata.
+class Liveness(NamedTuple):
+    """The conditions of every infinite fair run of automata.
 
     Attributes:
         name: in words, as ``robot 0 at vertex 3``.
@@ -38,12 +38,12 @@ class Condition(NamedTuple):
     holds: Callable[[Any], bool] | None
 
 
-QUIET = Condition("quiet", forever=True, holds=None)
+QUIET = Liveness("quiet", forever=True, holds=None)
 """At last nobody acts any more."""
 
 
 class Assumption(NamedTuple):
-    """What the adversary does again and again in the runs that count.
+    """The acts of the adversary that come again and again in the runs that count.
 
     Attributes:
         name: in words, as ``the edge 3 is there``.
@@ -78,7 +78,7 @@ class Model:
         raise NotImplementedError
 
     def told(self, map_: CombinatorialMap, robot: int) -> Any:  # noqa: ARG002  # nothing
-        """What a robot is told before, a value that JSON has; those told alike are anonymous."""
+        """The value that a robot is told; robots that are told alike are anonymous."""
         return None
 
     def sensed(self, map_: CombinatorialMap, state: Any, robot: int) -> Any:
@@ -105,7 +105,7 @@ class Model:
         raise NotImplementedError
 
     def bad(self, map_: CombinatorialMap, state: Any) -> str:  # noqa: ARG002  # nothing
-        """What must never be, in words; empty if all is well."""
+        """The wrong in a state, in words; empty if all is well."""
         return ""
 
     def over(self, map_: CombinatorialMap, state: Any) -> bool:  # noqa: ARG002  # never
@@ -113,7 +113,7 @@ class Model:
         return False
 
     def flaw(self, map_: CombinatorialMap, state: Any, answers: Sequence[Any]) -> str:  # noqa: ARG002
-        """What is wrong when all robots have ended, or wait for what will never be.
+        """The flaw when all robots have ended, or wait for what will never be.
 
         Args:
             map_: the map.
@@ -124,21 +124,21 @@ class Model:
         lacking = [each.name for each in conditions if each.holds and not each.holds(state)]
         return f"{lacking[0]} was not reached" if lacking else ""
 
-    def progress(self, map_: CombinatorialMap) -> Iterable[Condition]:
-        """What must be so in every infinite fair run: by default the goal is reached."""
-        yield Condition("the goal", forever=False, holds=lambda state: self.over(map_, state))
+    def progress(self, map_: CombinatorialMap) -> Iterable[Liveness]:
+        """The conditions of every infinite fair run: by default the goal is reached."""
+        yield Liveness("the goal", forever=False, holds=lambda state: self.over(map_, state))
 
     def assumes(self, map_: CombinatorialMap) -> Iterable[Assumption]:  # noqa: ARG002  # nothing
-        """What the adversary does again and again: by default it need not do anything."""
+        """The acts of the adversary that come again and again: by default none need."""
         return ()
 
     def places(self, map_: CombinatorialMap, state: Any) -> Places:  # noqa: ARG002
-        """What a picture shows of a state: by default the darts of ``state.darts``."""
+        """The content of a picture of a state: by default the darts of ``state.darts``."""
         return Places(tuple(getattr(state, "darts", ())))
 
 
 class Places(NamedTuple):
-    """What a picture shows of a state.
+    """The content of a picture of a state.
 
     Attributes:
         darts: of each robot; None of one that is no more.
@@ -196,7 +196,7 @@ class Guarded:
         return made
 
     def told(self, robot: int) -> bytes | None:
-        """What a robot is told, as canonical JSON."""
+        """The value that a robot is told, as canonical JSON."""
         value = self._ask("told", robot)
         return None if value is None else self._json("told", value)
 
@@ -226,7 +226,7 @@ class Guarded:
         return made
 
     def bad(self, state: Any) -> str:
-        """What must never be."""
+        """The wrong in a state that must never be."""
         return self._text("bad", state)
 
     def over(self, state: Any) -> bool:
@@ -234,18 +234,18 @@ class Guarded:
         return bool(self._ask("over", state))
 
     def flaw(self, state: Any, answers: Sequence[Any]) -> str:
-        """What is wrong at the end."""
+        """The flaw at the end."""
         return self._text("flaw", state, answers)
 
-    def progress(self) -> list[Condition]:
-        """What must be so in infinite runs."""
-        return [Condition(*each) for each in self._list("progress")]
+    def progress(self) -> list[Liveness]:
+        """The conditions of infinite runs."""
+        return [Liveness(*each) for each in self._list("progress")]
 
     def assumes(self) -> list[Assumption]:
-        """What the adversary does again and again."""
+        """The acts of the adversary that come again and again."""
         return [Assumption(*each) for each in self._list("assumes")]
 
-    def holds(self, condition: Condition, state: Any) -> bool:
+    def holds(self, condition: Liveness, state: Any) -> bool:
         """Whether a condition holds in a state."""
         assert condition.holds is not None
         try:
@@ -254,7 +254,7 @@ class Guarded:
             raise self._raised("progress", error) from None
 
     def places(self, state: Any) -> Places:
-        """What a picture shows of a state."""
+        """The content of a picture of a state."""
         return Places(*self._ask("places", state))
 
     @property

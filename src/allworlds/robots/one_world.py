@@ -18,8 +18,8 @@ from allworlds.robots.model import Guarded, Model, Scheduler
 from allworlds.robots.schedulers import Time
 
 
-class Searched(Struct, frozen=True):
-    """What the search of one world has found.
+class SearchOutcome(Struct, frozen=True):
+    """The result of the search of one world.
 
     Attributes:
         law: the law that is broken; empty if none is.
@@ -63,7 +63,7 @@ def search(
     lead: int | None = None,
     start_delay: int = 0,
     configurations: int = 1_000_000,
-) -> Searched:
+) -> SearchOutcome:
     """Every schedule of a team in one world, and every choice of the adversary.
 
     Args:
@@ -102,19 +102,19 @@ def search(
     return searched(found)
 
 
-def searched(search: Search) -> Searched:
-    """What a search has found."""
+def searched(search: Search) -> SearchOutcome:
+    """The findings of a search."""
     broken = search.found
-    exact = not (broken or search.unfinished or search.full)
-    return Searched(
+    exact = not (broken or search.ends.cut_off or search.full)
+    return SearchOutcome(
         law=broken.law if broken else "",
         seen=broken.seen if broken else "",
         events=tuple(events_of(search, broken)) if broken else (),
         loop=len(broken.cycle) if broken else 0,
-        unfinished=search.unfinished,
+        unfinished=search.ends.cut_off,
         configurations=len(search),
         schedules=search.schedules() if exact else None,
-        longest=search.longest,
+        longest=search.ends.longest,
         full=search.full,
         search=search,
     )

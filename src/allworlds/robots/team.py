@@ -121,16 +121,16 @@ class TeamRow:
 
     def count(self, search: Search) -> None:
         """Take in a search."""
-        unknown = search.found or search.unfinished or search.full
+        unknown = search.found or search.ends.cut_off or search.full
         self.add(
             TeamRow(
                 worlds=1,
                 configurations=len(search),
                 most=len(search),
-                ends=search.ends,
-                cut_off=search.unfinished,
+                ends=search.ends.count,
+                cut_off=search.ends.cut_off,
                 full=int(search.full),
-                longest=search.longest,
+                longest=search.ends.longest,
                 schedules=None if unknown else search.schedules(),
             )
         )
@@ -141,7 +141,7 @@ def to_record(finding: TeamFinding) -> dict[str, Any]:
     return finding.to_json()
 
 
-Kept = Annotated[TeamFinding, Form(to_record, TeamFinding.from_json)]
+KeptFinding = Annotated[TeamFinding, Form(to_record, TeamFinding.from_json)]
 
 
 @dataclass(slots=True)
@@ -158,8 +158,8 @@ class TeamTally:
 
     keep: int = 1
     rows: dict[tuple[int, int], TeamRow] = field(default_factory=dict)
-    findings: list[Kept] = field(default_factory=list)
-    unfinished: list[Kept] = field(default_factory=list)
+    findings: list[KeptFinding] = field(default_factory=list)
+    unfinished: list[KeptFinding] = field(default_factory=list)
     remarks: Counter[str] = field(default_factory=Counter)
 
     @property

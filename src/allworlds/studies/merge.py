@@ -35,7 +35,7 @@ def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
     from allworlds.studies.compare.comparison import SameWorlds
     from allworlds.studies.count import CountSweep
     from allworlds.studies.fuzz.sample_sweep import FuzzSweep
-    from allworlds.studies.team import TeamSweep
+    from allworlds.studies.team.search_sweep import TeamSweep
     from allworlds.studies.worst.all_worlds import SchedulesSweep
 
     kinds: tuple[type[sweep.Sweep[Any, Any]], ...] = (

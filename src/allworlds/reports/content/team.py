@@ -15,7 +15,8 @@ from allworlds.reports import parts
 from allworlds.reports.content.scope import SAID, each_of, of_the_class, option_facts
 from allworlds.robots.finding import EventRow, TeamFinding, Turned
 from allworlds.robots.team import TeamRow
-from allworlds.studies.team import TeamExplanation, TeamReplay, TeamReport
+from allworlds.studies.team.retold import TeamExplanation, TeamReplay
+from allworlds.studies.team.team_report import TeamReport
 from allworlds.words import counted, number, plural, size
 
 WIDEST = 34
@@ -75,7 +76,7 @@ def verdict_of(report: TeamReport) -> parts.Headline:
             text = f"{done}{most}; {searched}"
         case Verdict.REFUTED:
             first = report.findings[0]
-            text = f"{first.law}: {first.seen}; {done}; {searched}"
+            text = f"law {first.law} is broken: {first.seen}; {searched}"
         case Verdict.INCONCLUSIVE if total.cut_off and not report.ending.stopped:
             text = (
                 f"no law is broken, but {plural(total.cut_off, 'run')} went on after "
@@ -264,7 +265,7 @@ def _cell(event: EventRow, robot: int) -> str:
 
 
 def sensed_in_words(turn: Turned) -> str:
-    """What a robot sensed, in a few words."""
+    """The percept of a turn, in a few words."""
     sensed: Any = turn.sensed
     if isinstance(sensed, dict) and {*sensed} == {"degree", "marks", "bearing"}:
         return str(Percept(**sensed))

@@ -1,0 +1,323 @@
+"""The request of ``team``: programs, a model, schedules, worlds, and limits."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import cached_property
+from typing import Annotated, Any
+
+from typing_extensions import override
+
+from allworlds.documents import document as doc
+from allworlds.engines import single, units
+from allworlds.engines.limits import Limits, positive
+from allworlds.explorers import sources
+from allworlds.inputs.checks import InputError, an_integer, integer_of, not_one_of, show
+from allworlds.inputs.requests import (
+    RARE_EFFORT,
+    RARE_SCOPE,
+    RULES,
+    SCOPE,
+    Converted,
+    Option,
+    OptionGroup,
+)
+from allworlds.maps import combinatorial
+from allworlds.maps.classes import DEFAULT_EDGES, Extent, ExtentOptions
+from allworlds.maps.families import FORMS, family
+from allworlds.notations.given import GivenMap, GivenMaps, GivenOptions, held
+from allworlds.robots.model import SCHEDULERS, Model, Scheduler
+from allworlds.robots.models.table import NamedModel, model_of
+from allworlds.robots.schedulers import ROUNDS, Time
+from allworlds.robots.team import Team
+from allworlds.studies.options import ClusterOptions, ListenerOptions, RunDirectoryOptions
+from allworlds.world import selection
+from allworlds.world.named import world_named
+
+DEFAULT_MODEL = "meeting"
+
+
+def _model(given: object) -> NamedModel:
+    if isinstance(given, NamedModel):
+        return given
+    if isinstance(given, Model):
+        return NamedModel(type(given).__name__, given)
+    if not isinstance(given, str):
+        raise InputError(f"model = {show(given)} is neither a name nor a model")
+    return model_of(given)
+
+
+def _natural(name: str, least: int) -> Callable[[object], Any]:
+    """The value of an option, an integer from ``least`` on, or None."""
+
+    def take(given: object) -> int | None:
+        if given is None:
+            return None
+        number = an_integer(name, given)
+        if number < least:
+            raise InputError(f"{name} = {show(number)} is less than {least}, the least one")
+        return number
+
+    return take
+
+
+def darts_of(text: str) -> tuple[int, ...]:
+    """The darts of a text, with commas between.
+
+    Raises:
+        InputError: if these are none.
+    """
+    return tuple(integer_of(part) for part in text.split(","))
+
+
+class TeamRequest(
+    ListenerOptions,
+    RunDirectoryOptions,
+    ClusterOptions,
+    Limits,
+    units.ShardOptions,
+    selection.WhereOptions,
+    GivenOptions,
+    ExtentOptions,
+):
+    """Request of ``team``: programs, a model, schedules, worlds, and limits."""
+
+    explorers: Annotated[
+        Sequence[str | Callable[..., Any]],
+        OptionGroup(
+            sources.ExplorersWords,
+            "names, as on the command line, generator functions or automata; one for all robots, "
+            "or one for each",
+        ),
+    ] = ()
+    model: Annotated[
+        Converted[str | Model | NamedModel, NamedModel],
+        Option(
+            SCOPE,
+            "NAME|FILE.py:Class",
+            "The model of the world, perhaps with options, as in meeting:labels=true.",
+            document_type=doc.Text,
+        ),
+    ] = Converted(_model, DEFAULT_MODEL)
+    robots: Annotated[
+        Converted[int | None, int | None],
+        Option(
+            SCOPE,
+            "K",
+            "The number of robots [default: of the programs, if there are several; else 2].",
+            parse=integer_of,
+            document_type=Annotated[doc.Positive | None, doc.about("null: as many as programs")],
+        ),
+    ] = Converted(_natural("robots", 1), None)
+    scheduler: Annotated[
+        Scheduler | None,
+        Option(
+            RULES,
+            "|".join(SCHEDULERS),
+            "Who is activated at once: all, any set, one at a time, or any set makes its next "
+            "step, Look with Compute or Move [default: the model's first].",
+            document_type=Annotated[Scheduler | None, doc.about("who is activated at once")],
+        ),
+    ] = None
+    budget: Annotated[
+        Converted[int, int],
+        Option(
+            RULES,
+            "B",
+            "A run of a generator goes on for so many activations of each robot; one that is cut "
+            "off leaves the verdict open.",
+            parse=integer_of,
+        ),
+    ] = Converted(_natural("budget", 1), 1000)
+    within: Annotated[
+        Converted[int | None, int | None],
+        Option(
+            RULES,
+            "B",
+            "The same as a bound: a run that goes on is a finding.",
+            parse=integer_of,
+            document_type=Annotated[doc.Positive | None, doc.about("a bound on the activations")],
+        ),
+    ] = Converted(_natural("within", 1), None)
+    lead: Annotated[
+        Converted[int | None, int | None],
+        Option(
+            RULES,
+            "D",
+            "No robot is more than D activations ahead of one that could be activated.",
+            parse=integer_of,
+            document_type=Annotated[doc.Positive | None, doc.about("null: without a limit")],
+        ),
+    ] = Converted(_natural("lead", 1), None)
+    start_delay: Annotated[
+        Converted[int, int],
+        Option(
+            RULES,
+            "D",
+            "Robot 1 begins up to D rounds later, as the adversary likes.",
+            parse=integer_of,
+        ),
+    ] = Converted(_natural("start-delay", 0), 0)
+    configurations: Annotated[
+        Converted[int, int],
+        Option(
+            RARE_EFFORT,
+            "N",
+            "A search of one world has at most so many configurations.",
+            parse=integer_of,
+        ),
+    ] = Converted(_natural("configurations", 1), 1_000_000)
+    max_findings: Annotated[
+        Converted[int, int],
+        Option(
+            RARE_EFFORT,
+            "K",
+            "Stop after the level with the K-th finding (the smallest of each law and map counts).",
+            parse=integer_of,
+        ),
+    ] = Converted(positive("max-findings"), 1)
+    family: Annotated[
+        str | None,
+        Option(
+            SCOPE,
+            "F",
+            f"One world of a family in place of a class: {FORMS}.",
+            document_type=Annotated[
+                doc.IfAny[doc.Text | None], doc.about("the family of the one world")
+            ],
+        ),
+    ] = None
+    world: Annotated[
+        str | None,
+        Option(
+            RARE_SCOPE,
+            "WORLD",
+            "One map in place of a class: inline JSON, @file or @file:name, or a name.",
+            document_type=Annotated[
+                doc.IfAny[doc.Text | None], doc.about("the one map, as it was given")
+            ],
+        ),
+    ] = None
+    starts: Annotated[
+        Converted[Sequence[int] | None, tuple[int, ...] | None],
+        Option(
+            RARE_SCOPE,
+            "D,D,...",
+            "The darts of the robots at the start, in that one map [default: the model's].",
+            parse=darts_of,
+            document_type=Annotated[
+                doc.IfAny[tuple[doc.Natural, ...] | None],
+                doc.about("the darts of the robots at the start, where they were given"),
+            ],
+        ),
+    ] = Converted(lambda given: None if given is None else tuple(given), None)
+
+    @property
+    def extent(self) -> Extent:
+        """The maps.
+
+        Raises:
+            InputError: naming the offending bound and what would be legal.
+        """
+        unbounded = self.edges is None and self.vertices is None and self.given is None
+        edges = DEFAULT_EDGES if unbounded else self.edges
+        return Extent(self.map_class, edges, self.vertices, self.where, self.given)
+
+    @cached_property
+    @override
+    def given(self) -> GivenMaps | None:
+        """The given maps: of files, of a graph, or the one that is named.
+
+        Raises:
+            InputError: naming the option.
+        """
+        named = {
+            name: value
+            for name in ("family", "world", "worlds", "graph")
+            if (value := getattr(self, name)) is not None
+        }
+        if len(named) > 1:
+            first, second, *_ = named
+            raise InputError(f"give {first} or {second}, not both")
+        if self.starts is not None and self.world is None:
+            raise InputError(f"starts = {show(self.starts)} has no effect without world")
+        if self.family is not None:
+            return _one(self.family, family(self.family), None)
+        if self.world is not None:
+            return _one(self.world, world_named(self.world).map, self.starts)
+        return GivenOptions.given.func(self)  # type: ignore[attr-defined, no-any-return]
+
+    @property
+    def time(self) -> Time:
+        """The schedules.
+
+        Raises:
+            InputError: naming an option that has no effect under this scheduler.
+        """
+        legal = self.model.model.schedulers
+        scheduler = self.scheduler or legal[0]
+        if scheduler not in legal:
+            raise not_one_of(f"scheduler of the model {self.model}", scheduler, legal)
+        if self.lead is not None and scheduler == "fsync":
+            raise InputError(f"lead = {self.lead} has no effect in fsync: all go together")
+        if self.start_delay and scheduler not in ROUNDS:
+            raise InputError(
+                f"start-delay = {self.start_delay} has no effect in {scheduler}, which has no "
+                f"rounds; legal schedulers are {' and '.join(ROUNDS)}"
+            )
+        budget = self.budget if self.within is None else self.within
+        bound = self.within is not None
+        return Time(scheduler, budget, self.lead, self.start_delay, bound, self.configurations)
+
+    def team(self) -> Team:
+        """The programs, loaded.
+
+        Raises:
+            InputError: naming one that cannot be loaded, or their number.
+        """
+        given = [*self.explorers]
+        if not given:
+            raise InputError("team takes one program, or one for each robot")
+        robots = self.robots or (len(given) if len(given) > 1 else 2)
+        if len(given) not in (1, robots):
+            raise InputError(
+                f"{len(given)} programs for {robots} robots; legal is one, or one for each robot"
+            )
+        each = [*dict.fromkeys(given)]
+        subjects = [single.subject_of(explore, self.limits) for explore in each]
+        for subject in subjects:
+            if subject.compiled:
+                raise InputError(
+                    f"{show(subject.name)} is a shared library, which cannot be asked turn by "
+                    "turn; legal are functions in Python and programs (--exec)"
+                )
+        numbers = given if len(given) > 1 else given * robots
+        return Team(tuple(subjects), tuple(each.index(program) for program in numbers))
+
+
+def _one(
+    name: str, map_: combinatorial.CombinatorialMap, starts: Sequence[int] | None
+) -> GivenMaps:
+    """One map, with every root up to automorphism; with given starts in its own numbering."""
+    if starts is not None:
+        renamed(map_, starts)
+        return held("map", name, "one map", [GivenMap(map_, (starts[0],))])
+    codes = dict[Any, int]()
+    for dart in map_.darts:
+        codes.setdefault(combinatorial.rooted_code(map_.sigma, map_.alpha, dart), dart)
+    return held("map", name, "one map", [GivenMap(map_, tuple(codes.values()))])
+
+
+def renamed(map_: combinatorial.CombinatorialMap, starts: Sequence[int]) -> tuple[int, ...]:
+    """The starts in the canonical numbering of the map with its root at the first of them.
+
+    Raises:
+        InputError: for one that is no dart of the map.
+    """
+    for dart in starts:
+        if dart not in map_.darts:
+            last = len(map_.sigma) - 1
+            raise InputError(f"starts: {show(dart)} is no dart of the map; legal are 0 to {last}")
+    order = combinatorial.numbering(map_.sigma, map_.alpha, starts[0])
+    names = combinatorial.inverse(order)
+    return tuple(names[dart] for dart in starts)

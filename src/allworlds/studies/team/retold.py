@@ -1,0 +1,136 @@
+"""Findings of teams: searched again, and told in words."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from typing import Annotated, Any, Literal
+
+from typing_extensions import override
+
+from allworlds.documents import document as doc
+from allworlds.documents.report import Report
+from allworlds.engines.limits import TimeoutOptions
+from allworlds.inputs.requests import (
+    values_of,
+)
+from allworlds.outcome import Facts, Verdict
+from allworlds.robots.finding import LAWS, TeamFinding
+from allworlds.robots.models.table import model_of
+from allworlds.studies.team.request import TeamRequest
+from allworlds.studies.team.search_sweep import searched
+from allworlds.studies.team.team_report import TeamReport
+from allworlds.words import plural
+
+
+class TeamReplay(Report):
+    """Report of 'replay', of a team.
+
+    The search of a finding's world, made again.
+    """
+
+    again: Annotated[TeamReport, doc.about("the search of today")] = doc.key(name="search")
+    recorded: doc.NotInDocument[TeamFinding]
+    notice: doc.NotInDocument[str] = ""
+
+    @doc.computed
+    def law(self) -> doc.Text:
+        """The recorded one."""
+        return self.recorded.law
+
+    @doc.computed
+    def law_now(self) -> doc.Text | None:
+        """The law that is broken now; null: none."""
+        return self.again.findings[0].law if self.again.findings else None
+
+    @doc.computed
+    def outcome(self) -> Literal["reproduced", "fixed", "not-reproduced"]:
+        """``reproduced``: a law is broken again; ``fixed``: none is; else it is left open."""
+        if self.again.findings:
+            return "reproduced"
+        holds = self.again.verdict is Verdict.HOLDS
+        cut_off = self.recorded.law == "budget" and self.again.unfinished is not None
+        return "reproduced" if cut_off else "fixed" if holds else "not-reproduced"
+
+    @property
+    @override
+    def facts(self) -> Facts:
+        said = self.outcome
+        return Facts(fixed=said == "fixed", undecided=said == "not-reproduced")
+
+
+def replayed(finding: TeamFinding, explore: Any, limits: TimeoutOptions) -> TeamReplay:
+    """Search the world of a finding again, with another program in place of all if one is named.
+
+    Raises:
+        InputError: if a program or the model is not to be found, or the model has another text.
+    """
+    time = finding.time
+    model = model_of(finding.model)
+    if finding.model_digest and model.code is not None:
+        model.code.ensure_recorded(finding.model_digest)
+    request = TeamRequest(
+        explorers=(explore,) if explore is not None else finding.team,
+        model=model,
+        robots=len(finding.starts),
+        scheduler=time.scheduler,
+        budget=time.budget,
+        within=time.budget if time.within else None,
+        lead=time.lead,
+        start_delay=time.start_delay,
+        world=json.dumps({"sigma": finding.sigma, "alpha": finding.alpha}),
+        starts=finding.starts,
+        **values_of(TimeoutOptions, limits),
+    )
+    return TeamReplay(again=searched(request), recorded=finding)
+
+
+class TeamExplanation(Report):
+    """Report of 'explain', of a team.
+
+    The run of a finding, as a space-time diagram.
+    """
+
+    finding: TeamFinding
+    number: Annotated[doc.Positive, doc.about("of the finding in its report; 1: the first")]
+    findings: Annotated[doc.Positive, doc.about("how many findings the report holds")]
+
+    @doc.computed
+    def sentences(self) -> doc.Some[doc.Text]:
+        """In plain words."""
+        return tuple(told_of(self.finding))
+
+
+def told_of(finding: TeamFinding) -> Iterator[str]:
+    """A finding in a few sentences."""
+    yield f"{LAWS[finding.law]} Here it does not hold: {finding.seen}."
+    events = len(finding.events)
+    if finding.loop:
+        before = plural(events - finding.loop, "event")
+        yield f"After {before} the last {plural(finding.loop, 'event')} repeat for ever."
+        yield "In them every robot is activated, or cannot be: the schedule is fair."
+    elif events:
+        yield f"It is so after {plural(events, 'event')}, and in this world never after fewer."
+    late = [*_stale(finding)]
+    if late:
+        yield f"A move is done by what was sensed earlier: {'; '.join(late)}."
+    chosen = [event.world for event in finding.events if event.world]
+    if chosen:
+        yield f"The adversary: {'; '.join(dict.fromkeys(chosen))}."
+
+
+def _stale(finding: TeamFinding) -> Iterator[str]:
+    """The moves between whose look and themselves another robot has moved."""
+    looked: dict[int, int] = {}
+    moved: dict[int, int] = {}
+    for number, event in enumerate(finding.events, 1):
+        for turn in event.robots:
+            since = looked.get(turn.robot, number)
+            others = [at for robot, at in moved.items() if robot != turn.robot and at > since]
+            if turn.phase == "move" and others:
+                yield f"robot {turn.robot} looks in event {since} and moves in event {number}"
+        for turn in event.robots:
+            if turn.phase == "look":
+                looked[turn.robot] = number
+            else:
+                moved[turn.robot] = number

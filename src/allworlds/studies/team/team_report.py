@@ -1,0 +1,164 @@
+"""The report of ``team``: counts by size, findings, and a run that the budget cuts off."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from typing_extensions import override
+
+from allworlds import outcome
+from allworlds.documents import document as doc
+from allworlds.robots.finding import TeamFinding
+from allworlds.robots.team import TeamRow, TeamScope, TeamTally
+from allworlds.studies.scopes import FileDigests, GivenCount, told_scope
+from allworlds.studies.swept import PortionReport
+from allworlds.studies.team.request import TeamRequest
+
+
+class TeamCell(doc.Document):
+    """One comparison of the count gate."""
+
+    edges: doc.Edges
+    vertices: doc.Vertices
+    enumerated: Annotated[doc.Natural, doc.about("rooted maps that were visited")]
+    counted: Annotated[doc.Natural, doc.about("those that there are")]
+    source: Annotated[doc.Text, doc.about("says who")]
+
+    @property
+    def agrees(self) -> bool:
+        """Whether the enumeration and the source give the same count."""
+        return self.counted == self.enumerated
+
+
+class TeamCounts(doc.Document):
+    """Counts of the worlds of one size."""
+
+    edges: doc.Edges
+    vertices: doc.Vertices
+    maps: Annotated[doc.Natural, doc.about("rooted maps")]
+    worlds: Annotated[doc.Natural, doc.about("maps with starts of all robots")]
+    configurations: Annotated[doc.Natural, doc.about("states of a world with all minds")]
+    most: Annotated[doc.Natural, doc.about("the largest number of them in one world")]
+    ends: Annotated[doc.Natural, doc.about("configurations in which a run ends")]
+    cut_off: Annotated[doc.Natural, doc.about("configurations in which the budget cuts a run off")]
+    full: Annotated[doc.Natural, doc.about("worlds with more configurations than are allowed")]
+    longest: Annotated[doc.Natural, doc.about("the most activations of a robot in a run that ends")]
+    schedules: Annotated[
+        doc.Natural | None,
+        doc.about("the number of maximal runs; null: infinitely many, or not known"),
+    ]
+
+
+@doc.with_options(TeamRequest)
+class TeamScopeDocument(doc.Document):
+    """The scope of a search: every option that its counts and its verdict depend on."""
+
+    shard: doc.WhichShard
+    given: GivenCount
+    sha256: FileDigests
+    gate: Annotated[
+        tuple[TeamCell, ...],
+        doc.about(
+            "the count gate: one comparison for each size; none of a shard, or of given maps"
+        ),
+    ]
+    complete: Annotated[bool, doc.about("whether every world of the scope was searched")]
+    stopped: Annotated[str | None, doc.about("why it is not complete; null: it is")]
+
+
+class TeamReport(PortionReport, kw_only=True):
+    """Report of 'team'.
+
+    What the searches of all worlds have shown, and what follows from it.
+
+    ``asked`` is what was to be searched, ``tally`` holds the counts of the finished levels and the
+    smallest findings.
+    """
+
+    explorers: Annotated[doc.Some[doc.Text], doc.about("the program of each robot")]
+    asked: doc.NotInDocument[TeamScope]
+    tally: doc.NotInDocument[TeamTally]
+    cells: doc.NotInDocument[tuple[TeamCell, ...]] = ()
+    seconds: doc.NotInDocument[tuple[float, ...]] = ()
+    levels: doc.NotInDocument[tuple[int, ...]] = ()
+
+    @doc.computed
+    def verdict(self) -> outcome.Verdict:
+        """About this scope alone."""
+        return self.facts.verdict
+
+    @doc.computed
+    def scope(self) -> TeamScopeDocument:
+        """All that was searched."""
+        return told_scope(
+            TeamScopeDocument,
+            self.request,
+            edges=self.extent.edges,
+            scheduler=self.asked.time.scheduler,
+            robots=len(self.asked.team.of),
+            gate=self.cells,
+            complete=isinstance(self.ending, outcome.Completed),
+            stopped=self.ending.reason or None,
+        )
+
+    @doc.computed
+    def rows(self) -> tuple[TeamCounts, ...]:
+        """One for each (edges, vertices), ascending."""
+        names = TeamRow.__slots__
+        return tuple(
+            TeamCounts(edges=m, vertices=n, **{name: getattr(row, name) for name in names})
+            for (m, n), row in sorted(self.tally.rows.items())
+        )
+
+    @doc.computed
+    def remarks(self) -> tuple[doc.Text, ...]:
+        """Remarks about processes, which refute nothing, each once."""
+        return tuple(sorted(self.tally.remarks))
+
+    @doc.computed
+    def findings(self) -> tuple[TeamFinding, ...]:
+        """Ascending by (edges, vertices, canonical code, starts)."""
+        return tuple(self.tally.findings)
+
+    @doc.computed
+    def unfinished(self) -> TeamFinding | None:
+        """The smallest world in which the budget cuts a run off, with a shortest such run."""
+        return next(iter(self.tally.unfinished), None)
+
+    @property
+    @override
+    def seconds_by_part(self) -> dict[str, list[float]]:
+        return {"level_seconds": [*self.seconds]}
+
+    @property
+    def explorer(self) -> str:
+        """The name of the first program."""
+        return self.explorers[0]
+
+    @property
+    def total(self) -> TeamRow:
+        """The sum of all rows."""
+        total = TeamRow()
+        for row in self.tally.rows.values():
+            total.add(row)
+        return total
+
+    @property
+    @override
+    def agrees(self) -> bool:
+        return all(cell.agrees for cell in self.cells)
+
+    @property
+    @override
+    def refuted(self) -> bool:
+        return bool(self.tally.findings)
+
+    @property
+    @override
+    def undecided(self) -> bool:
+        return super().undecided or bool(self.total.cut_off or self.total.full)
+
+    @property
+    @override
+    def empty(self) -> bool:
+        return not self.total.configurations
