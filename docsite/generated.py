@@ -112,7 +112,10 @@ def _cell(text: str) -> str:
 
 
 MODULES = {
-    "robots": "For several robots: the base of models, and the search of one world; see [Several robots](../robots.md).",
+    "robots": (
+        "For several robots: the base of models, and the search of one world; see "
+        "[Several robots](../robots.md)."
+    ),
     "testing": "Assertions for tests: [how to use them](../how-to/pytest.md).",
     "strategies": "Hypothesis strategies: [how to use them](../how-to/pytest.md).",
     "claims": "For the claims of a paper: [ledger](command-line.md#ledger).",
