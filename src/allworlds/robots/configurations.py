@@ -100,10 +100,10 @@ class Search:
             if self._cut_off(able, cut, number):
                 continue
             if not able:
-                if not self.time.has_rounds or self._all_ended(number):
-                    self._stop(number)
-                else:
+                if self._goes_on(number):
                     self._plans.append((number, (), ()))
+                else:
+                    self._stop(number)
                 continue
             for group in self.time.groups(able):
                 self._plans.append((number, group, self._looks(number, minds, group)))
@@ -156,17 +156,27 @@ class Search:
                     continue
             able.append(robot)
         extra = key[len(self.team) + 1 :]
-        return (self._allowed(able, extra) if extra else able), cut
+        return (self._allowed(able, key[1:], extra) if extra else able), cut
 
-    def _allowed(self, able: list[int], extra: tuple[int, ...]) -> list[int]:
-        """Those whom the scheduler lets go on: who has begun, and is not too far ahead."""
+    def _allowed(self, able: list[int], minds: Sequence[int], extra: tuple[int, ...]) -> list[int]:
+        """Those whom the scheduler lets go on: who has begun, and is not too far ahead.
+
+        Who is between Look and Move is in an activation that is counted, and may finish it.
+        """
         if self.time.start_delay:
             able = [robot for robot in able if robot != 1 or not extra[0]]
         if self.time.lead is None or not able:
             return able
         done = extra[-len(self.team) :]
-        least = min(done[robot] for robot in able)
-        return [robot for robot in able if done[robot] <= least + self.time.lead - 1]
+        most = min(done[robot] for robot in able) + self.time.lead
+        return [robot for robot in able if minds[robot] < 0 or done[robot] < most]
+
+    def _goes_on(self, number: int) -> bool:
+        """Whether something may change though nobody is able: a sleeper begins, or a round."""
+        _, _, extra = self.configuration(number)
+        if self.time.start_delay and extra[0]:
+            return True
+        return self.time.has_rounds and not self._all_ended(number)
 
     def _cut_off(self, able: Sequence[int], cut: Sequence[int], number: int) -> bool:
         """Whether a run ends here because of the budget."""

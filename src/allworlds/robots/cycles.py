@@ -32,8 +32,11 @@ def broken_for_ever(search: Search) -> Broken | None:
             inside = [number for number in every if not _holds(search, condition, number)]
         for part in components(search, inside):
             wishes = [*_broken_by(search, condition), *_fairness(search)]
-            if cycle := _cycle(search, part, wishes):
-                return _told(search, condition, min(part), cycle)
+            for each in (wishes, [*wishes, _activated(search)]):
+                cycle = _cycle(search, part, each)
+                broken = _told(search, condition, min(part), cycle) if cycle else None
+                if broken:
+                    return broken
     return None
 
 
@@ -45,6 +48,11 @@ def _told(search: Search, condition: Condition, at: int, cycle: tuple[int, ...])
         f"again and again not {condition.name}" if forever else f"for ever without {condition.name}"
     )
     return Broken("progress", seen, at, cycle=cycle)
+
+
+def _activated(search: Search) -> Wish:
+    """The steps in which somebody is activated: of a cycle that is not harmless."""
+    return lambda _before, step: bool(search.graph.group[step])
 
 
 def _holds(search: Search, condition: Condition, number: int) -> bool:

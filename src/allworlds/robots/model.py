@@ -9,7 +9,7 @@ from typing import Any, ClassVar, Literal, NamedTuple, TypeAlias
 
 from msgspec.json import encode
 
-from allworlds.inputs.checks import InputError, let_users_interrupt, show
+from allworlds.inputs.checks import InputError, integer, let_users_interrupt, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import IllegalAction, Percept
 from allworlds.protocol.turns import Sensed
@@ -205,9 +205,7 @@ class Guarded:
         value = self._ask("sensed", state, robot)
         if value is None:
             return None
-        if type(value) is Percept:
-            return value.degree, value.marks, value.bearing  # type: ignore[return-value]
-        return self._json("sensed", value)
+        return self._numbers(value) if type(value) is Percept else self._json("sensed", value)
 
     def step(self, state: Any, acts: Mapping[int, Any]) -> list[tuple[State, str]]:
         """Each state that can follow, with the words of the adversary.
@@ -279,6 +277,14 @@ class Guarded:
         if not isinstance(found, str):
             raise self._wrong(method, f"returns {show(found)}, which is not a text")
         return found
+
+    def _numbers(self, percept: Percept) -> tuple[int, ...]:
+        """The numbers of a percept; True among them would be taken for 1."""
+        parts = percept.degree, percept.marks, percept.bearing
+        try:
+            return tuple([None if part is None else integer(part) for part in parts])  # type: ignore[misc]  # a bearing may be None
+        except TypeError:
+            raise self._wrong("sensed", f"returns {show(percept)}, not of integers") from None
 
     def _json(self, method: str, value: Any) -> bytes:
         try:
