@@ -4,62 +4,25 @@ from dataclasses import dataclass
 
 import pytest
 
-import worlds_that_change as programs
 from allworlds.protocol.actions import End, Move, Wait, Watch
 from allworlds.protocol.turns import Automaton
 from allworlds.robots.events import answers_of
 from allworlds.robots.model import SCHEDULERS
 from allworlds.robots.models.meeting import Meeting
 from allworlds.robots.one_world import search
-from one_by_one import Schedules
+from one_by_one import agree
 from small import EDGE, PATH, TRIANGLE, all_maps
-from worlds_that_change import Lamp
-
-MEETING = Meeting(labels=True)
-CASES = {
-    "steps": (Meeting(), "steps", 3),
-    "never out of step": (MEETING, "patient", 2),
-    "watches": (MEETING, "watches", 2),
-    "weak": (Meeting(multiplicity="weak", apart=False), "steps", 2),
-    "blind": (Meeting(), "blind", 2),
-    "switches": (Lamp(), "switches", 2),
-    "fails": (Lamp(fails=True), "switches", 1),
-    "blinks": (Lamp(blinks=True), "switches", 1),
-    "too often": (Lamp(dark=1), "switches", 2),
-    "shoots": (Lamp(), "shoots", 2),
-    "crashes": (Lamp(), "crashes", 2),
-    "unknown": (Lamp(), "blind", 2),
-    "sleeps": (Lamp(), "sleeps", 2),
-    "sleeps while it blinks": (Lamp(blinks=True), "sleeps", 1),
-    "sleeps while it fails": (Lamp(blinks=True, fails=True), "sleeps", 1),
-}
-
-
-def agree(map_, starts, model, team, scheduler, budget=4, lead=None):
-    """Compare both; return the number of schedules."""
-    found = search(map_, starts, model, team, scheduler, budget=budget, lead=lead)
-    ends = [*Schedules(map_, model, team, scheduler, budget, lead).ends(starts)]
-    broken = [end for end in ends if end[1] not in ("", "cut")]
-    least = min(length for length, _ in broken) if broken else 0
-    laws = {law for length, law in broken if length == least} or {""}
-    assert found.law in laws
-    if broken:
-        assert len(found.events) == least
-        return len(ends)
-    assert bool(found.unfinished) == any(law == "cut" for _, law in ends)
-    if found.holds:
-        assert found.schedules == len(ends)
-    return len(ends)
+from worlds_that_change import CASES, MEETING, steps
 
 
 @pytest.mark.parametrize("scheduler", SCHEDULERS)
 @pytest.mark.parametrize("case", CASES)
 def test_schedules_one_by_one_are_as_many_and_end_alike(case, scheduler):
-    model, name, most = CASES[case]
-    team, tried = [getattr(programs, name)] * 2, 0
+    model, program, most = CASES[case]
+    tried = 0
     for map_ in all_maps(most if scheduler in ("fsync", "central") else min(most, 2)):
         for starts in model.starts(map_, 2):
-            tried += agree(map_, starts, model, team, scheduler)
+            tried += agree(map_, starts, model, [program] * 2, scheduler)
     assert tried
 
 
@@ -67,11 +30,10 @@ def test_schedules_one_by_one_are_as_many_and_end_alike(case, scheduler):
 @pytest.mark.parametrize("scheduler", ["ssync", "central", "async"])
 @pytest.mark.parametrize("case", ["never out of step", "watches", "switches", "shoots"])
 def test_schedules_with_a_lead_are_as_many_and_end_alike(case, scheduler, lead):
-    model, name, _ = CASES[case]
-    team = [getattr(programs, name)] * 2
+    model, program, _ = CASES[case]
     for map_ in (EDGE, PATH):
         for starts in model.starts(map_, 2):
-            agree(map_, starts, model, team, scheduler, lead=lead)
+            agree(map_, starts, model, [program] * 2, scheduler, lead=lead)
 
 
 def test_central_runs_with_a_lead_are_async_runs_with_it():
@@ -85,7 +47,7 @@ def test_central_runs_with_a_lead_are_async_runs_with_it():
 def test_a_team_of_three():
     for scheduler in SCHEDULERS:
         for start in ((0, 1, 1), (0, 1, 3), (2, 4, 5)):
-            agree(TRIANGLE, start, Meeting(apart=False), [programs.steps] * 3, scheduler, budget=1)
+            agree(TRIANGLE, start, Meeting(apart=False), [steps] * 3, scheduler, budget=1)
 
 
 def step_once(first):

@@ -5,95 +5,16 @@ from itertools import product
 
 import pytest
 
-from allworlds.protocol.actions import Do, Move, Wait, Watch
+from allworlds.protocol.actions import Do, Move, Watch
 from allworlds.protocol.turns import Automaton
 from allworlds.robots.configurations import Search
 from allworlds.robots.minds import Minds
-from allworlds.robots.model import QUIET, SCHEDULERS, Assumption, Condition, Guarded, Model
-from allworlds.robots.models.meeting import Meeting
+from allworlds.robots.model import SCHEDULERS, Assumption, Guarded, Model
 from allworlds.robots.one_world import search, turns_of
 from allworlds.robots.schedulers import Time
-from fair_runs import Automata, walk_anew
-from small import EDGE, LOOP, PATH, TRIANGLE
-from worlds_that_change import Lamp
-
-
-@dataclass(frozen=True)
-class Together(Meeting):
-    """Robots with another aim than to meet once.
-
-    Attributes:
-        aim: the kind of the condition.
-    """
-
-    aim: str = "GF"
-
-    def over(self, map_, state):
-        return False
-
-    def progress(self, map_):
-        def met(state):
-            return len({map_.vertex_of[dart] for dart in state.darts}) == 1
-
-        yield QUIET if self.aim == "quiet" else Condition("together", self.aim == "FG", met)
-
-
-WAIT = Wait()
-
-
-def automata(other=WAIT):
-    """All 256 with two states that sense whether somebody is here, and move or do the other."""
-    acts = Move(1), other
-    for does in product(acts, repeat=4):
-        for after in product((0, 1), repeat=4):
-            yield Automaton(0, table(does, after))
-
-
-def table(does, after):
-    def step(memory, percept):
-        at = 2 * memory + (percept.marks > 0)
-        return after[at], does[at]
-
-    return step
-
-
-WORLDS = [
-    (EDGE, (0, 1), Meeting()),
-    (EDGE, (0, 1), Together(aim="GF")),
-    (EDGE, (0, 0), Together(aim="FG")),
-    (LOOP, (0, 1), Together(aim="quiet")),
-    (PATH, (0, 3), Together(aim="GF")),
-    (PATH, (0, 1), Together(aim="FG")),
-    (PATH, (0, 2), Together(aim="quiet")),
-    (TRIANGLE, (0, 3), Together(aim="GF")),
-    (TRIANGLE, (0, 1), Together(aim="FG")),
-]
-
-
-def agree(world, scheduler, automaton):
-    """Compare both algorithms; walk a lasso; return whether there is one."""
-    map_, starts, model = world
-    team = Automata(map_, model, [automaton] * 2, scheduler)
-    found = search(map_, starts, model, team.team, scheduler)
-    (condition,) = model.progress(map_)
-    assert bool(found.law) == team.breaks(starts, condition)
-    if not found.law:
-        return False
-    way = walk_anew(team, starts, found)
-    loop = way[len(way) - 1 - found.loop :]
-    if not found.loop:
-        assert not team.able(way[-1])
-        return False
-    assert loop[0] == loop[-1]
-    events = found.events[-found.loop :]
-    for robot in (0, 1):
-        acting = any(turn.robot == robot for event in events for turn in event.turns)
-        assert acting or any(robot not in team.able(at) for at in loop)
-    if condition.holds is None:
-        assert any(type(turn.did) is Move for event in events for turn in event.turns)
-    else:
-        assert not all(condition.holds(state) for state, _ in loop)
-    return True
+from fair_runs import agree_on_cycles
+from small import EDGE, PATH
+from worlds_that_change import GATES, WORLDS, Lamp, Together, automata
 
 
 def test_a_second_algorithm_for_fair_cycles_agrees():
@@ -102,15 +23,15 @@ def test_a_second_algorithm_for_fair_cycles_agrees():
     lassos = 0
     for number, (world, scheduler) in enumerate(product(WORLDS, SCHEDULERS)):
         for automaton in every[number % 23 :: 23]:
-            lassos += agree(world, scheduler, automaton)
+            lassos += agree_on_cycles(world, scheduler, automaton)
     assert lassos > 100
 
 
 @pytest.mark.parametrize("scheduler", SCHEDULERS)
 def test_a_second_algorithm_agrees_where_robots_watch(scheduler):
-    for world in WORLDS[1::2]:
+    for world in [*WORLDS[1::2], *GATES]:
         for automaton in [*automata(Watch())][3::29]:
-            agree(world, scheduler, automaton)
+            agree_on_cycles(world, scheduler, automaton)
 
 
 @pytest.mark.long
@@ -120,7 +41,7 @@ def test_a_second_algorithm_agrees_on_all_automata_of_two_states(number, schedul
     """With nine worlds and four schedulers 9,216 searches."""
     assert sum(1 for _ in automata()) == 256
     for automaton in automata():
-        agree(WORLDS[number], scheduler, automaton)
+        agree_on_cycles(WORLDS[number], scheduler, automaton)
 
 
 # ---------------------------------------------------------------- runs of one scheduler in another

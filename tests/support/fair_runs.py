@@ -6,7 +6,8 @@ are taken out from which one cannot, inside, reach a step that each kind of fair
 is left at the end are the runs that go on for ever, fairly, without the condition.
 """
 
-from allworlds.protocol.actions import End, Wait, Watch
+from allworlds.protocol.actions import End, Move, Wait, Watch
+from allworlds.robots.one_world import search
 from one_by_one import groups
 
 
@@ -32,7 +33,10 @@ class Automata:
         return found
 
     def steps(self, configuration):
-        """Each step: the group, whether somebody acts, the next configuration."""
+        """Each step: the group, whether somebody acts, the next configuration, the words.
+
+        No words: the world stands still, and no adversary is asked.
+        """
         state, robots = configuration
         if self.model.over(self.map, state):
             return
@@ -54,11 +58,11 @@ class Automata:
                     after[r] = (memory, action, None, False)
                 else:
                     acts[r] = action
-            every = [state]
+            every = [(state, None)]
             if acts or self.rounds:
-                every = [to for to, _ in self.model.step(self.map, state, acts)]
-            for to in every:
-                yield group, bool(acts), (to, tuple(after))
+                every = [*self.model.step(self.map, state, acts)]
+            for to, words in every:
+                yield group, bool(acts), (to, tuple(after)), words
 
     def graph(self, starts):
         """All configurations that can be reached, with their steps."""
@@ -70,10 +74,12 @@ class Automata:
         return found
 
     def breaks(self, starts, condition, assumptions=()):
-        """Whether an infinite fair run breaks the condition."""
+        """Whether an infinite fair run breaks the condition.
+
+        Where the world makes no step at all the adversary keeps what is assumed.
+        """
         graph = self.graph(starts)
         wishes = [self.fair(r) for r in range(len(self.team))]
-        wishes += [lambda b, s, a=a: a.holds(b[0], s[2][0], "") for a in assumptions]
         left = {*graph}
         if condition.holds is None:
             wishes.append(lambda _, step: step[1])
@@ -81,7 +87,9 @@ class Automata:
             wishes.append(lambda before, _: not condition.holds(before[0]))
         else:
             left = {each for each in graph if not condition.holds(each[0])}
-        return bool(fixed_point(graph, left, wishes))
+        still = {at: [step for step in steps if step[3] is None] for at, steps in graph.items()}
+        kept = [lambda b, s, a=a: a.holds(b[0], s[2][0], s[3]) for a in assumptions]
+        return bool(fixed_point(graph, left, wishes + kept) or fixed_point(still, left, wishes))
 
     def fair(self, robot):
         return lambda before, step: robot in step[0] or robot not in self.able(before)
@@ -115,7 +123,34 @@ def walk_anew(team, starts, found):
         way.append(at[0])
         group = tuple(turn.robot for turn in event.turns)
         assert {*group} <= {*team.able(at[0])}
-        at = [to for who, _, to in team.steps(at[0]) if who == group and to[0] == event.state]
+        steps = [step for step in team.steps(at[0]) if step[0] == group]
+        at = [to for _, _, to, words in steps if (to[0], words or "") == (event.state, event.world)]
         moved = [turn for turn in event.turns if turn.sensed is None]
         assert all(way[-1][1][turn.robot][1] == turn.did for turn in moved)
     return [*way, *at]
+
+
+def agree_on_cycles(world, scheduler, automaton):
+    """Compare both algorithms; walk a lasso; return whether there is one."""
+    map_, starts, model = world
+    team = Automata(map_, model, [automaton] * 2, scheduler)
+    found = search(map_, starts, model, team.team, scheduler)
+    (condition,) = model.progress(map_)
+    assert bool(found.law) == team.breaks(starts, condition, [*model.assumes(map_)])
+    if not found.law:
+        return False
+    way = walk_anew(team, starts, found)
+    loop = way[len(way) - 1 - found.loop :]
+    if not found.loop:
+        assert not team.able(way[-1])
+        return False
+    assert loop[0] == loop[-1]
+    events = found.events[-found.loop :]
+    for robot in (0, 1):
+        acting = any(turn.robot == robot for event in events for turn in event.turns)
+        assert acting or any(robot not in team.able(at) for at in loop)
+    if condition.holds is None:
+        assert any(type(turn.did) is Move for event in events for turn in event.turns)
+    else:
+        assert not all(condition.holds(state) for state, _ in loop)
+    return True

@@ -3,6 +3,7 @@
 from itertools import combinations
 
 from allworlds.protocol.actions import IllegalAction, Wait, Watch
+from allworlds.robots.one_world import search
 
 
 class Robot:
@@ -129,3 +130,20 @@ class Schedules:
                     yield length, "progress"
                     return
         yield length, law if self.model.flaw(self.map, state, answers) else ""
+
+
+def agree(map_, starts, model, team, scheduler, budget=4, lead=None):
+    """Compare both; return the number of schedules."""
+    found = search(map_, starts, model, team, scheduler, budget=budget, lead=lead)
+    ends = [*Schedules(map_, model, team, scheduler, budget, lead).ends(starts)]
+    broken = [end for end in ends if end[1] not in ("", "cut")]
+    least = min(length for length, _ in broken) if broken else 0
+    laws = {law for length, law in broken if length == least} or {""}
+    assert found.law in laws
+    if broken:
+        assert len(found.events) == least
+        return len(ends)
+    assert bool(found.unfinished) == any(law == "cut" for _, law in ends)
+    if found.holds:
+        assert found.schedules == len(ends)
+    return len(ends)

@@ -1,10 +1,14 @@
 """Small models, and programs for several robots, that tests of schedules share."""
 
 from dataclasses import dataclass
+from itertools import product
 from typing import NamedTuple
 
 from allworlds.protocol.actions import Do, IllegalAction, Move, Wait, Watch
-from allworlds.robots.model import Model
+from allworlds.protocol.turns import Automaton
+from allworlds.robots.model import QUIET, Assumption, Condition, Model
+from allworlds.robots.models.meeting import Meeting
+from small import EDGE, LOOP, PATH, TRIANGLE
 
 
 class Lamps(NamedTuple):
@@ -20,12 +24,16 @@ class Lamp(Model):
     Attributes:
         blinks: whether each round switches it.
         fails: whether the adversary may leave it as it is.
-        dark: the goal is that it is lit, so often.
+        dark: how often it may be switched.
+        lit: whether it must be lit at the end.
+        odd: whether 1 is sensed after one switch, and true after two.
     """
 
     blinks: bool = False
     fails: bool = False
     dark: int = 3
+    lit: bool = True
+    odd: bool = False
 
     def initial(self, map_, starts):
         yield Lamps(tuple(starts))
@@ -38,6 +46,8 @@ class Lamp(Model):
     def sensed(self, map_, state, robot):
         if robot in state.gone:
             return None
+        if self.odd:
+            return 1 if state.lamp == 1 else state.lamp == 2
         return [map_.degree_at[state.darts[robot]], state.lamp % 2 == 1]
 
     def step(self, map_, state, acts):
@@ -62,7 +72,7 @@ class Lamp(Model):
         return "it is switched too often" if state.lamp > self.dark and not self.blinks else ""
 
     def flaw(self, map_, state, answers):
-        return "" if state.lamp % 2 else "it is dark"
+        return "it is dark" if self.lit and not state.lamp % 2 else ""
 
 
 def steps(first, *, told=None):
@@ -110,6 +120,15 @@ def shoots(first, *, told=None):
     yield Do("switch")
 
 
+def counts(first, *, told=None):
+    """Switch the lamp until true is sensed, which is not 1."""
+    seen = first
+    for _ in range(2):
+        if seen is True:
+            return
+        seen = yield Do("switch")
+
+
 def crashes(first, *, told=None):
     """Raise once the lamp is lit."""
     seen = yield Do("switch")
@@ -137,3 +156,102 @@ def sleeps(first, *, told=None):
     yield Watch()
     yield Do("switch")
     yield Do("switch")
+
+
+MEETING = Meeting(labels=True)
+CASES = {
+    "steps": (Meeting(), steps, 3),
+    "never out of step": (MEETING, patient, 2),
+    "watches": (MEETING, watches, 2),
+    "weak": (Meeting(multiplicity="weak", apart=False), steps, 2),
+    "blind": (Meeting(), blind, 2),
+    "switches": (Lamp(), switches, 2),
+    "fails": (Lamp(fails=True), switches, 1),
+    "blinks": (Lamp(blinks=True), switches, 1),
+    "too often": (Lamp(dark=1), switches, 2),
+    "shoots": (Lamp(), shoots, 2),
+    "shoots, dark": (Lamp(lit=False), shoots, 2),
+    "counts": (Lamp(lit=False, odd=True), counts, 1),
+    "crashes": (Lamp(), crashes, 2),
+    "unknown": (Lamp(), blind, 2),
+    "sleeps": (Lamp(), sleeps, 2),
+    "sleeps while it blinks": (Lamp(blinks=True), sleeps, 1),
+    "sleeps while it fails": (Lamp(blinks=True, fails=True), sleeps, 1),
+}
+
+
+@dataclass(frozen=True)
+class Together(Meeting):
+    """Robots with another aim than to meet once.
+
+    Attributes:
+        aim: the kind of the condition.
+    """
+
+    aim: str = "GF"
+
+    def over(self, map_, state):
+        return False
+
+    def progress(self, map_):
+        def met(state):
+            return len({map_.vertex_of[dart] for dart in state.darts}) == 1
+
+        yield QUIET if self.aim == "quiet" else Condition("together", self.aim == "FG", met)
+
+
+@dataclass(frozen=True)
+class Gate(Together):
+    """The adversary lets nobody move, or all; it must let them again and again.
+
+    Attributes:
+        opens: whether it must.
+    """
+
+    opens: bool = True
+
+    def step(self, map_, state, acts):
+        yield state, "shut"
+        yield from ((after, "open") for after, _ in super().step(map_, state, acts))
+
+    def assumes(self, map_):
+        if self.opens:
+            yield Assumption("open", lambda _before, _after, words: words == "open")
+
+
+WAIT = Wait()
+
+
+def automata(other=WAIT):
+    """All 256 with two states that sense whether somebody is here, and move or do the other."""
+    acts = Move(1), other
+    for does in product(acts, repeat=4):
+        for after in product((0, 1), repeat=4):
+            yield Automaton(0, table(does, after))
+
+
+def table(does, after):
+    def step(memory, percept):
+        at = 2 * memory + (percept.marks > 0)
+        return after[at], does[at]
+
+    return step
+
+
+WORLDS = [
+    (EDGE, (0, 1), Meeting()),
+    (EDGE, (0, 1), Together(aim="GF")),
+    (EDGE, (0, 0), Together(aim="FG")),
+    (LOOP, (0, 1), Together(aim="quiet")),
+    (PATH, (0, 3), Together(aim="GF")),
+    (PATH, (0, 1), Together(aim="FG")),
+    (PATH, (0, 2), Together(aim="quiet")),
+    (TRIANGLE, (0, 3), Together(aim="GF")),
+    (TRIANGLE, (0, 1), Together(aim="FG")),
+]
+GATES = [
+    (EDGE, (0, 1), Gate()),
+    (PATH, (0, 3), Gate(aim="FG")),
+    (PATH, (0, 1), Gate(opens=False)),
+    (TRIANGLE, (0, 3), Gate()),
+]
