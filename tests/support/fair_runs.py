@@ -8,7 +8,7 @@ is left at the end are the runs that go on for ever, fairly, without the conditi
 
 from allworlds.protocol.actions import End, Move, Wait, Watch
 from allworlds.robots.one_world import search
-from one_by_one import groups
+from one_by_one import after_looks, groups
 
 
 class Automata:
@@ -42,7 +42,7 @@ class Automata:
             return
         able = self.able(configuration)
         for group in groups(self.scheduler, able) if able else [()]:
-            after, acts = [*robots], {}
+            after, acts, looks = [*robots], {}, {}
             for r in group:
                 memory, due, _, _ = robots[r]
                 if due:
@@ -55,12 +55,12 @@ class Automata:
                 if type(action) in (End, Wait, Watch):
                     continue
                 if self.scheduler == "async":
-                    after[r] = (memory, action, None, False)
+                    looks[r], after[r] = action, (memory, action, None, False)
                 else:
                     acts[r] = action
-            every = [(state, None)]
+            every = [(to, None) for to, _ in after_looks(self.map, self.model, state, looks)]
             if acts or self.rounds:
-                every = [*self.model.step(self.map, state, acts)]
+                every = [end for to, _ in every for end in self.model.step(self.map, to, acts)]
             for to, words in every:
                 yield group, bool(acts), (to, tuple(after)), words
 
@@ -114,6 +114,10 @@ def can_reach(graph, inside, aims):
     return found
 
 
+def told(words, event):
+    return words is None or event.world.endswith(words)
+
+
 def walk_anew(team, starts, found):
     """Walk the events of a finding; return the configurations before each, and the last one."""
     at = team.first(starts)
@@ -124,7 +128,7 @@ def walk_anew(team, starts, found):
         group = tuple(turn.robot for turn in event.turns)
         assert {*group} <= {*team.able(at[0])}
         steps = [step for step in team.steps(at[0]) if step[0] == group]
-        at = [to for _, _, to, words in steps if (to[0], words or "") == (event.state, event.world)]
+        at = [to for _, _, to, words in steps if told(words, event) and to[0] == event.state]
         moved = [turn for turn in event.turns if turn.sensed is None]
         assert all(way[-1][1][turn.robot][1] == turn.did for turn in moved)
     return [*way, *at]

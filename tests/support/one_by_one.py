@@ -46,6 +46,14 @@ def groups(scheduler, able):
     return [group for size in range(1, len(able) + 1) for group in combinations(able, size)]
 
 
+def after_looks(map_, model, state, due):
+    """The states after some looks, one after the other."""
+    every = [(state, "")]
+    for robot, action in due.items():
+        every = [to for before, _ in every for to in model.looked(map_, before, robot, action)]
+    return every
+
+
 class Schedules:
     """All maximal schedules in one world; each is its length, and the law that is broken or ''."""
 
@@ -86,7 +94,7 @@ class Schedules:
             yield from self.together(group, state, robots, sensed, ahead, length)
 
     def together(self, group, state, robots, sensed, ahead, length):
-        after, acts, count = [*robots], {}, [*ahead]
+        after, acts, count, due = [*robots], {}, [*ahead], {}
         for r in group:
             if robots[r].due:
                 acts[r], after[r] = robots[r].due, robots[r].moving(None)
@@ -99,11 +107,14 @@ class Schedules:
             if after[r].ended or type(after[r].says) in (Wait, Watch):
                 continue
             if self.scheduler == "async":
-                after[r] = after[r].moving(after[r].says)
+                due[r] = after[r].says
+                after[r] = after[r].moving(due[r])
             else:
                 acts[r] = after[r].says
         try:
-            every = [*self.model.step(self.map, state, acts)] if acts or self.rounds else [(state,)]
+            every = [*after_looks(self.map, self.model, state, due)]
+            if acts or self.rounds:
+                every = [to for s, *_ in every for to in self.model.step(self.map, s, acts)]
         except IllegalAction:
             yield length + 1, "illegal-action"
             return

@@ -19,7 +19,7 @@ from allworlds.robots.cycles import broken_for_ever
 from allworlds.robots.events import event_of
 from allworlds.robots.graph import Broken, Graph, Step
 from allworlds.robots.minds import Ended, Fault, Minds
-from allworlds.robots.model import Assumption, Guarded
+from allworlds.robots.model import Assumption, Guarded, joined
 from allworlds.robots.schedulers import Time
 
 STILL = Wait, Watch, Ended, Fault
@@ -199,7 +199,7 @@ class Search:
     def _make(self, number: int, group: tuple[int, ...], looks: tuple[int, ...]) -> bool:
         """Make the steps of a group; return False if they break a law."""
         state, minds, extra = self.configuration(number)
-        after, acts = [*minds], dict[int, Any]()
+        after, acts, due = [*minds], dict[int, Any](), dict[int, Any]()
         for robot, look in zip(group, looks, strict=True):
             mind = ~look if minds[robot] < 0 else self.minds.settled(look)
             value = self.minds.value[mind]
@@ -209,11 +209,11 @@ class Search:
             if isinstance(value, STILL):
                 after[robot] = self.minds.after(mind)
             elif self._slow and minds[robot] >= 0:
-                after[robot] = ~mind
+                due[robot], after[robot] = value, ~mind
             else:
                 acts[robot], after[robot] = value, self.minds.after(mind)
         try:
-            following = self.following(state, acts)
+            following = self.following(state, acts, due)
         except IllegalAction as error:
             whose = group[0] if len(group) == 1 else None
             self.found = Broken("illegal-action", str(error), number, group, robot=whose)
@@ -235,15 +235,27 @@ class Search:
         """Whether the value of a mind is an action in the world."""
         return not isinstance(value, STILL)
 
-    def following(self, state: Any, acts: dict[int, Any]) -> list[tuple[Any, str]]:
+    def following(
+        self, state: Any, acts: dict[int, Any], due: dict[int, Any]
+    ) -> list[tuple[Any, str]]:
         """Each state after these actions, with the words of the adversary.
+
+        Args:
+            state: before.
+            acts: the actions that are done, by robot.
+            due: those of looks at the same time, which are done later.
 
         Raises:
             IllegalAction: of the model.
         """
-        if acts or self.time.has_rounds:
-            return self.world.step(state, acts)
-        return [(state, "")]
+        made = self.world.looked(state, due) if due else [(state, "")]
+        if not acts and not self.time.has_rounds:
+            return made
+        following = []
+        for each, words in made:
+            for to, more in self.world.step(each, acts):
+                following.append((to, joined(words, more)))
+        return following
 
     def _passed(
         self, extra: tuple[int, ...], group: Iterable[int], minds: Sequence[int]

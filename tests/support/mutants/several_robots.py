@@ -39,11 +39,11 @@ def moves_at_once(patch):
 def no_empty_rounds(patch):
     """The world makes no step in a round in which nobody acts."""
     following = Search.following
-    patch.setattr(
-        Search,
-        "following",
-        lambda s, state, acts: following(s, state, acts) if acts else [(state, "")],
-    )
+
+    def still(search, state, acts, due):
+        return following(search, state, acts, due) if acts or due else [(state, "")]
+
+    patch.setattr(Search, "following", still)
 
 
 def dead_ones_move(patch):
