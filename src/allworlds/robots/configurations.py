@@ -21,7 +21,7 @@ from allworlds.robots.cycles import broken_for_ever
 from allworlds.robots.events import event_of
 from allworlds.robots.graph import Broken, Graph, GraphStep
 from allworlds.robots.minds import Ended, Minds, ProgramFault
-from allworlds.robots.model import Assumption, Guarded
+from allworlds.robots.model import Assumption, Guarded, joined
 from allworlds.robots.schedulers import Time
 
 STILL = Wait, Watch, Ended, ProgramFault
@@ -116,10 +116,10 @@ class Search:
             if self._cut_off(able, cut, number):
                 continue
             if not able:
-                if not self.time.has_rounds or self._all_ended(number):
-                    self._stop(number)
-                else:
+                if self._goes_on(number):
                     self._plans.append((number, (), ()))
+                else:
+                    self._stop(number)
                 continue
             for group in self.time.groups(able):
                 self._plans.append((number, group, self._looks(number, minds, group)))
@@ -176,17 +176,27 @@ class Search:
                     continue
             able.append(robot)
         extra = key[len(self.team) + 1 :]
-        return (self._allowed(able, extra) if extra else able), cut
+        return (self._allowed(able, key[1:], extra) if extra else able), cut
 
-    def _allowed(self, able: list[int], extra: tuple[int, ...]) -> list[int]:
-        """Those whom the scheduler lets go on: who has begun, and is not too far ahead."""
+    def _allowed(self, able: list[int], minds: Sequence[int], extra: tuple[int, ...]) -> list[int]:
+        """Those whom the scheduler lets go on: who has begun, and is not too far ahead.
+
+        Who is between Look and Move is in an activation that is counted, and may finish it.
+        """
         if self.time.start_delay:
             able = [robot for robot in able if robot != 1 or not extra[0]]
         if self.time.lead is None or not able:
             return able
         done = extra[-len(self.team) :]
-        least = min(done[robot] for robot in able)
-        return [robot for robot in able if done[robot] <= least + self.time.lead - 1]
+        most = min(done[robot] for robot in able) + self.time.lead
+        return [robot for robot in able if minds[robot] < 0 or done[robot] < most]
+
+    def _goes_on(self, number: int) -> bool:
+        """Whether something may change though nobody is able: a sleeper begins, or a round."""
+        _, _, extra = self.configuration(number)
+        if self.time.start_delay and extra[0]:
+            return True
+        return self.time.has_rounds and not self._all_ended(number)
 
     def _cut_off(self, able: Sequence[int], cut: Sequence[int], number: int) -> bool:
         """Whether a run ends here because of the budget."""
@@ -209,7 +219,7 @@ class Search:
     def _make(self, number: int, group: tuple[int, ...], looks: tuple[int, ...]) -> bool:
         """Make the steps of a group; return False if they break a law."""
         state, minds, extra = self.configuration(number)
-        after, acts = [*minds], dict[int, Any]()
+        after, acts, due = [*minds], dict[int, Any](), dict[int, Any]()
         for robot, look in zip(group, looks, strict=True):
             mind = ~look if minds[robot] < 0 else self.minds.settled(look)
             value = self.minds.value[mind]
@@ -219,11 +229,11 @@ class Search:
             if isinstance(value, STILL):
                 after[robot] = self.minds.after(mind)
             elif self._slow and minds[robot] >= 0:
-                after[robot] = ~mind
+                due[robot], after[robot] = value, ~mind
             else:
                 acts[robot], after[robot] = value, self.minds.after(mind)
         try:
-            following = self.following(state, acts)
+            following = self.following(state, acts, due)
         except IllegalAction as error:
             whose = group[0] if len(group) == 1 else None
             self.found = Broken("illegal-action", str(error), number, group, robot=whose)
@@ -245,15 +255,27 @@ class Search:
         """Whether the value of a mind is an action in the world."""
         return not isinstance(value, STILL)
 
-    def following(self, state: Any, acts: dict[int, Any]) -> list[tuple[Any, str]]:
+    def following(
+        self, state: Any, acts: dict[int, Any], due: dict[int, Any]
+    ) -> list[tuple[Any, str]]:
         """Each state after these actions, with the words of the adversary.
+
+        Args:
+            state: before.
+            acts: the actions that are done, by robot.
+            due: those of looks at the same time, which are done later.
 
         Raises:
             IllegalAction: of the model.
         """
-        if acts or self.time.has_rounds:
-            return self.world.step(state, acts)
-        return [(state, "")]
+        made = self.world.looked(state, due) if due else [(state, "")]
+        if not acts and not self.time.has_rounds:
+            return made
+        following = []
+        for each, words in made:
+            for to, more in self.world.step(each, acts):
+                following.append((to, joined(words, more)))
+        return following
 
     def _passed(
         self, extra: tuple[int, ...], group: Iterable[int], minds: Sequence[int]

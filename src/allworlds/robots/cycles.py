@@ -16,6 +16,9 @@ from allworlds.robots.model import Assumption, Liveness
 if TYPE_CHECKING:
     from allworlds.robots.configurations import Search
 
+Steps: TypeAlias = Callable[[int], Iterable[int]]
+"""Of a configuration the steps that count."""
+
 Wish: TypeAlias = Callable[[int, int], bool]
 """Whether a step, by the configuration before it and its number, is what is looked for."""
 
@@ -25,15 +28,32 @@ def broken_for_ever(search: Search) -> Broken | None:
     graph = search.graph
     if not search.minds.finite and all(graph.group):
         return None  # each step makes a history longer
+    fair, assumed = [*_fairness(search)], [*_assumptions(search)]
+    ways: list[tuple[Steps, list[Wish]]] = [(graph.steps, [*fair, *assumed])]
+    if assumed and not search.time.has_rounds:
+        ways.append((graph.still_steps, fair))  # the adversary is never asked
     every = range(len(search))
     for condition in search.world.progress():
         inside = [*every]
         if condition.holds is not None and not condition.forever:
             inside = [number for number in every if not _holds(search, condition, number)]
-        for part in components(search, inside):
-            wishes = [*_broken_by(search, condition), *_fairness(search)]
-            if cycle := _cycle(search, part, wishes):
-                return _told(search, condition, min(part), cycle)
+        for steps, counted in ways:
+            wishes = [*_broken_by(search, condition), *counted]
+            for part in components(search, inside, steps):
+                if broken := _broken_in(search, condition, part, wishes, steps):
+                    return broken
+    return None
+
+
+def _broken_in(
+    search: Search, condition: Liveness, part: list[int], wishes: list[Wish], steps: Steps
+) -> Broken | None:
+    """What a cycle in a strongly connected part breaks; one without activations may be harmless."""
+    for each in (wishes, [*wishes, _activated(search)]):
+        cycle = _cycle(search, part, each, steps)
+        broken = _told(search, condition, min(part), cycle) if cycle else None
+        if broken:
+            return broken
     return None
 
 
@@ -45,6 +65,11 @@ def _told(search: Search, condition: Liveness, at: int, cycle: tuple[int, ...]) 
         f"again and again not {condition.name}" if forever else f"for ever without {condition.name}"
     )
     return Broken("progress", seen, at, cycle=cycle)
+
+
+def _activated(search: Search) -> Wish:
+    """The steps in which somebody is activated: of a cycle that is not harmless."""
+    return lambda _before, step: bool(search.graph.group[step])
 
 
 def _holds(search: Search, condition: Liveness, number: int) -> bool:
@@ -69,6 +94,10 @@ def _fairness(search: Search) -> Iterator[Wish]:
             return bool(graph.group[step] & bit) or robot not in search.able(before)[0]
 
         yield fair
+
+
+def _assumptions(search: Search) -> Iterator[Wish]:
+    """The steps of the adversary of which every cycle that counts has one."""
     for assumption in search.world.assumes():
 
         def assumed(before: int, step: int, assumption: Assumption = assumption) -> bool:
@@ -77,14 +106,15 @@ def _fairness(search: Search) -> Iterator[Wish]:
         yield assumed
 
 
-def components(search: Search, inside: Sequence[int]) -> Iterator[list[int]]:
+def components(search: Search, inside: Sequence[int], steps: Steps) -> Iterator[list[int]]:
     """The strongly connected parts that hold a step, by the least configuration met (Tarjan).
 
     Args:
         search: the search.
         inside: the configurations, ascending; others do not count.
+        steps: of each configuration those that count.
     """
-    to, steps = search.graph.to, search.graph.steps
+    to = search.graph.to
     index = dict.fromkeys(inside, -1)
     low: dict[int, int] = {}
     stack: list[int] = []
@@ -123,7 +153,9 @@ def components(search: Search, inside: Sequence[int]) -> Iterator[list[int]]:
     yield from sorted(found)
 
 
-def _cycle(search: Search, part: Sequence[int], wishes: Iterable[Wish]) -> tuple[int, ...]:
+def _cycle(
+    search: Search, part: Sequence[int], wishes: Iterable[Wish], steps: Steps
+) -> tuple[int, ...]:
     """The steps of a cycle from the least configuration of a part that has all that is wished for.
 
     Empty if the part has not.
@@ -133,24 +165,26 @@ def _cycle(search: Search, part: Sequence[int], wishes: Iterable[Wish]) -> tuple
     for wish in wishes:
         if any(wish(before, step) for before, step in cycle):
             continue
-        way = _shortest(search, inside, at, wish)
+        way = _shortest(search, inside, at, wish, steps)
         if not way:
             return ()
         cycle += way
         at = search.graph.to[cycle[-1][1]]
     if at != start or not cycle:
-        back = _shortest(search, inside, at, lambda _, step: search.graph.to[step] == start)
+        back = _shortest(search, inside, at, lambda _, step: search.graph.to[step] == start, steps)
         assert back
         cycle += back
     return tuple(step for _, step in cycle)
 
 
-def _shortest(search: Search, inside: set[int], at: int, wish: Wish) -> list[tuple[int, int]]:
+def _shortest(
+    search: Search, inside: set[int], at: int, wish: Wish, steps: Steps
+) -> list[tuple[int, int]]:
     """The steps of a shortest way inside whose last one is as wished; none if there is no way."""
     to = search.graph.to
     came: dict[int, tuple[int, int]] = {at: (-1, -1)}
     for number in (queue := [at]):
-        for step in search.graph.steps(number):
+        for step in steps(number):
             if to[step] not in inside:
                 continue
             if wish(number, step):

@@ -63,7 +63,7 @@ def event_of(search: Search, step: GraphStep) -> Event:
     """The event of a step; nothing is asked of a program."""
     state, minds, _ = search.configuration(step.before)
     group = [robot for robot in range(len(search.team)) if step.group >> robot & 1]
-    turns, acts = [], dict[int, Any]()
+    turns, acts, due = [], dict[int, Any](), dict[int, Any]()
     for robot in group:
         moves = minds[robot] < 0
         sensed = None if moves else search.percept(step.before, robot)
@@ -74,12 +74,12 @@ def event_of(search: Search, step: GraphStep) -> Event:
         acting = search.acts(value)
         later = acting and search.time.scheduler == "async" and not moves
         turns.append(Turn(robot, sensed, value, later))
-        if acting and not later:
-            acts[robot] = value
+        if acting:
+            (due if later else acts)[robot] = value
     if any(type(turn.did) is ProgramFault for turn in turns):
         return Event(tuple(turns), 0, "", 1, state)
     try:
-        following = search.following(state, acts)
+        following = search.following(state, acts, due)
     except IllegalAction:
         return Event(tuple(turns), 0, "", 1, state)
     after, words = following[step.adversary]

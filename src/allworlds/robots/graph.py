@@ -61,3 +61,7 @@ class Graph(Struct):
         """The steps of a configuration."""
         last = self.first[number + 1] if number + 1 < len(self.first) else len(self.to)
         return range(self.first[number], last)
+
+    def still_steps(self, number: int) -> list[int]:
+        """The steps of a configuration in which nobody acts."""
+        return [step for step in self.steps(number) if not self.acts[step]]

@@ -77,22 +77,21 @@ class Minds:
 
     Args:
         programs: those of the team, each once.
-        counted: whether the activations of automata are counted, as those of others are.
 
     Attributes:
         value: for each mind the action that is due, how its program has ended, or None.
         sensed: for each mind what it has sensed last, if it watches, or is a history.
-        depth: for each mind the number of activations; of automata that are not counted 0.
+        depth: for each mind the number of activations; 0 if all programs are automata.
         messages: the number of turns of each message.
     """
 
-    def __init__(self, programs: Sequence[Answering], *, counted: bool = False) -> None:
+    def __init__(self, programs: Sequence[Answering]) -> None:
         self.value: list[Any] = []
         self.sensed: list[Sensed | None] = []
         self.depth: list[int] = []
         self.watches: list[bool] = []
         self.messages: list[int] = []
-        self._counted = counted
+        self._counted = False
         self.kept = [AskedProgram(program, {}, [], [], []) for program in programs]
         self._of: list[int] = []
         self._memory: list[int] = []  # of a history the mind before
@@ -123,6 +122,7 @@ class Minds:
         else:
             self._new(program, -1, None, None, 0)
         kept.roots[told] = mind
+        self._counted = not self.finite
         return mind
 
     @property

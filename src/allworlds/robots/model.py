@@ -9,7 +9,7 @@ from typing import Any, ClassVar, Literal, NamedTuple, TypeAlias
 
 from msgspec.json import encode
 
-from allworlds.inputs.checks import InputError, let_users_interrupt, show
+from allworlds.inputs.checks import InputError, integer, let_users_interrupt, show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import IllegalAction, Percept
 from allworlds.protocol.turns import Sensed
@@ -104,6 +104,23 @@ class Model:
         """
         raise NotImplementedError
 
+    def looked(
+        self,
+        map_: CombinatorialMap,  # noqa: ARG002  # nothing
+        state: Any,
+        robot: int,  # noqa: ARG002  # nothing
+        action: Any,  # noqa: ARG002  # nothing
+    ) -> Iterable[tuple[State, str]]:
+        """Each state after a look whose action is done later, which is so in ``async`` alone.
+
+        By default the world is as before.  What is decided in the look goes into the state here:
+        for example the dart that the action means, while others change what it would mean later.
+
+        Raises:
+            IllegalAction: as ``step``.
+        """
+        return ((state, ""),)
+
     def bad(self, map_: CombinatorialMap, state: Any) -> str:  # noqa: ARG002  # nothing
         """The wrong in a state, in words; empty if all is well."""
         return ""
@@ -159,6 +176,11 @@ def every_start(map_: CombinatorialMap, robots: int) -> Iterator[tuple[Dart, ...
     return ((0, *others) for others in product(map_.darts, repeat=robots - 1))
 
 
+def joined(words: str, more: str) -> str:
+    """The words for two things that the adversary does at once."""
+    return f"{words}; {more}" if words and more else words or more
+
+
 class ModelFault(InputError):
     """Raised if a model raises, or answers with what means nothing."""
 
@@ -205,9 +227,7 @@ class Guarded:
         value = self._ask("sensed", state, robot)
         if value is None:
             return None
-        if type(value) is Percept:
-            return value.degree, value.marks, value.bearing  # type: ignore[return-value]
-        return self._json("sensed", value)
+        return self._numbers(value) if type(value) is Percept else self._json("sensed", value)
 
     def step(self, state: Any, acts: Mapping[int, Any]) -> list[tuple[State, str]]:
         """Each state that can follow, with the words of the adversary.
@@ -215,14 +235,34 @@ class Guarded:
         Raises:
             IllegalAction: of the model.
         """
-        made = self._list("step", state, acts)
+        return self._following("step", dict(acts), self._list("step", state, acts))
+
+    def looked(self, state: Any, acts: Mapping[int, Any]) -> list[tuple[State, str]]:
+        """Each state after looks whose actions are done later.
+
+        Raises:
+            IllegalAction: of the model.
+        """
+        if type(self.model).looked is Model.looked:
+            return [(state, "")]
+        made: list[tuple[State, str]] = [(state, "")]
+        for robot, action in acts.items():
+            every = []
+            for before, words in made:
+                after = self._list("looked", before, robot, action)
+                for to, more in self._following("looked", action, after):
+                    every.append((to, joined(words, more)))
+            made = every
+        return made
+
+    def _following(self, method: str, acts: Any, made: list[Any]) -> list[tuple[State, str]]:
         for each in made:
             if not isinstance(each, tuple) or len(each) != 2 or not isinstance(each[1], str):
                 legal = "a pair of a state and words"
-                raise self._wrong("step", f"yields {show(each)}, which is not {legal}")
-            self._ensure_hashable("step", each[0])
+                raise self._wrong(method, f"yields {show(each)}, which is not {legal}")
+            self._ensure_hashable(method, each[0])
         if not made:
-            raise self._wrong("step", f"yields no state after {show(dict(acts))}")
+            raise self._wrong(method, f"yields no state after {show(acts)}")
         return made
 
     def bad(self, state: Any) -> str:
@@ -283,6 +323,14 @@ class Guarded:
         if not isinstance(found, str):
             raise self._wrong(method, f"returns {show(found)}, which is not a text")
         return found
+
+    def _numbers(self, percept: Percept) -> tuple[int, ...]:
+        """The numbers of a percept; True among them would be taken for 1."""
+        parts = percept.degree, percept.marks, percept.bearing
+        try:
+            return tuple([None if part is None else integer(part) for part in parts])  # type: ignore[misc]  # a bearing may be None
+        except TypeError:
+            raise self._wrong("sensed", f"returns {show(percept)}, not of integers") from None
 
     def _json(self, method: str, value: Any) -> bytes:
         try:

@@ -94,10 +94,11 @@ def search(
         within is not None,
         configurations,
     )
-    each = [*dict.fromkeys(team)]
-    minds = Minds([turns_of(program) for program in each])
+    each = {id(program): program for program in team}  # equal ones may differ: 1 and True are equal
+    minds = Minds([turns_of(program) for program in each.values()])
+    numbers = {key: number for number, key in enumerate(each)}
     world = Guarded(model, map_, type(model).__name__)
-    found = Search(world, starts, [each.index(program) for program in team], minds, time)
+    found = Search(world, starts, [numbers[id(program)] for program in team], minds, time)
     in_lockstep([found], minds)
     return searched(found)
 
