@@ -68,8 +68,8 @@ def configurations(made):
 def after(made, number, group):
     """The configurations after a step of a group, by state and minds."""
     bits = sum(1 << robot for robot in group)
-    steps = [step for step in made.graph.steps(number) if made.graph.group[step] == bits]
-    return {made.configuration(made.graph.to[step])[:2] for step in steps}
+    steps = [step for step in made.graph.steps(number) if made.graph.group(step) == bits]
+    return {made.configuration(made.graph.to(step))[:2] for step in steps}
 
 
 def test_every_ssync_step_is_two_async_steps():
@@ -87,11 +87,11 @@ def test_every_ssync_step_is_two_async_steps():
         for at in range(len(fast)):
             before = numbers[fast.configuration(at)[:2]]
             for step in fast.graph.steps(at):
-                group = [robot for robot in (0, 1) if fast.graph.group[step] >> robot & 1]
+                group = [robot for robot in (0, 1) if fast.graph.group(step) >> robot & 1]
                 (looked,) = after(slow, before, group)
                 moving = [robot for robot in group if looked[1][robot] < 0]
                 moved = after(slow, numbers[looked], moving) if moving else {looked}
-                assert fast.configuration(fast.graph.to[step])[:2] in moved
+                assert fast.configuration(fast.graph.to(step))[:2] in moved
                 tried += 1
     assert tried > 1000
 

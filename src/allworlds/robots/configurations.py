@@ -7,10 +7,9 @@ not meet lead to one configuration.
 
 from __future__ import annotations
 
-from array import array
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import product
-from typing import Any
+from typing import Any, NamedTuple
 
 from msgspec import Struct
 
@@ -19,7 +18,7 @@ from allworlds.protocol.actions import IllegalAction, Wait, Watch
 from allworlds.protocol.turns import Sensed
 from allworlds.robots.cycles import broken_for_ever
 from allworlds.robots.events import event_of
-from allworlds.robots.graph import Broken, Graph, GraphStep
+from allworlds.robots.graph import Broken, Graph
 from allworlds.robots.minds import Ended, Minds, ProgramFault
 from allworlds.robots.model import Assumption, Guarded, joined
 from allworlds.robots.schedulers import Time
@@ -42,6 +41,20 @@ class Ends(Struct):
     longest: int = 0
     cut_off: int = 0
     shortest: int = -1
+
+
+class Planned(NamedTuple):
+    """The turn of a robot in a configuration.
+
+    Attributes:
+        value: the action, or the end, of its program.
+        after: the mind after it.
+        later: whether the action is done in a later event.
+    """
+
+    value: Any
+    after: int
+    later: bool
 
 
 class Search:
@@ -72,12 +85,11 @@ class Search:
         self._limited = False
         self._keys: list[tuple[Any, ...]] = []
         self._ids: dict[tuple[Any, ...], int] = {}
-        self._came = tuple(array("i") for _ in GraphStep._fields)
         self.states: list[Any] = []
         self._state_ids: dict[Any, int] = {}
         self._sensed: list[list[Any]] = []
         self._layer: list[int] = []
-        self._plans: list[tuple[int, tuple[int, ...], tuple[int, ...]]] = []
+        self._plans: list[tuple[int, Sequence[int], Sequence[int]]] = []
 
     def begin(self) -> None:
         """Make the first configurations."""
@@ -90,7 +102,7 @@ class Search:
             delays = [(delay,) for delay in range(self.time.start_delay + 1)]
         choices = product(self.world.initial(self.starts), delays)
         for index, (state, delay) in enumerate(choices):
-            self._meet(state, roots, (*delay, *ahead), GraphStep(-1, 0, index))
+            self._meet(state, roots, (*delay, *ahead), -1, 0, index)
         for robot, root in enumerate(roots):
             if type(value := self.minds.value[root]) is ProgramFault and self._layer:
                 self.found = Broken(value.law, value.seen, 0, robot=robot)
@@ -105,12 +117,12 @@ class Search:
     def plan(self) -> None:
         """Plan all steps of this layer; what its robots do next is asked for in the minds."""
         for number in self._layer:
-            state, minds, _ = self.configuration(number)
-            if seen := self.world.bad(state):
+            state = self.states[self._keys[number][0]]
+            if self.world.says_bad and (seen := self.world.bad(state)):
                 self.found = Broken("never", seen, number)
                 break
-            if self.world.over(state):
-                self._end(minds)
+            if self.world.says_over and self.world.over(state):
+                self._end(number)
                 continue
             able, cut = self.able(number)
             if self._cut_off(able, cut, number):
@@ -121,20 +133,19 @@ class Search:
                 else:
                     self._stop(number)
                 continue
-            for group in self.time.groups(able):
-                self._plans.append((number, group, self._looks(number, minds, group)))
-            if self.found:
-                break
+            self._plans.append((number, able, self._looks(number, able)))
 
     def act(self) -> None:
         """Make every step that is planned; the configurations that are new are the next layer."""
         plans, self._plans, self._layer = self._plans, [], []
         if self.found:
             return
-        for number, group, looks in plans:
-            self._begin_steps(number)
-            if not self._make(number, group, looks):
-                return
+        for number, able, looks in plans:
+            self.graph.begin(number)
+            at, turns = self.configuration(number), self._turns(number, able, looks)
+            for group, bits in self.time.groups(tuple(able)):
+                if not self._make(number, at, group, bits, turns):
+                    return
             if len(self._keys) > self.time.configurations:
                 self.full = True
                 return
@@ -210,44 +221,57 @@ class Search:
             self.found = self.found or Broken("budget", seen, number)
         return True
 
-    def _looks(self, number: int, minds: Sequence[int], group: Iterable[int]) -> tuple[int, ...]:
-        """For each robot of a group its mind after the look; of one that moves what it was."""
-        sensed = self._sensed_in(self._keys[number][0])
-        look = self.minds.look
-        return tuple([minds[r] if minds[r] < 0 else look(minds[r], sensed[r]) for r in group])
+    def _looks(self, number: int, able: Iterable[int]) -> list[int]:
+        """For each robot its mind after the look; of one that moves what it was."""
+        key = self._keys[number]
+        sensed, look = self._sensed_in(key[0]), self.minds.look
+        minds = [(robot, key[robot + 1]) for robot in able]
+        return [mind if mind < 0 else look(mind, sensed[robot]) for robot, mind in minds]
 
-    def _make(self, number: int, group: tuple[int, ...], looks: tuple[int, ...]) -> bool:
-        """Make the steps of a group; return False if they break a law."""
-        state, minds, extra = self.configuration(number)
+    def _turns(self, number: int, able: Iterable[int], looks: Iterable[int]) -> dict[int, Planned]:
+        """The turn of each robot, whatever the others do."""
+        key, minds, turns = self._keys[number], self.minds, dict[int, Planned]()
+        for robot, look in zip(able, looks, strict=True):
+            moves = key[robot + 1] < 0
+            mind = ~look if moves else minds.settled(look)
+            value = minds.value[mind]
+            later = self._slow and not moves and not isinstance(value, STILL)
+            turns[robot] = Planned(value, ~mind if later else minds.after(mind), later)
+        return turns
+
+    def _make(
+        self,
+        number: int,
+        at: tuple[Any, tuple[int, ...], tuple[int, ...]],
+        group: tuple[int, ...],
+        bits: int,
+        turns: Mapping[int, Planned],
+    ) -> bool:
+        """Make the steps of a group in a configuration; return False if they break a law."""
+        state, minds, extra = at
         after, acts, due = [*minds], dict[int, Any](), dict[int, Any]()
-        for robot, look in zip(group, looks, strict=True):
-            mind = ~look if minds[robot] < 0 else self.minds.settled(look)
-            value = self.minds.value[mind]
-            if type(value) is ProgramFault:
+        for robot in group:
+            value, after[robot], later = turns[robot]
+            if later:
+                due[robot] = value
+            elif not isinstance(value, STILL):
+                acts[robot] = value
+            elif type(value) is ProgramFault:
                 self.found = Broken(value.law, value.seen, number, group, robot=robot)
                 return False
-            if isinstance(value, STILL):
-                after[robot] = self.minds.after(mind)
-            elif self._slow and minds[robot] >= 0:
-                due[robot], after[robot] = value, ~mind
-            else:
-                acts[robot], after[robot] = value, self.minds.after(mind)
         try:
             following = self.following(state, acts, due)
         except IllegalAction as error:
             whose = group[0] if len(group) == 1 else None
             self.found = Broken("illegal-action", str(error), number, group, robot=whose)
             return False
-        bits = sum(1 << robot for robot in group)
         extra = self._passed(extra, group, minds) if extra else extra
         for index, (to, _) in enumerate(following):
-            reached = self._meet(to, after, extra, GraphStep(number, bits, index))
+            reached = self._meet(to, after, extra, number, bits, index)
             if not group and reached == number and len(following) == 1:
                 self._stop(number)  # nobody is able, and nothing changes any more
                 return self.found is None
-            self.graph.to.append(reached)
-            self.graph.group.append(bits)
-            self.graph.acts.append(bool(acts))
+            self.graph.add(reached, bits, acts=bool(acts))
         return True
 
     @staticmethod
@@ -268,7 +292,11 @@ class Search:
         Raises:
             IllegalAction: of the model.
         """
-        made = self.world.looked(state, due) if due else [(state, "")]
+        made = [(state, "")]
+        if due and self.world.decides_at_looks:
+            made = self.world.looked(state, due)
+        elif acts:
+            return self.world.step(state, acts)
         if not acts and not self.time.has_rounds:
             return made
         following = []
@@ -297,8 +325,15 @@ class Search:
         return (*slept, *done)
 
     def _meet(
-        self, state: Any, minds: Sequence[int], extra: tuple[int, ...], came: GraphStep
+        self,
+        state: Any,
+        minds: Sequence[int],
+        extra: tuple[int, ...],
+        before: int,
+        bits: int,
+        adversary: int,
     ) -> int:
+        """The number of a configuration, which is a new one if it was not met before."""
         of = self._state_ids.setdefault(state, len(self.states))
         if of == len(self.states):
             self.states.append(state)
@@ -307,14 +342,9 @@ class Search:
         number = self._ids.setdefault(key, len(self._keys))
         if number == len(self._keys):
             self._keys.append(key)
-            for part, value in zip(self._came, came, strict=True):
-                part.append(value)
+            self.graph.meet(before, bits, adversary)
             self._layer.append(number)
         return number
-
-    def _begin_steps(self, number: int) -> None:
-        while len(self.graph.first) <= number:
-            self.graph.first.append(len(self.graph.to))
 
     def _sensed_in(self, of: int) -> list[Any]:
         """The percepts of all robots in a state; each is asked once."""
@@ -327,8 +357,9 @@ class Search:
 
     # ---------------------------------------------------------------- endings
 
-    def _end(self, minds: Iterable[int]) -> None:
+    def _end(self, number: int) -> None:
         self.ends.count += 1
+        minds = self._keys[number][1 : len(self.team) + 1]
         depths = [self.minds.depth[max(mind, ~mind)] for mind in minds]
         self.ends.longest = max(self.ends.longest, *depths)
 
@@ -336,8 +367,7 @@ class Search:
         """Note what is wrong in a configuration in which nobody is able, for ever."""
         if broken := self.stopped(number):
             self.found = self.found or broken
-        _, minds, _ = self.configuration(number)
-        self._end(minds)
+        self._end(number)
 
     def _all_ended(self, number: int) -> bool:
         _, minds, _ = self.configuration(number)
@@ -365,7 +395,7 @@ class Search:
 
     def finish(self) -> None:
         """Do what is left when all layers are searched: the runs that never end."""
-        self._begin_steps(len(self._keys))
+        self.graph.begin(len(self._keys))
         if self.found is None and not self.full:
             self.found = broken_for_ever(self)
 
@@ -379,46 +409,34 @@ class Search:
         way = []
         while number >= 0:
             way.append(number)
-            number = self._came[0][number]
+            number = self.graph.came(number).before
         return way[::-1]
 
     def assumed(self, assumption: Assumption, before: int, step: int) -> bool:
         """Whether a step of the graph is one of those that the adversary makes again and again."""
-        state, after = self.states[self.state_number(before)], self.graph.to[step]
+        state, after = self.states[self.state_number(before)], self.graph.to(step)
         following = self.states[self.state_number(after)]
-        return assumption.holds(state, following, self.words(before, step))
-
-    def words(self, number: int, step: int) -> str:
-        """The act of the adversary in a step of the graph, in words."""
-        return event_of(self, self.step(number, step)).world
-
-    def came(self, number: int) -> GraphStep:
-        """The step by which a configuration was met first."""
-        return GraphStep(*(part[number] for part in self._came))
-
-    def step(self, number: int, step: int) -> GraphStep:
-        """A step of the graph, from a configuration."""
-        group = self.graph.group[step]
-        every = [each for each in self.graph.steps(number) if self.graph.group[each] == group]
-        return GraphStep(number, group, every.index(step))
+        words = event_of(self, self.graph.step(before, step)).world
+        return bool(assumption.holds(state, following, words))
 
     def schedules(self) -> int | None:
         """The number of maximal runs; None if there is a cycle, so that they have no number."""
-        count, to = len(self._keys), self.graph.to
+        count, graph = len(self._keys), self.graph
         entering = [0] * count
-        for reached in to:
-            entering[reached] += 1
-        ways = [int(before < 0) for before in self._came[0]]
+        for step in range(len(graph)):
+            entering[graph.to(step)] += 1
+        ways = [int(graph.came(number).before < 0) for number in range(count)]
         queue = [number for number in range(count) if not entering[number]]
         ends = 0
         for number in queue:
-            steps = self.graph.steps(number)
+            steps = graph.steps(number)
             ends += 0 if steps else ways[number]
             for step in steps:
-                ways[to[step]] += ways[number]
-                entering[to[step]] -= 1
-                if not entering[to[step]]:
-                    queue.append(to[step])
+                reached = graph.to(step)
+                ways[reached] += ways[number]
+                entering[reached] -= 1
+                if not entering[reached]:
+                    queue.append(reached)
         return ends if len(queue) == count else None
 
 

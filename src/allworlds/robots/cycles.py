@@ -26,7 +26,7 @@ Wish: TypeAlias = Callable[[int, int], bool]
 def broken_for_ever(search: Search) -> Broken | None:
     """The first condition that an infinite run breaks, with a shortest way to a cycle that does."""
     graph = search.graph
-    if not search.minds.finite and all(graph.group):
+    if not search.minds.finite and all(map(graph.group, range(len(graph)))):
         return None  # each step makes a history longer
     fair, assumed = [*_fairness(search)], [*_assumptions(search)]
     ways: list[tuple[Steps, list[Wish]]] = [(graph.steps, [*fair, *assumed])]
@@ -58,7 +58,7 @@ def _broken_in(
 
 
 def _told(search: Search, condition: Liveness, at: int, cycle: tuple[int, ...]) -> Broken | None:
-    if not any(search.graph.group[step] for step in cycle):
+    if not any(search.graph.group(step) for step in cycle):
         return search.stopped(at)  # nobody is able, while the world changes
     forever = condition.forever or condition.holds is None
     seen = (
@@ -69,7 +69,7 @@ def _told(search: Search, condition: Liveness, at: int, cycle: tuple[int, ...]) 
 
 def _activated(search: Search) -> Wish:
     """The steps in which somebody is activated: of a cycle that is not harmless."""
-    return lambda _before, step: bool(search.graph.group[step])
+    return lambda _before, step: bool(search.graph.group(step))
 
 
 def _holds(search: Search, condition: Liveness, number: int) -> bool:
@@ -79,7 +79,7 @@ def _holds(search: Search, condition: Liveness, number: int) -> bool:
 def _broken_by(search: Search, condition: Liveness) -> Iterator[Wish]:
     """The steps of which a cycle that breaks the condition has one, if that is not any."""
     if condition.holds is None:
-        yield lambda _before, step: bool(search.graph.acts[step])
+        yield lambda _before, step: bool(search.graph.acts(step))
     elif condition.forever:
         yield lambda before, _step: not _holds(search, condition, before)
 
@@ -91,7 +91,7 @@ def _fairness(search: Search) -> Iterator[Wish]:
         bit = 1 << robot
 
         def fair(before: int, step: int, robot: int = robot, bit: int = bit) -> bool:
-            return bool(graph.group[step] & bit) or robot not in search.able(before)[0]
+            return bool(graph.group(step) & bit) or robot not in search.able(before)[0]
 
         yield fair
 
@@ -130,7 +130,7 @@ def components(search: Search, inside: Sequence[int], steps: Steps) -> Iterator[
         on.add(root)
         while work:
             at, rest = work[-1]
-            following = next((to[step] for step in rest if to[step] in index), None)
+            following = next((to(step) for step in rest if to(step) in index), None)
             if following is None:
                 work.pop()
                 if work:
@@ -140,7 +140,7 @@ def components(search: Search, inside: Sequence[int], steps: Steps) -> Iterator[
                     while part[-1] != at:
                         part.append(stack.pop())
                     on.difference_update(part)
-                    if len(part) > 1 or any(to[step] == at for step in steps(at)):
+                    if len(part) > 1 or any(to(step) == at for step in steps(at)):
                         found.append(sorted(part))
             elif index[following] < 0:
                 index[following] = low[following] = count
@@ -169,9 +169,9 @@ def _cycle(
         if not way:
             return ()
         cycle += way
-        at = search.graph.to[cycle[-1][1]]
+        at = search.graph.to(cycle[-1][1])
     if at != start or not cycle:
-        back = _shortest(search, inside, at, lambda _, step: search.graph.to[step] == start, steps)
+        back = _shortest(search, inside, at, lambda _, step: search.graph.to(step) == start, steps)
         assert back
         cycle += back
     return tuple(step for _, step in cycle)
@@ -185,14 +185,14 @@ def _shortest(
     came: dict[int, tuple[int, int]] = {at: (-1, -1)}
     for number in (queue := [at]):
         for step in steps(number):
-            if to[step] not in inside:
+            if to(step) not in inside:
                 continue
             if wish(number, step):
                 way = [(number, step)]
                 while came[way[-1][0]][0] >= 0:
                     way.append(came[way[-1][0]])
                 return way[::-1]
-            if to[step] not in came:
-                came[to[step]] = number, step
-                queue.append(to[step])
+            if to(step) not in came:
+                came[to(step)] = number, step
+                queue.append(to(step))
     return []

@@ -89,14 +89,14 @@ def event_of(search: Search, step: GraphStep) -> Event:
 def events_of(search: Search, broken: Broken) -> Iterator[Event]:
     """The events of the run that breaks a law, those of its cycle once, at the end."""
     for number in search.way(broken.at)[1:]:
-        yield event_of(search, search.came(number))
+        yield event_of(search, search.graph.came(number))
     if broken.group:
         bits = sum(1 << robot for robot in broken.group)
         yield event_of(search, GraphStep(broken.at, bits, 0))
     at = broken.at
     for step in broken.cycle:
-        yield event_of(search, search.step(at, step))
-        at = search.graph.to[step]
+        yield event_of(search, search.graph.step(at, step))
+        at = search.graph.to(step)
 
 
 def answers_of(search: Search, number: int) -> list[Any]:

@@ -233,7 +233,7 @@ def finding_of(
         model_digest=digest,
         programs=programs,
         time=TimeDocument.of(search.time),
-        first=search.came(first).adversary,
+        first=search.graph.came(first).adversary,
         events=tuple(event_row(search, event) for event in events),
         loop=len(broken.cycle),
         robot=broken.robot,

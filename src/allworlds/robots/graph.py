@@ -5,8 +5,6 @@ from __future__ import annotations
 from array import array
 from typing import NamedTuple
 
-from msgspec import Struct, field
-
 
 class GraphStep(NamedTuple):
     """A step of a set of robots, and of the adversary.
@@ -42,26 +40,67 @@ class Broken(NamedTuple):
     robot: int | None = None
 
 
-class Graph(Struct):
-    """The steps of a search: of each configuration in one piece, in the order of their numbers.
+INDEX, BITS = 20, 12
+"""The bits of the index of what the adversary does, and those of a set of robots."""
 
-    Attributes:
-        first: where the steps of each configuration begin.
-        to: to which configuration each step leads.
-        group: the robots of each step, as bits.
-        acts: whether somebody acts in it.
+MOST_ROBOTS = BITS
+"""The largest number of robots."""
+
+
+class Graph:
+    """The steps of a search, each in a number of 64 bits.
+
+    Those of a configuration are in one piece, in the order in which configurations are met.
     """
 
-    first: array[int] = field(default_factory=lambda: array("i"))
-    to: array[int] = field(default_factory=lambda: array("i"))
-    group: array[int] = field(default_factory=lambda: array("i"))
-    acts: array[int] = field(default_factory=lambda: array("b"))
+    def __init__(self) -> None:
+        self._first, self._steps, self._came = array("q"), array("q"), array("q")
+
+    def begin(self, number: int) -> None:
+        """Begin the steps of a configuration; those between have none."""
+        while len(self._first) <= number:
+            self._first.append(len(self._steps))
+
+    def add(self, to: int, group: int, *, acts: bool) -> None:
+        """Add a step of a set of robots, as bits, and whether one of them acts."""
+        self._steps.append(to << BITS + 1 | group << 1 | acts)
+
+    def meet(self, before: int, group: int, adversary: int) -> None:
+        """Add a configuration, with the step by which it is met first."""
+        self._came.append(before << BITS + INDEX | group << INDEX | adversary)
+
+    def __len__(self) -> int:
+        return len(self._steps)
 
     def steps(self, number: int) -> range:
         """The steps of a configuration."""
-        last = self.first[number + 1] if number + 1 < len(self.first) else len(self.to)
-        return range(self.first[number], last)
+        first, after = self._first, number + 1
+        return range(first[number], first[after] if after < len(first) else len(self._steps))
+
+    def to(self, step: int) -> int:
+        """The configuration to which a step leads."""
+        return self._steps[step] >> BITS + 1
+
+    def group(self, step: int) -> int:
+        """The robots of a step, as bits."""
+        return self._steps[step] >> 1 & (1 << BITS) - 1
+
+    def acts(self, step: int) -> bool:
+        """Whether somebody acts in a step."""
+        return bool(self._steps[step] & 1)
 
     def still_steps(self, number: int) -> list[int]:
         """The steps of a configuration in which nobody acts."""
-        return [step for step in self.steps(number) if not self.acts[step]]
+        return [step for step in self.steps(number) if not self.acts(step)]
+
+    def came(self, number: int) -> GraphStep:
+        """The step by which a configuration was met first."""
+        came = self._came[number]
+        group = came >> INDEX & (1 << BITS) - 1
+        return GraphStep(came >> BITS + INDEX, group, came & (1 << INDEX) - 1)
+
+    def step(self, number: int, step: int) -> GraphStep:
+        """A step from a configuration."""
+        group = self.group(step)
+        every = [each for each in self.steps(number) if self.group(each) == group]
+        return GraphStep(number, group, every.index(step))

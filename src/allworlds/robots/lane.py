@@ -172,7 +172,8 @@ def _met(
                 continue
             if minds.precedes(mind, before):
                 able, _ = search.able(number)
-                groups = [group for group in search.time.groups(able) if robot in group]
+                every = search.time.groups(tuple(able))
+                groups = [group for group, _ in every if robot in group]
                 if groups:
                     return number, groups[0], robot
     return None

@@ -193,11 +193,19 @@ class Guarded:
         map_: the map.
         name: by which it is called.
 
+    Attributes:
+        says_bad, says_over, says_progress: whether the model has such a method of its own.
+        decides_at_looks: whether it decides something when a robot looks.
+
     Every method raises ModelFault naming the method.
     """
 
     def __init__(self, model: Model, map_: CombinatorialMap, name: str) -> None:
         self.model, self.map, self.name = model, map_, name
+        kind = type(model)
+        self.says_bad, self.says_over = kind.bad is not Model.bad, kind.over is not Model.over
+        self.says_progress = kind.progress is not Model.progress
+        self.decides_at_looks = kind.looked is not Model.looked
 
     def starts(self, robots: int) -> list[tuple[Dart, ...]]:
         """The starts to try."""
@@ -243,8 +251,6 @@ class Guarded:
         Raises:
             IllegalAction: of the model.
         """
-        if type(self.model).looked is Model.looked:
-            return [(state, "")]
         made: list[tuple[State, str]] = [(state, "")]
         for robot, action in acts.items():
             every = []
@@ -296,11 +302,6 @@ class Guarded:
     def places(self, state: Any) -> Places:
         """The content of a picture of a state."""
         return Places(*self._ask("places", state))
-
-    @property
-    def says_progress(self) -> bool:
-        """Whether the model has conditions of its own."""
-        return type(self.model).progress is not Model.progress
 
     # ---------------------------------------------------------------- mistakes
 

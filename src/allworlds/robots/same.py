@@ -35,8 +35,8 @@ def _ensure_same_answers(search: Search) -> None:
                 )
     for number in reversed(range(len(search))):
         for step in search.graph.steps(number):
-            reached = search.states[search.state_number(search.graph.to[step])]
-            if event_of(search, search.step(number, step)).state != reached:
+            reached = search.states[search.state_number(search.graph.to(step))]
+            if event_of(search, search.graph.step(number, step)).state != reached:
                 raise ModelFault(
                     f"the model {name!r} is not the same twice: another state follows "
                     f"{search.states[search.state_number(number)]!r} after the same actions"

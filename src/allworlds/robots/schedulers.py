@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable
+from functools import cache
 from itertools import chain, combinations
 
 from msgspec import Struct
@@ -39,15 +40,20 @@ class Time(Struct, frozen=True):
         """Whether the world makes a step in each round, though nobody acts."""
         return self.scheduler in ROUNDS
 
-    def groups(self, able: Sequence[int]) -> Iterator[tuple[int, ...]]:
-        """The sets of robots that can be activated at once, the small ones first.
+    def groups(self, able: tuple[int, ...]) -> tuple[tuple[tuple[int, ...], int], ...]:
+        """The sets of robots that can be activated at once, the small ones first, each as bits too.
 
         Under ``async`` each of a set makes its next step: Look with Compute, or Move.
         """
-        if self.scheduler == "fsync":
-            yield tuple(able)
-        elif self.scheduler == "central":
-            yield from ((robot,) for robot in able)
-        else:
-            sizes = range(1, len(able) + 1)
-            yield from chain.from_iterable(combinations(able, size) for size in sizes)
+        return _groups(self.scheduler, able)
+
+
+@cache
+def _groups(scheduler: Scheduler, able: tuple[int, ...]) -> tuple[tuple[tuple[int, ...], int], ...]:
+    if scheduler == "fsync" or not able:
+        sets: Iterable[tuple[int, ...]] = (able,)
+    elif scheduler == "central":
+        sets = ((robot,) for robot in able)
+    else:
+        sets = chain.from_iterable(combinations(able, size + 1) for size in range(len(able)))
+    return tuple((each, sum(1 << robot for robot in each)) for each in sets)

@@ -11,7 +11,7 @@ from allworlds.robots.schedulers import Time
 
 def one_at_a_time(patch):
     """Under ``async`` and ``ssync`` nobody is activated together with others."""
-    patch.setattr(Time, "groups", lambda _, able: ((robot,) for robot in able))
+    patch.setattr(Time, "groups", lambda _, able: [((robot,), 1 << robot) for robot in able])
 
 
 def never_all(patch):
@@ -82,13 +82,13 @@ def states_alone(patch):
     """Configurations are merged by the state of the world; minds do not count."""
     meet = Search._meet
 
-    def by_state(search, state, held, extra, came):
+    def by_state(search, state, held, extra, *came):
         known = search._state_ids.get(state)
         if known is not None:
             for number, key in enumerate(search._keys):
                 if key[0] == known:
                     return number
-        return meet(search, state, held, extra, came)
+        return meet(search, state, held, extra, *came)
 
     patch.setattr(Search, "_meet", by_state)
 
@@ -114,7 +114,7 @@ def too_fair(patch):
 
     def each(search):
         for robot in range(len(search.team)):
-            yield lambda _, step, bit=1 << robot: search.graph.group[step] & bit
+            yield lambda _, step, bit=1 << robot: search.graph.group(step) & bit
 
     patch.setattr(cycles, "_fairness", each)
 
