@@ -225,6 +225,8 @@ def turns_of(subject: Subject, player: Player, beat: Any) -> Turns:
     """The program as one asks it turn by turn, from the beginning."""
     from allworlds.protocol.turns import Turns
 
+    if subject.program:
+        subject.program.stays = True
     return Turns(subject.explore, player, beat, keeps=not subject.program)
 
 

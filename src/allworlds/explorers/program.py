@@ -51,7 +51,13 @@ def obstacle(name: str) -> str:
     return f"there is no program {show(name)}{hint}"
 
 
-SAYINGS = ("move", "drop", "pick", "write", "checkpoint", "estimate", "ambiguous", "answer")
+ROBOTS = ("wait", "watch", "do")
+"""The keys of what only several robots say."""
+
+SAYINGS = (
+    *("move", "drop", "pick", "write", "checkpoint", "estimate", "ambiguous", "answer"),
+    *ROBOTS,
+)
 """A line of the program has exactly one of these keys."""
 
 MAP_KEYS, QUOTIENT_KEYS = ("sigma", "alpha", "here"), ("sigma", "alpha", "degree", "marks", "here")
@@ -79,9 +85,15 @@ def beginning(number: int, first: actions.Percept, told: actions.Told) -> bytes:
     return b'{"episode": %d, ' % number + heard + answering(first)[1:]
 
 
+def answering(percept: Any) -> bytes:
+    """The line that answers an action; a model's percept may be any value that JSON has."""
+    if isinstance(percept, actions.Percept):
+        return _answering(percept)
+    return json.dumps({"percept": percept}).encode() + b"\n"
+
+
 @lru_cache(maxsize=1 << 12)
-def answering(percept: actions.Percept) -> bytes:
-    """The line that answers an action."""
+def _answering(percept: actions.Percept) -> bytes:
     return json.dumps({"percept": percept.to_json()}).encode() + b"\n"
 
 
@@ -103,7 +115,7 @@ def message_of(line: bytes) -> Message:
     if (said := sum(key in message for key in SAYINGS)) != 1:
         keys = f"it has {said or 'none'} of the keys {', '.join(SAYINGS)}, and needs one"
         raise _illegal(f"the line {_short(message)}: {keys}")
-    action = actions.action_from_json(message)
+    action: Message | None = actions.action_from_json(message)
     if action is not None:
         return action
     if "checkpoint" in message:
@@ -168,6 +180,9 @@ class Program:
         command: split as a shell splits words; no shell is involved.
         answer_timeout: seconds of silence after which it is killed.
 
+    Attributes:
+        stays: whether it goes on where an episode is ended while it waits for an answer.
+
     Raises:
         InputError: if the command is empty, or its program is not found or cannot be run.
     """
@@ -185,6 +200,7 @@ class Program:
         if fault := missing_script(self._arguments) if there else obstacle(self._arguments[0]):
             raise InputError(f"--exec {show(command)}: {fault}")
         self._command, self._timeout = command, answer_timeout
+        self.stays = False
         self._process: subprocess.Popen[bytes] | None = None
         self._heard = self._is_new = False
         self._err = bytearray()
@@ -200,12 +216,14 @@ class Program:
         Raises:
             ExplorerFault: when the program is silent, ends, or writes something else.
         """
-        finished = False
+        finished = waits = False
         try:
             self._begin(first, told)
             message = self._next_message()
             while not isinstance(message, EpisodeEnd):
+                waits = self.stays
                 percept = yield message
+                waits = False
                 if not isinstance(message, actions.Checkpoint):
                     self._send(answering(percept))
                 message = self._next_message()
@@ -213,7 +231,7 @@ class Program:
             return message.answer
         finally:
             self._pass_stderr_on()
-            if not finished:
+            if not finished and not waits:
                 # Whatever it would say next belongs to an episode that is over.
                 self._kill()
 

@@ -335,7 +335,7 @@ def _said(action: Action) -> dict[str, Any]:
     return {str(action): True}
 
 
-def action_from_json(row: object) -> Action | None:
+def action_from_json(row: object) -> Any:
     """The action of a JSON object, None if it holds none; other keys are ignored."""
     match row:
         case {"move": int() as k} if not isinstance(k, bool):
@@ -346,6 +346,12 @@ def action_from_json(row: object) -> Action | None:
             return Pick()
         case {"write": int() as k} if not isinstance(k, bool) and k >= 0:
             return Write(k)
+        case {"wait": True}:
+            return Wait()
+        case {"watch": True}:
+            return Watch()
+        case {"do": value}:
+            return Do(value)
         case _:
             return None
 

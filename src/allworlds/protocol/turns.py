@@ -35,9 +35,6 @@ BEGIN = -1
 ACTION, ENDED, FAULT = "aef"
 """The letters of what a program says: an action, its answer, or a fault as a log has it."""
 
-FREE_STANDING = {actions.Wait: "wait", actions.Watch: "watch"}
-"""The actions that are words, besides those of one robot."""
-
 LEGAL = "a Move, Drop, Pick, Write, Wait, Watch, Do or Checkpoint"
 
 
@@ -89,7 +86,7 @@ class Turns:
         keeps: bool = True,
     ) -> None:
         self._explore, self._player = explore, player
-        self._most = ALIVE if keeps else 0
+        self._most = ALIVE if keeps else 1
         self._beat = [0, 0] if beat is None else beat
         self._told: dict[int, Any] = {}
         self._before: dict[int, int] = {}
@@ -184,6 +181,8 @@ class Turns:
             at = self._before[at]
         try:
             message: Any = None
+            if generator is None and self._most == 1:
+                self.close()
             for sensed in reversed(history):
                 self._beat[1] += 1
                 percept = percept_of(sensed)
@@ -248,9 +247,7 @@ def _action(message: Any) -> tuple[str, Any]:
     except BaseException as error:  # noqa: BLE001  # the parts are the user's code
         checks.let_users_interrupt(error)
         return FAULT, _illegal("Move and Write with an integer, Do with a value of JSON", message)
-    if kind in FREE_STANDING:
-        return ACTION, json.dumps({FREE_STANDING[kind]: True})
-    if kind in (actions.Drop, actions.Pick):
+    if kind in (actions.Drop, actions.Pick, actions.Wait, actions.Watch):
         return ACTION, json.dumps({str(message): True})
     return FAULT, _illegal(LEGAL, message)
 
@@ -260,13 +257,7 @@ def action_of(words: int | str) -> Any:
     """The action of these words."""
     if isinstance(words, int):
         return actions.Move(words)
-    row = json.loads(words)
-    if "do" in row:
-        return actions.Do(row["do"])
-    for kind, name in FREE_STANDING.items():
-        if name in row:
-            return kind()
-    return actions.action_from_json(row)
+    return actions.action_from_json(json.loads(words))
 
 
 def _answer(answer: Any) -> tuple[str, bytes]:
