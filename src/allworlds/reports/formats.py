@@ -54,7 +54,9 @@ def _section(section: parts.Section) -> Iterator[str]:
         if isinstance(table, parts.Table) and table.rows:
             yield from [f"**{_plain(table.caption)}**"] if table.caption else []
             yield _table(table.header, table.texts, table.right)
-    others = [b for b in section.blocks if not isinstance(b, parts.Table | parts.Curve)]
+    others = [
+        b for b in section.blocks if not isinstance(b, parts.Table | parts.Curve | parts.ShownRun)
+    ]
     if others:
         yield f"<details><summary>{_plain(section.title or 'More')}</summary>"
         for block in others:

@@ -387,6 +387,44 @@ class ShownWalk(Struct, frozen=True):
         return Table(header, rows)
 
 
+class RunRow(Struct, frozen=True):
+    """An event of a run of several robots.
+
+    Attributes:
+        name: of the event, as a schedule has it; empty for the start.
+        robots: of each robot that is activated a sentence.
+        world: of all else.
+        darts: where each robot is after it; None of one that is no more.
+        moved: the darts by which robots have arrived in it.
+        vertices: words at vertices after it.
+        edges: words at edges, by the smaller dart.
+        repeats: whether it is one of those that repeat for ever.
+    """
+
+    name: str
+    robots: Sequence[str]
+    world: str
+    darts: Sequence[Dart | None]
+    moved: Sequence[Dart] = ()
+    vertices: Mapping[int, str] = field(default_factory=dict)
+    edges: Mapping[int, str] = field(default_factory=dict)
+    repeats: bool = False
+
+
+class ShownRun(Struct, frozen=True):
+    """A run of several robots, step by step beside its map; only pages show it.
+
+    Attributes:
+        title: of the picture.
+        scene: the map.
+        rows: the start, then each event.
+    """
+
+    title: str
+    scene: Scene
+    rows: Sequence[RunRow]
+
+
 class Quote(Struct, frozen=True):
     """Lines that are shown unchanged.
 
@@ -418,7 +456,7 @@ class DataRecord(Struct, frozen=True):
 
 
 Block: TypeAlias = (
-    Paragraph | FactList | Table | Curve | MapPictures | ShownWalk | Quote | DataRecord
+    Paragraph | FactList | Table | Curve | MapPictures | ShownWalk | ShownRun | Quote | DataRecord
 )
 """A part of a section."""
 

@@ -133,7 +133,7 @@ def _block(block: parts.Block, width: int) -> Iterator[str]:
             indent = block.prefix or ("  " if block.title else "")
             yield from [block.title] if block.title else []
             yield from (f"{indent}{line}".rstrip() for line in block.text.splitlines())
-        case parts.DataRecord() | parts.Curve():
+        case parts.DataRecord() | parts.Curve() | parts.ShownRun():
             return  # for pages; documents and tables hold the same
 
 

@@ -13,7 +13,7 @@ from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Percept
 from allworlds.reports import parts
 from allworlds.reports.content.scope import SAID, each_of, of_the_class, option_facts
-from allworlds.robots.finding import EventRow, TeamFinding, Turned
+from allworlds.robots.finding import EventRow, TeamFinding, Turned, places_of
 from allworlds.robots.team import TeamRow
 from allworlds.studies.team.retold import TeamExplanation, TeamReplay
 from allworlds.studies.team.team_report import TeamReport
@@ -220,10 +220,33 @@ def _run(found: TeamFinding) -> Iterator[parts.Block]:
             ("model", f"{found.model}, scheduler {found.time.scheduler}"),
         ]
     )
+    yield parts.ShownRun("The run", parts.Scene(map_), [*_rows_of(found)])
     yield parts.Quote("diagram", "Space-time diagram", diagram(found))
     if found.detail:
         yield parts.Quote("detail", "Detail", found.detail)
     yield parts.Quote("again", "Again", found.reproduce, command=True)
+
+
+def _rows_of(found: TeamFinding) -> Iterator[parts.RunRow]:
+    """The start and the events of a run, for the page."""
+    before: tuple[int | None, ...] = found.starts
+    yield parts.RunRow("", (), "", before)
+    repeats = len(found.events) - found.loop
+    for step, event in enumerate(found.events, 1):
+        shown, vertex_of = places_of(event), found.map.vertex_of
+        darts = shown.darts or before
+        moved = [new for old, new in zip(before, darts, strict=False) if new not in (old, None)]
+        yield parts.RunRow(
+            event.written,
+            [f"robot {turn.robot}: {_cell(event, turn.robot)}" for turn in event.robots],
+            "; ".join(filter(None, [event.world, *_moved(before, darts, vertex_of)])),
+            darts,
+            moved,
+            shown.vertices,
+            shown.edges,
+            step > repeats,
+        )
+        before = darts
 
 
 def diagram(found: TeamFinding) -> str:

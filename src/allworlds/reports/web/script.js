@@ -45,26 +45,63 @@ function makePicture(frame) {
     arrows.append(outer);
   }
 
+  // The darts by which robots have arrived in a step: of one robot its own.
+  function moved(item) {
+    if (!("moved" in item.dataset)) return [];
+    return (item.dataset.moved || item.dataset[follows]).split(" ");
+  }
+
+  // Which robot is where, and the words of the world.
+  function drawTeam(robots, { vertices = "{}", edges: known = "{}" }) {
+    for (const part of svg.querySelectorAll(".who")) part.remove();
+    for (const part of svg.querySelectorAll(".told")) part.classList.remove("told");
+    const here = new Map();
+    for (const [robot, dart] of robots.entries()) {
+      here.set(dart, [...(here.get(dart) || []), robot]);
+    }
+    here.delete("-");
+    for (const [dart, some] of here) {
+      const place = svg.querySelector(`[data-dart="${dart}"]`);
+      place.append(element(svg, "text", { class: "who", y: -16 }, some.map((each) => `r${each}`).join(" ")));
+    }
+    for (const [vertex, words] of Object.entries(JSON.parse(vertices))) {
+      const place = svg.querySelector(`[data-vertex="${vertex}"]`);
+      place.classList.add("told");
+      place.firstElementChild.append(element(svg, "text", { class: "who", y: 34 }, words));
+    }
+    for (const [dart, words] of Object.entries(JSON.parse(known))) {
+      for (const edge of edges.get(dart)) {
+        edge.classList.add("told");
+        const at = edge.getPointAtLength(edge.getTotalLength() / 2);
+        arrows.append(element(svg, "text", { class: "who", x: at.x, y: at.y }, words));
+      }
+    }
+  }
+
   function draw(items, current) {
     for (const one of svg.querySelectorAll(MARKED.map((name) => `.${name}`).join())) {
       one.classList.remove(...MARKED);
     }
     arrows.replaceChildren();
     for (const [step, item] of items.slice(0, current + 1).entries()) {
-      if (!("moved" in item.dataset)) continue;
-      for (const { classList } of edges.get(item.dataset[follows])) {
-        classList.add("walked");
-        if (step > current - TRAIL && step < current) classList.add("trail");
+      for (const dart of moved(item)) {
+        for (const { classList } of edges.get(dart)) {
+          classList.add("walked");
+          if (step > current - TRAIL && step < current) classList.add("trail");
+        }
       }
     }
-    const { [follows]: dart, moved } = items[current].dataset;
-    if (moved !== undefined) {
+    for (const dart of moved(items[current])) {
       for (const edge of edges.get(dart)) {
         edge.classList.add("last");
         arrow(edge, dart, current);
       }
     }
-    svg.querySelector(`[data-dart="${dart}"]`).classList.add("here");
+    const robots = items[current].dataset[follows].split(" ");
+    for (const dart of new Set(robots)) {
+      if (dart !== "-") svg.querySelector(`[data-dart="${dart}"]`).classList.add("here");
+    }
+    if (follows === "robots") drawTeam(robots, items[current].dataset);
     for (const part of grown) {
       part.classList.toggle("later", Number(part.dataset.since) > current);
       if ("until" in part.dataset) {

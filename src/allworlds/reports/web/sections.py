@@ -3,6 +3,7 @@
 Keys step along the walk in all pictures.
 """
 
+import json
 from base64 import b64encode
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict
@@ -26,9 +27,11 @@ from allworlds.reports.parts import (
     MapPictures,
     Paragraph,
     Quote,
+    RunRow,
     Scene,
     Section,
     ShownMap,
+    ShownRun,
     ShownWalk,
     Table,
     View,
@@ -255,7 +258,8 @@ LONGEST_WORDS = 30
 
 def element(section: Section) -> ET.Element:
     """A section with its title."""
-    shows = any(isinstance(block, ShownWalk | MapPictures) for block in section.blocks)
+    shown = ShownWalk | ShownRun | MapPictures
+    shows = any(isinstance(block, shown) for block in section.blocks)
     tells = any(isinstance(block, FactList) for block in section.blocks)
     title = section.title or ("The walk" if shows else "The numbers")
     return tag(
@@ -287,6 +291,8 @@ def _block(block: Block, name: str) -> Iterator[ET.Element]:
             yield tag("div", *drawn, class_="pictures")
         case ShownWalk():
             yield from _walk(block, name)
+        case ShownRun():
+            yield _run(block, name)
         case Quote():
             yield from [tag("h3", block.title.capitalize())] if block.title else []
             yield _lines(block.text, f"{name}-{block.name}")
@@ -362,6 +368,44 @@ def _walk(walk: ShownWalk, name: str) -> Iterator[ET.Element]:
         tabindex="0",
         aria_label=f"{walk.title}. {KEYS}",
     )
+
+
+def _run(run: ShownRun, name: str) -> ET.Element:
+    """The picture of a run of several robots, and its events, along which keys step."""
+    shown = run.rows[:LONGEST]
+    items = [_event(row, i, f"{name}-step-{i}") for i, row in enumerate(shown)]
+    label = "The run, event by event"
+    picture_of_run = figure(run.title, run.scene, f"{name}-run", "robots")
+    return tag(
+        "div",
+        tag("div", class_="tabs", role="group", aria_label="Picture", hidden="hidden"),
+        tag("div", picture_of_run, class_="pictures"),
+        ET.fromstring(read("controls.html")),  # noqa: S314  # our own file
+        tag("p", KEYS, class_="keys", hidden="hidden"),
+        tag("ol", *items, class_="walk", start="0", role="list", aria_label=label),
+        class_="viewer",
+        role="group",
+        tabindex="0",
+        aria_label=f"{run.title}. {KEYS}",
+    )
+
+
+def _event(row: RunRow, i: int, name: str) -> ET.Element:
+    """An event; the picture finds robots and words in its data."""
+    item = tag(
+        "li",
+        tag("a", f"{i}*" if row.repeats else str(i), href=f"#{name}", class_="step"),
+        tag("span", row.name or "start", class_="motion"),
+        tag("span", row.world, class_="place"),
+        tag("span", "; ".join(row.robots), class_="sensed"),
+        id=name,
+        data_robots=" ".join("-" if dart is None else str(dart) for dart in row.darts),
+        data_moved=" ".join(map(str, row.moved)) if row.moved else None,
+    )
+    for key, words in (("vertices", row.vertices), ("edges", row.edges)):
+        if words:
+            item.set(f"data-{key}", json.dumps({str(at): said for at, said in words.items()}))
+    return item
 
 
 def world_data(world: World) -> dict[str, Any] | None:
