@@ -145,6 +145,11 @@ class Model:
         """What must be so in every infinite fair run: by default the goal is reached."""
         yield Condition("the goal", forever=False, holds=lambda state: self.over(map_, state))
 
+    @property
+    def says_progress(self) -> bool:
+        """Whether the model has conditions of its own."""
+        return type(self).progress is not Model.progress
+
     def assumes(self, map_: CombinatorialMap) -> Iterable[Assumption]:  # noqa: ARG002  # nothing
         """What the adversary does again and again: by default it need not do anything."""
         return ()
@@ -296,7 +301,7 @@ class Guarded:
     @property
     def says_progress(self) -> bool:
         """Whether the model has conditions of its own."""
-        return type(self.model).progress is not Model.progress
+        return self.model.says_progress
 
     # ---------------------------------------------------------------- mistakes
 
