@@ -34,15 +34,21 @@ if TYPE_CHECKING:
     from allworlds.protocol.actions import (
         Ambiguous as Ambiguous,
         Checkpoint as Checkpoint,
+        Do as Do,
         Drop as Drop,
+        End as End,
         Estimate as Estimate,
         Move as Move,
         Percept as Percept,
         Pick as Pick,
+        Wait as Wait,
+        Watch as Watch,
         Write as Write,
     )
     from allworlds.protocol.choices import Choices as Choices
+    from allworlds.protocol.turns import Automaton as Automaton
     from allworlds.reports.drawing.svg import Drawing as Drawing, draw as draw
+    from allworlds.robots.model import Model as Model
     from allworlds.studies import ambiguity as ambiguity
     from allworlds.studies.ambiguity.members import twins as twins
     from allworlds.studies.ambiguity.twin_search import search as search
