@@ -49,12 +49,13 @@ def _broken_in(
     search: Search, condition: Liveness, part: list[int], wishes: list[Wish], steps: Steps
 ) -> Broken | None:
     """What a cycle in a strongly connected part breaks; one without activations may be harmless."""
-    for each in (wishes, [*wishes, _activated(search)]):
-        cycle = _cycle(search, part, each, steps)
-        broken = _told(search, condition, min(part), cycle) if cycle else None
-        if broken:
-            return broken
-    return None
+    cycle = _cycle(search, part, wishes, steps)
+    if not cycle:
+        return None
+    if broken := _told(search, condition, min(part), cycle):
+        return broken
+    cycle = _cycle(search, part, [*wishes, _activated(search)], steps)
+    return _told(search, condition, min(part), cycle) if cycle else None
 
 
 def _told(search: Search, condition: Liveness, at: int, cycle: tuple[int, ...]) -> Broken | None:

@@ -142,7 +142,7 @@ class SearchLane:
 
     def _finding(self, search: Search, broken: Broken) -> Any:
         scope = self.counter
-        return finding_of(search, broken, scope.name, scope.digest, scope.team.names)
+        return finding_of(search, broken, scope.model.name, scope.model.digest, scope.team.names)
 
     def _blame(self, unit: Any, minds: Minds, program: int, found: Difference) -> None:
         """Find the first world in which the program senses what it does not answer alike."""

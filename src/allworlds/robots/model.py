@@ -145,6 +145,11 @@ class Model:
         """The conditions of every infinite fair run: by default the goal is reached."""
         yield Liveness("the goal", forever=False, holds=lambda state: self.over(map_, state))
 
+    @property
+    def says_progress(self) -> bool:
+        """Whether the model has conditions of its own."""
+        return type(self).progress is not Model.progress
+
     def assumes(self, map_: CombinatorialMap) -> Iterable[Assumption]:  # noqa: ARG002  # nothing
         """The acts of the adversary that come again and again: by default none need."""
         return ()
@@ -204,7 +209,7 @@ class Guarded:
         self.model, self.map, self.name = model, map_, name
         kind = type(model)
         self.says_bad, self.says_over = kind.bad is not Model.bad, kind.over is not Model.over
-        self.says_progress = kind.progress is not Model.progress
+        self.says_progress = model.says_progress
         self.decides_at_looks = kind.looked is not Model.looked
 
     def starts(self, robots: int) -> list[tuple[Dart, ...]]:

@@ -20,7 +20,8 @@ from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.robots.configurations import Search
 from allworlds.robots.finding import TeamFinding
 from allworlds.robots.minds import Minds
-from allworlds.robots.model import Guarded, Model
+from allworlds.robots.model import Guarded
+from allworlds.robots.models.table import NamedModel
 from allworlds.robots.schedulers import Time
 
 
@@ -206,7 +207,6 @@ class TeamScope(Struct, frozen=True):
     Attributes:
         extent: of the maps.
         model: of their worlds.
-        name, digest: of the model.
         team: the programs.
         time: the schedules.
         keep: the number of findings that are kept.
@@ -214,9 +214,7 @@ class TeamScope(Struct, frozen=True):
     """
 
     extent: Extent
-    model: Model
-    name: str
-    digest: str
+    model: NamedModel
     team: Team
     time: Time
     keep: int
@@ -232,7 +230,7 @@ class TeamScope(Struct, frozen=True):
         Each with whether its map is a new one.
         """
         for map_ in unit.maps(self.extent):
-            world, first = Guarded(self.model, map_, self.name), True
+            world, first = Guarded(self.model.model, map_, self.model.name), True
             starts = [self.starts] if self.starts else world.starts(len(self.team.of))
             for start in starts:
                 yield first, Search(world, start, self.team.of, minds, self.time)

@@ -111,7 +111,7 @@ def scope_words(report: TeamReport) -> list[tuple[str, str]]:
     paths = "infinitely many, or not known" if total.schedules is None else number(total.schedules)
     return [
         ("programs", ", ".join(report.explorers)),
-        ("model", scope.name),
+        ("model", scope.model.name),
         ("scope", f"{starts} in {maps} {of_the_class(extent)}{shard}; {', '.join(bounds)}"),
         *option_facts(report, TEAM_SAID),  # type: ignore[arg-type]  # about worlds, too
         ("gate", _gate(report)),

@@ -10,7 +10,7 @@ from typing_extensions import override
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import IllegalAction, Move, Percept
-from allworlds.robots.model import Model, every_start
+from allworlds.robots.models.goals import Apart, are_together, others_with
 
 
 class Met(NamedTuple):
@@ -20,25 +20,17 @@ class Met(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Meeting(Model):
+class Meeting(Apart):
     """Robots that shall all be at one vertex; a robot senses the degree, and others there as marks.
 
     Attributes:
         multiplicity: how exactly it senses the others at its vertex: not at all, whether there
             are some (weak), or how many (strong).
         labels: whether each is told its number; else all are anonymous.
-        apart: whether they start at different vertices.
     """
 
     multiplicity: Literal["none", "weak", "strong"] = "strong"
     labels: bool = False
-    apart: bool = True
-
-    @override
-    def starts(self, map_: CombinatorialMap, robots: int) -> Iterator[tuple[Dart, ...]]:
-        for start in every_start(map_, robots):
-            if not self.apart or len({map_.vertex_of[dart] for dart in start}) == robots:
-                yield start
 
     @override
     def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Met]:
@@ -50,8 +42,7 @@ class Meeting(Model):
 
     @override
     def sensed(self, map_: CombinatorialMap, state: Met, robot: int) -> Percept:
-        here = map_.vertex_of[state.darts[robot]]
-        others = sum(map_.vertex_of[dart] == here for dart in state.darts) - 1
+        others = others_with(map_, state.darts, robot)
         most = {"none": 0, "weak": 1, "strong": others}[self.multiplicity]
         return Percept(map_.degree_at[state.darts[robot]], min(others, most))
 
@@ -68,4 +59,4 @@ class Meeting(Model):
 
     @override
     def over(self, map_: CombinatorialMap, state: Met) -> bool:
-        return len({map_.vertex_of[dart] for dart in state.darts}) == 1
+        return are_together(map_, state.darts)

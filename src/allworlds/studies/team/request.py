@@ -27,7 +27,7 @@ from allworlds.maps.classes import DEFAULT_EDGES, Extent, ExtentOptions
 from allworlds.maps.families import FORMS, family
 from allworlds.notations.given import GivenMap, GivenMaps, GivenOptions, held
 from allworlds.robots.model import SCHEDULERS, Model, Scheduler
-from allworlds.robots.models.table import NamedModel, model_of
+from allworlds.robots.models.table import NamedModel, named_model
 from allworlds.robots.schedulers import ROUNDS, Time
 from allworlds.robots.team import Team
 from allworlds.studies.options import ClusterOptions, ListenerOptions, RunDirectoryOptions
@@ -41,10 +41,10 @@ def _model(given: object) -> NamedModel:
     if isinstance(given, NamedModel):
         return given
     if isinstance(given, Model):
-        return NamedModel(type(given).__name__, given)
+        return NamedModel("", given)
     if not isinstance(given, str):
         raise InputError(f"model = {show(given)} is neither a name nor a model")
-    return model_of(given)
+    return named_model(given)
 
 
 def _natural(name: str, least: int) -> Callable[[object], Any]:

@@ -16,7 +16,7 @@ from allworlds.inputs.requests import (
 )
 from allworlds.outcome import Facts, Verdict
 from allworlds.robots.finding import LAWS, TeamFinding
-from allworlds.robots.models.table import model_of
+from allworlds.robots.models.table import named_model
 from allworlds.studies.team.request import TeamRequest
 from allworlds.studies.team.search_sweep import searched
 from allworlds.studies.team.team_report import TeamReport
@@ -66,9 +66,11 @@ def replayed(finding: TeamFinding, explore: Any, limits: TimeoutOptions) -> Team
         InputError: if a program or the model is not to be found, or the model has another text.
     """
     time = finding.time
-    model = model_of(finding.model)
-    if finding.model_digest and model.code is not None:
-        model.code.ensure_recorded(finding.model_digest)
+    model = named_model(finding.model)
+    if model.digest != finding.model_digest:
+        raise InputError(
+            f"the model {show(finding.model)} has another text now than the one recorded"
+        )
     request = TeamRequest(
         explorers=(explore,) if explore is not None else finding.team,
         model=model,

@@ -55,16 +55,12 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 
     def __init__(self, request: TeamRequest, team: Team) -> None:
         super().__init__(request, request.extent)
-        model = request.model
-        digest = model.code.digest if model.code else ""
         starts = None
         if request.starts and request.world:
             starts = renamed(world_named(request.world).map, request.starts)
         self.scope = TeamScope(
             self.extent,
-            model.model,
-            model.name,
-            digest,
+            request.model,
             team,
             request.time,
             request.max_findings,
@@ -93,7 +89,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
     @override
     def ready(self) -> ReadyEngine:
         where = self.extent.where
-        models = bool(self.request.model.code or getattr(where, "codes", ()))
+        models = bool(self.request.model.codes or getattr(where, "codes", ()))
         made: Any = partial(lanes.workers_for, models=models, make=SearchLane)
         limits, team = self.request.limits, self.scope.team
         if self.request.dask is None:

@@ -1,0 +1,116 @@
+"""The whiteboards of a world: at each vertex a value of JSON, which all robots read and write."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import product
+from typing import Any, NamedTuple
+
+from msgspec.json import decode, encode
+from typing_extensions import override
+
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, Vertex
+from allworlds.protocol.actions import Do, IllegalAction, Move, Write
+from allworlds.robots.model import Model, Places
+from allworlds.robots.models.goals import others_with, replaced
+
+
+class Boards(NamedTuple):
+    """A state.
+
+    Attributes:
+        darts: of each robot.
+        boards: at each vertex what is written, as canonical JSON: 1 and true are not the same.
+        wrote: the robots that have written at a look, and move later.
+        home: the dart at which all have started, if that matters.
+        hole: a vertex that swallows who enters it, if there is one.
+    """
+
+    darts: tuple[Dart, ...]
+    boards: tuple[bytes, ...]
+    wrote: frozenset[int] = frozenset()
+    home: Dart = 0
+    hole: Vertex | None = None
+
+
+@dataclass(frozen=True)
+class Boarded(Model):
+    """The base of models with whiteboards; at first null stands on each.
+
+    ``Do({"write": value, "move": k})`` writes, then moves; each part may be missing, and
+    ``Move(k)`` and ``Write(k)`` are the same.  Of those that write at once on one board the
+    adversary says who is last.
+
+    Attributes:
+        at_once: whether a board is read and written in one step, as asynchronous agents do; else
+            it is written with the motion, and others may have written since the look.
+    """
+
+    at_once: bool = False
+
+    def board(self, map_: CombinatorialMap, state: Boards, robot: int) -> tuple[int, int, Any]:
+        """The degree where a robot is, the number of others there, and what is written there."""
+        dart = state.darts[robot]
+        board = decode(state.boards[map_.vertex_of[dart]])
+        return map_.degree_at[dart], others_with(map_, state.darts, robot), board
+
+    @override
+    def looked(
+        self, map_: CombinatorialMap, state: Boards, robot: int, action: Any
+    ) -> Iterator[tuple[Boards, str]]:
+        if self.at_once and "write" in _parts(action):
+            (after, words), *_ = _written(map_, state, {robot: action})
+            yield after._replace(wrote=state.wrote | {robot}), words
+        else:
+            yield state, ""
+
+    @override
+    def step(
+        self, map_: CombinatorialMap, state: Boards, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[Boards, str]]:
+        darts = [*state.darts]
+        for robot, action in acts.items():
+            if "move" in (parts := _parts(action)):
+                darts[robot] = map_.move(darts[robot], parts["move"])
+        for after, words in _written(map_, state, acts):
+            yield after._replace(darts=tuple(darts), wrote=state.wrote - {*acts}), words
+
+    @override
+    def places(self, map_: CombinatorialMap, state: Boards) -> Places:
+        words = {at: text.decode() for at, text in enumerate(state.boards) if text != b"null"}
+        if state.hole is not None:
+            words[state.hole] = "hole"
+        alive = [None if map_.vertex_of[dart] == state.hole else dart for dart in state.darts]
+        return Places(tuple(alive), words)
+
+
+def _parts(action: Any) -> dict[str, Any]:
+    """The parts of an action: what it writes, and by how many darts it turns before it leaves."""
+    match action:
+        case Move(k):
+            return {"move": k}
+        case Write(k):
+            return {"write": k}
+        case Do(dict() as parts) if parts and {*parts} <= {"write", "move"}:
+            if type(parts.get("move", 0)) is int:
+                return parts
+    raise IllegalAction(f"legal is Do with the keys write and move, not {action}")
+
+
+def _written(
+    map_: CombinatorialMap, state: Boards, acts: Mapping[int, Any]
+) -> Iterator[tuple[Boards, str]]:
+    """The states after all that these robots write, by who is the last one at each vertex."""
+    writers: dict[Vertex, list[int]] = {}
+    for robot, action in acts.items():
+        if "write" in _parts(action) and robot not in state.wrote:
+            writers.setdefault(map_.vertex_of[state.darts[robot]], []).append(robot)
+    for last in product(*writers.values()):
+        boards, words = state.boards, []
+        for (vertex, here), robot in zip(writers.items(), last, strict=True):
+            text = encode(_parts(acts[robot])["write"], order="deterministic")
+            boards = replaced(boards, vertex, text)
+            if len(here) > 1:
+                words.append(f"robot {robot} writes last")
+        yield state._replace(boards=boards), "; ".join(words)

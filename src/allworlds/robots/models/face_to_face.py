@@ -1,0 +1,90 @@
+"""Robots that see and hear each other where they are at one vertex."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, NamedTuple
+
+from msgspec.json import decode, encode
+from typing_extensions import override
+
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import Do, IllegalAction, Move
+from allworlds.robots.model import Model, every_start
+from allworlds.robots.models.goals import are_together, map_flaw, replaced
+
+
+class Company(NamedTuple):
+    """A state.
+
+    Attributes:
+        darts: of each robot.
+        words: of each what it says, as canonical JSON.
+    """
+
+    darts: tuple[Dart, ...]
+    words: tuple[bytes, ...]
+
+
+@dataclass(frozen=True)
+class FaceToFace(Model):
+    """Robots that see and hear each other at a vertex; each is told its number.
+
+    A percept is ``[degree, others]``: of each other robot here ``[k, value]``, sorted: by how many
+    darts clockwise its dart is away from one's own, and what it says, at first null.  ``Do(value)``
+    says something until the next motion; ``Move(k)`` moves.
+
+    Attributes:
+        goal: a map of the world, answered by robot 0; or to be at one vertex.
+        together: whether they start at one dart.
+    """
+
+    goal: Literal["map", "meet"] = "map"
+    together: bool = True
+
+    @override
+    def starts(self, map_: CombinatorialMap, robots: int) -> Iterator[tuple[Dart, ...]]:
+        return iter([(0,) * robots]) if self.together else every_start(map_, robots)
+
+    @override
+    def told(self, map_: CombinatorialMap, robot: int) -> int:
+        return robot
+
+    @override
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Company]:
+        yield Company(tuple(starts), (b"null",) * len(starts))
+
+    @override
+    def sensed(self, map_: CombinatorialMap, state: Company, robot: int) -> Any:
+        mine, others = state.darts[robot], []
+        for other, (dart, words) in enumerate(zip(*state, strict=True)):
+            if other != robot and map_.vertex_of[dart] == map_.vertex_of[mine]:
+                others.append((map_.offset(mine, dart), words))
+        return map_.degree_at[mine], [(k, decode(words)) for k, words in sorted(others)]
+
+    @override
+    def step(
+        self, map_: CombinatorialMap, state: Company, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[Company, str]]:
+        darts, words = state
+        for robot, action in acts.items():
+            match action:
+                case Move(k):
+                    darts = replaced(darts, robot, map_.move(darts[robot], k))
+                    words = replaced(words, robot, b"null")
+                case Do(value):
+                    words = replaced(words, robot, encode(value, order="deterministic"))
+                case _:
+                    raise IllegalAction(f"legal are Move and Do, not {action}")
+        yield Company(darts, words), ""
+
+    @override
+    def over(self, map_: CombinatorialMap, state: Company) -> bool:
+        return self.goal == "meet" and are_together(map_, state.darts)
+
+    @override
+    def flaw(self, map_: CombinatorialMap, state: Company, answers: Sequence[Any]) -> str:
+        if self.goal == "meet":
+            return "they have not met"
+        return map_flaw(map_, state.darts[0], answers[0])

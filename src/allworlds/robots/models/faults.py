@@ -1,0 +1,184 @@
+"""Models that wrap another one, in which robots or markers fail."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any, NamedTuple
+
+from typing_extensions import override
+
+from allworlds.inputs.checks import InputError, show
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import Percept
+from allworlds.robots.model import Assumption, Liveness, Model, Places, Scheduler, joined
+
+
+class Failing(NamedTuple):
+    """A state.
+
+    Attributes:
+        inside: the state of the model inside.
+        living: the robots that have not stopped.
+        left: the number of faults that may still be.
+        blind: the robots that do not see the markers where they are.
+    """
+
+    inside: Any
+    living: frozenset[int]
+    left: int
+    blind: frozenset[int] = frozenset()
+
+
+@dataclass(frozen=True)
+class Wrapper(Model):
+    """The base of models that wrap another one: what is not written anew is as it is inside.
+
+    Attributes:
+        inside: the model inside.
+        faults: the largest number of faults.
+    """
+
+    inside: Model
+    faults: int = 1
+
+    @property
+    def schedulers(self) -> tuple[Scheduler, ...]:  # type: ignore[override]  # of this instance
+        """Those of the model inside."""
+        return self.inside.schedulers
+
+    @property
+    @override
+    def says_progress(self) -> bool:
+        return self.inside.says_progress
+
+    @override
+    def starts(self, map_: CombinatorialMap, robots: int) -> Iterable[tuple[Dart, ...]]:
+        return self.inside.starts(map_, robots)
+
+    @override
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Failing]:
+        for state in self.inside.initial(map_, starts):
+            yield Failing(state, frozenset(range(len(starts))), self.faults)
+
+    @override
+    def told(self, map_: CombinatorialMap, robot: int) -> Any:
+        return self.inside.told(map_, robot)
+
+    @override
+    def sensed(self, map_: CombinatorialMap, state: Failing, robot: int) -> Any:
+        return self.inside.sensed(map_, state.inside, robot)
+
+    @override
+    def looked(
+        self, map_: CombinatorialMap, state: Failing, robot: int, action: Any
+    ) -> Iterator[tuple[Failing, str]]:
+        for after, words in self.inside.looked(map_, state.inside, robot, action):
+            yield state._replace(inside=after), words
+
+    @override
+    def step(
+        self, map_: CombinatorialMap, state: Failing, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[Failing, str]]:
+        for after, words in self.inside.step(map_, state.inside, acts):
+            yield state._replace(inside=after), words
+
+    @override
+    def bad(self, map_: CombinatorialMap, state: Failing) -> str:
+        return self.inside.bad(map_, state.inside)
+
+    @override
+    def over(self, map_: CombinatorialMap, state: Failing) -> bool:
+        return self.inside.over(map_, state.inside)
+
+    @override
+    def flaw(self, map_: CombinatorialMap, state: Failing, answers: Sequence[Any]) -> str:
+        return self.inside.flaw(map_, state.inside, answers)
+
+    @override
+    def progress(self, map_: CombinatorialMap) -> Iterator[Liveness]:
+        for name, forever, holds in self.inside.progress(map_):
+            yield Liveness(name, forever, None if holds is None else _inside(holds))
+
+    @override
+    def assumes(self, map_: CombinatorialMap) -> Iterator[Assumption]:
+        for name, holds in self.inside.assumes(map_):
+            yield Assumption(name, _inside(holds))
+
+    @override
+    def places(self, map_: CombinatorialMap, state: Failing) -> Places:
+        return self.inside.places(map_, state.inside)
+
+
+def _inside(holds: Callable[..., bool]) -> Callable[..., bool]:
+    """The same of the states inside; what is no state is handed on."""
+    return lambda *values: holds(*(v.inside if isinstance(v, Failing) else v for v in values))
+
+
+@dataclass(frozen=True)
+class Crash(Wrapper):
+    """Robots that stop for ever where they are, at any moment: the adversary says who."""
+
+    @override
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Failing]:
+        for state in super().initial(map_, starts):
+            yield from (after for after, _ in _stopping(state))
+
+    @override
+    def sensed(self, map_: CombinatorialMap, state: Failing, robot: int) -> Any:
+        return super().sensed(map_, state, robot) if robot in state.living else None
+
+    @override
+    def looked(
+        self, map_: CombinatorialMap, state: Failing, robot: int, action: Any
+    ) -> Iterator[tuple[Failing, str]]:
+        for after, words in super().looked(map_, state, robot, action):
+            yield from ((each, joined(words, more)) for each, more in _stopping(after))
+
+    @override
+    def step(
+        self, map_: CombinatorialMap, state: Failing, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[Failing, str]]:
+        for after, words in super().step(map_, state, acts):
+            yield from ((each, joined(words, more)) for each, more in _stopping(after))
+
+
+def _stopping(state: Failing) -> Iterator[tuple[Failing, str]]:
+    """The states in which no more, or some more robots have stopped."""
+    for count in range(min(state.left, len(state.living)) + 1):
+        for robots in combinations(sorted(state.living), count):
+            words = ", ".join(f"robot {robot} stops" for robot in robots)
+            living = state.living - {*robots}
+            yield state._replace(living=living, left=state.left - count), words
+
+
+@dataclass(frozen=True)
+class Hidden(Wrapper):
+    """Markers that the adversary hides from robots that have just acted, until they act again.
+
+    The model inside has percepts with marks.
+    """
+
+    @override
+    def sensed(self, map_: CombinatorialMap, state: Failing, robot: int) -> Any:
+        percept = super().sensed(map_, state, robot)
+        if percept is not None and type(percept) is not Percept:
+            raise InputError(
+                f"hidden is of models with percepts that have marks, not {show(percept)}"
+            )
+        return Percept(percept.degree) if percept and robot in state.blind else percept
+
+    @override
+    def step(
+        self, map_: CombinatorialMap, state: Failing, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[Failing, str]]:
+        seeing = state._replace(blind=state.blind - {*acts})
+        for after, words in super().step(map_, seeing, acts):
+            marked = [robot for robot in acts if self.sensed(map_, after, robot).marks]
+            for count in range(min(state.left, len(marked)) + 1):
+                for robots in combinations(marked, count):
+                    more = ", ".join(f"the marker is hidden from robot {robot}" for robot in robots)
+                    blind = after.blind | {*robots}
+                    hidden = after._replace(blind=blind, left=after.left - count)
+                    yield hidden, joined(words, more)

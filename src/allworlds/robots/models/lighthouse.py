@@ -1,0 +1,85 @@
+"""The worlds of one robot, with their lighthouses, as a model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any, NamedTuple
+
+from typing_extensions import override
+
+from allworlds.inputs.checks import InputError
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import Percept
+from allworlds.robots.model import Model
+from allworlds.robots.models.goals import map_flaw
+from allworlds.world.lighthouses.kinds import lighthouse_kind
+from allworlds.world.state import State
+from allworlds.world.world import World
+
+
+class Standing(NamedTuple):
+    """A state.
+
+    Attributes:
+        start: the dart of the robot at the start.
+        place: the number of the lighthouse's place.
+        state: of the world.
+    """
+
+    start: Dart
+    place: int
+    state: State
+
+    @property
+    def darts(self) -> tuple[Dart, ...]:
+        """The dart of the robot."""
+        return (self.state.dart,)
+
+
+@dataclass(frozen=True)
+class LighthouseModel(Model):
+    """A robot in a world with a lighthouse, at each of its places; it shall answer a map.
+
+    Attributes:
+        kind: of the lighthouse, with its options.
+    """
+
+    kind: str = "directional"
+
+    @override
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Standing]:
+        if len(starts) != 1:
+            raise InputError(
+                f"lighthouse:{self.kind} is a model of one robot, not of {len(starts)}"
+            )
+        for place, world in enumerate(_worlds(map_, self.kind, starts[0])):
+            yield Standing(starts[0], place, world.initial)
+
+    @override
+    def told(self, map_: CombinatorialMap, robot: int) -> Any:
+        return _worlds(map_, self.kind, 0)[0].told
+
+    @override
+    def sensed(self, map_: CombinatorialMap, state: Standing, robot: int) -> Percept:
+        return _worlds(map_, self.kind, state.start)[state.place].sensed(state.state)
+
+    @override
+    def step(
+        self, map_: CombinatorialMap, state: Standing, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[Standing, str]]:
+        world = _worlds(map_, self.kind, state.start)[state.place]
+        after = world.step(state.state, acts[0])[0] if acts else state.state
+        yield state._replace(state=after), ""
+
+    @override
+    def flaw(self, map_: CombinatorialMap, state: Standing, answers: Sequence[Any]) -> str:
+        return map_flaw(map_, state.state.dart, answers[0])
+
+
+@lru_cache(maxsize=1 << 8)
+def _worlds(map_: CombinatorialMap, kind: str, start: Dart) -> list[World]:
+    """The worlds with a lighthouse at each of its places."""
+    places = lighthouse_kind(kind).as_class.places(map_, start)
+    return [World(map_, place, start) for place in places]

@@ -1,0 +1,127 @@
+"""Worlds of which one edge may be missing in each round."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import product
+from typing import Any, ClassVar, NamedTuple
+
+from typing_extensions import override
+
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, Vertex
+from allworlds.protocol.actions import IllegalAction, Move
+from allworlds.robots.model import Places, Scheduler
+from allworlds.robots.models.goals import Apart
+
+
+class Round(NamedTuple):
+    """A state.
+
+    Attributes:
+        darts: of each robot.
+        moved: whether its last motion succeeded.
+        held: whether it is on a port whose edge was missing.
+        visited: the vertices at which a robot was.
+    """
+
+    darts: tuple[Dart, ...]
+    moved: tuple[bool, ...]
+    held: tuple[bool, ...]
+    visited: frozenset[Vertex]
+
+
+@dataclass(frozen=True)
+class OneInterval(Apart):
+    """Robots that shall visit all vertices, in a world of which one edge may be missing each round.
+
+    A robot is told the number of vertices.  Its percept is ``[degree, moved, held, others]``:
+    whether its last motion succeeded; whether it is on a port whose edge was missing; and for each
+    other robot here, sorted, whether that one is held.  Who is not activated, or waits, stays as it
+    is, also on a port.
+
+    Attributes:
+        ends: whether the run ends when all is visited; else the robots must end themselves.
+        exclusive: whether one robot at most is on a port; the adversary says which one.
+        one_face: whether they start at darts of one face: on a ring, with one orientation.
+    """
+
+    ends: bool = False
+    exclusive: bool = True
+    one_face: bool = False
+    schedulers: ClassVar[tuple[Scheduler, ...]] = "fsync", "ssync"
+
+    @override
+    def starts(self, map_: CombinatorialMap, robots: int) -> Iterator[tuple[Dart, ...]]:
+        for start in super().starts(map_, robots):
+            if not self.one_face or any({*start} <= {*face} for face in map_.faces):
+                yield start
+
+    @override
+    def told(self, map_: CombinatorialMap, robot: int) -> int:
+        return map_.vertex_count
+
+    @override
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Round]:
+        robots = len(starts)
+        visited = frozenset(map_.vertex_of[dart] for dart in starts)
+        yield Round(tuple(starts), (True,) * robots, (False,) * robots, visited)
+
+    @override
+    def sensed(self, map_: CombinatorialMap, state: Round, robot: int) -> list[Any]:
+        here = map_.vertex_of[state.darts[robot]]
+        at = [map_.vertex_of[dart] for dart in state.darts]
+        others = [held for r, held in enumerate(state.held) if r != robot and at[r] == here]
+        degree = map_.degree_at[state.darts[robot]]
+        return [degree, state.moved[robot], state.held[robot], sorted(others)]
+
+    @override
+    def step(
+        self, map_: CombinatorialMap, state: Round, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[Round, str]]:
+        leave = {robot: _leaving(map_, state.darts[robot], act) for robot, act in acts.items()}
+        ports: dict[Dart, list[int]] = {}
+        for robot, dart in leave.items():
+            ports.setdefault(dart, []).append(robot)
+        firsts = product(*ports.values()) if self.exclusive else [tuple(leave)]
+        edges = sorted({min(dart, map_.alpha[dart]) for dart in ports})
+        for first, missing in product(firsts, (None, *edges)):
+            words = "" if missing is None else f"edge {missing} is missing"
+            if len(first) < len(leave):
+                words = "; ".join(filter(None, (words, f"on their ports are {[*first]}")))
+            yield self._after(map_, state, leave, first, missing), words
+
+    def _after(
+        self,
+        map_: CombinatorialMap,
+        state: Round,
+        leave: Mapping[int, Dart],
+        first: Sequence[int],
+        missing: Dart | None,
+    ) -> Round:
+        darts, moved, held = [*state.darts], [*state.moved], [*state.held]
+        for robot, dart in leave.items():
+            held[robot] = robot in first and min(dart, map_.alpha[dart]) == missing
+            moved[robot] = robot in first and not held[robot]
+            darts[robot] = map_.alpha[dart] if moved[robot] else darts[robot]
+        visited = state.visited | {map_.vertex_of[dart] for dart in darts}
+        return Round(tuple(darts), tuple(moved), tuple(held), visited)
+
+    @override
+    def over(self, map_: CombinatorialMap, state: Round) -> bool:
+        return self.ends and len(state.visited) == map_.vertex_count
+
+    @override
+    def flaw(self, map_: CombinatorialMap, state: Round, answers: Sequence[Any]) -> str:
+        left = map_.vertex_count - len(state.visited)
+        return f"{left} vertices are not visited" if left else ""
+
+    @override
+    def places(self, map_: CombinatorialMap, state: Round) -> Places:
+        return Places(state.darts, dict.fromkeys(state.visited, "visited"))
+
+
+def _leaving(map_: CombinatorialMap, dart: Dart, action: Any) -> Dart:
+    if type(action) is not Move:
+        raise IllegalAction(f"legal is a Move, not {action}")
+    return map_.turn(dart, action.k)

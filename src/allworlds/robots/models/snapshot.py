@@ -1,0 +1,159 @@
+"""Robots that see the whole map from their own places: Look, Compute, Move."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import product
+from typing import Any, Literal, NamedTuple
+
+from typing_extensions import override
+
+from allworlds.maps.combinatorial import CombinatorialMap, Dart
+from allworlds.protocol.actions import Do, IllegalAction
+from allworlds.robots.model import Liveness
+from allworlds.robots.models.goals import (
+    MOST_ROBOTS,
+    Apart,
+    are_apart,
+    each_everywhere,
+    ensure_few,
+    gathered,
+    replaced,
+)
+from allworlds.robots.models.views import Eyes, darts_of_view, least
+
+PLACES = {"first": 0, "second": 1}
+"""The names of the first two views."""
+
+
+class Snap(NamedTuple):
+    """A state.
+
+    Attributes:
+        darts: of each robot the dart that it heads for; without chirality the least one there.
+        due: of each robot the dart by which it leaves, if that was decided at its look.
+        crossed: whether two have just crossed on an edge, where that is a fault.
+    """
+
+    darts: tuple[Dart, ...]
+    due: tuple[Dart | None, ...]
+    crossed: bool = False
+
+
+@dataclass(frozen=True)
+class Snapshot(Apart):
+    """Robots that see the whole map from their own places, with all robots in it.
+
+    A view is ``[robots, degrees, alpha]``: of each vertex how many robots are there (the first one
+    is one's own, with oneself), and its degree; and the other end of each dart, see
+    :class:`allworlds.robots.models.views.Ordered`.  On a ring ``robots`` are those at successive
+    vertices in one direction.
+
+    **Without chirality** the percept is the sorted list of the views from the darts of the vertex,
+    each the lesser one of clockwise and anticlockwise.  ``Do("first")``, ``Do("second")`` or
+    ``Do(k)``, from 0 on, leaves by the dart of that view, ``Do("either")`` by any.  Of darts with
+    equal views the adversary takes one, at each look.
+
+    With chirality the percept is the one view from the dart that the robot heads for; ``Do(k)``
+    leaves by the k-th dart clockwise from it.  Then it heads for the dart that is 1 - k places
+    clockwise from that of arrival: on a ring it keeps its direction.
+
+    Attributes:
+        goal: to be at one vertex for ever, or each at every vertex again and again.
+        chirality: whether clockwise is the same for all.
+        exclusive: whether two at one vertex are a fault.
+        crossing: whether two may cross on an edge.
+        multiplicity: whether any number of robots is seen as 1, at most as 2, or exactly.
+        local: whether that is so at one's own vertex, and any number elsewhere is seen as 1.
+    """
+
+    goal: Literal["gather", "explore"] = "gather"
+    chirality: bool = False
+    exclusive: bool = False
+    crossing: bool = True
+    multiplicity: Literal["none", "weak", "strong"] = "weak"
+    local: bool = False
+
+    @override
+    def starts(self, map_: CombinatorialMap, robots: int) -> Iterator[tuple[Dart, ...]]:
+        for start in super().starts(map_, robots):
+            if self.chirality or all(dart == least(map_, dart) for dart in start[1:]):
+                yield start
+
+    @override
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Snap]:
+        ensure_few(len(starts))
+        darts = starts if self.chirality else [least(map_, dart) for dart in starts]
+        yield Snap(tuple(darts), (None,) * len(darts))
+
+    @override
+    def sensed(self, map_: CombinatorialMap, state: Snap, robot: int) -> Any:
+        dart = state.darts[robot]
+        if self.chirality:
+            return self._eyes.view(map_, state.darts, dart)
+        return sorted(self._eyes.views(map_, state.darts, dart).values())
+
+    @property
+    def _eyes(self) -> Eyes:
+        most = {"none": 1, "weak": 2, "strong": MOST_ROBOTS}[self.multiplicity]
+        return Eyes(most, 1 if self.local else most)
+
+    def _choices(self, map_: CombinatorialMap, state: Snap, robot: int, action: Any) -> list[Dart]:
+        """The darts of which an action means any."""
+        if (due := state.due[robot]) is not None:
+            return [due]
+        dart = state.darts[robot]
+        around = map_.vertices[map_.vertex_of[dart]]
+        place = PLACES.get(action.value, action.value) if type(action) is Do else None
+        if place == "either" and not self.chirality:
+            return [*around]
+        if type(place) is not int or place not in range(len(around)):
+            raise IllegalAction(f"legal is Do(k), and k from 0 to {len(around) - 1}, not {action}")
+        if self.chirality:
+            return [map_.turn(dart, place)]
+        return darts_of_view(self._eyes.views(map_, state.darts, dart), place)
+
+    @override
+    def looked(
+        self, map_: CombinatorialMap, state: Snap, robot: int, action: Any
+    ) -> Iterator[tuple[Snap, str]]:
+        darts = self._choices(map_, state, robot, action)
+        for dart in darts:
+            due = replaced(state.due, robot, dart)
+            yield state._replace(due=due), _chosen(robot, dart, darts)
+
+    @override
+    def step(
+        self, map_: CombinatorialMap, state: Snap, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[Snap, str]]:
+        choices = [self._choices(map_, state, robot, action) for robot, action in acts.items()]
+        for leave in product(*choices):
+            darts, due = state.darts, state.due
+            for robot, dart in zip(acts, leave, strict=True):
+                darts = replaced(darts, robot, self._heading(map_, darts[robot], dart))
+                due = replaced(due, robot, None)
+            crossed = not self.crossing and any(map_.alpha[dart] in leave for dart in leave)
+            words = [_chosen(*each) for each in zip(acts, leave, choices, strict=True)]
+            yield Snap(darts, due, crossed), "; ".join(filter(None, words))
+
+    def _heading(self, map_: CombinatorialMap, before: Dart, leave: Dart) -> Dart:
+        """The dart that a robot heads for after leaving by a dart."""
+        arrival = map_.alpha[leave]
+        if not self.chirality:
+            return least(map_, arrival)
+        return map_.turn(arrival, 1 - map_.offset(before, leave))
+
+    @override
+    def bad(self, map_: CombinatorialMap, state: Snap) -> str:
+        if self.exclusive and not are_apart(map_, state.darts):
+            return "two are at one vertex"
+        return "two cross on an edge" if state.crossed else ""
+
+    @override
+    def progress(self, map_: CombinatorialMap) -> Iterable[Liveness]:
+        return [gathered(map_)] if self.goal == "gather" else each_everywhere(map_)
+
+
+def _chosen(robot: int, dart: Dart, among: Sequence[Dart]) -> str:
+    return f"robot {robot} leaves by dart {dart}" if len(among) > 1 else ""

@@ -1,0 +1,87 @@
+"""A map with robots in it as it is seen from a dart, whatever its darts are called."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import Any, NamedTuple, TypeAlias
+
+from allworlds.maps.combinatorial import CombinatorialMap, Dart, Vertex
+
+
+class Ordered(NamedTuple):
+    """The order in which a map is seen from a dart.
+
+    Attributes:
+        vertices: their numbers in the map, in the order of a depth-first walk that begins with the
+            dart, and goes on with the next one round each vertex from the dart of arrival.
+        degrees: of these vertices.
+        alpha: the other end of each dart; darts are numbered vertex by vertex in that order.
+    """
+
+    vertices: tuple[Vertex, ...]
+    degrees: tuple[int, ...]
+    alpha: tuple[int, ...]
+
+
+View: TypeAlias = list[list[int]]
+"""The robots at each vertex, its degree, and the other end of each dart: see :class:`Ordered`."""
+
+
+@lru_cache(maxsize=1 << 12)
+def ordered_from(map_: CombinatorialMap, dart: Dart, clockwise: int) -> Ordered:
+    """The order from a dart; anticlockwise if ``clockwise`` is -1."""
+    rounds: dict[Vertex, list[Dart]] = {}
+    stack = [dart]
+    while stack:
+        arrival = stack.pop()
+        vertex = map_.vertex_of[arrival]
+        if vertex not in rounds:
+            offsets = range(map_.degree_at[arrival])
+            rounds[vertex] = [map_.turn(arrival, clockwise * offset) for offset in offsets]
+            stack += [map_.alpha[each] for each in reversed(rounds[vertex])]
+    order = [each for around in rounds.values() for each in around]
+    number = {each: place for place, each in enumerate(order)}
+    alpha = tuple([number[map_.alpha[each]] for each in order])
+    return Ordered(tuple(rounds), tuple(map(len, rounds.values())), alpha)
+
+
+class Eyes(NamedTuple):
+    """The limits of what robots see.
+
+    Attributes:
+        here: the largest number of robots that is told from others at one's own vertex.
+        elsewhere: the same at others.
+    """
+
+    here: int
+    elsewhere: int
+
+    def view(
+        self, map_: CombinatorialMap, darts: Sequence[Dart], dart: Dart, clockwise: int = 1
+    ) -> View:
+        """The view from a dart, with robots at some darts."""
+        at = Counter(map_.vertex_of[each] for each in darts)
+        vertices, degrees, alpha = ordered_from(map_, dart, clockwise)
+        robots = [min(at[vertex], self.elsewhere) for vertex in vertices]
+        robots[0] = min(at[vertices[0]], self.here)
+        return [robots, [*degrees], [*alpha]]
+
+    def views(self, map_: CombinatorialMap, darts: Sequence[Dart], dart: Dart) -> dict[Dart, View]:
+        """The view from each dart of a vertex: the lesser one of clockwise and anticlockwise."""
+        found = {}
+        for each in map_.vertices[map_.vertex_of[dart]]:
+            found[each] = min(self.view(map_, darts, each, way) for way in (1, -1))
+        return found
+
+
+def least(map_: CombinatorialMap, dart: Dart) -> Dart:
+    """The least dart of the vertex of a dart: for robots that have none of their own."""
+    return map_.vertices[map_.vertex_of[dart]][0]
+
+
+def darts_of_view(views: dict[Dart, Any], place: int) -> list[Dart]:
+    """The darts whose view is that of a place in the sorted list."""
+    wanted = sorted(views.values())[place]
+    return [dart for dart, view in views.items() if view == wanted]
