@@ -5,10 +5,11 @@ import inspect
 import pytest
 
 from allworlds.engines.judge import table_of
+from allworlds.judging.episode import AroundExplorer
 from allworlds.judging.walk import Walk
 from allworlds.maps import rooted_maps
-from allworlds.protocol.actions import Move
-from allworlds.protocol.playing import TableWorld
+from allworlds.protocol.actions import BeyondRecord, Move, Percept
+from allworlds.protocol.playing import Record, TableWorld, numbers_of
 from allworlds.world import LIGHTHOUSES, World
 from allworlds.world.lighthouses.base import ACTING, Lighthouse
 from allworlds.world.lighthouses.composed import Composed, Movable, Nothing
@@ -58,3 +59,26 @@ def test_every_motion_in_a_table_is_that_of_the_world(kind, edges):
                     tried += 1
             assert len(ways) == len(map_.sigma)
     assert tried or kind.kind in ("cluster", "natural")
+
+
+def test_equal_percepts_are_one_object_in_every_play_and_not_the_judges():
+    """What an explorer that compares by identity does, it does in each play of a run."""
+    (map_,) = [each for each in rooted_maps(1) if each.vertex_count == 2]
+    world = World(map_, Nothing(), 0)
+    walk = Walk.of(world, [Move(0)] * 3)
+    recorded = Record(numbers_of(walk.percepts), None)
+    for around in (TableWorld(table_of(world), None), recorded, AroundExplorer(world)):
+        assert around.first == world.first
+        assert around.first is not world.first
+        assert {id(around.move(0)) for _ in range(3)} == {id(around.first)}
+
+
+def test_a_record_is_over_at_its_end_if_the_run_is_and_has_no_more_percepts():
+    numbers = numbers_of([Percept(2), Percept(3, 1)])
+    for over in (True, False):
+        record = Record(numbers, None, over)
+        assert not record.over
+        assert record.move(1) == Percept(3, 1)
+        assert record.over == over
+        with pytest.raises(BeyondRecord):
+            record.act(Move(0))

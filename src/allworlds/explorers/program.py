@@ -62,7 +62,7 @@ SAYINGS = (
 
 MAP_KEYS, QUOTIENT_KEYS = ("sigma", "alpha", "here"), ("sigma", "alpha", "degree", "marks", "here")
 
-SHORT = 64
+SHORT = 256
 """A line of fewer bytes, as most are, is parsed once."""
 
 

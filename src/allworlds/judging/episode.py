@@ -78,7 +78,7 @@ class Episode(Struct, frozen=True):
 
 
 class AroundExplorer:
-    """A world in which an explorer walks: it gets copies of the percepts.
+    """A world in which an explorer walks: it gets copies of the percepts, as in every play.
 
     Args:
         world: is not changed and not shown.
@@ -104,7 +104,8 @@ class AroundExplorer:
 
 
 def _copy(percept: actions.Percept) -> actions.Percept:
-    return actions.Percept(percept.degree, percept.marks, percept.bearing)
+    bearing = 0 if percept.bearing is None else percept.bearing + 1
+    return playing.percept_of(percept.degree, percept.marks, bearing)
 
 
 def play(

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from operator import eq
 from typing import Annotated, Any, TypeAlias
 
 from allworlds.documents.document import Natural, Permutation, WrittenByFields, about
@@ -73,7 +74,8 @@ class CombinatorialMap(Pictured, WrittenByFields):
     def __init__(self, sigma: Iterable[int], alpha: Iterable[int]) -> None:
         tried = {"sigma": _entries("sigma", sigma), "alpha": _entries("alpha", alpha)}
         valid_sigma, valid_alpha = _integers("sigma", tried), _integers("alpha", tried)
-        for message in _broken_laws(valid_sigma, valid_alpha):
+        if not _are_lawful(valid_sigma, valid_alpha):
+            message = next(_broken_laws(valid_sigma, valid_alpha))
             raise InvalidMap(message, valid_sigma, valid_alpha)
         object.__setattr__(self, "sigma", valid_sigma)
         object.__setattr__(self, "alpha", valid_alpha)
@@ -318,6 +320,18 @@ def _integers(name: str, tried: Mapping[str, tuple[object, ...]]) -> tuple[int, 
     return tuple(result)
 
 
+def _are_lawful(sigma: tuple[int, ...], alpha: tuple[int, ...]) -> bool:
+    """Whether these are a map, as nearly always; :func:`_broken_laws` says why they are none."""
+    darts = [*range(len(sigma))]
+    return (
+        len(darts) > 0
+        and sorted(sigma) == darts == sorted(alpha)
+        and [alpha[e] for e in alpha] == darts
+        and not any(map(eq, alpha, darts))
+        and len(numbering(sigma, alpha, 0)) == len(darts)
+    )
+
+
 def _broken_laws(sigma: tuple[int, ...], alpha: tuple[int, ...]) -> Iterator[str]:
     size = len(sigma)
     if len(alpha) != size:
@@ -360,10 +374,14 @@ def numbering(sigma: Sequence[Dart], alpha: Sequence[Dart], root: Dart) -> list[
     seen[root] = True
     order = [root]
     for x in order:
-        for y in (sigma[x], alpha[x]):
-            if not seen[y]:
-                seen[y] = True
-                order.append(y)
+        y = sigma[x]
+        if not seen[y]:
+            seen[y] = True
+            order.append(y)
+        y = alpha[x]
+        if not seen[y]:
+            seen[y] = True
+            order.append(y)
     return order
 
 

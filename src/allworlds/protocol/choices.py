@@ -89,12 +89,12 @@ def policy_named(name: str, run: str = "") -> Policy:
     Raises:
         InputError: naming the legal policies.
     """
+    if name in POLICIES:
+        return POLICIES[name]()
     kind, _, seed = name.partition(":")
     if kind == "random" and seed.isascii() and seed.isdigit():
         return Seeded(f"{seed.lstrip('0') or '0'}/{run}")
-    if name not in POLICIES:
-        raise not_one_of("policy", name, [*POLICIES, SEEDED], " (SEED = 0, 1, 2, ...)")
-    return POLICIES[name]()
+    raise not_one_of("policy", name, [*POLICIES, SEEDED], " (SEED = 0, 1, 2, ...)")
 
 
 class Choices:

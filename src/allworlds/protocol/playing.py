@@ -7,7 +7,9 @@ import json
 import sys
 import traceback
 from collections.abc import Callable, Generator, Iterable, MutableSequence, Sequence
+from functools import lru_cache
 from itertools import islice
+from operator import length_hint
 from typing import Any, Protocol
 
 from msgspec import Struct
@@ -154,7 +156,7 @@ class _Turns(Struct):
     def play(self, generator: Generator[Any, Any, Any]) -> None:
         """Play until a fault, or until all is done; the answer arrives as StopIteration."""
         around, log, beat, record = self.around, self.log, self.beat, self.choices.record
-        send, add, hear = generator.send, log.append, self.hear
+        send, move, add, hear = generator.send, around.move, log.append, self.hear
         left, free, turn = self.budget, FREE * (self.budget + 1), 1
         degree, reply = around.first.degree, None
         while not around.over:
@@ -182,7 +184,7 @@ class _Turns(Struct):
                 else:
                     log += entries.motion(k)
                 try:
-                    reply = around.move(k)
+                    reply = move(k)
                 except actions.BeyondRecord:
                     return add(entries.BEYOND)
                 degree = reply.degree
@@ -393,23 +395,23 @@ class TableWorld:
     over = False
 
     def __init__(self, table: bytes | tuple[int, ...], told: actions.Told) -> None:
-        self._table, self._dart, self.told = table, 0, told
-        self.first = percept_of(*table[2:5])
-
-    def move(self, k: int) -> actions.Percept:
-        """The percept behind a motion."""
-        table, at = self._table, 5 * self._dart
-        leaving = self._dart + k
-        if leaving >= table[at] + table[at + 2]:
-            leaving -= table[at + 2]
-        self._dart = table[5 * leaving + 1]
-        at = 5 * self._dart
-        bearing = table[at + 4]
-        return actions.Percept(table[at + 2], table[at + 3], bearing - 1 if bearing else None)
+        percepts = _along(table)
+        self.told, self.first, self.move = told, next(percepts), percepts.send
 
     def act(self, _action: object) -> actions.Percept:
         """Raise IllegalAction: such a world takes motions alone."""
         raise actions.IllegalAction
+
+
+def _along(table: bytes | tuple[int, ...]) -> Generator[actions.Percept, int, None]:
+    """Yield the percept at dart 0, then the one behind each motion that is sent."""
+    here = 0
+    while True:
+        degree = table[here + 2]
+        leaving = here + 5 * (yield percept_of(degree, table[here + 3], table[here + 4]))
+        if leaving >= 5 * (table[here] + degree):
+            leaving -= 5 * degree
+        here = 5 * table[leaving + 1]
 
 
 class Record:
@@ -424,32 +426,36 @@ class Record:
     def __init__(
         self, sensed: bytes | tuple[int, ...], told: actions.Told, over: bool = False
     ) -> None:
-        self._sensed, self._at, self._ends, self.told = sensed, 3, over, told
-        self.first = percept_of(*sensed[:3])
+        self._left = iter([*map(percept_of, sensed[::3], sensed[1::3], sensed[2::3])])
+        percepts = _recorded(self._left)
+        self._ends, self.told, self.first = over, told, next(percepts)
+        self.move = self.act = percepts.send
 
     @property
     def over(self) -> bool:
         """Whether all was done here."""
-        return self._ends and self._at == len(self._sensed)
-
-    def move(self, _action: object) -> actions.Percept:
-        """The next percept.
-
-        Raises:
-            BeyondRecord: past the last one.
-        """
-        at, sensed = self._at, self._sensed
-        if at == len(sensed):
-            raise actions.BeyondRecord
-        self._at = at + 3
-        bearing = sensed[at + 2]
-        return actions.Percept(sensed[at], sensed[at + 1], bearing - 1 if bearing else None)
-
-    act = move
+        return self._ends and not length_hint(self._left)
 
 
+def _recorded(
+    percepts: Iterable[actions.Percept],
+) -> Generator[actions.Percept, object, None]:
+    """Yield the first percept, then the next one after each action that is sent.
+
+    Raises:
+        BeyondRecord: past the last one.
+    """
+    for percept in percepts:  # noqa: UP028  # a list takes no actions
+        yield percept
+    raise actions.BeyondRecord
+
+
+@lru_cache(maxsize=1 << 12)
 def percept_of(degree: int, marks: int, bearing: int) -> actions.Percept:
-    """The percept of three numbers, in which a bearing has 1 added, and 0 stands for none."""
+    """The percept of three numbers, in which a bearing has 1 added, and 0 stands for none.
+
+    Explorers of this process share it: it is frozen, and who spoils it spoils it for himself.
+    """
     return actions.Percept(degree, marks, bearing - 1 if bearing else None)
 
 
