@@ -37,11 +37,19 @@ pytestmark = pytest.mark.processes
 PROGRAM = Path(__file__).parents[1] / "support" / "explorers_for_tests" / "program.py"
 WORLD = World(EDGE, Directional(0))
 RIGHT = """
+import gc
+
 from allworlds import CombinatorialMap, Estimate, Move
+
+COLLECTED = gc.isenabled()
 
 def explore(first):
     yield Move(0)
     return Estimate(CombinatorialMap((0, 1), (1, 0)), 1)
+
+def collected(first):
+    assert COLLECTED
+    return (yield from explore(first))
 
 def dies(first):
     import os
@@ -105,6 +113,15 @@ def test_a_player_plays_a_batch_in_worlds_and_against_records(module):
         one.close()
     with pytest.raises(OSError, match="Bad file descriptor"):
         os.fstat(one._printed)
+
+
+def test_garbage_is_collected_while_users_code_is_loaded_and_played(module):
+    one = PlayerProcess(setup_of(module, "collected"), 0)
+    try:
+        (log,) = answered(one, runs())
+    finally:
+        one.close()
+    assert Log(log).ending[0] == entries.ANSWERED
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])

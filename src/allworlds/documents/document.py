@@ -54,7 +54,9 @@ from msgspec import (
 from msgspec.structs import fields, force_setattr, replace as replace_in_struct
 
 from allworlds.inputs.checks import integer
-from allworlds.inputs.requests import Field, Option, in_scope
+
+if TYPE_CHECKING:
+    from allworlds.inputs.requests import Field
 
 T = TypeVar("T")
 
@@ -158,6 +160,7 @@ def with_options(*parts: type[Any]) -> Callable[[type[T]], type[T]]:
 
     A key that the document itself describes comes in its place.
     """
+    from allworlds.inputs.requests import in_scope  # which players do not need
 
     def made(kind: Any) -> Any:
         asked = [one for part in parts for one in in_scope(part)]
@@ -188,6 +191,8 @@ def _default_of_key(one: Field) -> Any:
 
 def _type_of_key(one: Field) -> Any:
     """The type and the meaning of the key for an option, in a document."""
+    from allworlds.inputs.requests import Option  # which players do not need
+
     assert isinstance(one.asked, Option)
     if one.asked.document_type is not None:
         return one.asked.document_type

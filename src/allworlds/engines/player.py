@@ -10,6 +10,7 @@ without choices costs some 50 ms.
 
 from __future__ import annotations
 
+import gc
 import marshal
 import mmap
 import os
@@ -106,6 +107,7 @@ def _loaded(setup: dict[str, Any]) -> Subject:
     source = None if setup["source"] is None else SourceText(*setup["source"])
     from allworlds.explorers.loading import load
 
+    gc.enable()  # it was of no use while modules were loaded
     subject = load(setup["name"], setup["answer_timeout"], source)
     native = subject.native
     if native is not None:

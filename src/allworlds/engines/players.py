@@ -47,7 +47,7 @@ RELAYED = 1 << 16
 """The number of bytes of what an explorer prints while it is loaded that are shown."""
 
 _BOOT = (
-    "import sys; sys.path[:] = sys.argv[1:]; del sys.argv[1:]; "
+    "import gc, sys; gc.disable(); sys.path[:] = sys.argv[1:]; del sys.argv[1:]; "
     "from allworlds.engines.player import main; main({})"
 )
 
