@@ -22,7 +22,6 @@ from allworlds.maps.combinatorial import Dart, InvalidMap
 from allworlds.protocol.actions import Ambiguous, Estimate
 from allworlds.protocol.playing import BUILT, NO_MAP
 from allworlds.reports import parts
-from allworlds.reports.drawing.layout import named_like
 from allworlds.studies.run import Replay, WorldNames
 
 if TYPE_CHECKING:
@@ -145,6 +144,8 @@ def run_section(run: SingleRun, name: str, title: str = "") -> parts.Section:
         views.append(doc.replace(views[0], name="known", title=title_of_s, known=seen))
     match ending:
         case Answered(Estimate() as estimate):
+            from allworlds.reports.drawing.layout import named_like
+
             belief = believed_walk(walk, estimate)
             answer = answer_view(walk, estimate, belief.trail)
             answer = named_like(views[0], answer, belief.agreement)
@@ -308,6 +309,8 @@ def _walk(story: Story, explanation: Explanation, title: str) -> parts.ShownWalk
         # The steps in which both worlds look alike to an observer who sees everything.
         parting = find_parting(story.map, walk.darts, other.map, trail, [True] * len(trail))
         agreement = parting.step if parting else len(trail)
+    from allworlds.reports.drawing.layout import named_like
+
     views[1:] = [named_like(views[0], view, agreement or 0) for view in views[1:]]
     code = story.finding.code
     return parts.ShownWalk(
