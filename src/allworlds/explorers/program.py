@@ -4,7 +4,6 @@ import contextlib
 import json
 import os
 import re
-import secrets
 import select
 import shlex
 import shutil
@@ -14,6 +13,7 @@ import time
 from collections.abc import Generator, Sequence
 from functools import lru_cache
 from pathlib import Path
+from random import SystemRandom
 from typing import Any, NamedTuple, TypeAlias
 
 from allworlds.inputs.checks import SHOWN, InputError, is_loop_of_links, no_file, show
@@ -268,7 +268,7 @@ class Program:
             raise self._fault("illegal-action", f"a line before it was asked: {shown(self._out)}")
         self._heard = False
         # The number is to tell nothing.
-        self._send(beginning(secrets.randbits(53), first, told))
+        self._send(beginning(SystemRandom().getrandbits(53), first, told))
 
     def start(self) -> None:
         """Start the process.

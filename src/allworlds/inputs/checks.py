@@ -150,9 +150,9 @@ def integer(value: object) -> int:
     return int.__index__(index)  # also for a subclass with operators of its own
 
 
-def are_plain(values: Iterable[object]) -> bool:
+def are_plain(values: Sequence[object]) -> bool:
     """Whether all are of the type ``int`` itself, as nearly always; then none need be converted."""
-    return {*map(type, values)} <= {int}
+    return [*map(type, values)].count(int) == len(values)
 
 
 def an_integer(name: str, value: object) -> int:

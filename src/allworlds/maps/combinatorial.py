@@ -323,13 +323,11 @@ def _integers(name: str, tried: Mapping[str, tuple[object, ...]]) -> tuple[int, 
 def _are_lawful(sigma: tuple[int, ...], alpha: tuple[int, ...]) -> bool:
     """Whether these are a map, as nearly always; :func:`_broken_laws` says why they are none."""
     darts = [*range(len(sigma))]
-    return (
-        len(darts) > 0
-        and sorted(sigma) == darts == sorted(alpha)
-        and [alpha[e] for e in alpha] == darts
-        and not any(map(eq, alpha, darts))
-        and len(numbering(sigma, alpha, 0)) == len(darts)
-    )
+    if not darts or not sorted(sigma) == darts == sorted(alpha):
+        return False
+    if [alpha[e] for e in alpha] != darts or any(map(eq, alpha, darts)):
+        return False
+    return len(numbering(sigma, alpha, 0)) == len(darts)
 
 
 def _broken_laws(sigma: tuple[int, ...], alpha: tuple[int, ...]) -> Iterator[str]:

@@ -74,7 +74,7 @@ class Surroundings(Protocol):
         """Return whether the run ends here."""
 
     def move(self, k: int) -> actions.Percept:
-        """Return the percept behind a motion below the degree, a copy for the explorer alone."""
+        """Return the percept behind a motion below the degree: shared by explorers, no judge's."""
 
     def act(self, action: actions.Drop | actions.Pick | actions.Write) -> actions.Percept:
         """Return the percept after an action; raise IllegalAction for one that is illegal."""
@@ -158,6 +158,7 @@ class _Turns(Struct):
         around, log, beat, record = self.around, self.log, self.beat, self.choices.record
         send, move, add, hear = generator.send, around.move, log.append, self.hear
         left, free, turn = self.budget, FREE * (self.budget + 1), 1
+        a_move, largest = actions.Move, entries.LARGEST_MOTION
         degree, reply = around.first.degree, None
         while not around.over:
             if hear is not None:
@@ -171,7 +172,7 @@ class _Turns(Struct):
             beat[1] = turn
             if len(record) != self._noted:
                 self.note_choices()
-            if type(message) is actions.Move:
+            if type(message) is a_move:
                 k = getattr(message, "k", None)  # it may lack its parts
                 if type(k) is not int and (k := self._integer(message)) is None:
                     return None
@@ -179,7 +180,7 @@ class _Turns(Struct):
                     return add(entries.OVER_BUDGET)
                 left -= 1
                 k %= degree
-                if k <= entries.LARGEST_MOTION:
+                if k <= largest:
                     add(k)
                 else:
                     log += entries.motion(k)
@@ -437,9 +438,7 @@ class Record:
         return self._ends and not length_hint(self._left)
 
 
-def _recorded(
-    percepts: Iterable[actions.Percept],
-) -> Generator[actions.Percept, object, None]:
+def _recorded(percepts: Iterable[actions.Percept]) -> Generator[actions.Percept, Any, None]:
     """Yield the first percept, then the next one after each action that is sent.
 
     Raises:
