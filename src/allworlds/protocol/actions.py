@@ -18,7 +18,6 @@ from allworlds.documents.document import (
     WrittenByFields,
     about,
 )
-from allworlds.documents.reading import parse
 from allworlds.documents.shown import Paged
 from allworlds.inputs.checks import InputError, show
 from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
@@ -316,6 +315,8 @@ class Transcript(Paged):
         Raises:
             InputError: naming a row that is none.
         """
+        from allworlds.documents.reading import parse  # which players do not need
+
         first, *sensed = parse({"transcript": rows}, _Sensed, "transcript").transcript
         steps = []
         for at, row in zip(sensed, rows[1:], strict=True):
