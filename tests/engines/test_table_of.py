@@ -4,6 +4,7 @@ import inspect
 
 import pytest
 
+from allworlds import check, run
 from allworlds.engines.judge import table_of
 from allworlds.judging.episode import AroundExplorer
 from allworlds.judging.walk import Walk
@@ -82,3 +83,13 @@ def test_a_record_is_over_at_its_end_if_the_run_is_and_has_no_more_percepts():
         assert record.over == over
         with pytest.raises(BeyondRecord):
             record.act(Move(0))
+
+
+def test_a_percept_that_one_explorer_spoils_is_none_of_the_next_ones():
+    def spoils(first):
+        object.__setattr__(first, "degree", 9)
+        yield Move(0)
+
+    assert check(spoils, edges=1).verdict == "refuted"
+    assert check("algorithm1", edges=1, engine="python").verdict == "holds"
+    assert run("algorithm1", "theta").exit_code == 0

@@ -158,7 +158,6 @@ class _Turns(Struct):
         around, log, beat, record = self.around, self.log, self.beat, self.choices.record
         send, move, add, hear = generator.send, around.move, log.append, self.hear
         left, free, turn = self.budget, FREE * (self.budget + 1), 1
-        a_move, largest = actions.Move, entries.LARGEST_MOTION
         degree, reply = around.first.degree, None
         while not around.over:
             if hear is not None:
@@ -172,7 +171,7 @@ class _Turns(Struct):
             beat[1] = turn
             if len(record) != self._noted:
                 self.note_choices()
-            if type(message) is a_move:
+            if type(message) is actions.Move:
                 k = getattr(message, "k", None)  # it may lack its parts
                 if type(k) is not int and (k := self._integer(message)) is None:
                     return None
@@ -180,7 +179,7 @@ class _Turns(Struct):
                     return add(entries.OVER_BUDGET)
                 left -= 1
                 k %= degree
-                if k <= largest:
+                if k <= entries.LARGEST_MOTION:
                     add(k)
                 else:
                     log += entries.motion(k)
@@ -453,7 +452,7 @@ def _recorded(percepts: Iterable[actions.Percept]) -> Generator[actions.Percept,
 def percept_of(degree: int, marks: int, bearing: int) -> actions.Percept:
     """The percept of three numbers, in which a bearing has 1 added, and 0 stands for none.
 
-    Explorers of this process share it: it is frozen, and who spoils it spoils it for himself.
+    The runs of a batch share it: it is frozen, and who spoils it spoils it for himself.
     """
     return actions.Percept(degree, marks, bearing - 1 if bearing else None)
 
