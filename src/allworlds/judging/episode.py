@@ -78,7 +78,7 @@ class Episode(Struct, frozen=True):
 
 
 class AroundExplorer:
-    """A world in which an explorer walks: it gets copies of the percepts, as in every play.
+    """A world in which an explorer walks: it gets copies of the percepts.
 
     Args:
         world: is not changed and not shown.
@@ -104,8 +104,7 @@ class AroundExplorer:
 
 
 def _copy(percept: actions.Percept) -> actions.Percept:
-    bearing = 0 if percept.bearing is None else percept.bearing + 1
-    return playing.percept_of(percept.degree, percept.marks, bearing)
+    return actions.Percept(percept.degree, percept.marks, percept.bearing)
 
 
 def play(
@@ -131,7 +130,6 @@ def play(
 
     Cost: linear in the steps, besides the explorer's own.
     """
-    playing.percept_of.cache_clear()  # another explorer of this process may have spoiled them
     beat = [0, 0] if beat is None else beat
     log = playing.play_run(
         AroundExplorer(world, over), player, choices, budget, beat, any_answer=not maps

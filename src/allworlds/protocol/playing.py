@@ -7,7 +7,6 @@ import json
 import sys
 import traceback
 from collections.abc import Callable, Generator, Iterable, MutableSequence, Sequence
-from functools import lru_cache
 from itertools import islice
 from operator import length_hint
 from typing import Any, Protocol
@@ -74,7 +73,7 @@ class Surroundings(Protocol):
         """Return whether the run ends here."""
 
     def move(self, k: int) -> actions.Percept:
-        """Return the percept behind a motion below the degree: shared by explorers, no judge's."""
+        """Return the percept behind a motion below the degree: a copy for the explorer alone."""
 
     def act(self, action: actions.Drop | actions.Pick | actions.Write) -> actions.Percept:
         """Return the percept after an action; raise IllegalAction for one that is illegal."""
@@ -448,11 +447,10 @@ def _recorded(percepts: Iterable[actions.Percept]) -> Generator[actions.Percept,
     raise actions.BeyondRecord
 
 
-@lru_cache(maxsize=1 << 12)
 def percept_of(degree: int, marks: int, bearing: int) -> actions.Percept:
     """The percept of three numbers, in which a bearing has 1 added, and 0 stands for none.
 
-    The runs of a batch share it: it is frozen, and who spoils it spoils it for himself.
+    A new one each time: an explorer that spoils its percept deceives nobody.
     """
     return actions.Percept(degree, marks, bearing - 1 if bearing else None)
 
