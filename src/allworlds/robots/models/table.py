@@ -55,11 +55,13 @@ class NamedModel(Struct, frozen=True):
         name: with its options.
         model: itself.
         codes: the user's code that it needs.
+        here: whether it was made in this process, where no name leads to it.
     """
 
     name: str
     model: Model
     codes: tuple[user_code.UserCode, ...] = ()
+    here: bool = False
 
     def __str__(self) -> str:
         """The name."""
@@ -72,8 +74,9 @@ class NamedModel(Struct, frozen=True):
 
     def __reduce__(self) -> tuple[Any, ...]:
         """The name, and the text of the code, from which any process makes it."""
-        records = {code.plain: code.record for code in self.codes}
-        return (_named_again, (self.name, records)) if self.name else super().__reduce__()
+        if self.here:
+            return NamedModel, (self.name, self.model, (), True)
+        return _named_again, (self.name, {code.plain: code.record for code in self.codes})
 
 
 def named_model(text: object) -> NamedModel:

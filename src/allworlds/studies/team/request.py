@@ -41,7 +41,7 @@ def _model(given: object) -> NamedModel:
     if isinstance(given, NamedModel):
         return given
     if isinstance(given, Model):
-        return NamedModel("", given)
+        return NamedModel(type(given).__name__, given, here=True)
     if not isinstance(given, str):
         raise InputError(f"model = {show(given)} is neither a name nor a model")
     return named_model(given)

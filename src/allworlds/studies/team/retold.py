@@ -11,6 +11,7 @@ from typing_extensions import override
 from allworlds.documents import document as doc
 from allworlds.documents.report import Report
 from allworlds.engines.limits import TimeoutOptions
+from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import (
     values_of,
 )
@@ -68,9 +69,7 @@ def replayed(finding: TeamFinding, explore: Any, limits: TimeoutOptions) -> Team
     time = finding.time
     model = named_model(finding.model)
     if model.digest != finding.model_digest:
-        raise InputError(
-            f"the model {show(finding.model)} has another text now than the one recorded"
-        )
+        raise InputError(f"the model {show(finding.model)} has another text than the recorded one")
     request = TeamRequest(
         explorers=(explore,) if explore is not None else finding.team,
         model=model,
