@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 ROWS, CASES, FINDINGS = "rows or a walk", "cases", "findings"
 PAGE, CURVE = "a page of its own", "a curve"
+RUNS = "runs of several robots"
 WORLD_FILE = "worlds, in a notation"
 """Parts that a report can have."""
 
@@ -99,7 +100,7 @@ VERBS = (
         "team",
         "Search every schedule of several robots in worlds that change.",
         panel=EVERYDAY,
-        has=(ROWS, CASES, FINDINGS),
+        has=(ROWS, CASES, FINDINGS, RUNS),
         swept=True,
         example="waits.py:wait searches.py:search --model meeting:labels=true --edges 3",
         help=(

@@ -39,7 +39,7 @@ from allworlds.outcome import Exit, Facts, Verdict
 from allworlds.protocol.choices import POLICIES, SEEDED, Schedule
 from allworlds.reports import schemas
 from allworlds.reports.formats import FORMATS, _maker as maker, formats_of, text
-from allworlds.robots.models.table import MODELS
+from allworlds.robots.models.table import MODELS, WRAPPERS
 from allworlds.studies.ambiguity.question import SEARCHED
 from allworlds.studies.check.report import CheckedScope
 from allworlds.studies.compare.growth import GROWING
@@ -370,7 +370,7 @@ def test_no_lighthouse_is_left_out_of_its_table():
     assert kinds == set(LIGHTHOUSES.values())
 
 
-@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("model", [*MODELS, "lighthouse:KIND", *(f"{w}:F+MODEL" for w in WRAPPERS)])
 def test_every_model_is_told(model):
     assert model in rows(section(ROBOTS, "Models"))
 

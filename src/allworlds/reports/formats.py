@@ -420,6 +420,15 @@ def curve_picture(content: parts.ReportContent) -> str:
     return ET.tostring(ET.Element("svg", xmlns=SVG) if drawn is None else drawn, "unicode") + "\n"
 
 
+def sequence_diagram(content: parts.ReportContent) -> str:
+    """The run of the smallest finding of a team as a sequence diagram of PlantUML."""
+    from allworlds.reports.content.team import sequence_of
+
+    report: Any = content.result
+    found = next(iter(report.findings), report.unfinished)
+    return sequence_of(found) if found else "@startuml\n@enduml\n"
+
+
 def parquet_rows(content: parts.ReportContent) -> bytes:
     """A file of Parquet with these rows, a column for each name and of its type."""
     from pyarrow import BufferOutputStream, Table, bool_, float64, int64, schema, string
@@ -464,6 +473,7 @@ FORMATS = {
     "parquet": Format(parquet_rows, ".parquet", library=("pyarrow", "notebook", "a file .parquet")),
     "sarif": Format(sarif, ".sarif", (verbs.FINDINGS,)),
     "junit": Format(junit, ".xml", (verbs.CASES,)),
+    "plantuml": Format(sequence_diagram, ".puml", (verbs.RUNS,)),
     "annotations": Format(runner_commands, "", (verbs.FINDINGS,), read_by="GITHUB_ACTIONS"),
 }
 """Every format by its name."""

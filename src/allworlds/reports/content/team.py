@@ -272,6 +272,25 @@ def diagram(found: TeamFinding) -> str:
     return "\n".join(lines)
 
 
+def sequence_of(found: TeamFinding) -> str:
+    """The run as a sequence diagram of PlantUML: a lifeline for each robot, and the world."""
+    robots = range(len(found.starts))
+    lines = ["@startuml", f"title {found.law}: {found.seen}"]
+    lines += [f'participant "robot {robot}" as r{robot}' for robot in robots]
+    lines.append('participant "world" as w')
+    repeats = len(found.events) - found.loop
+    for step, event in enumerate(found.events):
+        if step == repeats:
+            lines.append("loop for ever")
+        for turn in event.robots:
+            arrow = "->" if turn.phase != "look" else "-->"
+            lines.append(f"r{turn.robot} {arrow} w : {_cell(event, turn.robot)}")
+        if event.world:
+            lines.append(f"note over w : {event.world}")
+    lines += ["end"] if found.loop else []
+    return "\n".join([*lines, "@enduml", ""])
+
+
 def _fitted(row: Sequence[str], widths: Sequence[int]) -> Iterator[str]:
     for text, width in zip(row, widths, strict=True):
         yield text.ljust(width)
