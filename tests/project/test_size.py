@@ -22,7 +22,7 @@ class Size(NamedTuple):
     lines: int
 
 
-MOST = 30_200
+MOST = 31_000
 """Lines of code of ``src/allworlds``."""
 
 MOST_OF_WING = {
@@ -35,7 +35,7 @@ MOST_OF_WING = {
     "engines": 6_200,
     "robots": 2_400,
     "studies": 6_400,
-    "reports": 4_100,
+    "reports": 4_200,
     "doors": 300,
     "cli": 900,
 }

@@ -43,7 +43,7 @@ class Ends(Struct):
     shortest: int = -1
 
 
-class Planned(NamedTuple):
+class PlannedTurn(NamedTuple):
     """The turn of a robot in a configuration.
 
     Attributes:
@@ -228,15 +228,17 @@ class Search:
         minds = [(robot, key[robot + 1]) for robot in able]
         return [mind if mind < 0 else look(mind, sensed[robot]) for robot, mind in minds]
 
-    def _turns(self, number: int, able: Iterable[int], looks: Iterable[int]) -> dict[int, Planned]:
+    def _turns(
+        self, number: int, able: Iterable[int], looks: Iterable[int]
+    ) -> dict[int, PlannedTurn]:
         """The turn of each robot, whatever the others do."""
-        key, minds, turns = self._keys[number], self.minds, dict[int, Planned]()
+        key, minds, turns = self._keys[number], self.minds, dict[int, PlannedTurn]()
         for robot, look in zip(able, looks, strict=True):
             moves = key[robot + 1] < 0
             mind = ~look if moves else minds.settled(look)
             value = minds.value[mind]
             later = self._slow and not moves and not isinstance(value, STILL)
-            turns[robot] = Planned(value, ~mind if later else minds.after(mind), later)
+            turns[robot] = PlannedTurn(value, ~mind if later else minds.after(mind), later)
         return turns
 
     def _make(
@@ -245,7 +247,7 @@ class Search:
         at: tuple[Any, tuple[int, ...], tuple[int, ...]],
         group: tuple[int, ...],
         bits: int,
-        turns: Mapping[int, Planned],
+        turns: Mapping[int, PlannedTurn],
     ) -> bool:
         """Make the steps of a group in a configuration; return False if they break a law."""
         state, minds, extra = at

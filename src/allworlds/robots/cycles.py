@@ -48,7 +48,7 @@ def broken_for_ever(search: Search) -> Broken | None:
 def _broken_in(
     search: Search, condition: Liveness, part: list[int], wishes: list[Wish], steps: Steps
 ) -> Broken | None:
-    """What a cycle in a strongly connected part breaks; one without activations may be harmless."""
+    """The law that a cycle in a part breaks; one without activations may be harmless."""
     cycle = _cycle(search, part, wishes, steps)
     if not cycle:
         return None

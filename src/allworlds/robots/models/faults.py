@@ -112,7 +112,7 @@ class Wrapper(Model):
 
 
 def _inside(holds: Callable[..., bool]) -> Callable[..., bool]:
-    """The same of the states inside; what is no state is handed on."""
+    """The states around these states inside; what is no state is handed on."""
     return lambda *values: holds(*(v.inside if isinstance(v, Failing) else v for v in values))
 
 

@@ -19,7 +19,7 @@ from allworlds.world.state import State
 from allworlds.world.world import World
 
 
-class Standing(NamedTuple):
+class InPlace(NamedTuple):
     """A state.
 
     Attributes:
@@ -49,32 +49,32 @@ class LighthouseModel(Model):
     kind: str = "directional"
 
     @override
-    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Standing]:
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[InPlace]:
         if len(starts) != 1:
             raise InputError(
                 f"lighthouse:{self.kind} is a model of one robot, not of {len(starts)}"
             )
         for place, world in enumerate(_worlds(map_, self.kind, starts[0])):
-            yield Standing(starts[0], place, world.initial)
+            yield InPlace(starts[0], place, world.initial)
 
     @override
     def told(self, map_: CombinatorialMap, robot: int) -> Any:
         return _worlds(map_, self.kind, 0)[0].told
 
     @override
-    def sensed(self, map_: CombinatorialMap, state: Standing, robot: int) -> Percept:
+    def sensed(self, map_: CombinatorialMap, state: InPlace, robot: int) -> Percept:
         return _worlds(map_, self.kind, state.start)[state.place].sensed(state.state)
 
     @override
     def step(
-        self, map_: CombinatorialMap, state: Standing, acts: Mapping[int, Any]
-    ) -> Iterator[tuple[Standing, str]]:
+        self, map_: CombinatorialMap, state: InPlace, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[InPlace, str]]:
         world = _worlds(map_, self.kind, state.start)[state.place]
         after = world.step(state.state, acts[0])[0] if acts else state.state
         yield state._replace(state=after), ""
 
     @override
-    def flaw(self, map_: CombinatorialMap, state: Standing, answers: Sequence[Any]) -> str:
+    def flaw(self, map_: CombinatorialMap, state: InPlace, answers: Sequence[Any]) -> str:
         return map_flaw(map_, state.state.dart, answers[0])
 
 
