@@ -1,5 +1,7 @@
 """Damaged tables and damaged lists of work: each dies by name, and none as a crash."""
 
+from collections import Counter
+
 import pytest
 
 from allworlds import check
@@ -7,8 +9,12 @@ from allworlds.documents.document import replace
 from allworlds.engines import compiled_engine as compiled
 from allworlds.engines.compiled_engine import AGREED, UNBOUNDED, bounds_of
 from allworlds.engines.kernel.engine import judge
+from allworlds.engines.kernel.records import Counts
 from allworlds.engines.kernel.runs import UNDEFINED
 from allworlds.judging.rules import Rules
+from allworlds.maps import MapClass
+from allworlds.maps.classes import Extent
+from allworlds.maps.enumeration import FINGERPRINTS, fingerprint, history, prefixes, rooted_maps
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -63,3 +69,57 @@ def test_the_bounds_are_those_of_the_rules():
     assert bounds_of(replace(rules, bound="none"), 3) == table_of([UNBOUNDED] * 5)
     by_degree = [[UNDEFINED], *([3 // d0] for d0 in range(1, 7))]
     assert bounds_of(replace(rules, bound="m // d0"), 3)[1] == by_degree
+
+
+def with_one_world_twice(honest):
+    """With five edges one world comes again in the place of another one of its size."""
+    maps = [map_ for map_ in rooted_maps(5, prefix=(-3, 1)) if map_.vertex_count == 3]
+    twice, never = map(history, maps[:2])
+
+    def kernel(level, prefix, **options):
+        rows = honest(level, prefix, **options)
+        if level.edges == 5 and prefix == twice[: len(prefix)]:
+            (more,), (less,) = (honest(level, each).counts for each in (twice, never))
+            assert (more.vertices, more.runs) == (less.vertices, less.runs)
+            rows = replace(rows, counts=tuple(exchanged(each, more, less) for each in rows.counts))
+        return rows
+
+    return kernel
+
+
+def exchanged(counts, more, less):
+    """The counts of one size with a world more and another one less, if they are of that size."""
+    if counts.vertices != more.vertices:
+        return counts
+    names = [name for name in Counts.__struct_fields__ if name not in ("vertices", "largest")]
+    moved = {
+        name: getattr(counts, name) + getattr(more, name) - getattr(less, name) for name in names
+    }
+    return replace(counts, **moved)
+
+
+def test_a_world_that_comes_again_in_the_place_of_another_is_seen_by_the_gate(monkeypatch):
+    monkeypatch.setattr(compiled, "compare_engines", lambda *_: None)
+    monkeypatch.setattr("allworlds.engines.kernel.engine.judge", with_one_world_twice(judge))
+    report = check(edges=5, engine="kernel")
+    assert report.exit_code == 70
+    (wrong,) = [cell for cell in report.cells if not cell.agrees]
+    assert (wrong.edges, wrong.enumerated) == (5, wrong.counted)
+    assert wrong.fingerprint != wrong.listed
+
+
+def test_every_engine_has_the_same_worlds():
+    explorer = "allworlds.explorers.builtin.algorithm1:algorithm1"
+    asked = [{"engine": "python"}, {"engine": "kernel"}, {"explore": explorer, "engine": "kernel"}]
+    prints = [[cell.fingerprint for cell in check(edges=3, **each).cells] for each in asked]
+    assert prints == [[cell.listed for cell in check(edges=3).cells]] * 3
+
+
+def test_the_kernel_counts_its_fingerprints_as_its_twin_does():
+    for prefix in prefixes(4, depth=2):
+        level = LEVEL_OF("algorithm1", Rules(), Extent(MapClass.MAPS, 4), 4)
+        found = {row.vertices: row.fingerprint for row in judge(level, prefix).counts}
+        sums = Counter()
+        for map_ in rooted_maps(4, prefix=prefix):
+            sums[map_.vertex_count] += fingerprint(map_)
+        assert found == {n: each % FINGERPRINTS for n, each in sums.items()}

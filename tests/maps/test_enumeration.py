@@ -1,3 +1,4 @@
+from collections import Counter
 from itertools import islice
 
 import pytest
@@ -11,7 +12,9 @@ from allworlds.maps import (
     rooted_maps,
     unrooted_code,
 )
-from allworlds.maps.enumeration import Gluing, prefixes
+from allworlds.maps.classes import Extent, condition_named
+from allworlds.maps.count_source import listed
+from allworlds.maps.enumeration import FINGERPRINTS, Gluing, fingerprint, prefixes
 
 LEVELS = [(map_class, edges) for map_class in MapClass for edges in (1, 2, 3, 4)]
 
@@ -95,3 +98,31 @@ def test_the_rootings_of_all_unrooted_maps_are_all_rooted_maps(map_class, edges)
     unrooted = {unrooted_code(map_) for map_ in rooted_maps(edges, map_class)}
     weights = [2 * edges // automorphisms(CombinatorialMap(*code)) for code in unrooted]
     assert sum(weights) == sum(1 for _ in rooted_maps(edges, map_class))
+
+
+def relabelled(map_, order):
+    """The map with other numbers for its darts, but for dart 0."""
+    back = {d: i for i, d in enumerate(order)}
+    sigma, alpha = ([back[row[d]] for d in order] for row in (map_.sigma, map_.alpha))
+    return CombinatorialMap(sigma, alpha)
+
+
+def test_a_fingerprint_is_that_of_a_rooted_map_in_any_numbering():
+    maps = [map_ for m in (1, 2, 3, 4) for map_ in rooted_maps(m)]
+    prints = [fingerprint(map_) for map_ in maps]
+    assert len({*prints}) == len(maps)
+    assert prints == [fingerprint(relabelled(map_, [0, *map_.darts[:0:-1]])) for map_ in maps]
+    assert min(prints) > 0
+    assert max(prints) < FINGERPRINTS
+
+
+@pytest.mark.parametrize("condition", [None, "trees", "cubic", "girth=3", "triangulation"])
+@pytest.mark.parametrize("map_class", MapClass)
+def test_each_class_has_the_worlds_that_all_maps_list(map_class, condition):
+    where = condition and condition_named(condition)
+    for edges in (2, 3, 4):
+        sums = Counter()
+        for map_ in rooted_maps(edges, map_class, where=where):
+            sums[map_.vertex_count] += fingerprint(map_)
+        found = {n: each % FINGERPRINTS for n, each in sums.items()}
+        assert found == listed(Extent(map_class, edges, where=where), edges)

@@ -190,6 +190,13 @@ def test_a_mismatch_of_the_count_gate_is_an_error(holds):
     assert "counts 99" in suite_of(report).find(".//error").get("message")
 
 
+def test_other_worlds_in_the_same_number_are_an_error(holds):
+    first, *others = holds.cells
+    report = replace(holds, cells=(replace(first, fingerprint="abc"), *others))
+    assert report.exit_code == 70
+    assert "but not those: their fingerprint is abc" in suite_of(report)[0][0].get("message")
+
+
 def test_a_mismatch_in_a_refuted_level_keeps_the_finding(refuted):
     cell = GateCell(edges=2, vertices=1, enumerated=3, counted=99, source="somebody")
     suite = suite_of(replace(refuted, cells=(*refuted.cells, cell)))

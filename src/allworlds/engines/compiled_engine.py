@@ -88,6 +88,7 @@ def tally_of(rows: records.Rows, unit: LevelUnit, scope: Scope, tally: Tally) ->
                 counts.traversals_rooted,
                 counts.largest,
                 most_expensive=most_expensive.get(counts.vertices),
+                fingerprint=counts.fingerprint,
             )
         )
         tally.checkpoints += counts.checkpoints

@@ -22,7 +22,7 @@ from allworlds.engines.units import Shard, Sum, a_shard, shard_numbers
 from allworlds.inputs.checks import InputError, show
 from allworlds.version import __version__
 
-FORMAT = 4
+FORMAT = 5
 """The format of identities and of what is kept under them: raised whenever either changes."""
 
 

@@ -18,6 +18,7 @@ from allworlds.judging.findings.finding import Finding
 from allworlds.judging.referee import Outcome, Referee
 from allworlds.judging.rules import Rules
 from allworlds.maps.combinatorial import rooted_code
+from allworlds.maps.enumeration import FINGERPRINTS, fingerprint
 from allworlds.world.world import World
 
 
@@ -57,6 +58,7 @@ class Row:
         bound: the largest bound of a run; None without a bound.
         best_cost: the largest, over the runs, of the cost of the cheapest schedule; None unless
             every schedule is tried.
+        fingerprint: those of the worlds, summed modulo 2^62.
         most_expensive: the least run that attains the largest cost; None without a run.  Rows are
             compared without it.
     """
@@ -70,10 +72,12 @@ class Row:
     bound: int | None = None
     most_expensive: AtRun | None = field(default=None, compare=False)
     best_cost: int | None = None
+    fingerprint: int = 0
 
     def add(self, other: "Row") -> None:
         """Take in the counts of another part."""
         self.worlds += other.worlds
+        self.fingerprint = (self.fingerprint + other.fingerprint) % FINGERPRINTS
         self.runs += other.runs
         self.episodes += other.episodes
         self.traversals += other.traversals
@@ -229,7 +233,7 @@ class RunCounter(Struct, frozen=True):
         """Count a run, and return its world; None if that has no place for the lighthouse."""
         edges, vertices = run.map.edge_count, run.map.vertex_count
         if run.first:
-            tally.row(edges, vertices).worlds += 1
+            tally.row(edges, vertices).add(Row(1, fingerprint=fingerprint(run.map)))
             if run.map.loop_count:
                 tally.witnesses["loop-edge"] += 1
             if run.map.parallel_count:

@@ -6,9 +6,9 @@ from functools import cache
 from types import MappingProxyType
 from typing import TypeAlias
 
-from allworlds.maps.classes import Extent, NamedCondition
+from allworlds.maps.classes import Extent, MapClass, NamedCondition
 from allworlds.maps.counting import NARROWED, SOURCES, CountSource
-from allworlds.maps.enumeration import Gluing
+from allworlds.maps.enumeration import FINGERPRINTS, Gluing, fingerprint, rooted_maps
 
 Size: TypeAlias = tuple[int, int]
 """New darts, and new vertices."""
@@ -78,3 +78,17 @@ def source_of(extent: Extent) -> CountSource | None:
     if isinstance(where, NamedCondition):
         return NARROWED[where.kind](extent.map_class, where.number)
     return None
+
+
+@cache
+def listed(extent: Extent, edges: int) -> Mapping[int, int]:
+    """The fingerprints of a level, summed, by vertices: by no unit, class or condition cut short.
+
+    Every rooted map with so many edges is made, and asked whether it belongs to the extent.
+    Cost: up to 5 edges 0.3 s; 0.03 ms for each map of any class.
+    """
+    sums: Counter[int] = Counter()
+    for map_ in rooted_maps(edges, MapClass.MAPS):
+        if extent.include(map_):
+            sums[map_.vertex_count] += fingerprint(map_)
+    return {vertices: each % FINGERPRINTS for vertices, each in sums.items()}

@@ -232,11 +232,13 @@ def history(map_: CombinatorialMap) -> tuple[Decision, ...]:
     order, decisions = list[Dart](), list[Decision]()
     number: dict[Dart, Dart] = {}
 
-    def met(first: Dart) -> None:
-        decisions.append(-map_.degree_at[first])
-        for turned in range(map_.degree_at[first]):
-            number[map_.turn(first, turned)] = len(order)
-            order.append(map_.turn(first, turned))
+    def met(dart: Dart) -> None:
+        before = len(order)
+        while dart not in number:
+            number[dart] = len(order)
+            order.append(dart)
+            dart = map_.sigma[dart]
+        decisions.append(before - len(order))
 
     met(0)
     for dart in order:
@@ -246,6 +248,22 @@ def history(map_: CombinatorialMap) -> tuple[Decision, ...]:
         elif number[other] > number[dart]:
             decisions.append(number[other])
     return tuple(decisions)
+
+
+FINGERPRINTS = 1 << 62
+"""The number of fingerprints; their sums are taken modulo this."""
+
+
+def fingerprint(map_: CombinatorialMap) -> int:
+    """A number for a map rooted at dart 0, of its :func:`history`, in any numbering of its darts.
+
+    The sum over some maps, in any order, tells which maps they are.  Cost: O(m).
+    """
+    code = 0
+    for decision in history(map_):
+        code = (code ^ decision) * 0x1E3779B97F4A7C15 % FINGERPRINTS
+        code ^= code >> 31
+    return code
 
 
 def prefixes(

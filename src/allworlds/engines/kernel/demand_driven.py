@@ -16,7 +16,7 @@ Source: Algorithm 1, Sections IV and V.
 """
 
 from allworlds.engines.kernel.capabilities import FIFO, LIFO
-from allworlds.engines.kernel.code import blame, is_less, note
+from allworlds.engines.kernel.code import LESS, blame, fingerprint, is_less, mixed, note
 from allworlds.engines.kernel.compiling import (
     copy,
     entry,
@@ -38,9 +38,9 @@ EDGE, PATH, PICK, NEXT, ENDED, FAILED = range(6)
 the choice of a hypothesis; ended; failed, so that only the worlds with the failure are left."""
 
 # The columns of the tally, by vertices: worlds, the cost summed and the largest, events summed,
-# worlds with a loop and with parallel edges, and walks that failed.
+# worlds with a loop and with parallel edges, their fingerprints, and walks that failed.
 WORLDS, TRAVERSALS, LARGEST, CASES_1, CASES_2, TESTS_AT_V0, EMPTY_HS = range(7)
-LOOP_EDGE, PARALLEL_EDGE, FAILURES = range(7, 10)
+LOOP_EDGE, PARALLEL_EDGE, FINGERPRINT, FAILURES = range(7, 11)
 _FEW = 0xFF
 
 
@@ -101,6 +101,7 @@ def _begin(w, s, prefix):
     w.own[0] = s.unexplored = (1 << degree) - 1
     s.s_darts, s.s_vertices, s.in_s = degree, 1, 1
     s.level = s.parent = s.position = s.passes = s.total = 0
+    s.code = mixed(0, 0 - degree)
     s.stage = PICK
     w.depth = 0
 
@@ -154,6 +155,11 @@ def _tally(w, s, kept):
     """Tally one world, and the walk in it."""
     n, cost = s.vertices, s.total & COST
     w.counts[n, WORLDS] += 1
+    code = s.code
+    if s.stage == FAILED or w.policy != FIFO:
+        _settle(w, s)
+        code = fingerprint(w.world)
+    w.counts[n, FINGERPRINT] = (w.counts[n, FINGERPRINT] + code) & LESS
     if s.stage == FAILED:
         w.counts[n, FAILURES] += 1
         _blame(w, s, kept)
@@ -333,6 +339,7 @@ def _augment_by_vertex(w, s):
     """Lines 20-21: add a new vertex to S."""
     u, x, end = w.owner[s.x], s.x, w.end[s.x]
     degree = w.degree[x]
+    s.code = mixed(s.code, 0 - degree)
     if s.in_s >> u & 1 or s.s_darts + degree > 2 * w.edges:
         s.stage = FAILED
         return
@@ -371,6 +378,7 @@ def _augment_by_loop(w, s):
         s.stage = FAILED
         return
     s.unexplored ^= 1 << dart
+    s.code = mixed(s.code, dart)
     w.s_partner[e], w.s_partner[dart] = dart, e
     a, b = w.s_owner[e], w.s_owner[dart]
     w.one_end[s.passes] = w.other_end[s.passes] = 0

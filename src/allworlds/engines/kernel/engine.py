@@ -174,7 +174,7 @@ def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None
 def _walked_counts(n: int, row: list[int], edges: int, places: int) -> Counts:
     worlds, cost = row[walks.WORLDS], row[walks.TRAVERSALS]
     of_runs = places * worlds, places * cost, cost, row[walks.LARGEST], places * worlds * edges, 0
-    return Counts(n, worlds, *of_runs, row[walks.LOOP_EDGE], row[walks.PARALLEL_EDGE])
+    return Counts(n, worlds, *of_runs, *row[walks.LOOP_EDGE : walks.FAILURES])
 
 
 def _walked_events(rows: list[list[int]], edges: int, places: int) -> dict[str, int]:

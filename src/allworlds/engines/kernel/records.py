@@ -61,6 +61,7 @@ class Counts(Struct, frozen=True):
         checkpoints: the number of published ones.
         left_out: worlds without a place for the lighthouse.
         loops, parallels: worlds with a loop, and with two edges that have the same two ends.
+        fingerprint: those of the worlds, summed modulo 2^62.
     """
 
     vertices: int
@@ -73,6 +74,7 @@ class Counts(Struct, frozen=True):
     left_out: int
     loops: int
     parallels: int
+    fingerprint: int
 
 
 class At(NamedTuple):
@@ -300,6 +302,8 @@ NOW = _record(
     (uint8, "candidate steps t"),
     # The cost and the counters of the walk, packed.
     (int64, "total"),
+    # The fingerprint of S, as far as it is known; under fifo that of W at the end.
+    (int64, "code"),
 )
 """The state to which a walk goes back to decide a dart in another way."""
 

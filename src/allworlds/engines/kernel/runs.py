@@ -16,7 +16,7 @@ from numpy import int64
 from allworlds import log as codes
 from allworlds.engines.kernel import laws
 from allworlds.engines.kernel.capabilities import ANSWER_READY, CHECKPOINT, MOVE
-from allworlds.engines.kernel.code import blame, is_less, note
+from allworlds.engines.kernel.code import LESS, blame, fingerprint, is_less, note
 from allworlds.engines.kernel.compiling import (
     RECORD,
     address_of,
@@ -34,8 +34,8 @@ from allworlds.engines.kernel.worlds import advance, arrival, doubled, settle
 
 # The columns of the tally, by vertices.
 WORLDS, RUNS, TRAVERSALS, TRAVERSALS_ROOTED, LARGEST = range(5)
-CHECKPOINTS, LEFT_OUT, LOOP_EDGE, PARALLEL_EDGE = range(5, 9)
-COLUMNS = 9
+CHECKPOINTS, LEFT_OUT, LOOP_EDGE, PARALLEL_EDGE, FINGERPRINT = range(5, 10)
+COLUMNS = 10
 
 # What a bound is worth that has no value for some sizes.
 UNDEFINED = -(1 << 62)
@@ -75,6 +75,7 @@ def examine(job, player, unit, halt):
         counts[n, WORLDS] += 1
         counts[n, LOOP_EDGE] += kinds & 1
         counts[n, PARALLEL_EDGE] += kinds >> 1
+        counts[n, FINGERPRINT] = (counts[n, FINGERPRINT] + fingerprint(world)) & LESS
         call(job.lighthouse, (world,))
         if world.place == NONE:
             counts[n, LEFT_OUT] += 1

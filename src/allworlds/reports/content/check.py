@@ -73,7 +73,7 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
         sizes = f"{plural(len(cells), 'size')} finished"
         if report.complete:
             sizes = f"all {plural(len(cells), 'size')} complete"
-        short["gate"] = f"{sizes}; their number equals an independent count"
+        short["gate"] = f"{sizes}; their number equals an independent count{_listed(cells)}"
     words = [(name, short.get(name, said)) for name, said in scope_words(report) if said]
     if report.tally.rows and not report.findings:
         rows = sorted(report.tally.rows.items())
@@ -281,7 +281,14 @@ def _gate(report: CheckReport) -> str:
     if wrong:
         return f"MISMATCH: {wrong[0]}"
     cells = plural(len(report.cells), "cell")
-    return f"no world was forgotten: in {cells} (edges, vertices) {counted(report.cells[0].source)}"
+    said = f"no world was forgotten: in {cells} (edges, vertices) {counted(report.cells[0].source)}"
+    return said + _listed(report.cells)
+
+
+def _listed(cells: Sequence[GateCell]) -> str:
+    """Say up to where another enumeration has listed the same worlds."""
+    most = max((cell.edges for cell in cells if cell.listed), default=0)
+    return f"; up to {plural(most, 'edge')} listed" if most else ""
 
 
 def _why_vacuous(report: CheckReport) -> str:
@@ -369,6 +376,11 @@ def _findings(report: CheckReport, found: Iterable[int]) -> list[parts.Section]:
 
 
 def _mismatch(cell: GateCell) -> str:
+    if cell.enumerated == cell.counted:
+        return (
+            f"of maps with {size(cell.edges, cell.vertices)} as many were enumerated as there are, "
+            f"but not those: their fingerprint is {cell.fingerprint}, not {cell.listed}"
+        )
     return (
         f"of maps with {size(cell.edges, cell.vertices)} {cell.enumerated} were enumerated, but "
         f"{cell.source} counts {cell.counted}"

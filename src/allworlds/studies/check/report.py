@@ -12,7 +12,7 @@ from typing_extensions import override
 from allworlds.documents import document as doc
 from allworlds.engines import engine_table, hash_seeds, single
 from allworlds.engines.limits import Limits, positive
-from allworlds.engines.tally import Tally
+from allworlds.engines.tally import Row, Tally
 from allworlds.engines.units import WHOLE, Sample, Scope, ShardOptions, cells_of_level
 from allworlds.explorers import loading, sources
 from allworlds.inputs import checks, requests
@@ -31,7 +31,7 @@ from allworlds.studies.check.covered import CoveredRow, covered_rows
 from allworlds.studies.options import ClusterOptions, ListenerOptions, RunDirectoryOptions
 from allworlds.studies.scopes import FileDigests, GivenCount, TriedPlaces, told_scope, tried_places
 from allworlds.studies.swept import PortionReport
-from allworlds.world import selection
+from allworlds.world import named, selection
 from allworlds.world.world import World
 
 SharedFile: TypeAlias = Annotated[
@@ -144,31 +144,55 @@ class GateCell(doc.Document):
     enumerated: Annotated[doc.Natural, doc.about("rooted maps that were visited")]
     counted: Annotated[doc.Natural, doc.about("those that there are")]
     source: Annotated[doc.Text, doc.about("says who")]
+    fingerprint: Annotated[doc.IfAny[str], doc.about("of the visited ones")] = ""
+    listed: Annotated[doc.IfAny[str], doc.about("that of another enumeration, if it is known")] = ""
 
     @property
     def agrees(self) -> bool:
-        """Whether the enumeration and the source give the same count."""
-        return self.counted == self.enumerated
+        """Whether as many were visited as the source counts, and those that are listed."""
+        return self.counted == self.enumerated and self.listed in ("", self.fingerprint)
+
+
+LISTED_EDGES = 5
+"""The largest m whose maps are enumerated once more in each check, to compare which they are."""
+
+
+def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
+    """The fingerprint of the worlds of a level, by vertices: listed anew, or from the corpus."""
+    if edges <= LISTED_EDGES:
+        return {n: f"{each:x}" for n, each in count_source.listed(extent, edges).items()}
+    if extent.where is not None:
+        return {}
+    corpus = named.own_corpus()
+    (entry,) = (e for e in corpus.of_kind("counts") if e.name == f"counts-{extent.map_class}")
+    kept = corpus.document(entry).get("fingerprints", {}).get(str(edges), ())
+    return dict(enumerate(kept, 1))
 
 
 def count_gate(extent: classes.Extent, edges: int, tally: Tally) -> list[GateCell]:
-    """Counts of the enumerated maps of a level, beside those of an independent source.
+    """The enumerated maps of a level: their number beside that of an independent source.
+
+    Which maps they are is compared, too, as far as another enumeration has listed them.
 
     There are none under a condition that has no source.
     """
     source = count_source.source_of(extent)
     if source is None:
         return []
-    cells = [
-        GateCell(
-            edges=edges,
-            vertices=vertices,
-            enumerated=row.worlds if (row := tally.rows.get((edges, vertices))) else 0,
-            counted=counted,
-            source=source.name,
+    known, cells = known_fingerprints(extent, edges), list[GateCell]()
+    for vertices, counted in cells_of_level(extent, edges).items():
+        row = tally.rows.get((edges, vertices), Row())
+        cells.append(
+            GateCell(
+                edges=edges,
+                vertices=vertices,
+                enumerated=row.worlds,
+                counted=counted,
+                source=source.name,
+                fingerprint=f"{row.fingerprint:x}",
+                listed=known.get(vertices, ""),
+            )
         )
-        for vertices, counted in cells_of_level(extent, edges).items()
-    ]
     return [cell for cell in cells if cell.enumerated or cell.counted]
 
 
