@@ -106,6 +106,7 @@ class RunBatch:
         broken: the runs that break a law, or did not make the choices that were due; of those that
             compiled code has judged the least.
         lost: the runs in which a player was lost, and so is their walk, or its end.
+        judged: the runs that the Python judge has judged.
     """
 
     def __init__(self, by: "Judge", work: Work, runs: Iterable[Due]) -> None:
@@ -115,12 +116,16 @@ class RunBatch:
         self.plain = True
         self.broken: list[int] = []
         self.lost: set[int] = set()
-        self._known: dict[int, Judged] = {}
+        self.judged: dict[int, Judged] = {}
 
     @property
     def runs(self) -> list[Due]:
         """The runs that are due."""
         return self._runs
+
+    def due(self, row: int) -> Due:
+        """A run."""
+        return self._runs[row]
 
     def __len__(self) -> int:
         return len(self.runs)
@@ -142,13 +147,13 @@ class RunBatch:
 
     def outcome(self, row: int) -> Judged:
         """A run, judged by the Python judge."""
-        if row not in self._known:
-            self._known[row] = self.by.judged(self.runs[row], self.logs[FIRST][row])
-        return self._known[row]
+        if row not in self.judged:
+            self.judged[row] = self.by.judged(self.due(row), self.logs[FIRST][row])
+        return self.judged[row]
 
     def record(self, row: int) -> Recorded:
         """Return the record of a run: all that the second player gets of it."""
-        return Recorded.of(self.runs[row], self.outcome(row).outcome.episode)
+        return Recorded.of(self.due(row), self.outcome(row).outcome.episode)
 
     def follow_ups(self) -> list[Due]:
         """The runs with the next schedules, where every schedule is due."""

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import islice
 from typing import Any
 
-from allworlds.engines.batch import Due, Message, RunBatch, Work
+from allworlds.engines.batch import Due, Judged, Message, RunBatch, Work
 from allworlds.engines.compiled_engine import compare, level_of, tally_of
 from allworlds.engines.judge import PythonJudge
 from allworlds.engines.kernel import records
@@ -18,7 +18,7 @@ from allworlds.engines.kernel.engine import LaidOutRuns, UnitJudge
 from allworlds.engines.players import Logs
 from allworlds.engines.tally import EnginesDisagree, Tally
 from allworlds.engines.units import LevelUnit
-from allworlds.maps.combinatorial import Code, rooted_code
+from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
 from allworlds.world.world import World
 
 LIBRARIES = 8
@@ -50,15 +50,17 @@ class CompiledBatch(RunBatch):
     @property
     def runs(self) -> list[Due]:
         """The runs, as Python has them."""
-        if not self._runs and len(self):
-            laid = self.laid
-            following = self.by.counter.runs(self.unit, laid.first)
-            self._runs = [
-                Due(run.number, run.place, World(run.map, run.lighthouse, 0))
-                for run in islice(following, laid.until - laid.first)
-                if run.lighthouse is not None
-            ]
-        return self._runs
+        return [self.due(row) for row in range(len(self))]
+
+    def due(self, row: int) -> Due:
+        """A run, as Python has it: the map that was laid out, with the lighthouse of Python."""
+        table = self.tables[row].reshape(-1, records.WIDE).tolist()
+        darts = [(dart[records.FIRST], dart[records.DEGREE]) for dart in table]
+        sigma = [first + (d + 1 - first) % degree for d, (first, degree) in enumerate(darts)]
+        map_ = CombinatorialMap(sigma, [dart[records.PARTNER] for dart in table])
+        number, place = self.heads[row, [records.RUN_NUMBER, records.RUN_PLACE]].tolist()
+        lighthouse = [*self.by.counter.scope.rules.kind.places(map_, 0)][place]
+        return Due(number, place, World(map_, lighthouse, 0))
 
 
 class CompiledJudge:
@@ -158,18 +160,19 @@ class CompiledJudge:
         tally, laid, row = self.counter.tally(), batch.laid, 0
         runs = islice(self.counter.runs(batch.unit, laid.first), laid.until - laid.first)
         for run in runs:
-            if self.counter.count_run(run, tally) is not None:
-                due, one = batch.runs[row], batch.outcome(row)
-                self.counter.count_outcome(due.world, due.place, one.outcome, tally)
+            world = self.counter.count_run(run, tally)
+            if world is not None:
+                self.counter.count_outcome(world, run.place, batch.outcome(row).outcome, tally)
                 row += 1
         return tally
 
     def _row(self, batch: CompiledBatch, code: Code, place: int | None) -> int:
         """The row of a run."""
-        for row, due in enumerate(batch.runs):
-            map_ = due.world.map
-            if due.place == place and rooted_code(map_.sigma, map_.alpha, 0) == code:
-                return row
+        for row, head in enumerate(batch.heads.tolist()):
+            if head[records.RUN_PLACE] == place:
+                map_ = batch.due(row).world.map
+                if rooted_code(map_.sigma, map_.alpha, 0) == code:
+                    return row
         raise EnginesDisagree(f"the kernel has met a world that is none: {code}")
 
     # ---------------------------------------------------------------- messages
@@ -214,17 +217,19 @@ class CompiledJudge:
         Raises:
             EnginesDisagree: if they count differently.
         """
-        units: dict[str, tuple[Work, dict[int, bytes]]] = {}
+        units: dict[str, tuple[Work, dict[int, tuple[bytes, Judged]]]] = {}
         for batch in batches:
             _, known = units.setdefault(batch.work.unit.key, (batch.work, {}))
-            known.update({due.number: batch.logs[0][i] for i, due in enumerate(batch.runs)})
+            for row, due in enumerate(batch.runs):
+                known[due.number] = batch.logs[0][row], batch.outcome(row)
         for work, known in units.values():
             whole = Work(work.unit, self.counter.tally())
             for batch in self.batches(whole, lambda: 1 << 10):
                 numbers = batch.heads[:, records.RUN_NUMBER].tolist()
                 if not all(number in known for number in numbers):
                     break
-                batch.logs[0] = [known[number] for number in numbers]
+                batch.logs[0] = [known[number][0] for number in numbers]
+                batch.judged = {row: known[number][1] for row, number in enumerate(numbers)}
                 self._compared = False
                 self.judge(batch)
         self._compared = False

@@ -103,7 +103,7 @@ class PythonJudge:
 
     def worlds(self, batch: RunBatch, rows: Sequence[int]) -> Message:
         """The message to a player that plays these runs in their worlds."""
-        return self.worlds_message([batch.runs[row] for row in rows])
+        return self.worlds_message([batch.due(row) for row in rows])
 
     def records(self, batch: RunBatch, rows: Sequence[int], order: Sequence[int] = ()) -> Message:
         """The message to a player that plays recorded percepts; nothing of a world."""

@@ -32,7 +32,8 @@ class MoreSeeds:
     def keep(self, batch: RunBatch) -> None:
         """Keep some records, if they are of large worlds."""
         levels = self._settler.judge.counter.scope.extent.levels
-        edges = batch.runs[0].world.map.edge_count if self._wanted else 0
+        wanted = self._wanted and len(self._kept) < KEPT
+        edges = batch.due(0).world.map.edge_count if wanted else 0
         if edges > SMALL and edges == levels[-1]:
             self._kept += [(batch, row) for row in range(len(batch))][: KEPT - len(self._kept)]
 

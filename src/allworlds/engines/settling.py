@@ -62,14 +62,14 @@ class Settler:
         """Find the runs of a batch with outcomes that break a law."""
         counter, referee = self.judge.counter, self.judge.referee
         for row, outcome in sorted(outcomes.items()):
-            due = batch.runs[row]
+            due = batch.due(row)
             counter.settle(referee, due.world, due.place, outcome, batch.work.tally)
 
     def give_up(self, which: int, batch: RunBatch) -> None:
         """Find what is wrong with the runs of a batch that is not finished; nothing is counted."""
         outcomes = dict[int, Outcome]()
         for row in batch.lost:
-            one = self.judge.judged(batch.runs[row], batch.logs[FIRST][row])
+            one = self.judge.judged(batch.due(row), batch.logs[FIRST][row])
             second = Log(batch.logs[which][row])
             outcomes[row] = overruled(one.outcome, one.log, second, choices=self.judge.every)
         self.find(batch, outcomes)
@@ -103,7 +103,7 @@ class Settler:
         """The outcome of a run whose log compiled code has written, by a play in Python."""
         before, batch.plain = batch.outcome(row), True
         (log,), _ = self.plays.alone(FIRST, batch, row)
-        one = self.judge.judged(batch.runs[row], log)
+        one = self.judge.judged(batch.due(row), log)
         if _is_refused(before.log, one.log) or not self.differ(before.log, one.log):
             return one.outcome
         return replace(one.outcome, violation=nondeterministic(PLAYED_ONCE_MORE))
@@ -135,7 +135,7 @@ class Settler:
         What has happened once, and in no fresh process, refutes nothing.  The second play has the
         record of the later one: that of the run may be too short.
         """
-        due, one = batch.runs[row], batch.outcome(row).log
+        due, one = batch.due(row), batch.outcome(row).log
         log = self.plays.again(FIRST, seeds[FIRST], batch, [row])[row]
         anew = self._anew(due, log)
         message = self.judge.records_message([Recorded.of(due, anew.episode)])
@@ -156,7 +156,7 @@ class Settler:
         batch.work.tally.remark(hash_seeds.GOES_BY_HASHES)
         again = self.plays.again(FIRST, seeds[SECOND], batch, rows)
         outcomes = {
-            row: hash_seeds.by_seed(seeds, self._own(batch, row), self._anew(batch.runs[row], log))
+            row: hash_seeds.by_seed(seeds, self._own(batch, row), self._anew(batch.due(row), log))
             for row, log in again.items()
         }
         return {row: outcome for row, outcome in outcomes.items() if outcome}

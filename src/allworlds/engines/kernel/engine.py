@@ -258,7 +258,8 @@ class UnitJudge:
         starts[count] = self.noted = int(reader.noted)
         self.heads[:, layout.RUN_MOTIONS] = (starts[1 : count + 1] - starts[:count]) // 3 - 1
         heads[:] = self.heads
-        heads[:, layout.RUN_NUMBER] = 0  # who plays again is not to know which runs these are
+        # Who plays again is not to know which runs these are.
+        heads[:, layout.RUN_NUMBER : layout.RUN_MOTIONS] = 0
         good = reader.run == count and reader.strange == 0 and job.undefined == 0
         rows = rows_of(unit, job, self._robot)
         return rows, good
@@ -285,6 +286,7 @@ def lay_out(job, unit, heads, worlds):
             head, row = heads[placed], worlds[placed]
             head[layout.RUN_BUDGET] = unit.budgets[world.vertices]
             head[layout.RUN_TOLD], head[layout.RUN_NUMBER] = world.told, job.number
+            head[layout.RUN_PLACE] = world.place
             for dart in range(world.darts):
                 at = layout.WIDE * dart
                 row[at + layout.FIRST] = world.first[dart]

@@ -363,10 +363,10 @@ def new(kind: Any) -> Any:
     return zeros(1, kind).view(recarray)[0]
 
 
-# The columns of what is said of a run besides: its budget, what is told, its number in its unit,
-# and against records how many motions were made.
-RUN_BUDGET, RUN_TOLD, RUN_NUMBER, RUN_MOTIONS = range(4)
-HEAD = 4
+# The columns of what is said of a run besides: its budget, what is told, its number in its unit and
+# that of its place, and against records how many motions were made.
+RUN_BUDGET, RUN_TOLD, RUN_NUMBER, RUN_PLACE, RUN_MOTIONS = range(5)
+HEAD = 5
 
 # The columns of a laid-out world, for each dart: the first dart of its vertex, its partner, and
 # what is sensed on arriving by it.
