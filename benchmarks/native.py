@@ -123,6 +123,7 @@ class Measured:
             if not good or batch.broken or first.message != second.message:
                 raise SystemExit("a law is broken: this measures nothing")
             timed("compared", lambda a=first, b=second: a.message == b.message)
+            work.tally.add(batch.tally)
             walked += timed("bare", lambda b=batch: self.bare.play(b))
             self.runs += len(batch)
         assert walked == sum(row.traversals for row in work.tally.rows.values())

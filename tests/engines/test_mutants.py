@@ -13,8 +13,9 @@ from allworlds.engines.kernel.records import Counts
 from allworlds.engines.kernel.runs import UNDEFINED
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
-from allworlds.maps.classes import Extent
+from allworlds.maps.classes import Extent, condition_named
 from allworlds.maps.enumeration import FINGERPRINTS, fingerprint, history, prefixes, rooted_maps
+from allworlds.studies.check.report import known_fingerprints
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -123,3 +124,12 @@ def test_the_kernel_counts_its_fingerprints_as_its_twin_does():
         for map_ in rooted_maps(4, prefix=prefix):
             sums[map_.vertex_count] += fingerprint(map_)
         assert found == {n: each % FINGERPRINTS for n, each in sums.items()}
+
+
+@pytest.mark.parametrize("map_class", MapClass)
+def test_of_large_levels_the_corpus_has_the_worlds_of_all_maps_alone(map_class):
+    known = known_fingerprints(Extent(map_class, 9), 6)
+    assert len(known) == (7 if map_class is MapClass.MAPS else 0)
+    assert known_fingerprints(Extent(map_class, 9, where=condition_named("trees")), 6) == {}
+    assert known_fingerprints(Extent(map_class, 9), 9) == {}
+    assert known_fingerprints(Extent(map_class, 9), 2).keys() <= {1, 2, 3}

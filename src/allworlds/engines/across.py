@@ -54,7 +54,8 @@ def remember(batch: RunBatch, known: dict[At, FirstLog]) -> None:
     unit, logs, broken = batch.work.unit, batch.logs[FIRST], {*batch.broken}
     small = isinstance(unit, LevelUnit | GivenUnit) and unit.edges <= ACROSS
     if small and batch.plain:  # a library draws the order
-        for row, due in enumerate(batch.runs):
+        for row in range(len(batch)):
+            due = batch.due(row)
             one = FirstLog(due, logs[row], right=row not in broken)
             known.setdefault((due.world.map, due.place), one)
 

@@ -47,16 +47,10 @@ class CompiledBatch(RunBatch):
     def __len__(self) -> int:
         return self.laid.runs
 
-    @property
-    def runs(self) -> list[Due]:
-        """The runs, as Python has them."""
-        return [self.due(row) for row in range(len(self))]
-
     def due(self, row: int) -> Due:
         """A run, as Python has it: the map that was laid out, with the lighthouse of Python."""
         table = self.tables[row].reshape(-1, records.WIDE).tolist()
-        darts = [(dart[records.FIRST], dart[records.DEGREE]) for dart in table]
-        sigma = [first + (d + 1 - first) % degree for d, (first, degree) in enumerate(darts)]
+        sigma = [first + (d + 1 - first) % deg for d, (first, _, deg, *_) in enumerate(table)]
         map_ = CombinatorialMap(sigma, [dart[records.PARTNER] for dart in table])
         number, place = self.heads[row, [records.RUN_NUMBER, records.RUN_PLACE]].tolist()
         lighthouse = [*self.by.counter.scope.rules.kind.places(map_, 0)][place]

@@ -377,10 +377,8 @@ def _findings(report: CheckReport, found: Iterable[int]) -> list[parts.Section]:
 
 def _mismatch(cell: GateCell) -> str:
     if cell.enumerated == cell.counted:
-        return (
-            f"of maps with {size(cell.edges, cell.vertices)} as many were enumerated as there are, "
-            f"but not those: their fingerprint is {cell.fingerprint}, not {cell.listed}"
-        )
+        said = f"but not those: their fingerprint is {cell.fingerprint}, not {cell.listed}"
+        return f"maps with {size(cell.edges, cell.vertices)} are as many as are counted, {said}"
     return (
         f"of maps with {size(cell.edges, cell.vertices)} {cell.enumerated} were enumerated, but "
         f"{cell.source} counts {cell.counted}"

@@ -5,7 +5,7 @@ witnesses, and the most expensive runs.
 """
 
 from collections.abc import Iterator, Mapping
-from typing import Annotated, Literal, TypeAlias, get_args
+from typing import Annotated, Any, Literal, TypeAlias, get_args
 
 from typing_extensions import override
 
@@ -161,12 +161,10 @@ def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
     """The fingerprint of the worlds of a level, by vertices: listed anew, or from the corpus."""
     if edges <= LISTED_EDGES:
         return {n: f"{each:x}" for n, each in count_source.listed(extent, edges).items()}
-    if extent.where is not None:
-        return {}
-    corpus = named.own_corpus()
-    (entry,) = (e for e in corpus.of_kind("counts") if e.name == f"counts-{extent.map_class}")
-    kept = corpus.document(entry).get("fingerprints", {}).get(str(edges), ())
-    return dict(enumerate(kept, 1))
+    corpus, name = named.own_corpus(), f"counts-{extent.map_class}"
+    kept = [corpus.document(e) for e in corpus.of_kind("counts") if e.name == name]
+    levels: Any = kept[0].get("fingerprints", {}) if kept and extent.where is None else {}
+    return dict(enumerate(levels.get(str(edges), ()), 1))
 
 
 def count_gate(extent: classes.Extent, edges: int, tally: Tally) -> list[GateCell]:
@@ -182,18 +180,18 @@ def count_gate(extent: classes.Extent, edges: int, tally: Tally) -> list[GateCel
     known, cells = known_fingerprints(extent, edges), list[GateCell]()
     for vertices, counted in cells_of_level(extent, edges).items():
         row = tally.rows.get((edges, vertices), Row())
-        cells.append(
-            GateCell(
-                edges=edges,
-                vertices=vertices,
-                enumerated=row.worlds,
-                counted=counted,
-                source=source.name,
-                fingerprint=f"{row.fingerprint:x}",
-                listed=known.get(vertices, ""),
-            )
+        cell = GateCell(
+            edges=edges,
+            vertices=vertices,
+            enumerated=row.worlds,
+            counted=counted,
+            source=source.name,
+            fingerprint=f"{row.fingerprint:x}",
+            listed=known.get(vertices, ""),
         )
-    return [cell for cell in cells if cell.enumerated or cell.counted]
+        if cell.enumerated or cell.counted:
+            cells.append(cell)
+    return cells
 
 
 SMALLEST = {"loop-edge": "loop", "parallel-edge": "dipole-2"}
