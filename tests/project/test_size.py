@@ -22,7 +22,7 @@ class Size(NamedTuple):
     lines: int
 
 
-MOST = 31_000
+MOST = 31_100
 """Lines of code of ``src/allworlds``."""
 
 MOST_OF_WING = {
@@ -32,7 +32,7 @@ MOST_OF_WING = {
     "world": 2_300,
     "explorers": 2_000,
     "judging": 2_200,
-    "engines": 6_200,
+    "engines": 6_300,
     "robots": 2_400,
     "studies": 6_400,
     "reports": 4_200,
