@@ -27,7 +27,7 @@ MOST = 31_100
 
 MOST_OF_WING = {
     "ground": 1_300,
-    "maps": 2_100,
+    "maps": 2_200,
     "protocol": 1_100,
     "world": 2_300,
     "explorers": 2_000,

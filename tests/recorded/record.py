@@ -39,7 +39,7 @@ LEAST = {
     "replay": "{findings}/lucky-guess.json",
     "explain": "{findings}/lucky-guess.json",
     "init": "{tmp}/least",
-    "team": "{recorded}/explorers.py:other_end --edges 1",
+    "team": "{recorded}/explorers.py:waits --robots 1 --edges 1",
     "play": "theta -o {tmp}/least-play.html",
     "merge": "{run}",
     "status": "{run}",

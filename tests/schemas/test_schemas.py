@@ -25,6 +25,7 @@ from allworlds.studies.init import init
 from allworlds.studies.ledger import ledger
 from allworlds.studies.merge import merge, status
 from allworlds.studies.run import play, replay, run
+from allworlds.studies.team.search_sweep import team
 from allworlds.studies.worst.all_worlds import worst
 from allworlds.verbs import VERBS
 from allworlds.world import LIGHTHOUSES, Directional, Position, World, worlds
@@ -175,6 +176,17 @@ DOCUMENTS = {
         whole("check"),
         lambda: check(edges=2, schedules="all").to_json(),
     ),
+    "team": (whole("team"), lambda: met("central").to_json()),
+    "team refuted": (whole("team"), lambda: met("fsync").to_json()),
+    "team cut off": (whole("team"), lambda: met("fsync", "walks_for_ever", budget=3).to_json()),
+    "replay of a team": (
+        whole("teamreplay"),
+        lambda: replay(met("async").findings[0]).to_json(),
+    ),
+    "explain a team": (
+        whole("teamexplanation"),
+        lambda: explain(met("async").findings[0]).to_json(),
+    ),
     "worst of a shard": (whole("worst"), lambda: worst(edges=2, shard=(0, 2)).to_json()),
     "census of a shard": (
         whole("ambiguity-census"),
@@ -249,6 +261,11 @@ DOCUMENTS = {
         lambda: [*finding_of("mirror-image").transcript.to_json()],
     ),
 }
+
+
+def met(scheduler, program="other_end", **options):
+    """Two robots on small maps."""
+    return team(f"{RECORDED}/explorers.py:{program}", scheduler=scheduler, edges=1, **options)
 
 
 @functools.cache

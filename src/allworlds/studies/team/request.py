@@ -96,7 +96,7 @@ class TeamRequest(
             SCOPE,
             "NAME|FILE.py:Class",
             "The model of the world, perhaps with options, as in meeting:labels=true.",
-            document_type=doc.Text,
+            document_type=Annotated[doc.Text, doc.about("the model of the world, by its name")],
         ),
     ] = Converted(_model, DEFAULT_MODEL)
     robots: Annotated[
@@ -127,6 +127,9 @@ class TeamRequest(
             "A run of a generator goes on for so many activations of each robot; one that is cut "
             "off leaves the verdict open.",
             parse=integer_of,
+            document_type=Annotated[
+                doc.Positive, doc.about("the most activations of a robot in a run of generators")
+            ],
         ),
     ] = Converted(_natural("budget", 1), 1000)
     within: Annotated[
@@ -156,6 +159,9 @@ class TeamRequest(
             "D",
             "Robot 1 begins up to D rounds later, as the adversary likes.",
             parse=integer_of,
+            document_type=Annotated[
+                doc.Natural, doc.about("by how many rounds robot 1 may begin later")
+            ],
         ),
     ] = Converted(_natural("start-delay", 0), 0)
     configurations: Annotated[
