@@ -332,8 +332,8 @@ def integers(values: Iterable[object], most: int = MOST_DARTS) -> tuple[int, ...
 # ---------------------------------------------------------------- faults
 
 
-def raised(error: BaseException) -> bytes:
-    """The entry of an explorer that has raised."""
+def raised(error: BaseException, own: int = 2) -> bytes:
+    """The entry of an explorer that has raised; the first ``own`` frames are not the explorer's."""
     checks.let_users_interrupt(error)
     if type(error) is actions.ExplorerFault and error.law in entries.LAWS:
         words = AN_ACTION, error.seen, error.detail
@@ -343,7 +343,7 @@ def raised(error: BaseException) -> bytes:
         if isinstance(error, InvalidMap):
             return _no_map(error)
         frames = error.__traceback__
-        for _ in range(2):  # those of this module
+        for _ in range(own):
             frames = frames and frames.tb_next
         message = str.__str__(str(error))[: checks.SHOWN]
         error.__cause__ = error.__context__ = None  # each has a traceback of its own

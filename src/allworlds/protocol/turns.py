@@ -160,7 +160,7 @@ class Turns:
             if number == len(self._memories):
                 self._memories.append(after)
         except BaseException as error:  # noqa: BLE001  # the user's code
-            return marshalled(0, FAULT, playing.raised(error))
+            return marshalled(0, FAULT, playing.raised(error, own=1))
         return marshalled(number, letter, words)
 
     # ---------------------------------------------------------------- generators
@@ -196,7 +196,7 @@ class Turns:
         except StopIteration as stop:
             return marshalled(0, *_answer(stop.value))
         except BaseException as error:  # noqa: BLE001  # the user's code
-            return marshalled(0, FAULT, playing.raised(error))
+            return marshalled(0, FAULT, playing.raised(error, own=1))
         letter, words = _action(message)
         if letter == ACTION and generator is not None and len(self._alive) < self._most:
             self._alive[number] = generator

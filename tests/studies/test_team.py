@@ -1,0 +1,242 @@
+"""The verb ``team``: counts, findings, refusals, and the same report however it is made."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+import allworlds
+from allworlds.documents.document import replace
+from allworlds.outcome import Verdict
+from allworlds.robots.finding import TeamFinding
+from allworlds.robots.models.meeting import Meeting
+
+PROGRAMS = Path(__file__).parents[1] / "support" / "teams.py"
+ANYWHERE = "meeting:apart=false"
+
+
+def team(*names, edges=3, model=ANYWHERE, **options):
+    """A search of programs of that file."""
+    programs = [f"{PROGRAMS}:{name}" for name in names]
+    return allworlds.team(*programs, edges=edges, model=model, **options)
+
+
+# ---------------------------------------------------------------- what holds
+
+
+@pytest.mark.parametrize(
+    ("scheduler", "configurations"),
+    # Of the prototype with one robot at a time; the numbers of async are the same with sets.
+    [("fsync", 969), ("ssync", 1629), ("central", 1629), ("async", 2591)],
+)
+def test_who_waits_is_found_by_who_searches_from_every_start(scheduler, configurations):
+    report = team("waits", "searches", scheduler=scheduler)
+    assert report.verdict is Verdict.HOLDS
+    total = report.total
+    # 86 rooted maps with up to 3 edges, each with 2m darts for the other robot.
+    assert (total.maps, total.worlds) == (86, 488)
+    assert total.configurations == configurations
+    assert total.longest == 20
+
+
+def test_robots_are_told_apart_by_what_they_are_told():
+    labelled = team("by_label", model="meeting:labels=true,apart=false", edges=2)
+    assert labelled.verdict is Verdict.HOLDS
+    assert len(labelled.asked.team.subjects) == 1
+
+
+def test_the_gate_counts_the_maps():
+    report = team("waits", "searches", edges=2)
+    assert [(cell.enumerated, cell.counted) for cell in report.cells] == [
+        (1, 1),
+        (1, 1),
+        (3, 3),
+        (5, 5),
+        (2, 2),
+    ]
+
+
+def test_a_map_that_is_left_out_is_noticed(monkeypatch):
+    from allworlds.robots.team import TeamScope
+
+    searches = TeamScope.searches
+
+    def fewer(scope, unit, minds):
+        every = list(searches(scope, unit, minds))
+        return every[:-1] if unit.edges == 1 else every
+
+    monkeypatch.setattr(TeamScope, "searches", fewer)
+    report = team("waits", "waits", edges=1, model="meeting")
+    assert report.exit_code == 70
+
+
+# ---------------------------------------------------------------- what is found
+
+
+@pytest.mark.parametrize(
+    ("program", "law", "events"),
+    [
+        ("raises", "crash", 1),
+        ("says_a_number", "illegal-action", 1),
+        ("does", "illegal-action", 1),
+        ("other_end", "progress", 2),
+    ],
+)
+def test_a_slip_is_a_finding_with_a_shortest_run_in_the_smallest_world(program, law, events):
+    report = team(program, model="meeting")
+    (found,) = report.findings
+    assert (report.exit_code, found.law, found.minimal) == (1, law, True)
+    assert len(found.events) == events
+
+
+def test_an_error_is_told_with_its_line():
+    (found,) = team("raises", model="meeting").findings
+    assert 'raise ValueError("three")' in found.detail
+    assert "turns.py" not in found.detail
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize(
+    ("program", "law"), [("hangs", "timeout"), ("exits", "crash"), ("raises", "crash")]
+)
+def test_a_process_that_is_lost_is_a_finding_and_takes_nothing_with_it(program, law):
+    report = team(program, model="meeting", answer_timeout=2.0)
+    (found,) = report.findings
+    assert found.law == law
+    assert found.robot == 1
+    # The same world as for one that raises, and the same counts.
+    raised = team("raises", model="meeting")
+    assert found.key == raised.findings[0].key
+    assert report.total == raised.total
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize("program", ["changes_its_mind", "remembers", "forgetful"])
+def test_what_is_not_the_same_twice_is_found(program):
+    laws = {found.law for found in team(program, edges=3, budget=20, max_findings=9).findings}
+    assert "nondeterministic" in laws
+
+
+@pytest.mark.processes
+def test_a_program_that_floods_is_heard_to_its_end():
+    report = team("floods", edges=2, budget=5)
+    assert report.verdict is Verdict.INCONCLUSIVE
+
+
+def test_a_run_that_the_budget_cuts_off_refutes_nothing_unless_it_is_a_bound():
+    report = team("waits", "polls", edges=2, budget=4)
+    assert (report.verdict, report.exit_code) == (Verdict.INCONCLUSIVE, 3)
+    assert report.unfinished is not None
+    assert not report.findings
+    bounded = team("waits", "polls", edges=2, within=4)
+    assert [found.law for found in bounded.findings] == ["budget"]
+
+
+def test_too_many_configurations_leave_the_verdict_open():
+    report = team("waits", "searches", edges=2, configurations=3)
+    assert (report.verdict, report.total.full > 0) == (Verdict.INCONCLUSIVE, True)
+
+
+def test_no_start_is_vacuous():
+    report = team("waits", edges=1, robots=3, model="meeting")
+    assert (report.verdict, report.exit_code) == (Verdict.VACUOUS, 4)
+
+
+# ---------------------------------------------------------------- findings again
+
+
+def finding():
+    (found,) = team("other_end", model="meeting", scheduler="async").findings
+    return found
+
+
+def test_a_finding_is_written_and_read():
+    found = finding()
+    assert TeamFinding.from_json(json.loads(found.text)) == found
+    assert found.file_name.startswith("progress-m1n2-")
+
+
+def test_a_finding_is_replayed_and_fixed():
+    found = finding()
+    assert allworlds.replay(found).outcome == "reproduced"
+    assert allworlds.replay(found, f"{PROGRAMS}:waits").outcome == "reproduced"
+    mended = allworlds.replay(replace(found, model=ANYWHERE), f"{PROGRAMS}:raises")
+    assert (mended.outcome, mended.exit_code) == ("not-reproduced", 3)
+
+
+def test_its_command_searches_that_world_again(cli):
+    import shlex
+
+    words = shlex.split(finding().reproduce)
+    code, out, _ = cli(*words[1:], "--json")
+    (again,) = json.loads(out)["findings"]
+    assert (code, again["law"], again["schedule"]) == (1, "progress", finding().schedule)
+
+
+def test_a_stale_move_is_told():
+    told = allworlds.explain(finding())
+    assert "repeat for ever" in " ".join(told.sentences)
+
+
+# ---------------------------------------------------------------- however it is made
+
+
+@pytest.mark.processes
+@pytest.mark.parametrize("how", ["two workers", "a run directory", "shards"])
+def test_the_report_is_the_same_however_it_is_made(how, tmp_path):
+    asked = {"scheduler": "async", "edges": 3}
+    plain = team("waits", "searches", **asked)
+    if how == "two workers":
+        made = team("waits", "searches", workers=2, **asked)
+    elif how == "a run directory":
+        team("waits", "searches", run=tmp_path / "run", **asked)
+        made = team("waits", "searches", run=tmp_path / "run", **asked)
+    else:
+        runs = [tmp_path / str(k) for k in range(2)]
+        for k, run in enumerate(runs):
+            team("waits", "searches", run=run, shard=(k, 2), **asked)
+        made = allworlds.merge(*runs)
+    assert made.to_json() == plain.to_json()
+
+
+@pytest.mark.processes
+def test_findings_are_the_same_however_they_are_made(tmp_path):
+    asked = {"model": "meeting", "scheduler": "async", "max_findings": 5}
+    plain = team("other_end", **asked)
+    runs = [tmp_path / str(k) for k in range(3)]
+    for k, run in enumerate(runs):
+        team("other_end", run=run, shard=(k, 3), **asked)
+    assert allworlds.merge(*runs).to_json()["findings"] == plain.to_json()["findings"]
+
+
+def test_a_model_that_is_made_in_python_is_searched():
+    report = allworlds.team(f"{PROGRAMS}:other_end", model=Meeting(), edges=1, scheduler="central")
+    assert report.verdict is Verdict.HOLDS
+
+
+# ---------------------------------------------------------------- refusals
+
+WRONG = {
+    "no program": ((), "team takes one program"),
+    "too many": (("waits", "polls", "walks", "--robots", "2"), "3 programs for 2 robots"),
+    "a scheduler": (("waits", "--scheduler", "all"), "'all'"),
+    "a lead": (("waits", "--lead", "2"), "lead = 2 has no effect in fsync"),
+    "a delay": (("waits", "--scheduler", "async", "--start-delay", "1"), "has no rounds"),
+    "a model": (("waits", "--model", "meting"), "did you mean 'meeting'?"),
+    "an option": (("waits", "--model", "meeting:lables=true"), "did you mean 'labels'?"),
+    "starts": (("waits", "--starts", "0,1"), "no effect without world"),
+    "a dart": (("waits", "--world", "k4", "--starts", "0,99"), "99 is no dart"),
+    "two worlds": (("waits", "--world", "k4", "--family", "cycle:4"), "not both"),
+    "a budget": (("waits", "--budget", "0"), "budget = 0 is less than 1"),
+}
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_what_cannot_be_meant_is_refused_in_one_line(case, refused):
+    (arguments, said) = WRONG[case]
+    named = [f"{PROGRAMS}:{word}" if word.isidentifier() else word for word in arguments]
+    values = {"async", "all", "meting", "cycle", "k4"}
+    words = [
+        plain if plain in values else word for plain, word in zip(arguments, named, strict=True)
+    ]
+    assert said in refused("team", *words)
