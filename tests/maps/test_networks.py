@@ -310,6 +310,7 @@ def test_an_importer_that_drops_an_edge_is_found_out(kind, monkeypatch):
     assert from_networkx(GIVEN[kind], order)
     drop = {
         "from_rotation": lambda rotation: without_the_last_edge(from_rotation(rotation)),
+        "from_cycles": lambda cycles: without_the_last_edge(from_cycles(cycles)),
         "CombinatorialMap": lambda *pair: without_the_last_edge(CombinatorialMap(*pair)),
     }
     for name, wrong in drop.items():

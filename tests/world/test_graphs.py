@@ -78,17 +78,26 @@ def door(v, w, more=""):
     return f"edge [ source {v} target {w} {more} ]"
 
 
-def bent(points):
-    drawn = " ".join(f"point [ x {i} y 0 ]" for i in range(points))
+def bent(*points):
+    drawn = " ".join(f"point [ x {x} y {y} ]" for x, y in points)
     return door(0, 1, f"graphics [ Line [ {drawn} ] ]")
 
 
 ONE = graph(rooms("a", "b"), passage("a", "b"))
-GROUP = (
-    '<node id="g"><data key="d"><y:GroupNode><y:Geometry x="0" y="0"/><y:NodeLabel>floor\n'
-    f"</y:NodeLabel></y:GroupNode></data>{graph(boxes('hall'))}</node>"
-)
-TWO_POINTS, THREE_POINTS = "LINESTRING (0 0, 1 1)", "LINESTRING (0 0, 5 5, 1 1)"
+YFILES = 'Creator "yFiles"\nVersion "2.18"\n'
+
+
+def group(inside, kind="group"):
+    """A floor of yEd, with what is in it; of kind ``folder`` it is closed."""
+    label = "<y:GroupNode><y:Geometry x='0' y='0'/><y:NodeLabel>floor\n</y:NodeLabel></y:GroupNode>"
+    return (
+        f'<node id="g" yfiles.foldertype="{kind}"><data key="d"><y:ProxyAutoBoundsNode>'
+        f"<y:Realizers>{label}</y:Realizers></y:ProxyAutoBoundsNode></data>{graph(inside)}</node>"
+    )
+
+
+GROUP = group("")
+TWO_POINTS, ELSEWHERE = "LINESTRING (0 0, 1 1)", "LINESTRING (0 0, 5 5, 1 2)"
 
 
 @pytest.mark.parametrize(
@@ -105,10 +114,24 @@ TWO_POINTS, THREE_POINTS = "LINESTRING (0 0, 1 1)", "LINESTRING (0 0, 5 5, 1 1)"
         ("yed", in_yed('<y:Path/><y:Arrows source="none" target="none"/>', "SplineEdge")),
         ("yed", in_yed("").replace(YED, YED.removeprefix(PLAIN))),
         ("gml", in_gml(door(0, 1))),
-        ("gml", in_gml(bent(2))),
+        ("gml", in_gml(bent((0, 0), (1, 1)))),
         ("gml", in_gml(door(0, 1, 'name "edge [ ]"'), "# node [ id 7 ]\n")),
         ("gml", in_gml(door(0, 1), door(1, 0), "directed 1")),
         ("gml", in_gml(door(0, 1, "id 3"), door(1, 0, "id 3"), "directed 1")),
+        ("gml", YFILES + in_gml(door(0, 1), "hierarchic 1 directed 1")),
+        ("gml", YFILES + in_gml(door(0, 1, 'graphics [ arrow "both" ]'), "directed 1")),
+        ("gml", in_gml(door(0, 1)).replace("edge", "node [ id 7 isGroup 1 gid 8 ] edge")),
+        ("yed", file(graph(GROUP + boxes("hall", "bath"), passage("n0", "n1")), space=YED)),
+        ("yed", file(graph(group(boxes("hall", "bath")), passage("n0", "n1")), space=YED)),
+        (
+            "yed",
+            file(graph(group(boxes("hall", "bath"), "folder"), passage("n0", "n1")), space=YED),
+        ),
+        (
+            "yed",
+            file(graph(group(boxes("hall", "bath") + passage("n0", "n1"))), space=YED),
+        ),
+        ("graphml", file(graph('<node id="g"/>'.replace("/>", f">{ONE}</node>")))),
     ],
 )
 def test_two_rooms_and_a_passage_are_read(notation, text):
@@ -116,7 +139,8 @@ def test_two_rooms_and_a_passage_are_read(notation, text):
 
 
 LEADS, OWN = "'a' to 'b' leads one way only", "edge from 'a' to 'b' and that back have keys or ids"
-BEND = "edge from 'hall' to 'bath' has a bend"
+NOT_READ = "edge from 'hall' to 'bath' is drawn as an arc, or not from one end to the other"
+ARROW = "has an arrow at one end: it leads one way"
 
 
 @pytest.mark.parametrize(
@@ -126,8 +150,17 @@ BEND = "edge from 'hall' to 'bath' has a bend"
         ("graphml", file(), "^0 graphs stand in it"),
         ("graphml", file(ONE.replace('id="b"', 'id="a"')), "^2 nodes have the id 'a'; each has"),
         ("graphml", file(graph(rooms("a", "b"), passage("a", "c"))), "ends at 'c', which is no no"),
-        ("graphml", file(ONE.replace("</node>", f"{ONE}</node>", 1)), "node 'a' is a group of"),
-        ("yed", file(graph(GROUP, way="directed"), space=YED), "node 'floor' is a group of nodes"),
+        ("graphml", file(ONE.replace("</node>", f"{ONE}</node>", 1)), "2 nodes have the id 'a'"),
+        (
+            "yed",
+            file(graph(group(boxes("hall")), passage("g", "n0")), space=YED),
+            "the edge from 'floor' to 'hall' ends at 'floor', a group of nodes; legal is a node of",
+        ),
+        (
+            "graphml",
+            file(graph(f'<node id="g">{graph(rooms("a", "b"))}</node>', way="directed")),
+            "edges are directed in one group, and undirected in another",
+        ),
         ("graphml", file(f"<nodes>{rooms('c')}</nodes>", ONE), "^3 nodes and 1 edges, .* 2 and 1:"),
         ("graphml", there_and_back({"oneway": "True"}, {"oneway": "True"}), LEADS),
         ("graphml", there_and_back({"oneway": "True"}, {"oneway": "False"}), LEADS),
@@ -135,19 +168,33 @@ BEND = "edge from 'hall' to 'bath' has a bend"
         ("graphml", there_and_back({"name": "e"}, {"name": "f"}), OWN),
         (
             "graphml",
-            file(graph(rooms("a", "b"), passage("a", "b", geometry=THREE_POINTS))),
-            "the edge from 'a' to 'b' has a bend",
+            file(graph(rooms("a", "b"), passage("a", "b", geometry=ELSEWHERE))),
+            "the edge from 'a' to 'b' is drawn as an arc",
         ),
-        ("yed", in_yed('<y:Path><y:Point x="0" y="9"/></y:Path>'), BEND),
-        ("yed", in_yed('<y:Path tx="2.0"/>'), BEND),
-        ("yed", in_yed('<y:Path/><y:Arc height="30.0"/>', "ArcEdge"), BEND),
-        ("gml", in_gml(bent(3)), "edge from '0' to '1' has a bend"),
+        ("yed", in_yed('<y:Path><y:Point x="0" y="nan"/></y:Path>'), NOT_READ),
+        ("yed", in_yed('<y:Path tx="2.0"/>'), NOT_READ),
+        ("yed", in_yed('<y:Path/><y:Arc height="30.0"/>', "ArcEdge"), NOT_READ),
+        ("yed", in_yed('<y:Path/><y:Arrows target="standard"/>'), f"'hall' to 'bath' {ARROW}"),
+        ("gml", YFILES + in_gml(door(0, 1, 'graphics [ targetArrow "delta" ]')), f"'1' {ARROW}"),
+        ("gml", YFILES + in_gml(door(0, 1, 'graphics [ arrow "first" ]')), f"'0' to '1' {ARROW}"),
+        ("gml", in_gml(door(0, 1), "directed 1"), "from '0' to '1' leads one way only"),
         (
             "gml",
-            in_gml(door(0, 1, f'geometry "{THREE_POINTS}"')),
-            "edge from '0' to '1' has a bend",
+            in_gml(bent((0, 0), (5, 5), (2, 1))),
+            "edge from '0' to '1' is drawn as an arc, or",
         ),
-        ("gml", in_gml(door(0, 1)).replace("x 1", 'label "floor" isGroup 1'), "'floor' is a group"),
+        ("gml", in_gml(bent((0, 0))), "edge from '0' to '1' is drawn as an arc"),
+        ("gml", in_gml(door(0, 1, "edgeAnchor [ xSource 0.5 ]")), "'0' to '1' is drawn as an arc"),
+        (
+            "gml",
+            in_gml(door(0, 1, f'geometry "{ELSEWHERE}"')),
+            "edge from '0' to '1' is drawn as an arc",
+        ),
+        (
+            "gml",
+            in_gml(door(0, 1)).replace("x 1", 'label "floor" isGroup 1'),
+            "'floor', a group of",
+        ),
         ("gml", in_gml(door(0, 1), ids=(0, 0)), "node id 0 is duplicated"),
         ("gml", in_gml(door(0, '"0"'), ids=(0, '"0"')), "2 nodes have the id '0'"),
         ("gml", in_gml(door(0, 2)), "undefined target 2"),
@@ -196,3 +243,115 @@ def test_a_multigraph_is_read_with_all_its_rooms_and_passages_or_refused(data):
     else:
         assert found == (n, len(joined))
         assert paired
+
+
+def ways(notation, text):
+    """Of each room the rooms behind its doors, clockwise."""
+    ((_, entry),) = READ[notation](io.BytesIO(text.encode()))
+    map_, name = entry.map, entry.labels.vertex
+    at = map_.vertex_of
+    return {
+        name(v): [name(at[map_.alpha[dart]]) for dart in darts]
+        for v, darts in enumerate(map_.vertices)
+    }
+
+
+PLACES = {"hall": (0, 0), "up": (0, 100), "right": (100, 0), "down": (0, -100)}
+ROUND = [(-50, 0), (-50, -200), (100, -200)]
+"""Where the passage to the right leaves the hall to the left, and comes in from below."""
+
+
+def drawn_in(notation, *passages, size=0):
+    """The four rooms in a notation, and passages (from, to, points between the rooms)."""
+    flip = -1 if notation in ("yed", "gml") else 1  # as they are read from a file, y is not turned
+    places = {name: (x, flip * y) for name, (x, y) in PLACES.items()}
+    doors = [(v, w, [(x, flip * y) for x, y in bends]) for v, w, bends in passages]
+    if notation == "yed":
+        nodes = "".join(
+            f'<node id="{name}"><data key="d"><y:ImageNode><y:Geometry x="{x - size / 2}" '
+            f'y="{y - size / 2}" width="{size}" height="{size}"/><y:NodeLabel/><y:NodeLabel>{name}'
+            "<y:LabelModel/></y:NodeLabel></y:ImageNode></data></node>"
+            for name, (x, y) in places.items()
+        )
+        lines = [
+            (v, w, "".join(f'<y:Point x="{x}" y="{y}"/>' for x, y in bends))
+            for v, w, bends in doors
+        ]
+        each = [
+            passage(
+                v, w, f'<data key="d"><y:GenericEdge><y:Path>{b}</y:Path></y:GenericEdge></data>'
+            )
+            for v, w, b in lines
+        ]
+        return file(graph(nodes, *each, way="directed"), space=YED)
+    lines = [(v, w, [places[v], *bends, places[w]] if bends else []) for v, w, bends in doors]
+    if notation == "gml":
+        nodes = "\n".join(
+            f'node [ id {i} label "{name}" graphics [ x {x} y {y} w {size} h {size} ] ]'
+            for i, (name, (x, y)) in enumerate(places.items())
+        )
+        at = [*places].index
+        each = [
+            door(at(v), at(w), f"graphics [ Line [ {points_in_gml(line)} ] ]" if line else "")
+            for v, w, line in lines
+        ]
+        return "graph [\n" + nodes + "\n".join(each) + "\n]"
+    nodes = "".join(
+        f'<node id="{name}"><data key="x">{x}</data><data key="y">{y}</data></node>'
+        for name, (x, y) in places.items()
+    )
+    each = [
+        passage(
+            v, w, geometry=f"LINESTRING ({', '.join(f'{x} {y}' for x, y in line)})" if line else ""
+        )
+        for v, w, line in lines
+    ]
+    return file(graph(nodes, *each))
+
+
+def points_in_gml(line):
+    return " ".join(f"point [ x {x} y {y} ]" for x, y in line)
+
+
+STAR = ("hall", "up", []), ("hall", "right", ROUND), ("hall", "down", [])
+DRAWN = ["yed", "gml", "graphml"]
+
+
+@pytest.mark.parametrize("notation", DRAWN)
+def test_a_passage_with_bends_leaves_a_room_where_it_is_drawn(notation):
+    against = -1 if notation in ("yed", "gml") else 1  # y is turned after the reader
+    expected = ["up", "down", "right"]
+    found = ways(notation, drawn_in(notation, *STAR))["hall"]
+    assert found in turned(expected[::against])
+    back = ("right", "hall", ROUND[::-1])
+    assert ways(notation, drawn_in(notation, STAR[0], back, STAR[2]))["hall"] == found
+
+
+def turned(around):
+    return [around[i:] + around[:i] for i in range(len(around))]
+
+
+@pytest.mark.parametrize("notation", DRAWN)
+def test_loops_and_parallel_passages_are_told_apart_by_their_bends(notation):
+    loop = "hall", "hall", [(50, 10), (10, 50)]
+    found = ways(notation, drawn_in(notation, *STAR, loop, ("right", "hall", [(50, -20)])))
+    assert sorted(found["hall"]) == ["down", "hall", "hall", "right", "right", "up"]
+    around = found["hall"] if notation == "graphml" else found["hall"][::-1]
+    assert around in turned(["up", "hall", "hall", "right", "down", "right"])
+
+
+def test_a_passage_of_yed_leaves_a_box_where_it_crosses_its_side():
+    beside = [(30, -90)]  # from the middle it crosses the side at 7, that of the door at 15
+    text = drawn_in("yed", STAR[0], ("hall", "down", beside), ("hall", "right", []), size=40)
+    door_, last = '<y:Path sx="15" sy="0"><y:Point x="15" y="90"/>', text.rindex("<y:Path>")
+    moved = text[:last] + text[last:].replace("<y:Path>", door_)
+    assert ways("yed", moved)["hall"] in turned(["down", "right", "up"])
+
+
+def test_a_passage_that_is_drawn_apart_from_its_way_back_is_refused():
+    line = "LINESTRING (0 0, {0} 5, 1 1)"
+    alike = there_and_back({"geometry": line.format(3)}, {"geometry": "LINESTRING (1 1, 3 5, 0 0)"})
+    assert numbers("graphml", alike) == (2, 1)
+    apart = there_and_back({"geometry": line.format(3)}, {"geometry": line.format(4)})
+    with pytest.raises(InputError, match="from 'a' to 'b' is drawn apart from that back"):
+        numbers("graphml", apart)

@@ -158,17 +158,39 @@ def from_positions(graph: nx.Graph, pos: Mapping[Any, Sequence[float]]) -> Combi
     plain = undirected(graph)
     _refuse_loops_and_parallels(plain)
     points = {v: _point(v, pos.get(v)) for v in plain}
-    rotation = {}
-    for v in plain:
-        turn = {w: _turn(v, w, points) for w in plain[v]}
-        rotation[v] = sorted(turn, key=turn.__getitem__)
-        for w, x in pairwise(rotation[v]):
-            if turn[w] == turn[x]:
+    ends = [
+        ((v, turn(v, w, points[v], points[w])), (w, turn(w, v, points[w], points[v])))
+        for v, w, *_ in plain.edges
+    ]
+    return from_directions(plain, ends)
+
+
+def from_directions(
+    graph: nx.Graph, passages: Sequence[tuple[tuple[Any, Fraction], tuple[Any, Fraction]]]
+) -> CombinatorialMap:
+    """The map of edges that leave their two ends in these directions, as :func:`turn` tells them.
+
+    Args:
+        graph: undirected; its nodes in their order are the vertices, and its edges are compared.
+        passages: of each edge both ends, each with the direction in which it leaves there.
+
+    Raises:
+        InvalidMap: naming two edges that leave a node in one direction.
+    """
+    around: dict[Any, list[tuple[Fraction, int, Any]]] = {v: [] for v in graph}
+    for edge, (one, other) in enumerate(passages):
+        around[one[0]].append((one[1], edge, other[0]))
+        around[other[0]].append((other[1], edge, one[0]))
+    for v, ends in around.items():
+        ends.sort(key=lambda end: end[0])
+        for (direction, _, w), (same, _, x) in pairwise(ends):
+            if direction == same:
                 raise InvalidMap(
                     f"the edges from {show(v)} to {show(w)} and to {show(x)} leave it in one "
                     f"direction; {LISTS}"
                 )
-    return compared(from_rotation(rotation), list(plain), plain)
+    cycles_ = {v: [edge for _, edge, _ in ends] for v, ends in around.items()}
+    return compared(from_cycles(cycles_), list(graph), graph)
 
 
 def _point(v: Hashable, position: Any) -> tuple[Fraction, Fraction]:
@@ -180,9 +202,9 @@ def _point(v: Hashable, position: Any) -> tuple[Fraction, Fraction]:
     return x, y
 
 
-def _turn(v: Hashable, w: Hashable, points: Mapping[Any, tuple[Fraction, Fraction]]) -> Fraction:
+def turn(v: Hashable, w: Hashable, here: Sequence[Fraction], there: Sequence[Fraction]) -> Fraction:
     """The direction from ``v`` to ``w``, growing clockwise: 0 is up, 1 right, 2 down, 3 left."""
-    right, up = (there - here for here, there in zip(points[v], points[w], strict=True))
+    right, up = (b - a for a, b in zip(here, there, strict=True))
     if not right and not up:
         raise InvalidMap(f"the nodes {show(v)} and {show(w)} are joined, but at one place")
     part = right / (abs(right) + abs(up))

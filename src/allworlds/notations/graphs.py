@@ -1,14 +1,18 @@
-"""Graphs with positions, in GraphML (of networkx, of yEd) and in GML; networkx reads them.
+"""Graphs in GraphML (of networkx, of yEd), GML and graph6; networkx reads them.
 
-The edges round each vertex follow from straight lines between positions, by
-:func:`allworlds.maps.networks.from_positions`.  A position stands in ``pos`` (two numbers, or a
-text of two), in ``x`` and ``y``, in ``graphics`` of GML, or in the boxes of yEd, of which the
-middle is taken.  An edge with a bend is refused, as is every file of which the graph would not have
-each node and each edge.
+The edges round each vertex follow from a drawing: from straight lines between positions, or from
+the points of a line with bends, by :func:`allworlds.maps.networks.from_directions`.  A position
+stands in ``pos`` (two numbers, or a text of two), in ``x`` and ``y``, in ``graphics`` of GML, or in
+the boxes of yEd, of which the middle is taken.  The points of a line stand in yEd's ``Path``, in
+``Line`` of GML, or in ``geometry``; it leaves a room where it leaves the box of the room.  A line
+that is not read is refused, as is every file of which the graph would not have each node and each
+edge.  Without positions a graph has no order of its edges; :func:`named_graph` is for those who try
+every one.
 
-Names are the labels, if each node has one of its own, else the ids.  Of directed edges both
-directions must be there, which are one edge, unless they have ids of their own.  yEd calls every
-edge directed; there an edge leads one way if it has an arrow at one end alone.
+Names are the labels, if each node has one of its own, else the ids.  Groups are no vertices; what
+is in them is read.  Of directed edges both directions must be there, which are one edge, unless
+they have ids of their own.  yEd calls every edge directed; there an edge leads one way if it has an
+arrow at one end alone.
 """
 
 from __future__ import annotations
@@ -17,12 +21,13 @@ import io
 import re
 import warnings
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
-from typing import IO, TYPE_CHECKING, Any
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from fractions import Fraction
+from typing import IO, TYPE_CHECKING, Any, TypeAlias
 from xml.etree import ElementTree as ET
 
 from allworlds.inputs.checks import InputError, show
-from allworlds.maps.networks import from_positions, undirected
+from allworlds.maps.networks import from_directions, turn, undirected
 from allworlds.notations.entry import text_of
 from allworlds.world.labels import Labelling
 from allworlds.world.world import Entry
@@ -33,6 +38,11 @@ if TYPE_CHECKING:
 PLAIN, YED = "{http://graphml.graphdrawing.org/xmlns}", "{http://www.yworks.com/xml/graphml}"
 """The namespaces of GraphML and of yEd."""
 
+Point: TypeAlias = tuple[Fraction, Fraction]
+
+Box: TypeAlias = tuple[Point, Point]
+"""The middle of the box of a node, and half its width and height."""
+
 
 def read_graph(
     make: Callable[[bytes], nx.Graph],
@@ -40,18 +50,41 @@ def read_graph(
     """A reader of the world of a file, whose content is made a graph so."""
 
     def read(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
-        try:
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")
-                graph = make(file.read())
-        except InputError:
-            raise
-        except Exception as error:  # noqa: BLE001  # networkx has many kinds, where a file is garbled
-            said = show(str(error) or error)[1:-1]
-            raise InputError(f"networkx cannot read it: {said}") from None
-        yield 0, _entry(graph)
+        yield 0, _entry(named_graph(make, file.read()))
 
     return read
+
+
+def named_graph(make: Callable[[bytes], nx.Graph], content: bytes) -> nx.Graph:
+    """The graph that is made of the content of a file; its nodes are the names of rooms.
+
+    Raises:
+        InputError: if there is none.
+    """
+    import networkx as nx
+
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            graph = make(content)
+    except InputError:
+        raise
+    except Exception as error:  # noqa: BLE001  # networkx has many kinds, where a file is garbled
+        said = show(str(error) or error)[1:-1]
+        raise InputError(f"networkx cannot read it: {said}") from None
+    labels = [_label(data) for _, data in graph.nodes(data=True)]
+    names = labels if all(labels) and len({*labels}) == len(labels) else [*map(str, graph)]
+    return nx.relabel_nodes(graph, dict(zip(graph, names, strict=True)))
+
+
+def of_graph6(content: bytes) -> nx.Graph:
+    """The one graph of a text in graph6, which has edges alone."""
+    import networkx as nx
+
+    lines = content.removeprefix(b">>graph6<<").split()
+    if len(lines) != 1:
+        raise InputError(f"{len(lines)} graphs stand in it; legal is 1")
+    return nx.from_graph6_bytes(lines[0])
 
 
 def of_gml(content: bytes) -> nx.Graph:
@@ -59,14 +92,31 @@ def of_gml(content: bytes) -> nx.Graph:
     import networkx as nx
 
     text = text_of(content)
-    graph = nx.parse_gml(text, "id")
+    of_yed = re.search(r'^\s*Creator\s+"(yFiles|yEd)', text, re.MULTILINE)
+    flags = r"\b(?:multigraph|directed)\s+[01]" if of_yed else r"\bmultigraph\s+[01]"
+    plain = re.sub(rf'("[^"]*"|#.*)|{flags}', lambda found: found[1] or "", text)
+    graph = nx.parse_gml(re.sub(r"\bgraph\s*\[", "graph [ multigraph 1", plain, count=1), "id")
     _ensure_differ(map(str, graph))
-    for node, data in graph.nodes(data=True):
-        if data.get("isGroup"):
-            raise _no_vertex(_label(data) or node)
     parts = re.findall(r"\b(node|edge)\s*\[", re.sub(r'"[^"]*"|#.*', "", text))
     _ensure_whole(graph, parts.count("node"), parts.count("edge"))
+    names = {node: show(_label(data) or str(node)) for node, data in graph.nodes(data=True)}
+    groups = {node for node, data in graph.nodes(data=True) if data.get("isGroup")}
+    for v, w, data in graph.edges(data=True):
+        _ensure_rooms(v, w, groups, names)
+        drawn = data.get("graphics")
+        drawn = drawn if isinstance(drawn, dict) else {}
+        arrow = ARROWS.get(str(drawn.get("arrow")), ("none", "none"))
+        heads = (drawn.get(f"{end}Arrow", arrow[i]) for i, end in enumerate(("source", "target")))
+        if of_yed:
+            _ensure_both_ways(names[v], names[w], heads)
+        if any((data.get("edgeAnchor") or {}).values()) and "Line" not in drawn:
+            raise _not_read(f"from {names[v]} to {names[w]}")
+    graph.remove_nodes_from(groups)
     return graph
+
+
+ARROWS = {"first": ("first", "none"), "last": ("none", "last"), "both": ("first", "last")}
+"""The heads at both ends that a word of GML stands for."""
 
 
 def of_graphml(content: bytes) -> nx.Graph:
@@ -81,27 +131,54 @@ def of_yed(content: bytes) -> nx.Graph:
 
     root, read = _root_and_graph(content)
     graph = nx.MultiGraph()
-    graph.add_nodes_from(read.nodes(data=True))
     for node in root.iter(f"{PLAIN}node"):
+        name = node.get("id")
+        told = {**read.nodes[name], "label": _label_in_yed(node)}
         if (box := node.find(f".//{YED}Geometry")) is not None:
-            keys = ("x", "width"), ("y", "height")
-            place = [float(box.get(a, "nan")) + float(box.get(b, "0")) / 2 for a, b in keys]
-            graph.nodes[node.get("id")]["pos"] = place
+            told["graphics"] = _box_in_yed(box)
+        graph.add_node(name, **told)
     for edge in root.iter(f"{PLAIN}edge"):
         ends = edge.get("source"), edge.get("target")
         v, w = (show(_label(graph.nodes[end]) or end) for end in ends)
         arrows = edge.find(f".//{YED}Arrows")
-        heads = [] if arrows is None else [arrows.get(end) for end in ("source", "target")]
-        if heads.count("none") == 1:
-            raise InputError(f"the edge from {v} to {w} has an arrow at one end: it leads one way")
-        if _is_bent_in_yed(edge):
-            raise _not_straight(v, w)
-        graph.add_edge(*ends)
+        heads = ("none" if arrows is None else arrows.get(end) for end in ("source", "target"))
+        _ensure_both_ways(v, w, heads)
+        if any(float(arc.get("height", "0")) for arc in edge.iter(f"{YED}Arc")):
+            raise _not_read(f"from {v} to {w}")
+        boxes = (graph.nodes[end].get("graphics") for end in ends)
+        graph.add_edge(*ends, graphics=_line_in_yed(edge, *boxes))
     return graph
 
 
+def _box_in_yed(box: ET.Element) -> dict[str, float]:
+    """The box of a node, as GML has it: of yEd's two corners the upper left one is told."""
+    x, y = (float(box.get(key, "nan")) for key in "xy")
+    width, height = (float(box.get(key, "0")) for key in ("width", "height"))
+    return {"x": x + width / 2, "y": y + height / 2, "w": width, "h": height}
+
+
+def _line_in_yed(edge: ET.Element, source: Any, target: Any) -> dict[str, Any]:
+    """The line of an edge with its ends, as GML has it; nothing if it is straight."""
+    path = edge.find(f".//{YED}Path")
+    if path is None or not (source and target):
+        return {}
+    shifts = {key: float(path.get(key, "0")) for key in ("sx", "sy", "tx", "ty")}
+    bends = [{axis: bend.get(axis) for axis in "xy"} for bend in path]
+    if not bends and not any(shifts.values()):
+        return {}
+    begin = {axis: source[axis] + shifts[f"s{axis}"] for axis in "xy"}
+    end = {axis: target[axis] + shifts[f"t{axis}"] for axis in "xy"}
+    return {"Line": {"point": [begin, *bends, end]}}
+
+
+def _label_in_yed(node: ET.Element) -> str:
+    """The first label of a node that is not blank, of whatever shape; empty if there is none."""
+    texts = (label.text or "" for label in node.iterfind(f"{PLAIN}data//{YED}NodeLabel"))
+    return next(filter(None, map(str.strip, texts)), "")
+
+
 def _root_and_graph(content: bytes) -> tuple[ET.Element, nx.Graph]:
-    """The root of a text in GraphML, in the usual namespace, and the graph in it.
+    """The root of a text in GraphML, in the usual namespace, and the graph in it, without groups.
 
     Raises:
         InputError: naming a node or an edge of the text that the graph would lack.
@@ -117,26 +194,56 @@ def _root_and_graph(content: bytes) -> tuple[ET.Element, nx.Graph]:
     if (graphs := len(root.findall(f"{PLAIN}graph"))) != 1:
         raise InputError(f"{graphs} graphs stand in it; legal is 1")
     nodes, edges = ([*root.iter(PLAIN + what)] for what in ("node", "edge"))
-    for node in nodes:
-        if node.find(f"{PLAIN}graph") is not None:
-            label = node.findtext(f"{PLAIN}data//{YED}NodeLabel", "").strip()
-            raise _no_vertex(label or node.get("id"))
     ids = [node.get("id") for node in nodes]
     _ensure_differ(ids)
+    groups = {node.get("id") for node in nodes if _is_group(node)}
+    names = {node.get("id"): show(_label_in_yed(node) or node.get("id")) for node in nodes}
+    for edge in edges:
+        _ensure_rooms(edge.get("source"), edge.get("target"), groups, names)
+    _take_out_of_groups(root, groups)
     graph = nx.read_graphml(io.BytesIO(ET.tostring(root)))
     for end in set(graph).difference(ids):
         raise InputError(f"an edge ends at {show(end)}, which is no node")
-    _ensure_whole(graph, len(nodes), len(edges))
+    _ensure_whole(graph, len(nodes) - len(groups), len(edges))
     return root, graph
 
 
-def _no_vertex(group: object) -> InputError:
-    return InputError(f"the node {show(group)} is a group of nodes, and no vertex; ungroup it")
+def _is_group(node: ET.Element) -> bool:
+    return "yfiles.foldertype" in node.keys() or node.find(f"{PLAIN}graph") is not None  # noqa: SIM118  # no mapping
 
 
-def _not_straight(v: str, w: str) -> InputError:
-    how = "has a bend, or an end beside the middle of a box; legal are straight lines"
-    return InputError(f"the edge from {v} to {w} {how}")
+def _take_out_of_groups(root: ET.Element, groups: set[str | None]) -> None:
+    """Put what is in groups of nodes into the graph itself, and leave the groups out."""
+    graph = root.find(f"{PLAIN}graph")
+    assert graph is not None
+    if len({each.get("edgedefault") for each in root.iter(f"{PLAIN}graph")}) > 1:
+        raise InputError("edges are directed in one group, and undirected in another")
+    nodes, edges = ([*graph.iter(PLAIN + what)] for what in ("node", "edge"))
+    for each in [*graph]:
+        if each.tag in (f"{PLAIN}node", f"{PLAIN}edge"):
+            graph.remove(each)
+    graph.extend(node for node in nodes if node.get("id") not in groups)
+    graph.extend(edges)
+
+
+def _ensure_rooms(v: object, w: object, groups: set[Any], names: dict[Any, str]) -> None:
+    """Refuse an edge that ends at a group."""
+    for end in groups.intersection((v, w)):
+        raise InputError(
+            f"the edge from {names.get(v, v)} to {names.get(w, w)} ends at {names[end]}, a group "
+            "of nodes; legal is a node of it: open the group, or ungroup it"
+        )
+
+
+def _ensure_both_ways(v: str, w: str, heads: Iterable[str | None]) -> None:
+    """Refuse an edge with an arrow at one end."""
+    if [head or "none" for head in heads].count("none") == 1:
+        raise InputError(f"the edge from {v} to {w} has an arrow at one end: it leads one way")
+
+
+def _not_read(ends: str) -> InputError:
+    how = "is drawn as an arc, or not from one end to the other; legal are straight lines and bends"
+    return InputError(f"the edge {ends} {how}")
 
 
 def _ensure_differ(ids: Iterable[object]) -> None:
@@ -154,50 +261,115 @@ def _ensure_whole(graph: nx.Graph, nodes: int, edges: int) -> None:
         raise InputError(f"{read}: one has the id of another, is nested, or follows a lone '\"'")
 
 
-def _is_bent_in_yed(edge: ET.Element) -> bool:
-    """Whether an edge of yEd is no straight line from the middle of a box to that of another."""
-    drawn = [*edge.iter(f"{YED}Path"), *edge.iter(f"{YED}Arc")]
-    shifts = [each.get(key, "0") for each in drawn for key in ("sx", "sy", "tx", "ty", "height")]
-    return any(map(len, drawn)) or any(map(float, shifts))
-
-
-def _is_bent(data: dict[str, Any]) -> bool:
-    """Whether an edge is drawn with a bend: by ``Line`` of GML, or ``geometry`` of OSMnx."""
-    found: Any = data.get("graphics")
-    for key in ("Line", "point"):
-        found = found.get(key) if isinstance(found, dict) else None
-    bends = isinstance(found, list) and len(found) > 2
-    return bends or str(data.get("geometry", "")).count(",") > 1  # LINESTRING (0 0, 1 2, 3 4)
-
-
 def _label(data: dict[str, Any]) -> str:
     """The label of a node; empty if it has none."""
     return " ".join(str(data.get("label") or "").split())
 
 
+# ---------------------------------------------------------------- drawings
+
+
 def _entry(graph: nx.Graph) -> Entry:
     """The world of a graph whose nodes have positions."""
-    import networkx as nx
+    names = [*graph]
+    lines = {
+        (v, w, *key): _line(f"from {show(v)} to {show(w)}", graph.edges[v, w, *key])
+        for v, w, *key in graph.edges
+    }
+    for (v, w, *key), line in lines.items() if graph.is_directed() else ():
+        if lines.get((w, v, *key), line) not in (line, line[::-1]):
+            raise InputError(f"the edge from {show(v)} to {show(w)} is drawn apart from that back")
+    graph = undirected(graph)
+    boxes = {name: _box(name, graph.nodes[name]) for name in names}
+    edges = [*graph.edges]
+    drawn = (lines.get((v, w, *key)) or lines.get((w, v, *key), []) for v, w, *key in edges)
+    passages = [_ends(v, w, line, boxes) for (v, w, *_), line in zip(edges, drawn, strict=True)]
+    map_ = from_directions(graph, passages)
+    places = tuple((float(x), float(y)) for (x, y), _ in boxes.values())
+    return Entry(map_, Labelling("", tuple(names), places))
 
-    labels = [_label(data) for _, data in graph.nodes(data=True)]
-    names = labels if all(labels) and len({*labels}) == len(labels) else [*map(str, graph)]
-    graph = undirected(nx.relabel_nodes(graph, dict(zip(graph, names, strict=True))))
-    for v, w, data in graph.edges(data=True):
-        if _is_bent(data):
-            raise _not_straight(show(v), show(w))
-    places = {name: _place(name, graph.nodes[name]) for name in names}
-    map_ = from_positions(graph, places)
-    return Entry(map_, Labelling("", tuple(names), tuple(places.values())))
 
-
-def _place(name: str, data: dict[str, Any]) -> Any:
-    """The two coordinates of a node, wherever they stand."""
+def _box(name: str, data: dict[str, Any]) -> Box:
+    """The middle of the box of a node, wherever it stands, and half its width and height."""
     graphics = data.get("graphics")
     told = graphics if isinstance(graphics, dict) else data
     pos = data.get("pos") or [told.get("x"), told.get("y")]
     pos = re.split(r"[\s,]+", pos.strip("()[]! ")) if isinstance(pos, str) else pos
+    size = [told.get(key, 0) if told is graphics else 0 for key in "wh"]
     try:
-        return [float(each) for each in pos]
+        width, height = _point(size)
+        return _point(pos), (width / 2, height / 2)
     except (TypeError, ValueError):
         ways = "pos, x and y, or graphics [ x y ]"
         raise InputError(f"vertex {show(name)} is at {show(pos)}; legal are {ways}") from None
+
+
+def _point(given: Iterable[Any]) -> Point:
+    """Two coordinates, exactly as they are printed; raise TypeError or ValueError for others."""
+    x, y, *_ = (Fraction(str(each)) for each in given)
+    return x, y
+
+
+def _line(ends: str, data: dict[str, Any]) -> list[Point]:
+    """The points of the line that an edge is drawn as, with its ends; none if it is straight.
+
+    They stand in ``Line`` of GML, or in ``geometry`` of OSMnx.
+    """
+    graphics = data.get("graphics")
+    try:
+        if isinstance(graphics, dict) and "Line" in graphics:
+            return [_point((point["x"], point["y"])) for point in graphics["Line"]["point"]]
+        if geometry := str(data.get("geometry") or ""):
+            found = re.fullmatch(r"LINESTRING(?: Z)? ?\((.*)\)", geometry.strip())
+            if not found:
+                raise _not_read(ends)
+            return [_point(point.split()) for point in found[1].split(",")]
+    except (TypeError, ValueError, KeyError):  # InputError is a ValueError
+        raise _not_read(ends) from None
+    return []
+
+
+def _ends(v: str, w: str, line: list[Point], boxes: Mapping[str, Box]) -> Any:
+    """Both ends of an edge, each with the direction in which it leaves there."""
+    if v == w and not line:
+        raise InputError(f"the edge from {show(v)} to {show(v)} is a loop that is drawn as a point")
+    path = line or [boxes[v][0], boxes[w][0]]
+    lengths = (max(each) - min(each) for each in zip(*path, strict=True))
+    slack = sum(lengths) / 1_000_000
+    if not _joins(path, boxes[v], boxes[w], slack):
+        path = path[::-1]  # an edge without a direction is listed from any of its ends
+    if not _joins(path, boxes[v], boxes[w], slack):
+        raise _not_read(f"from {show(v)} to {show(w)}")
+    out, back = _leaves(path, *boxes[v], slack), _leaves(path[::-1], *boxes[w], slack)
+    return (v, turn(v, w, boxes[v][0], out)), (w, turn(w, v, boxes[w][0], back))
+
+
+def _joins(path: list[Point], one: Box, other: Box, slack: Fraction) -> bool:
+    """Whether a line begins in the one box and ends in the other."""
+    return _inside(path[0], *one, slack) and _inside(path[-1], *other, slack)
+
+
+def _inside(point: Point, middle: Point, half: Point, slack: Fraction) -> bool:
+    sides = zip(point, middle, half, strict=True)
+    return all(abs(a - b) <= side + slack for a, b, side in sides)
+
+
+def _leaves(path: list[Point], middle: Point, half: Point, slack: Fraction) -> Point:
+    """The point towards which a line leaves a box, as it is seen from its middle.
+
+    It is the point where the line crosses the side; of a line that begins in the middle the next
+    point of it is in the same direction.
+    """
+    before, after = middle, path[-1]
+    for point in path:
+        if not _inside(point, middle, half, slack):
+            after = point
+            break
+        before = point
+    if before in (middle, after) or not all(half):
+        return after
+    step = [b - a for a, b in zip(before, after, strict=True)]
+    sides = zip(before, step, middle, half, strict=True)
+    part = min((m + (h if d > 0 else -h) - a) / d for a, d, m, h in sides if d)
+    x, y = (a + part * d for a, d in zip(before, step, strict=True))
+    return x, y
