@@ -2,6 +2,7 @@
 
 import json
 
+import networkx as nx
 import pytest
 
 import allworlds
@@ -10,7 +11,8 @@ from allworlds.inputs.checks import InputError
 from allworlds.maps.build import from_cycles, named_map
 from allworlds.maps.combinatorial import rooted_code, unrooted_code
 from allworlds.maps.enumeration import history, rooted_maps
-from allworlds.notations.given import files_of, worlds_of_files
+from allworlds.maps.networks import embeddings
+from allworlds.notations.given import embeddings_of, files_of, worlds_of_files
 from allworlds.reports.formats import file_of, text
 from allworlds.studies.check.time_estimate import estimate
 from allworlds.studies.worst.every_schedule import EverySchedule
@@ -304,6 +306,41 @@ def test_every_embedding_of_a_graph_is_tried(which, maps):
     assert (report.verdict.value, report.worlds, report.runs) == ("holds", 12 * maps, 36 * maps)
     assert "absent: embeddings of a graph" in text(report, 1000)
     assert report.to_json()["scope"]["graph"] == "k4"
+
+
+MULTIGRAPH = nx.MultiGraph([("hall", "den"), ("den", "hall"), ("hall", "hall"), ("den", "yard")])
+YED = "xmlns:y='http://www.yworks.com/xml/graphml'"
+EDGES = {
+    "petersen.g6": (nx.petersen_graph(), nx.to_graph6_bytes(nx.petersen_graph())),
+    "plain.g6": (nx.path_graph(3), nx.to_graph6_bytes(nx.path_graph(3), header=False)),
+    "house.graphml": (MULTIGRAPH, "\n".join(nx.generate_graphml(MULTIGRAPH)).encode()),
+    "house.gml": (MULTIGRAPH, "\n".join(nx.generate_gml(MULTIGRAPH)).encode()),
+    "yed.graphml": (
+        MULTIGRAPH,
+        "\n".join(nx.generate_graphml(MULTIGRAPH)).replace("<graphml", f"<graphml {YED}").encode(),
+    ),
+}
+
+
+@pytest.mark.parametrize("name", EDGES)
+def test_a_file_of_edges_alone_has_every_embedding_of_its_graph(name, tmp_path):
+    graph, content = EDGES[name]
+    (tmp_path / name).write_bytes(content)
+    genus = 1 if "petersen" in name else None
+    which = "genus:1" if genus else "all"
+    given = embeddings_of(str(tmp_path / name), files_of(str(tmp_path / name)), which, None, None)
+    expected = [*embeddings(graph, genus=genus)]
+    [level] = {map_.edge_count for map_ in expected}
+    assert [each.map for each in given.piece(level, 0)] == expected
+    assert given.piece(level, 0)[0].labels.vertices == tuple(map(str, graph))
+    with pytest.raises(InputError, match=r"legal are .*; --graph FILE takes edges alone"):
+        worlds_of_files(files_of(str(tmp_path / name)), None, None)
+
+
+def test_several_graphs_in_one_file_are_refused(tmp_path):
+    (tmp_path / "two.g6").write_bytes(nx.to_graph6_bytes(nx.path_graph(3), header=False) * 2)
+    with pytest.raises(InputError, match=r"two\.g6': 2 graphs stand in it; legal is 1"):
+        allworlds.check("algorithm1", graph=str(tmp_path / "two.g6"))
 
 
 # ---------------------------------------------------------------- tests of users

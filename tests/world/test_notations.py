@@ -529,7 +529,8 @@ def valid(notation):
     return GRAPHS[notation]
 
 
-GRAPHS = {"graphml": graphml(pos=TEXTS).encode(), "yed": yed().encode(), "gml": gml().encode()}
+GRAPHS = {"graph6": nx.to_graph6_bytes(nx.path_graph(4))}
+GRAPHS |= {"graphml": graphml(pos=TEXTS).encode(), "yed": yed().encode(), "gml": gml().encode()}
 
 
 @pytest.mark.parametrize("notation", [*WRITTEN, *GRAPHS])

@@ -25,7 +25,7 @@ from allworlds.maps.combinatorial import (
 )
 from allworlds.maps.networks import embeddings, to_networkx
 from allworlds.notations.entry import at
-from allworlds.notations.table import Order, YAxis, entries, entry_at, entry_named
+from allworlds.notations.table import Order, YAxis, entries, entry_at, graph_in
 from allworlds.protocol.user_code import digest_of_file, recorded
 from allworlds.words import listed, plural
 from allworlds.world.labels import PLAIN, Labelling
@@ -219,10 +219,9 @@ def embeddings_of(
     of_genus = re.fullmatch(r"genus:([0-9]{1,5})", which)
     if which != "all" and not of_genus:
         raise not_one_of("embeddings", which, ("all", "genus:G"), ", as in genus:1")
-    entry = entry_named(graph, "", order, y) if codes else Entry(named_map(graph))
+    edges, labels = graph_in(graph, order, y) if codes else (to_networkx(named_map(graph)), PLAIN)
     genus = int(of_genus[1]) if of_genus else None
-    labels = Labelling(entry.labels.name, entry.labels.vertices)
-    every = embeddings(to_networkx(entry.map), genus=genus)
+    every = embeddings(edges, genus=genus)
     maps = [GivenMap(map_, map_.darts, labels=labels) for map_ in every]
     of = graph if genus is None else f"{graph} of genus {genus}"
     return held("embedding", of, "embeddings of a graph", maps, codes)
@@ -316,7 +315,7 @@ class GivenOptions(FileOptions):
             RARE_SCOPE,
             "FILE|NAME",
             "Every embedding of a graph in place of a class, each once up to isomorphism: of k4, "
-            "k33, k5, petersen, of another map with a name, or of the graph of a file.",
+            "k33, k5, petersen, of another map with a name, or of the edges in a file, as .g6.",
             document_type=_said("the graph of which every embedding is tried"),
         ),
     ] = None

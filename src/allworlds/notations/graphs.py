@@ -300,7 +300,7 @@ def _box(name: str, data: dict[str, Any]) -> Box:
         width, height = _point(size)
         return _point(pos), (width / 2, height / 2)
     except (TypeError, ValueError):
-        ways = "pos, x and y, or graphics [ x y ]"
+        ways = "pos, x and y, or graphics [ x y ]; --graph FILE takes edges alone"
         raise InputError(f"vertex {show(name)} is at {show(pos)}; legal are {ways}") from None
 
 

@@ -1,10 +1,12 @@
 """The notations of embedded graphs that files are read in and written in."""
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
-from typing import IO, Literal, TypeAlias, get_args
+from typing import IO, TYPE_CHECKING, Any, Literal, TypeAlias, get_args
 
 from msgspec import Struct
 
@@ -17,9 +19,17 @@ from allworlds.inputs.checks import (
     parse_json,
     show,
 )
+from allworlds.maps.networks import to_networkx, undirected
 from allworlds.notations.edge_list import read_edge_list, write_edge_list
 from allworlds.notations.entry import at
-from allworlds.notations.graphs import of_gml, of_graphml, of_yed, read_graph
+from allworlds.notations.graphs import (
+    named_graph,
+    of_gml,
+    of_graph6,
+    of_graphml,
+    of_yed,
+    read_graph,
+)
 from allworlds.notations.objects import fat_of, own_of, rotation_of
 from allworlds.notations.plantri import (
     EDGE,
@@ -33,6 +43,9 @@ from allworlds.notations.sage import literal, write_sage
 from allworlds.notations.worlds_as_json import read_json, read_lines, write_json
 from allworlds.world.labels import Labelling
 from allworlds.world.world import Entry
+
+if TYPE_CHECKING:
+    import networkx as nx
 
 Order: TypeAlias = Literal["clockwise", "anticlockwise"]
 """In which order a file lists the edges round a vertex."""
@@ -57,6 +70,7 @@ class Notation(Struct, frozen=True):
         mark: bytes that stand near the beginning of such files alone, where it has some.
         streams: whether it holds many entries, of which one at a time is in memory.
         y: the usual direction of its y axis, where the order follows from positions.
+        graph: the graph of a content, for those who need its edges alone.
     """
 
     name: str
@@ -67,6 +81,14 @@ class Notation(Struct, frozen=True):
     mark: bytes = b""
     streams: bool = False
     y: YAxis | None = None
+    graph: Callable[[bytes], Any] | None = None
+
+
+def _graph(
+    name: str, suffixes: tuple[str, ...], graph: Callable[[bytes], Any], y: YAxis, mark: bytes = b""
+) -> Notation:
+    """A notation of graphs, whose order follows from positions."""
+    return Notation(name, suffixes, read_graph(graph), mark=mark, y=y, graph=graph)
 
 
 NOTATIONS = (
@@ -81,9 +103,10 @@ NOTATIONS = (
     ),
     Notation("rotation", (".rot.json",), read_json, write_json(rotation_of), ("names",)),
     Notation("fat", (".fat.json",), read_json, write_json(fat_of)),
-    Notation("graphml", (".graphml",), read_graph(of_graphml), y="up"),
-    Notation("yed", (), read_graph(of_yed), mark=b"http://www.yworks.com/xml/graphml", y="down"),
-    Notation("gml", (".gml",), read_graph(of_gml), y="down"),
+    _graph("graphml", (".graphml",), of_graphml, "up"),
+    _graph("yed", (), of_yed, "down", b"http://www.yworks.com/xml/graphml"),
+    _graph("gml", (".gml",), of_gml, "down"),
+    _graph("graph6", (".g6",), of_graph6, "up"),
     Notation(
         "planar_code",
         (".pl", ".plc"),
@@ -237,6 +260,23 @@ def entry_named(
     first = ", ".join(map(show, known)) + (", ..." if number > SHOWN else "")
     what = f"no world {show(name)}" if name else "more than one world"
     raise InputError(f"file {show(str(file))} has {what}; @FILE:NAME names one of {first}")
+
+
+def graph_in(
+    file: str | Path, order: Order | None = None, y: YAxis | None = None
+) -> tuple[nx.Graph, Labelling]:
+    """The graph of a file, of which the edges alone are asked, and the names of its vertices.
+
+    Raises:
+        InputError: naming what cannot be read.
+    """
+    with _opened(file) as (stream, notation):
+        if notation.graph:
+            _check(notation, order, y)
+            graph = undirected(named_graph(notation.graph, stream.read()))
+            return graph, Labelling("", tuple(graph))
+    entry = entry_named(file, "", order, y)
+    return to_networkx(entry.map), Labelling(entry.labels.name, entry.labels.vertices)
 
 
 def to_write(file: str) -> Notation:
