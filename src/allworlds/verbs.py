@@ -11,6 +11,7 @@ ROWS, CASES, FINDINGS = "rows or a walk", "cases", "findings"
 PAGE, CURVE = "a page of its own", "a curve"
 RUNS = "runs of several robots"
 WORLD_FILE = "worlds, in a notation"
+PICTURE = "a picture of a map"
 """Parts that a report can have."""
 
 
@@ -188,7 +189,7 @@ VERBS = (
         "convert",
         "Tell of the worlds of a file, and write them in another notation.",
         panel=WORLDS,
-        has=(ROWS, WORLD_FILE),
+        has=(ROWS, WORLD_FILE, PICTURE),
     ),
     Verb(
         "ambiguity twins",

@@ -14,7 +14,8 @@ from allworlds import Estimate, Move
 from allworlds.documents.document import replace
 from allworlds.judging.findings.finding import Finding
 from allworlds.maps import CombinatorialMap, named_map
-from allworlds.reports.drawing.svg import draw
+from allworlds.reports.drawing.layout import DISC
+from allworlds.reports.drawing.svg import BESIDE, BEYOND, _beside, draw, drawing
 from allworlds.reports.drawing.text import draw as in_characters
 from allworlds.reports.formats import file_of, text
 from allworlds.reports.parts import Scene, scene_of
@@ -134,7 +135,7 @@ def test_a_finding_of_a_corpus_keeps_its_names_where_it_is_tried_again(tmp_path)
 
 def test_the_page_of_play_has_the_names():
     page = content("html", replace(allworlds.play(PLAN), path="play.html"))
-    assert all(line in page for line in ("kit…1 kitchen", "bed…2 bedroom 1", "bed…3 bedroom 2"))
+    assert all(line in page for line in (">kitchen<", ">bedroom 1<", ">bedroom 2<"))
     assert not NUMBER.search(page)
 
 
@@ -176,17 +177,30 @@ def test_thousands_of_names_that_begin_alike_stay_apart():
     assert len({*shown}) == 1200
 
 
-def test_long_names_stand_in_a_legend_below_a_drawing():
+def test_long_names_stand_whole_beside_their_rooms():
     svg = ET.fromstring(draw(PLAN).svg)
-    _, top, _, height = map(float, svg.get("viewBox").split())
-    vertices = ["".join(text.itertext()) for text in svg.iter() if text.get("class") == "name"]
-    assert vertices == ["hall", "kit…1", "bed…2", "bed…3", "bath", "F"]
-    legend = [text for text in svg.iter() if text.get("class") == "legend"]
-    assert [text.text for text in legend] == ["kit…1 kitchen", "bed…2 bedroom 1", "bed…3 bedroom 2"]
-    places = [float(text.get("y")) for text in legend]
-    assert top < places[0] < places[1] < places[2] < top + height
-    plain = ET.fromstring(draw(World(PLAN.map)).svg)
-    assert not [text for text in plain.iter() if text.get("class") == "legend"]
+    names = [text for text in svg.iter() if (text.get("class") or "").startswith("name")]
+    shown = ["".join(text.itertext()) for text in names]
+    assert shown == ["hall", "kitchen", "bedroom 1", "bedroom 2", "bath", "F"]
+    beside = [text for text in names if text.get("class") == "name beside"]
+    assert ["".join(text.itertext()) for text in beside] == ["kitchen", "bedroom 1", "bedroom 2"]
+    assert all(abs(float(text.get("y"))) > DISC for text in beside)
+    assert "legend" not in {text.get("class") for text in svg.iter()}
+
+
+def test_a_name_beside_a_room_is_clear_of_its_doors_and_in_the_picture():
+    names = ("a room with a long name, at the left", "hall", "another one, at the far right")
+    places = ((0.0, 0.0), (1.0, 0.0), (2.0, 0.0))
+    path = named_map("path-3")
+    svg = ET.fromstring(drawing(Scene(path, 0, vertices=names, positions=places), "plan").svg)
+    left, _, width, _ = map(float, svg.get("viewBox").split())
+    rooms = [one for one in svg.iter() if one.get("class") == "vertex"]
+    for room, name in zip(rooms, names, strict=True):
+        across = float(room.get("transform").split("(")[1].split()[0])
+        assert left <= across - 3 * len(name)
+        assert across + 3 * len(name) <= left + width
+    assert _beside([1, -1]) == BESIDE
+    assert (_beside([1j]), _beside([-1j]), _beside([1j, -1j])) == (-BESIDE, BESIDE, BEYOND)
 
 
 def test_long_names_are_cut_in_characters_and_stand_in_the_legend():

@@ -29,9 +29,49 @@ def test_each_world_of_a_file_is_told_of(cli, tmp_path):
     told = json.loads(out)
     assert (code, told["written"]) == (0, None)
     house = {"number": 1, "name": "house", "vertices": 3, "edges": 2, "genus": 0, "faces": 1}
-    assert told["rows"][0] == house | {"automorphisms": 2}
-    rows = csv.DictReader(io.StringIO((tmp_path / "rows").read_text()))
-    assert [{key: str(value) for key, value in row.items()} for row in told["rows"]] == [*rows]
+    house |= {"automorphisms": 2, "names": ["hall", "bath", "attic"]}
+    assert told["rows"][0] == house | {"doors": [["bath", "attic"], ["hall"], ["hall"]]}
+    rows = [*csv.DictReader(io.StringIO((tmp_path / "rows").read_text()))]
+    assert [*rows[0]] == [*house][:-1]
+    assert rows == [{key: str(row[key]) for key in rows[0]} for row in told["rows"]]
+
+
+def test_the_doors_of_each_room_are_told_in_their_order(cli, tmp_path):
+    plan = {"hall": ["bath", "attic", "cellar"], "bath": ["hall"], "attic": ["hall"]}
+    path = plans(tmp_path, json.dumps(plan | {"cellar": ["hall"]}))
+    code, out, _ = cli("convert", path)
+    assert (code, "hall    bath, attic, cellar\n" in out) == (0, True)
+    assert "( ) vertex" not in out
+    assert "( ) vertex with its darts clockwise" in cli("convert", path, "-v")[1]
+    _, turned, _ = cli("convert", path, "--order", "anticlockwise")
+    assert "hall    bath, cellar, attic\n" in turned
+
+
+def test_rooms_of_many_worlds_are_told_if_all_is_asked_for(cli):
+    many = PLANTRI / "poly5.pl"
+    assert "its doors lead" not in cli("convert", many)[1]
+    assert cli("convert", many, "-v")[1].count("its doors lead") == len([*entries(many)])
+
+
+def test_a_world_is_drawn_in_a_file(cli, refused, tmp_path):
+    (tmp_path / "plan.json").write_text(json.dumps(PLAN))
+    page, picture = tmp_path / "x.html", tmp_path / "x.svg"
+    assert cli("convert", tmp_path / "plan.json", "-o", picture, "-o", page)[0] == 0
+    assert 'class="name beside">attic' not in picture.read_text()
+    assert ">attic<" in picture.read_text()
+    assert ">attic<" in page.read_text()
+    why = "a file .svg holds one picture, and not 2; .html holds all"
+    assert why in refused("convert", plans(tmp_path), "-o", tmp_path / "y.svg")
+
+
+def test_worlds_are_written_in_several_notations(cli, tmp_path):
+    names = [tmp_path / f"x{suffix}" for suffix in (".pl", ".jsonl", ".sage")]
+    outputs = [word for name in names for word in ("-o", name)]
+    code, out, _ = cli("convert", plans(tmp_path), "--json", *outputs)
+    told = json.loads(out)
+    assert (code, told["written"]) == (0, [*map(str, names)])
+    assert told["left_out"] == ["name", "names"]
+    assert [len([*entries(name)]) for name in names] == [2, 2, 2]
 
 
 def test_worlds_are_written_in_the_notation_of_the_suffix(cli, tmp_path):
@@ -72,7 +112,6 @@ def test_no_file_of_the_users_is_taken_for_a_draft(cli, tmp_path):
 @pytest.mark.parametrize(
     ("words", "why"),
     [
-        (["-o", "x.pl", "-o", "x.ec"], "-o 'x.ec' is a second file of worlds; one is written"),
         (["-o", "x.graphml"], "worlds cannot be written as 'x.graphml'; legal are .json, "),
         (["-o", "x.odd"], "-o 'x.odd' is no file that convert writes: .json, "),
         (["--order", "left"], "order 'left' is not one of clockwise, anticlockwise"),
@@ -87,7 +126,7 @@ def test_options_without_a_meaning_are_refused(words, why, refused, tmp_path, mo
 
 def test_what_a_notation_has_no_place_for_is_left_out_and_told(tmp_path):
     told = convert(plans(tmp_path), output=tmp_path / "x.pl")
-    assert (told.written, len(told.rows)) == (str(tmp_path / "x.pl"), 2)
+    assert (told.written, len(told.rows)) == ((str(tmp_path / "x.pl"),), 2)
     assert told.left_out == ("name", "names")
     assert convert(plans(tmp_path), output=tmp_path / "x.jsonl").left_out is None
     assert [entry.labels.vertices for _, entry in entries(tmp_path / "x.pl")] == [(), ()]

@@ -72,7 +72,7 @@ def output_of(verb: str) -> type[OutputGroup]:
     help_ = f"Also write this file, by its end: {formats.legal_files(verb)}. Repeat it for more."
     asked = Annotated[list[str] | None, Option(OUTPUT, "FILE", help_, short="o", repeated=True)]
     options: list[tuple[str, Any, Any]] = [("files", asked, field(default=None))]
-    if verbs.FINDINGS in verbs.BY_NAME[verb].has:
+    if {verbs.FINDINGS, verbs.PICTURE} & {*verbs.BY_NAME[verb].has}:
         whole = Option(OUTPUT, "", "Tell all: tables, walks, every count.", "verbose", "v")
         options.append(("verbose", Annotated[bool, whole], field(default=False)))
     return make_dataclass(

@@ -1,12 +1,10 @@
 """The notations of embedded graphs that files are read in and written in."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from functools import lru_cache
 from pathlib import Path
-from typing import IO, TYPE_CHECKING, Any, Literal, TypeAlias, get_args
+from typing import IO, Any, Literal, TypeAlias, get_args
 
 from msgspec import Struct
 
@@ -43,9 +41,6 @@ from allworlds.notations.sage import literal, write_sage
 from allworlds.notations.worlds_as_json import read_json, read_lines, write_json
 from allworlds.world.labels import Labelling
 from allworlds.world.world import Entry
-
-if TYPE_CHECKING:
-    import networkx as nx
 
 Order: TypeAlias = Literal["clockwise", "anticlockwise"]
 """In which order a file lists the edges round a vertex."""
@@ -264,8 +259,8 @@ def entry_named(
 
 def graph_in(
     file: str | Path, order: Order | None = None, y: YAxis | None = None
-) -> tuple[nx.Graph, Labelling]:
-    """The graph of a file, of which the edges alone are asked, and the names of its vertices.
+) -> tuple[Any, Labelling]:
+    """The graph of networkx of a file, of which the edges alone are asked, and names of vertices.
 
     Raises:
         InputError: naming what cannot be read.

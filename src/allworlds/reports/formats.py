@@ -317,6 +317,7 @@ MAKERS = {
     "single_run.run_content": ("SingleRun", "WorldNames"),
     "single_run.replay_content": ("Replay",),
     "single_run.explain_content": ("Explanation",),
+    "converted.convert_content": ("Convert",),
     "plain.init_content": ("Skeleton", "LedgerSkeleton", "Header"),
     "plain.status_content": ("Standing",),
     "compare.compare_content": ("Comparison", "Growth"),
@@ -411,11 +412,22 @@ def latex_rows(content: parts.ReportContent) -> str:
     return "\n".join([begin, r"\hline", head, r"\hline", *rest, r"\hline", r"\end{tabular}", ""])
 
 
-def curve_picture(content: parts.ReportContent) -> str:
-    """The curve as a picture by itself; an empty one where there are no two sizes."""
-    from allworlds.reports.drawing.plot import SVG, plot
+def lone_picture(content: parts.ReportContent) -> str:
+    """The picture of a map, or the curve, by itself; an empty one where there are no two sizes.
 
-    blocks = (block for section in content.sections for block in section.blocks)
+    Raises:
+        InputError: if there are several maps.
+    """
+    from allworlds.reports.drawing.plot import SVG, plot
+    from allworlds.reports.drawing.svg import drawing
+
+    sections = (*content.sections, *content.whole)
+    blocks = [block for section in sections for block in section.blocks]
+    maps = [each for one in blocks if isinstance(one, parts.MapPictures) for each in one.entries]
+    if len(maps) > 1:
+        raise InputError(f"a file .svg holds one picture, and not {len(maps)}; .html holds all")
+    for title, scene in maps:
+        return drawing(scene, title).svg
     drawn = next((plot(block) for block in blocks if isinstance(block, parts.Curve)), None)
     return ET.tostring(ET.Element("svg", xmlns=SVG) if drawn is None else drawn, "unicode") + "\n"
 
@@ -458,7 +470,7 @@ def html(content: parts.ReportContent) -> str:
     return framed(
         (content.done, content.subject),
         (said.word, said.text, said.verdict or "open") if said else None,
-        [element(section) for section in (*content.sections, *content.more())],
+        [element(each) for each in (*content.sections, *content.whole, *content.more())],
         {key: value for key, value in document.items() if key not in content.apart},
     )
 
@@ -468,7 +480,7 @@ FORMATS = {
     "markdown": Format(markdown, ".md", summary="GITHUB_STEP_SUMMARY"),
     "csv": Format(csv_rows, ".csv"),
     "latex": Format(latex_rows, ".tex"),
-    "svg": Format(curve_picture, ".svg", (verbs.CURVE,)),
+    "svg": Format(lone_picture, ".svg", (verbs.CURVE, verbs.PICTURE)),
     "json": Format(lambda content: document_text(content.result.to_json()), ".json", ()),
     "parquet": Format(parquet_rows, ".parquet", library=("pyarrow", "notebook", "a file .parquet")),
     "sarif": Format(sarif, ".sarif", (verbs.FINDINGS,)),

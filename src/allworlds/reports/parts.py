@@ -495,6 +495,7 @@ class ReportContent(Struct, frozen=True):
         result: whose content it is.
         headline: the answer; None where there is nothing to say but the sections.
         sections: the rest, in the order in which it is read.
+        whole: those that a terminal shows only if all is asked for.
         more: walks to be stepped through, which only a page has room for; they may have to be
             played again, and so are made when they are asked for.
         rows: makes the rows for programs, where these are not the steps of the first walk.
@@ -511,6 +512,7 @@ class ReportContent(Struct, frozen=True):
     result: outcome.Result
     headline: Headline | None
     sections: Sequence[Section]
+    whole: Sequence[Section] = ()
     more: Callable[[], Iterable[Section]] = field(default=tuple)
     rows: Callable[[], CsvRows] | None = None
     cases: Callable[[], Sequence[SuiteCase]] | None = None

@@ -43,7 +43,8 @@ def content_text(content: parts.ReportContent, width: int) -> str:
 def on_terminal(content: parts.ReportContent, width: int, *, whole: bool) -> str:
     """The text; of a content with short facts at most :data:`MOST` lines, or the verdict last."""
     if not content.short or content.headline is None:
-        return content_text(content, width)
+        text, more = content_text(content, width), text_of(content.whole, width)
+        return f"{text}\n\n{more}" if whole and more else text
     (last,) = entry(content.headline.word, content.headline.text, sys.maxsize)
     if whole:
         return _joined([*(_section(section, width) for section in content.sections), [last]])

@@ -1,21 +1,39 @@
-"""Worlds of a file: told of, and written in another notation."""
+"""Worlds of a file: told of, and written in other notations."""
 
-from collections import deque
-from collections.abc import Iterator
+from collections.abc import Iterable
 from dataclasses import KW_ONLY
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Annotated
+from typing import Annotated, Any
 
-from allworlds.documents.document import Document, Edges, Natural, Positive, Text, Vertices, about
+from allworlds.documents.document import (
+    Document,
+    Edges,
+    Natural,
+    NotInDocument,
+    Positive,
+    Text,
+    Vertices,
+    about,
+)
 from allworlds.documents.report import Report
 from allworlds.inputs.checks import InputError, a_path, show
-from allworlds.inputs.requests import Argument, answers
+from allworlds.inputs.requests import Argument, Converted, answers
 from allworlds.maps.combinatorial import automorphisms
 from allworlds.notations.given import FileOptions
 from allworlds.notations.objects import own_of
-from allworlds.notations.table import entries, legal, to_write, written
+from allworlds.notations.table import Notation, entries, legal, to_write, written
 from allworlds.world.world import Entry
+
+DRAWN = 12
+"""The first worlds of a file, which are drawn."""
+
+
+def _files(given: Any) -> tuple[str, ...]:
+    """The names of files; one alone needs no list."""
+    if given is None:
+        return ()
+    return tuple(map(str, [given] if isinstance(given, str | Path) else given))
 
 
 class ConvertRequest(FileOptions, kw_only=False):
@@ -26,9 +44,9 @@ class ConvertRequest(FileOptions, kw_only=False):
     ]
     _: KW_ONLY
     output: Annotated[
-        str | Path | None,
-        f"where the worlds are written, by its suffix: {legal(written=True)}",
-    ] = None
+        Converted[Any, tuple[str, ...]],
+        f"the files in which the worlds are written, by their suffix: {legal(written=True)}",
+    ] = Converted(_files, ())
 
 
 class ConvertRow(Document):
@@ -41,6 +59,11 @@ class ConvertRow(Document):
     genus: Annotated[Natural, about("the genus of its surface")]
     faces: Annotated[Positive, about("the number of faces")]
     automorphisms: Annotated[Positive, about("those that keep the orientation")]
+    names: Annotated[tuple[str, ...], about("of its vertices; empty: they have none")]
+    doors: Annotated[
+        tuple[tuple[str, ...], ...],
+        about("of each vertex, in their order clockwise, the vertices to which its edges lead"),
+    ]
 
 
 class Convert(Report, kw_only=True):
@@ -49,53 +72,68 @@ class Convert(Report, kw_only=True):
     The worlds of a file.
     """
 
-    written: Annotated[str | None, about("the file in which the worlds were written")] = None
+    written: Annotated[
+        tuple[Text, ...] | None, about("the files in which the worlds were written")
+    ] = None
     left_out: Annotated[
-        tuple[Text, ...] | None, about("what of the worlds it has no place for; null: all is there")
+        tuple[Text, ...] | None,
+        about("what of the worlds one of them has no place for; null: all is there"),
     ] = None
     rows: Annotated[tuple[ConvertRow, ...], about("one a world, in the order of the file")]
+    drawn: NotInDocument[tuple[Entry, ...]] = ()
 
 
 @answers(ConvertRequest)
 def convert(request: ConvertRequest) -> Convert:
-    """Tell of the worlds of a file, and write them in another notation if ``output`` is given.
+    """Tell of the worlds of a file, and write them in other notations if ``output`` is given.
 
     Raises:
         InputError: naming what cannot be read, or which map the other notation cannot tell.
 
     Cost: of a world O(m^2) at worst, for its automorphisms.
     """
-    rows, has = list[ConvertRow](), set[str]()
+    outputs = [(a_path("output", name), to_write(name)) for name in request.output]
+    rows, has, drawn = list[ConvertRow](), set[str](), list[Entry]()
+    for number, (_, entry) in enumerate(entries(request.file, request.order, request.y), 1):
+        rows.append(_row(number, entry))
+        has.update(own_of(entry))
+        drawn += [entry] if number <= DRAWN else []
+    for path, notation in outputs:
+        again = entries(request.file, request.order, request.y)
+        _write(path, notation, (entry for _, entry in again))
+    kept = [{"sigma", "alpha", *notation.keeps} for _, notation in outputs]
+    left_out = {key for keys in kept for key in has - keys}
+    return Convert(
+        written=tuple(str(path) for path, _ in outputs) or None,
+        rows=tuple(rows),
+        left_out=tuple(sorted(left_out)) or None,
+        drawn=tuple(drawn),
+    )
 
-    def told() -> Iterator[Entry]:
-        for number, (_, entry) in enumerate(entries(request.file, request.order, request.y), 1):
-            map_ = entry.map
-            rows.append(
-                ConvertRow(
-                    number=number,
-                    name=entry.labels.name,
-                    vertices=map_.vertex_count,
-                    edges=map_.edge_count,
-                    genus=map_.genus,
-                    faces=len(map_.faces),
-                    automorphisms=automorphisms(map_),
-                )
-            )
-            has.update(own_of(entry))
-            yield entry
 
-    if request.output is None:
-        deque(told(), 0)
-        return Convert(rows=tuple(rows))
-    path = a_path("output", request.output)
-    notation = to_write(str(path))
+def _row(number: int, entry: Entry) -> ConvertRow:
+    map_, labels = entry.map, entry.labels
+    ends = [labels.vertex(map_.vertex_of[dart]) for dart in map_.alpha]
+    return ConvertRow(
+        number=number,
+        name=labels.name,
+        vertices=map_.vertex_count,
+        edges=map_.edge_count,
+        genus=map_.genus,
+        faces=len(map_.faces),
+        automorphisms=automorphisms(map_),
+        names=labels.vertices,
+        doors=tuple(tuple(ends[dart] for dart in darts) for darts in map_.vertices),
+    )
+
+
+def _write(path: Path, notation: Notation, worlds: Iterable[Entry]) -> None:
+    """Write worlds into a file; if one is refused, the old file stays."""
     try:
         with TemporaryDirectory(prefix=".allworlds-", dir=path.parent) as beside:
-            part = Path(beside) / path.name  # what is refused midway leaves the old file
+            part = Path(beside) / path.name
             with part.open("wb") as file:
-                file.writelines(written(told(), notation))
+                file.writelines(written(worlds, notation))
             part.replace(path)
     except OSError as error:
         raise InputError(f"file {show(str(path))} cannot be written: {error.strerror}") from None
-    left_out = tuple(sorted(has - {"sigma", "alpha", *notation.keeps}))
-    return Convert(written=str(path), rows=tuple(rows), left_out=left_out or None)

@@ -19,7 +19,7 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.reports.drawing.layout import CHIP, DISC, HIGH, Layout, bridges_of, rim
 from allworlds.reports.drawing.positions import laid_out
 from allworlds.reports.drawing.text import draw as drawn_in_characters
-from allworlds.reports.parts import Scene, scene_of
+from allworlds.reports.parts import LONGEST_IN_LEGEND, Scene, scene_of
 from allworlds.words import escaped, harmless_json, size
 from allworlds.world.world import World
 
@@ -111,10 +111,13 @@ MARGIN = 30.0
 """The free room round the drawing, in pixels."""
 
 SHORT = 5
-"""The characters of a vertex's name for which its disc has room; a legend has longer names."""
+"""The characters of a vertex's name for which its disc has room; longer ones stand beside it."""
 
-LINE, WIDE = 18, 8
-"""In pixels, the height of a line of a legend and the width of a character."""
+BESIDE, BEYOND, WIDE = 31.0, 42.0, 7
+"""In pixels, from a vertex to a name beside it, or beyond a dart's number; a character's width."""
+
+STEEP = 0.8
+"""The sine of the angle from which on a dart leaves through where a name would stand."""
 
 TURN = 16.5
 """The radius of the arrow that shows which way is clockwise."""
@@ -128,9 +131,13 @@ def picture(scene: Scene, name: str, title: str, drawn: Layout | None = None) ->
     map_ = scene.map
     drawn = drawn or laid_out(scene)
     left, top, width, height = (round(x) for x in drawn.box(MARGIN))
-    cut = scene.cut_names(SHORT)
-    wide = max([width, *(WIDE * len(line) for line in cut)])
-    middle, bottom = left + width // 2, top + height
+    names = scene.short_names(LONGEST_IN_LEGEND)
+    # A name beside a disc may lie outside of the drawing.
+    sides = [len(name) * WIDE // 2 if len(name) > SHORT else 0 for name in names]
+    across = [round(vertex.real) for vertex in drawn.vertices]
+    right = max(left + width, *(x + side for x, side in zip(across, sides, strict=True)))
+    left = min(left, *(x - side for x, side in zip(across, sides, strict=True)))
+    more = round(BEYOND + LETTER - MARGIN) if any(sides) else 0
     return tag(
         "svg",
         tag("title", title, id=f"{name}-title"),
@@ -141,19 +148,15 @@ def picture(scene: Scene, name: str, title: str, drawn: Layout | None = None) ->
             tag("path", class_="stub", data_stub=d, d=f"M{at(way[0])} L{at(drawn.stub(d))}")
             for d, way in enumerate(drawn.ways)
         ),
-        *(_vertex(scene, drawn, v, name) for v, name in enumerate(scene.short_names(SHORT))),
-        *(
-            tag("text", line, class_="legend", x=middle, y=bottom + i * LINE)
-            for i, line in enumerate(cut)
-        ),
+        *(_vertex(scene, drawn, v, name) for v, name in enumerate(names)),
         tag("g", class_="arrows"),
         id=name,
         class_="map",
         role="img",
         aria_labelledby=f"{name}-title {name}-desc",
-        viewBox=f"{middle - wide // 2} {top} {wide} {height + LINE * len(cut)}",
-        width=wide,
-        height=height + LINE * len(cut),
+        viewBox=f"{left} {top - more} {right - left} {height + 2 * more}",
+        width=right - left,
+        height=height + 2 * more,
         xmlns="http://www.w3.org/2000/svg",
     )
 
@@ -218,11 +221,13 @@ def _vertex(scene: Scene, drawn: Layout, vertex: int, name: str) -> ET.Element:
     parts = [_clockwise([*along.values()])]
     parts += [_flag(along[dart], rims[dart]) for dart in along if dart in scene.pointed]
     parts.append(tag("circle", class_="disc", r=DISC))
-    # In whatever font: a longer name is as wide as the disc.
-    fit = 2 * DISC if len(name) > 3 else None
-    parts.append(
-        tag("text", name, class_="name", textLength=fit, lengthAdjust=fit and "spacingAndGlyphs")
-    )
+    if len(name) > SHORT:
+        parts.append(tag("text", name, class_="name beside", y=_beside([*along.values()])))
+    else:
+        # In whatever font: a longer name is as wide as the disc.
+        fit = 2 * DISC if len(name) > 3 else None
+        adjust = fit and "spacingAndGlyphs"
+        parts.append(tag("text", name, class_="name", textLength=fit, lengthAdjust=adjust))
     if marks > 1:
         text = f"\N{MULTIPLICATION SIGN}{marks}"
         parts.append(tag("text", text, class_="marks", x=rounded(DISC), y=rounded(-DISC)))
@@ -234,6 +239,13 @@ def _vertex(scene: Scene, drawn: Layout, vertex: int, name: str) -> ET.Element:
         data_vertex=vertex,
         transform=f"translate({at(drawn.vertices[vertex])})",
     )
+
+
+def _beside(along: Sequence[complex]) -> float:
+    """Where the name of a vertex stands below or above it, clear of the numbers of its darts."""
+    down, up = (any(side * way.imag > STEEP for way in along) for side in (1, -1))
+    far = BEYOND if down and up else BESIDE
+    return -far if down and not up else far
 
 
 def _flag(along: complex, far: float) -> ET.Element:
@@ -351,6 +363,11 @@ def draw(shown: CombinatorialMap | World) -> Drawing:
     scene = scene_of(shown) if isinstance(shown, World) else Scene(shown)
     where = size(scene.map.edge_count, scene.map.vertex_count)
     title = f"A {'world' if isinstance(shown, World) else 'map'} with {where}"
+    return drawing(scene, title)
+
+
+def drawing(scene: Scene, title: str) -> Drawing:
+    """The picture of a scene by itself."""
     style = (files("allworlds.reports.drawing") / "alone.css").read_text(encoding="utf-8")
 
     def svg(name: str) -> str:

@@ -103,6 +103,7 @@ class Comparison(ContestReport):
             return
         for entrant in self.entrants:
             world = entrant.first_world(self.differ_most.world.map)
+            world = doc.replace(world, labels=self.differ_most.world.labels)
             yield single.single_run(entrant.subject, world, entrant.rules, (), self.request.limits)
 
 

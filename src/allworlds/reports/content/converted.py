@@ -1,0 +1,54 @@
+"""Content of ``convert``: each world of a file, and where the doors of its rooms lead."""
+
+from allworlds.reports import parts
+from allworlds.studies.convert import Convert, ConvertRow
+from allworlds.words import plural
+
+FEW = 3
+"""The worlds of which each room is told without being asked for."""
+
+COLUMNS = {"number": int, "name": str, "vertices": int, "edges": int, "genus": int, "faces": int}
+COLUMNS |= {"automorphisms": int}
+
+
+def convert_content(report: Convert) -> parts.ReportContent:
+    """A row for each world, its rooms, and pictures of the first ones."""
+    rows = parts.CsvRows.of(report.rows, **COLUMNS)
+    table = parts.Table([*COLUMNS], rows.rows, plural(len(report.rows), "world"))
+    facts = [("written", ", ".join(report.written or ()))]
+    facts.append(("left out", ", ".join(report.left_out or ())))
+    told = [_rooms(row) for row in report.rows]
+    pictures = [
+        (
+            _title(row),
+            parts.Scene(
+                entry.map,
+                entry.start,
+                vertices=entry.labels.vertices,
+                positions=entry.labels.positions,
+            ),
+        )
+        for row, entry in zip(report.rows, report.drawn, strict=False)
+    ]
+    few = told if len(told) <= FEW else []
+    return parts.ReportContent(
+        "allworlds convert",
+        "",
+        report,
+        None,
+        [parts.Section("seen", "", [table, parts.FactList(facts)]), *few],
+        [*([] if few else told), parts.Section("drawn", "", [parts.MapPictures(pictures)])],
+        rows=lambda: rows,
+    )
+
+
+def _title(row: ConvertRow) -> str:
+    return row.name or f"World {row.number}"
+
+
+def _rooms(row: ConvertRow) -> parts.Section:
+    """Of each room the doors, clockwise, by the rooms behind them."""
+    names = row.names or [f"v{vertex}" for vertex in range(row.vertices)]
+    doors = [[name, ", ".join(ends)] for name, ends in zip(names, row.doors, strict=True)]
+    table = parts.Table(["room", "its doors lead, clockwise, to"], doors, _title(row))
+    return parts.Section(f"rooms-{row.number}", "", [table])
