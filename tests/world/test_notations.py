@@ -304,6 +304,24 @@ def test_json_that_is_no_world_is_refused_by_its_place(text, why, tmp_path):
         read(path)
 
 
+PRINTED = {
+    "FatGraph('(0,3,1)(4)(2,5,6,7)', '(0,1)(2,3)(4,5)(6,7)', '(0,3,7,5,4,2)(1)(6)')": 3,
+    "FatGraph('(0,3,1)(4)(2,5,6,7)', '(0,3,7,5,4,2)(1)(6)')": 3,
+    "FatGraph('(0,2,1,3)', '(0,1)(2,3)', '(0,2,1,3)')": 1,
+}
+
+
+def test_worlds_of_sage_may_stand_in_several_lines_and_be_printed_fat_graphs(tmp_path):
+    path = tmp_path / "worlds.sage"
+    plan = "{'a (old': ['b', 'c'],\n\n 'b': ['c', 'a (old'],\n 'c': ['a (old', 'b']}\n"
+    path.write_text("\n".join([plan, *PRINTED, "  ", "{0: [1], 1: [0]}"]))
+    worlds = read(path)
+    assert [len(world.map.vertices) for world in worlds] == [3, *PRINTED.values(), 2]
+    assert worlds[0].labels.vertices == ("a (old", "b", "c")
+    assert worlds[1].map == worlds[2].map
+    assert [entry_at(path, offset) for offset, _ in entries(path)] == worlds
+
+
 @pytest.mark.parametrize(
     ("text", "why"),
     [
@@ -311,6 +329,10 @@ def test_json_that_is_no_world_is_refused_by_its_place(text, why, tmp_path):
         ("{0: [1], 1: [0]}\n0: [1]", "line 2: '0: \\[1\\]' is no literal; legal is a dictionary"),
         ("{0: [1], 1: [0], 0: [1]}", "line 1: a key stands twice"),
         ("{0: [1], '0': [1], 1: [0, 0]}", "line 1: "),
+        ("{0: [1],\n1: [0]}\n\n{0: [1],\n\n 1: [2]}", "line 4: vertex 0 lists 1, but 1 does"),
+        ("{0: [1],\n1: [0]\n", "line 1: '{0: .* is no literal"),
+        ("FatGraph('(0)(1)', '(0,1)', '(0)(1)')", "line 1: in faces dart 0 is followed by 0"),
+        ("FatGraph('(0)(1)', '(0,)')", "line 1: .* is no literal; legal is .*, or FatGraph"),
     ],
 )
 def test_a_line_of_sage_is_refused_by_its_number(text, why, tmp_path):

@@ -1,12 +1,15 @@
-"""Embeddings as Sage prints them: a dictionary of clockwise neighbours a line.
+"""Embeddings as Sage prints them: dictionaries of clockwise neighbours, each in a line or several.
 
-``{0: [1, 2], 1: [2, 0], 2: [0, 1]}`` is what ``graph.get_embedding()`` returns; fat graphs stand in
-a line likewise.  Keys are numbers, texts or tuples; their texts become the names.
+``{0: [1, 2], 1: [2, 0], 2: [0, 1]}`` is what ``graph.get_embedding()`` returns; fat graphs stand
+there likewise, also as they are printed: ``FatGraph('(0,2,1,3)', '(0,1)(2,3)', '(0,2,1,3)')`` with
+vertices, edges and faces, or with vertices and faces alone.  Keys are numbers, texts or tuples;
+their texts become the names.
 
-Source: the reference manual of Sage, ``set_embedding``.
+Source: the reference manual of Sage, ``set_embedding``; ``FatGraph`` of surface_dynamics.
 """
 
 import ast
+import re
 import warnings
 from typing import Any
 
@@ -15,15 +18,41 @@ from allworlds.notations.entry import neighbours
 from allworlds.world.world import Entry
 
 
+def opens(line: str) -> int:
+    """How many brackets a line opens and does not close; those in texts do not count."""
+    plain = re.sub(r"'[^']*'|\"[^\"]*\"", "", line)
+    return sum((sign in "([{") - (sign in ")]}") for sign in plain)
+
+
+CYCLES = r"'((?:\([0-9]{1,9}(?:, ?[0-9]{1,9})*\))*)'"
+"""A permutation in a text, as ``'(0,1)(2)'``."""
+
+FAT_GRAPH = re.compile(
+    rf"FatGraph\((?:vp=)?{CYCLES}(?:,\s*(?:ep=)?{CYCLES})?,\s*(?:fp=)?{CYCLES}\)"
+)
+
+
+def _fat_graph(text: str) -> dict[str, list[list[int]]] | None:
+    """The permutations of a fat graph that is printed as a call; None for any other text."""
+    found = FAT_GRAPH.fullmatch(text)
+    if not found:
+        return None
+    parts = zip(("vertices", "edges", "faces"), found.groups(), strict=True)
+    told = {key: re.findall(r"\(([^)]+)\)", cycles) for key, cycles in parts if cycles is not None}
+    return {key: [[*map(int, one.split(","))] for one in cycles] for key, cycles in told.items()}
+
+
 def literal(text: str) -> Any:
     """The value of a literal; raise InputError if it is none, or if a key stands in it twice."""
+    if fat := _fat_graph(text):
+        return fat
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of garbled numbers
             tree = ast.parse(text, mode="eval").body
             value = ast.literal_eval(tree)
     except (ValueError, SyntaxError, TypeError, MemoryError, RecursionError):
-        legal = "a dictionary in one line, such as {0: [1], 1: [0]}"
+        legal = "a dictionary such as {0: [1], 1: [0]}, or FatGraph('(0)(1)', '(0,1)')"
         raise InputError(f"{show(text)} is no literal; legal is {legal}") from None
     if isinstance(tree, ast.Dict) and len(tree.keys) > len(value):
         raise InputError("a key stands twice in the dictionary")

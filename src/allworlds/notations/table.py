@@ -37,7 +37,7 @@ from allworlds.notations.plantri import (
     write_edge_code,
     write_planar_code,
 )
-from allworlds.notations.sage import literal, write_sage
+from allworlds.notations.sage import literal, opens, write_sage
 from allworlds.notations.worlds_as_json import read_json, read_lines, write_json
 from allworlds.world.labels import Labelling
 from allworlds.world.world import Entry
@@ -111,7 +111,7 @@ NOTATIONS = (
         streams=True,
     ),
     Notation("edge_code", (".ec",), read_edge_code, write_edge_code, mark=EDGE, streams=True),
-    Notation("sage", (".sage",), read_lines(literal), write_sage, ("names",), streams=True),
+    Notation("sage", (".sage",), read_lines(literal, opens), write_sage, ("names",), streams=True),
     Notation("edges", (".csv",), read_edge_list, write_edge_list, ("names",)),
 )
 """Every notation; the first is that of a file that begins as JSON does."""

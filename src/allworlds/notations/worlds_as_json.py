@@ -31,19 +31,38 @@ def _worlds(document: Any) -> list[tuple[str, Any]]:
     return [("", document)]
 
 
-def read_lines(parse: Callable[[str], Any]) -> Callable[[IO[bytes]], Objects]:
-    """A reader of files that have a world a line, which is parsed so."""
+def read_lines(
+    parse: Callable[[str], Any], opens: Callable[[str], int] = lambda _line: 0
+) -> Callable[[IO[bytes]], Objects]:
+    """A reader of files that have a world a line, which is parsed so.
+
+    ``opens`` tells how many brackets a line opens and does not close: up to the line that closes
+    them all the lines are of one world.
+    """
 
     def read(file: IO[bytes]) -> Objects:
-        start = offset = file.tell()
+        start = offset = begin = file.tell()
+        text, first, depth = "", 1, 0
         for number, line in enumerate(file, 1):
-            if line.strip():
-                with at(f"line {number}" + (f" from byte {start} on" if start else "")):
-                    entry = entry_of(parse(text_of(line).strip()))
-                yield offset, entry
+            if not text.strip():
+                text, first, begin = "", number, offset
             offset += len(line)
+            with at(f"line {number}" + (f" from byte {start} on" if start else "")):
+                told = text_of(line)
+            text, depth = text + told, depth + opens(told)
+            if depth <= 0 and text.strip():
+                yield begin, _entry(parse, text, first, start)
+                text, depth = "", 0
+        if text.strip():
+            yield begin, _entry(parse, text, first, start)
 
     return read
+
+
+def _entry(parse: Callable[[str], Any], text: str, line: int, start: int) -> Entry:
+    """The world of a text that begins in this line behind a byte of the file."""
+    with at(f"line {line}" + (f" from byte {start} on" if start else "")):
+        return entry_of(parse(text.strip()))
 
 
 def write_json(of: Callable[[Entry], Any]) -> Callable[[Entry], bytes]:
