@@ -1,3 +1,4 @@
+import functools
 import sys
 
 import pytest
@@ -50,10 +51,49 @@ def test_keywords_are_offered_to_those_who_take_them():
     assert next(play(Percept(1), choices, 7)) == {"choices": choices, "told": 7}
 
 
-@pytest.mark.parametrize("value", [3, None, print, int, lambda first: 1])
-def test_what_is_no_generator_function_is_no_explorer(value):
-    with pytest.raises(InputError, match="no generator function"):
+@pytest.mark.parametrize(
+    ("value", "why"),
+    [
+        (3, ": an explorer is def explore"),
+        (None, ": an explorer is def explore"),
+        (print, ", and a call of it returns None, which has no send: an explorer is def explore"),
+        (int, ", and a call of it raises TypeError: int"),
+        (lambda first: 1, ", and a call of it returns 1, which has no send"),
+    ],
+)
+def test_what_gives_no_walk_is_no_explorer(value, why):
+    with pytest.raises(InputError, match=f"is no generator function{why}"):
         in_process_subject(value)
+
+
+def test_what_a_call_returns_decides():
+    def explore(first, *, told):
+        yield told
+
+    @functools.wraps(explore)
+    def inner(*given, **words):
+        return explore(*given, **words)
+
+    subject = in_process_subject(inner)
+    assert subject.keywords == {"told"}
+    assert next(subject.player()(Percept(1), Choices(), 7)) == 7
+
+
+def test_the_walk_of_the_trial_call_is_closed():
+    calls = []
+
+    class Walk:
+        def __init__(self, first):
+            calls.append(first)
+
+        def send(self, reply):
+            raise AssertionError
+
+        def close(self):
+            calls.append("closed")
+
+    assert in_process_subject(Walk).keywords == frozenset()
+    assert calls == [Percept(1, 1, 0), "closed"]
 
 
 def test_a_lambda_is_not_found_by_its_name():

@@ -19,6 +19,7 @@ from allworlds.inputs.checks import InputError, show
 from allworlds.protocol import actions, importing
 from allworlds.protocol.actions import ANSWER_TIMEOUT, Player, Told
 from allworlds.protocol.choices import Choices
+from allworlds.protocol.playing import closed
 
 if TYPE_CHECKING:
     from importlib.metadata import EntryPoint
@@ -284,7 +285,7 @@ def in_process_subject(explore: Callable[..., Any]) -> Subject:
     or one of the running script) in this process.
 
     Raises:
-        InputError: if it is no generator function.
+        InputError: if it is no explorer.
     """
     from allworlds.explorers.builtin.explorer_table import BUILT_IN
     from allworlds.explorers.builtin.folding import Shield
@@ -314,16 +315,36 @@ def _is_found_by_name(explore: Any) -> bool:
 
 
 def keywords_of(name: str, explore: Any) -> frozenset[str]:
-    """The keywords ``choices`` and ``told`` that a generator function takes.
+    """The keywords ``choices`` and ``told`` that an explorer takes.
+
+    Of a generator function the form says that it is one; any other callable is called once with a
+    percept, and what it returns decides: it needs ``send``, as a generator has.
 
     Raises:
-        InputError: if it is no generator function, or must be called in another way.
+        InputError: if it is no explorer, or must be called in another way.
     """
     function = explore if inspect.isroutine(explore) else getattr(explore, "__call__", None)  # noqa: B004
-    generates = inspect.isgeneratorfunction(explore) or inspect.isgeneratorfunction(function)
-    if not callable(explore) or not generates:
+    if not callable(explore):
         raise InputError(f"{name} is no generator function: {EXPLORER}")
-    signature = inspect.signature(explore)
+    keywords = _accepted(name, explore)
+    if not inspect.isgeneratorfunction(explore) and not inspect.isgeneratorfunction(function):
+        offered = {"choices": Choices(), "told": None}
+        given = {key: offered[key] for key in keywords}
+        what = f"{name} is no generator function, and a call of it raises"
+        walk = importing.attempted(what, lambda: explore(actions.Percept(1, 1, 0), **given))
+        if not callable(getattr(walk, "send", None)):
+            said = f"a call of it returns {show(walk)}, which has no send"
+            raise InputError(f"{name} is no generator function, and {said}: {EXPLORER}")
+        closed(walk)
+    return keywords
+
+
+def _accepted(name: str, explore: Callable[..., Any]) -> frozenset[str]:
+    """The keywords that a callable takes; none of one that is compiled and does not tell."""
+    try:
+        signature = inspect.signature(explore)
+    except ValueError:
+        return frozenset()
     takes_all = any(p.kind is p.VAR_KEYWORD for p in signature.parameters.values())
     named = {k for k, p in signature.parameters.items() if p.kind is not p.POSITIONAL_ONLY}
     keywords = frozenset(key for key in ("choices", "told") if takes_all or key in named)
@@ -380,7 +401,7 @@ def load(
         source: the text of its file, if it has been read before.
 
     Raises:
-        InputError: if there is none, it does not import, or it is no generator function.
+        InputError: if there is none, it does not import, or it is no explorer.
     """
     wrapper, inside = wrapped(name)
     if wrapper:

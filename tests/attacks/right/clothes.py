@@ -1,4 +1,4 @@
-"""Right explorers that look odd: none of them is refuted, those that are no generators are refused.
+"""Right explorers that look odd: none of them is refuted, those that give no walk are refused.
 
 verdict of integers: holds
 verdict of sequences: holds
@@ -17,10 +17,12 @@ verdict of decorated: holds
 verdict of anonymous: holds
 verdict of takes_all: holds
 verdict of closes_loudly: holds
-verdict of plainly_decorated: refused
-verdict of cached: refused
+verdict of plainly_decorated: holds
+verdict of cached: refuted nondeterministic
 verdict of asynchronous: refused
-verdict of returns_a_generator: refused
+verdict of returns_a_generator: holds
+verdict of walks_as_an_object: holds
+verdict of without_a_signature: holds
 verdict of floats: refuted illegal-action
 verdict of booleans: refuted illegal-action
 verdict of moves_of_its_own: refuted illegal-action
@@ -213,3 +215,25 @@ async def asynchronous(first):
 
 def returns_a_generator(first):
     return algorithm1(first)
+
+
+class Walker:
+    """No generator, but with all of one that a play needs."""
+
+    def __init__(self, first):
+        self.send = algorithm1(first).send
+
+
+walks_as_an_object = Walker
+
+
+class Compiled:
+    """A callable that tells nothing of its parameters, as a compiled one."""
+
+    __signature__ = "none"
+
+    def __call__(self, *given):
+        return algorithm1(*given)
+
+
+without_a_signature = Compiled()
