@@ -35,6 +35,20 @@ def test_a_function_of_a_module_is_found_by_its_name(tmp_path, monkeypatch):
         load("my_explorer:c")
 
 
+def test_a_file_of_a_package_is_named_as_a_module(tmp_path, monkeypatch):
+    inner = tmp_path / "robots" / "walks"
+    inner.mkdir(parents=True)
+    for folder in (inner, inner.parent):
+        (folder / "__init__.py").touch()
+    (inner / "near.py").write_text("from ..far import go\n\ndef explore(first):\n    yield go\n")
+    (inner.parent / "far.py").write_text("go = 1\n")
+    remedy = f"name robots.walks.near:FUNCTION, with PYTHONPATH={tmp_path}"
+    with pytest.raises(InputError, match=f"relative import.*; it is part of a package: {remedy}"):
+        load(f"{inner / 'near.py'}:explore")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    assert load("robots.walks.near:explore").from_user
+
+
 def test_a_file_does_not_take_the_place_of_a_module(tmp_path):
     (tmp_path / "json.py").write_text("def explore(first):\n    yield")
     before = sys.modules["json"]

@@ -12,6 +12,7 @@ import sys
 import warnings
 from collections.abc import Callable, Mapping
 from contextlib import redirect_stdout
+from shlex import quote
 from types import ModuleType
 from typing import TYPE_CHECKING, Any, TypeAlias, TypeVar
 
@@ -110,7 +111,23 @@ def module_of_text(place: str, source: SourceText, name: str = "") -> Any:
         exec(code, module.__dict__)  # noqa: S102  # the user's
         return module
 
-    return imported(place, execute)
+    try:
+        return imported(place, execute)
+    except InputError as error:
+        if "attempted relative import" not in str(error):
+            raise
+        raise InputError(f"{error}; {_as_module(source.path)}") from None
+
+
+def _as_module(path: str) -> str:
+    """Say how a file of a package is named, so that its relative imports find the others."""
+    from pathlib import Path  # not loaded in players otherwise
+
+    file = Path(path)
+    folder, name = file.parent.parent, f"{file.parent.name}.{file.stem}"
+    while (folder / "__init__.py").exists():
+        folder, name = folder.parent, f"{folder.name}.{name}"
+    return f"it is part of a package: name {name}:FUNCTION, with PYTHONPATH={quote(str(folder))}"
 
 
 def imported(name: str, importing: Callable[[], Any]) -> Any:
