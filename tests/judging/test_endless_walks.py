@@ -1,11 +1,17 @@
 """Walks that come to no end."""
 
 import re
+from collections import Counter
 
 import pytest
+from hypothesis import given, settings, strategies as st
 
+import allworlds
 from allworlds import Checkpoint, CombinatorialMap, Move
 from allworlds.judging.explanations.by_law import SHOW
+from allworlds.judging.explanations.endless import TIMES, Round, round_of
+from allworlds.protocol.code_lines import LATELY, TracedPlay
+from allworlds.reports.formats import file_of, text
 from allworlds.studies.explain import explain
 from allworlds.studies.run import run
 from allworlds.world import Directional, World, world_named
@@ -25,9 +31,78 @@ def test_who_walks_round_a_face_is_told_the_edges_that_it_never_met():
 
     told = explained(round_and_round, "k4")
     assert re.fullmatch(r"After step [34] it met no new edge; [23] edges it never met\.", told[1])
-    assert told[2] == SHOW
-    assert "8 times the paper's bound, and 100 more: 8 x (" in told[3]
-    assert "--step-budget" not in told[3]
+    assert re.match("From step 1 on it goes round: 3 steps, [0-9]+ times, to v[0-3], dart", told[2])
+    assert told[3].startswith("It never walked along the edge from v")
+    assert SHOW not in told
+    assert "8 times the paper's bound, and 100 more: 8 x (" in told[4]
+    assert "--step-budget" not in told[4]
+
+
+def by_trying(walk):
+    """The round of the longest end that repeats some first steps thrice, by trying all."""
+    for first in range(len(walk)):
+        end = walk[first:]
+        for steps in range(1, len(end) // TIMES + 1):
+            if all(end[i] == end[i + steps] for i in range(len(end) - steps)):
+                return Round(first + 1, steps, len(end) // steps)
+    return None
+
+
+@settings(deadline=None, max_examples=300)
+@given(st.text("ab", max_size=6), st.text("ab", min_size=1, max_size=4), st.integers(0, 6))
+def test_the_round_of_a_walk_is_the_longest_end_that_repeats(before, again, times):
+    walk = before + again * times
+    assert round_of(walk) == by_trying(walk)
+
+
+FORGETS = """from allworlds import Move
+
+
+def go(k):
+    return (yield Move(k))
+
+
+def explore(first):
+    rooms = 0
+    while True:
+        for _ in range(3):
+            rooms += 1
+        yield from go(1)
+"""
+
+
+@pytest.mark.processes
+def test_an_endless_walk_names_its_lines(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "forgets.py").write_text(FORGETS)
+    report = allworlds.check("forgets.py:explore", edges=1, map_class="simple")
+    (finding,) = report.findings
+    assert finding.law == "budget"
+    assert finding.code.busy[:2] == ("forgets.py:11", "forgets.py:12")
+    (round_,) = [said for said in explain(finding).sentences if "it goes round" in said]
+    assert round_.endswith("(lines forgets.py:5).")
+    said = text(report, 200)
+    assert "line       forgets.py:5: return (yield Move(k))" in said
+    assert "ran most   forgets.py:11: for _ in range(3):; forgets.py:12: rooms += 1" in said
+    assert "::error file=forgets.py,line=5" in file_of("annotations", report)
+
+
+def test_lines_of_the_last_turns_alone_are_counted():
+    def explore(_):
+        for _ in range(LATELY + 5):
+            yield 1
+        yield 2
+
+    traced = TracedPlay()
+    play = traced.player(explore)(None)
+    for _ in range(LATELY + 6):
+        play.send(None)
+    lines = {
+        line - explore.__code__.co_firstlineno: n
+        for (_, line), n in sum(traced.lately, Counter()).items()
+    }
+    assert lines == {1: LATELY, 2: LATELY - 1, 3: 1}
+    assert [line - explore.__code__.co_firstlineno for _, line in traced.busiest()] == [1, 2, 3]
 
 
 def test_who_wanders_is_told_when_nothing_was_new_any_more():

@@ -7,6 +7,7 @@ import json
 import linecache
 import sys
 import sysconfig
+from collections import Counter, deque
 from collections.abc import Generator, Sequence
 from functools import cache
 from types import CodeType, FrameType
@@ -23,6 +24,9 @@ NOWHERE: Place = ("", 0)
 
 ONCE = "once"
 """In place of True, where lines are asked for without the turns in which they run."""
+
+LATELY, BUSIEST = 1000, 5
+"""The last turns of a play of which the lines are counted, and the lines of these that are told."""
 
 _OURS = (__file__.rpartition("protocol")[0], sysconfig.get_path("stdlib"))
 
@@ -41,11 +45,13 @@ class TracedPlay:
         turns: for each turn whether it showed a checkpoint, and the place of its ``yield``; the
             last one is the place of the end, where the explorer came to one.
         ran: the lines that have run.
+        lately: of each of the last turns how often each line ran.
     """
 
     def __init__(self) -> None:
         self.turns: list[tuple[bool, Place]] = []
         self.ran: set[Place] = set()
+        self.lately: deque[Counter[Place]] = deque(maxlen=LATELY)
         self._left: Place = NOWHERE
         self._walk: Generator[Any, Any, Any]
 
@@ -60,6 +66,7 @@ class TracedPlay:
 
     def send(self, reply: Any) -> Any:
         """Go on to the next message; whoever traced before goes on afterwards."""
+        self.lately.append(Counter())
         before = sys.gettrace()
         sys.settrace(self._trace)
         try:
@@ -81,9 +88,15 @@ class TracedPlay:
             return None
         if event == "line":
             self.ran.add(_place(frame))
+            self.lately[-1][_place(frame)] += 1
         elif event == "return":
             self._left = _place(frame)
         return self._trace
+
+    def busiest(self) -> list[Place]:
+        """The lines that ran most in the last turns, the busiest first."""
+        every = sum(self.lately, Counter[Place]())
+        return sorted(every, key=lambda place: (-every[place], place))[:BUSIEST]
 
     def _end(self, error: BaseException) -> Place:
         """The innermost line of the user's that raised; of a return the line that was left last."""
@@ -145,4 +158,4 @@ def _yielding(walk: Any) -> Place:
 
 def written(plays: Sequence[TracedPlay]) -> bytes:
     """Traced plays, as a message holds them."""
-    return json.dumps([(one.turns, sorted(one.ran)) for one in plays]).encode()
+    return json.dumps([(one.turns, sorted(one.ran), one.busiest()) for one in plays]).encode()

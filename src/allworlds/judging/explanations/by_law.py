@@ -6,6 +6,7 @@ from collections import Counter
 from allworlds.explorers.loading import is_library, is_program
 from allworlds.inputs.checks import InputError
 from allworlds.judging.belief import Parting
+from allworlds.judging.explanations.endless import tell_open, tell_round
 from allworlds.judging.explanations.story import (
     Belief,
     Story,
@@ -163,11 +164,10 @@ def tell_budget(story: Story) -> Telling:
     if str(story.finding.seen).startswith("checkpoint "):
         why = [f"After step {len(story.walk.actions)} it only showed checkpoints."]
     else:
-        why = [
-            _say_progress(story),
-            *_say_left(story),
-            *([SHOW] if story.finding.rules.task.is_map else []),
-        ]
+        is_map, found = story.finding.rules.task.is_map, tell_round(story)
+        why = [_say_progress(story), *found]
+        why += tell_open(story) if is_map else _say_left(story)
+        why += [SHOW] if is_map and not found else []
     return Telling([how, *why, tell_whose_budget(story.finding)], story.checkpoint)
 
 

@@ -73,6 +73,10 @@ class CodeLines(doc.Document, forbid_unknown_fields=False, kw_only=True):
         doc.IfAny[tuple[str, ...]], doc.about("lines that run here, and in none of some right runs")
     ] = ()
     right: Annotated[doc.Natural, doc.about("how many right runs these were")]
+    busy: Annotated[
+        doc.IfAny[tuple[str, ...]],
+        doc.about("of a walk without an end the lines that ran most in its last 1000 turns"),
+    ] = ()
     sources: Annotated[tuple[str, ...], doc.about("each of these places with the text of its line")]
 
     def source(self, place: str) -> str:

@@ -254,7 +254,7 @@ def wrong_line(finding: Finding, step: int | None) -> str:
         return code.checkpoints[shown.number]
     if step is not None and step <= len(code.steps):
         return code.steps[max(step - 1, 0)]
-    return "" if finding.law in ("budget", "bound") else code.steps[-1]
+    return "" if finding.law == "bound" else code.steps[-1]
 
 
 def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
@@ -264,6 +264,8 @@ def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
         return
     if place := wrong_line(finding, step):
         yield "line", code.source(place)
+    if code.busy:
+        yield "ran most", "; ".join(code.source(place) for place in code.busy[:2])
     if code.alone:
         lines = [code.source(place) for place in code.alone[:MOST_LINES]]
         if (more := len(code.alone) - MOST_LINES) > 0:

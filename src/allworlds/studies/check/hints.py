@@ -141,28 +141,30 @@ def located(
     due += [Due(i, place, world) for i, (world, place) in enumerate(islice(others, RIGHT), 1)]
     try:
         *logs, lines = plays.traced(due)
-        traced = msgspec.json.decode(lines, type=list[tuple[Turns, set[Place]]])
+        traced = msgspec.json.decode(lines, type=list[tuple[Turns, set[Place], list[Place]]])
         judged = [plays.judge.judged(one, log) for one, log in zip(due, logs, strict=True)]
     except (InputError, msgspec.MsgspecError, ValueError):  # it may do something else now
         return finding
     walk = tuple(map(action_numbered, judged[0].log.actions))
     if walk[: len(finding.transcript.steps)] != finding.transcript.actions:
         return finding
-    (turns, ran), *plays_of_others = traced
+    (turns, ran, busiest), *plays_of_others = traced
     pairs = zip(plays_of_others, judged[1:], strict=True)
-    right = [lines for (_, lines), one in pairs if one.outcome.violation is None]
+    right = [lines for (_, lines, _), one in pairs if one.outcome.violation is None]
     alone = ran.difference(*right) if right else set[Place]()
-    return replace(finding, code=_code(turns, sorted(alone), len(right)))
+    busy = busiest if finding.law == "budget" else []
+    return replace(finding, code=_code(turns, sorted(alone), len(right), busy))
 
 
-def _code(turns: Turns, alone: list[Place], right: int) -> CodeLines:
-    shown = {place for _, place in turns} | {*alone} - {NOWHERE}
+def _code(turns: Turns, alone: list[Place], right: int, busy: list[Place]) -> CodeLines:
+    shown = {place for _, place in turns} | {*alone, *busy} - {NOWHERE}
     sources = ((place, linecache.getline(*place).strip()) for place in sorted(shown))
     return CodeLines(
         steps=tuple(_named(place) for is_checkpoint, place in turns if not is_checkpoint),
         checkpoints=tuple(_named(place) for is_checkpoint, place in turns if is_checkpoint),
         alone=tuple(map(_named, alone)),
         right=right,
+        busy=tuple(map(_named, busy)),
         sources=tuple(f"{_named(place)}: {text}" for place, text in sources if text),
     )
 
