@@ -134,6 +134,9 @@ def test_the_words_for_a_program_without_a_line_are_true_of_it(tmp_path, kind):
     with pytest.raises(ExplorerFault) as fault:
         walk.send(Percept(1))
     assert (fault.value.law, fault.value.seen[: len(seen)]) == (law, seen)
+    last = {"a byte": "stdout ended in 'x'", "drops": f"stdout ended in '{'x' * 60}"}
+    assert fault.value.detail.startswith(last.get(kind, ""))
+    assert ("stdout" in fault.value.detail) == (kind in last)
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ from hypothesis import given, settings, strategies as st
 
 import allworlds
 from allworlds import Checkpoint, CombinatorialMap, Move
+from allworlds.documents.document import replace
 from allworlds.judging.explanations.by_law import SHOW
 from allworlds.judging.explanations.endless import TIMES, Round, round_of
 from allworlds.protocol.code_lines import LATELY, TracedPlay
@@ -205,3 +206,34 @@ def test_a_walk_that_ends_in_checkpoints_is_told_so():
 
     told = explain(run(explore, LOOP).finding).sentences
     assert told[1] == "After step 1 it only showed checkpoints."
+
+
+STUCK = """from allworlds import Move
+
+
+def search(rooms):
+    while rooms:
+        rooms = rooms[::-1]
+
+
+def explore(first):
+    yield Move(0)
+    search([first])
+"""
+
+
+@pytest.mark.processes
+def test_a_silent_run_tells_the_lines_in_which_it_was(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "stuck.py").write_text(STUCK)
+    report = allworlds.check(
+        "stuck.py:explore", edges=1, map_class="simple", answer_timeout=0.5, workers=1
+    )
+    (finding,) = report.findings
+    assert (finding.law, finding.detail) == ("timeout", "")
+    told = [said for said in explain(finding).sentences if said.startswith("It was in")]
+    assert re.fullmatch(
+        r"It was in search \(stuck\.py:[56]\), called by explore \(stuck\.py:11\)\.", told[0]
+    )
+    assert "::error file=stuck.py,line=" in file_of("annotations", report)
+    assert not [said for said in explain(replace(finding, output="")).sentences if "was in" in said]

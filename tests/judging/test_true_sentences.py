@@ -8,14 +8,10 @@ import pytest
 from allworlds import Checkpoint, Estimate, Move
 from allworlds.documents.document import replace
 from allworlds.judging.belief import believed_percepts
+from allworlds.judging.explanations.advice import FLUSH, KEPT, NO_LINE, SANITIZER, STDOUT, UNWRITTEN
 from allworlds.judging.explanations.by_law import (
-    FLUSH,
-    KEPT,
     NAMED,
-    SANITIZER,
     SHOW,
-    STDOUT,
-    UNWRITTEN,
     tell_whose_bound,
     tell_whose_budget,
 )
@@ -135,6 +131,12 @@ def test_who_left_nothing_out_is_told_of_nothing(task):
         ("timeout", "silent", "a.py:a", None),
         ("illegal-action", "a line that is no JSON", "exec:./a", STDOUT),
         ("illegal-action", "the line 'x'", "exec:./a", STDOUT),
+        ("illegal-action", r"a line that is no JSON: '{\x00\"\x00'", "exec:./a", NO_LINE[0][1]),
+        ("illegal-action", "a line that is no JSON: ''", "exec:./a", NO_LINE[1][1]),
+        ("illegal-action", r"a line that is no JSON: '  \r'", "exec:./a", NO_LINE[1][1]),
+        ("illegal-action", "a line that is no JSON: '{'", "exec:./a", NO_LINE[2][1]),
+        ("illegal-action", "a line that is no JSON: '{\"move\": 1'", "exec:./a", NO_LINE[2][1]),
+        ("illegal-action", "a line that is no JSON: '{move: 1}'", "exec:./a", STDOUT),
         ("illegal-action", "a Drop", "exec:./a", None),
         ("illegal-action", "the line 'x'", "a.py:a", None),
         ("nondeterministic", "the line 'x'", "exec:./a", STDOUT),
@@ -146,8 +148,8 @@ def test_who_left_nothing_out_is_told_of_nothing(task):
 )
 def test_each_kind_of_end_has_the_advice_that_is_about_it(law, seen, explorer, said):
     finding = replace(found(walking(), PATH_OF_3), law=law, seen=seen, explorer=explorer)
-    advice = {SANITIZER, FLUSH, STDOUT, KEPT, UNWRITTEN}
-    given = [line for line in explain(finding).sentences if line in advice]
+    known = {SANITIZER, FLUSH, STDOUT, KEPT, UNWRITTEN, *(said for _, said in NO_LINE)}
+    given = [line for line in explain(finding).sentences if line in known]
     expected = [] if said is None else [KEPT, UNWRITTEN] if said == UNWRITTEN else [said]
     assert given == expected
     last = "It made no step: it stood at the start, v0, dart 0, and sensed"

@@ -52,6 +52,9 @@ PICKLED = ("model", "maps", "walk")
 NO_RUN = -1
 """The number of the run in progress where there is none."""
 
+STACK = signal.SIGUSR1
+"""Asks a silent player whose prints are kept to print where it is."""
+
 TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
 """Timers that an explorer may leave behind to go off when it is not its turn."""
 
@@ -85,6 +88,10 @@ def main(parent: int) -> None:
             os.dup2(nothing, 1)
             os.dup2(nothing, 2)
             os.close(nothing)
+    elif not program and not subject.native:
+        import faulthandler
+
+        faulthandler.register(STACK, all_threads=False)
     shield = type(subject.explore).__name__ == "Shield"  # without loading it
     _answer(READY, marshal.dumps([sorted(subject.keywords), shield]))
     with subject.running():

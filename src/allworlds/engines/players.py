@@ -245,8 +245,21 @@ class PlayerProcess:
             raise self._died()
         if not answers and self._silent_for() > self.setup.patience:
             seen = f"silent for {self.setup.limits.answer_timeout:g} s"
+            self._hear_stack()
             raise Lost("timeout", seen, machine=True)
         return answers
+
+    def _hear_stack(self) -> None:
+        """Let a silent player print where it is, if its prints are kept: never for a verdict."""
+        name, deadline = self.setup.subject.name, time.monotonic() + GRACE
+        if not self.setup.prints or is_program(name) or is_library(name):
+            return
+        with suppress(ProcessLookupError, PermissionError):
+            os.kill(self.pid, player.STACK)
+        poll = select.poll()
+        poll.register(self._printed, select.POLLIN)
+        while poll.poll(500) and time.monotonic() < deadline and not self.prints.ended:
+            self._hear_prints()
 
     def _read(self) -> bool:
         """Read what has been written; return whether that was the end."""

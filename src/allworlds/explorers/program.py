@@ -336,7 +336,8 @@ class Program:
             if left <= 0:
                 part = f"no whole line in {self._timeout:g} s ({plural(searched, 'byte')} of one)"
                 seen = part if searched else f"silent for {self._timeout:g} s"
-                raise self._fault("timeout", seen, machine=True)
+                tail = f"stdout ended in {shown(self._out[-SHOWN:])}" if searched else ""
+                raise self._fault("timeout", seen, tail, machine=True)
             if not self._read(left):
                 raise self._ended("the end of its output: it writes no more, and goes on")
         line = bytes(self._out[:end])

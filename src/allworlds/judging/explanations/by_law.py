@@ -3,10 +3,10 @@
 import re
 from collections import Counter
 
-from allworlds.explorers.loading import is_library, is_program
 from allworlds.inputs.checks import InputError
 from allworlds.judging.belief import Parting
-from allworlds.judging.explanations.endless import tell_open, tell_round
+from allworlds.judging.explanations.advice import advice
+from allworlds.judging.explanations.endless import tell_open, tell_round, tell_stack
 from allworlds.judging.explanations.story import (
     Belief,
     Story,
@@ -36,59 +36,6 @@ from allworlds.world.world import World
 
 # ---------------------------------------------------------------- the run ended too early
 
-MEMORY = re.compile(r"\(signal (7|8|11)\)")
-"""The end of a process by what it does to memory: SIGBUS, SIGFPE, SIGSEGV."""
-
-SANITIZER = (
-    "Mostly that is an access outside of an array, or to memory that was freed, and it may have "
-    "come long before: compile with -g -fsanitize=address,undefined to see the line."
-)
-"""The advice for such an end."""
-
-STDOUT = (
-    "The program's stdout is for its actions alone: output for debugging goes to stderr. For {}, "
-    "was a value undefined: a return that was forgotten, or an ended generator?"
-)
-"""The advice for a program that prints anything else, or when it is not its turn."""
-
-FLUSH = (
-    "Does every line of the program end in a newline, and does the program flush its output after "
-    "every line? Until then the line is not read."
-)
-"""The advice for a program that is silent."""
-
-KEPT = (
-    "Does it keep something from an earlier run: a global or static variable, or a field that is "
-    "not reset when an episode begins? Does it go by chance, by time or by addresses?"
-)
-"""The questions about an explorer that does not repeat itself."""
-
-
-UNWRITTEN = (
-    "Does it read memory that nobody has written? Compile it with -g; then 'valgrind -q "
-    "--trace-children=yes --track-origins=yes' before the command below, with --start-timeout 600 "
-    "--answer-timeout 600 behind it, names the line. Memory that was freed is found sooner by "
-    "-fsanitize=address,undefined, with LD_PRELOAD=$(gcc -print-file-name=libasan.so)."
-)
-"""A further question about a shared library; that is how its line is found."""
-
-
-def _advice(finding: Finding) -> list[str]:
-    """The cause that the kind of the fault makes likely; no sentence where there is none."""
-    seen = str(finding.seen)
-    if finding.law == "crash" and MEMORY.search(seen):
-        return [SANITIZER]
-    if is_program(finding.explorer):
-        if finding.law == "timeout":
-            return [FLUSH]
-        if finding.law in ("illegal-action", "nondeterministic") and re.search(
-            "(a|the) line", seen
-        ):
-            return [STDOUT]
-    if finding.law != "nondeterministic":
-        return []
-    return [KEPT, UNWRITTEN] if is_library(finding.explorer) else [KEPT]
-
 
 def _say_message(finding: Finding) -> list[str]:
     """Tell the last line of a traceback, or of stderr, that names an error, else the last line.
@@ -107,7 +54,8 @@ def ending(how: str) -> Teller:
 
     def tell(story: Story) -> Telling:
         finding = story.finding
-        sentences = [how.format(seen=finding.seen), *_advice(finding), *_tell_first_wrong(story)]
+        sentences = [how.format(seen=finding.seen), *advice(finding), *_tell_first_wrong(story)]
+        sentences += tell_stack(finding)
         sentences += _say_left(story) if finding.law == "task" else []
         sentences += [_say_last_step(story), *_say_message(finding)]
         return Telling(sentences, story.checkpoint)
@@ -145,7 +93,7 @@ def tell_nondeterministic(story: Story) -> Telling:
             f"In the same process the explorer explored {before} before; after {that} it acted "
             "differently in this one than by itself."
         )
-    return Telling([how, *_advice(story.finding), _say_last_step(story)])
+    return Telling([how, *advice(story.finding), _say_last_step(story)])
 
 
 SHOW = (

@@ -1,11 +1,15 @@
-"""The words about a walk without an end: its round, and what it leaves open."""
+"""The words about a run without an end: its round, what it leaves open, where it was silent."""
 
+import os
+import re
 from collections.abc import Sequence
 from typing import Any
 
 from msgspec import Struct
 
 from allworlds.judging.explanations.story import Story
+from allworlds.judging.findings.finding import Finding
+from allworlds.protocol.code_lines import is_users
 from allworlds.words import listed, plural
 
 TIMES = 3
@@ -76,3 +80,23 @@ def tell_open(story: Story) -> list[str]:
     if len(edges) > SHOWN:
         edges[SHOWN:] = [f"{len(edges) - SHOWN} more"]
     return [f"It never walked along {listed(edges)}."] if edges else []
+
+
+FRAME = re.compile(r'^  File "(.*)", line ([0-9]+) in (.*)$', re.MULTILINE)
+"""A frame of a stack, as Python's faulthandler prints it, the innermost first."""
+
+
+def stack_of(finding: Finding) -> list[tuple[str, str]]:
+    """The user's lines in which a silent run was, innermost first, each with its function."""
+    here = f"{os.getcwd()}{os.sep}"  # noqa: PTH109  # a text, as the files are
+    return [
+        (f"{file.removeprefix(here)}:{line}", function)
+        for file, line, function in FRAME.findall(finding.output)
+        if finding.law == "timeout" and is_users(file)
+    ]
+
+
+def tell_stack(finding: Finding) -> list[str]:
+    """Tell in which lines of the user's a silent run was; no sentence if that was not printed."""
+    frames = [f"{function} ({place})" for place, function in stack_of(finding)[:SHOWN]]
+    return [f"It was in {', called by '.join(frames)}."] if frames else []

@@ -12,6 +12,7 @@ from allworlds.engines.single import SingleRun
 from allworlds.explorers.loading import is_program
 from allworlds.judging.belief import believed_walk, find_parting
 from allworlds.judging.episode import Answered, Over
+from allworlds.judging.explanations.endless import stack_of
 from allworlds.judging.explanations.story import Belief, Story, Walked
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import embed
@@ -248,6 +249,8 @@ def wrong_line(finding: Finding, step: int | None) -> str:
         step: at which belief and truth diverge, if they do.
     """
     code, shown = finding.code, finding.believed
+    for place, _ in stack_of(finding):
+        return place
     if code is None or not code.steps:
         return ""
     if finding.step is not None and shown and shown.number < len(code.checkpoints):

@@ -1,0 +1,76 @@
+"""The causes that the kind of a fault makes likely."""
+
+import re
+
+from allworlds.explorers.loading import is_library, is_program
+from allworlds.judging.findings.finding import Finding
+
+MEMORY = re.compile(r"\(signal (7|8|11)\)")
+"""The end of a process by what it does to memory: SIGBUS, SIGFPE, SIGSEGV."""
+
+SANITIZER = (
+    "Mostly that is an access outside of an array, or to memory that was freed, and it may have "
+    "come long before: compile with -g -fsanitize=address,undefined to see the line."
+)
+"""The advice for such an end."""
+
+STDOUT = (
+    "The program's stdout is for its actions alone: output for debugging goes to stderr. For {}, "
+    "was a value undefined: a return that was forgotten, or an ended generator?"
+)
+"""The advice for a program that prints anything else, or when it is not its turn."""
+
+NO_LINE = (
+    (
+        r"\\x00",
+        "That is text in UTF-16: legal is UTF-8, which a program sets for its stdout.",
+    ),
+    (
+        r"no JSON: '\s*(\\[nrt]|\s)*'$",
+        "That is a blank line: each message is one line, and nothing stands between two.",
+    ),
+    (
+        r"no JSON: '\s*[{\[][^}]*'$",
+        "That is the beginning of an object: each message is one line, without a break in it.",
+    ),
+)
+"""The advice for a program whose line looks like that."""
+
+FLUSH = (
+    "Does every line of the program end in a newline, and does the program flush its output after "
+    "every line? Until then the line is not read."
+)
+"""The advice for a program that is silent."""
+
+KEPT = (
+    "Does it keep something from an earlier run: a global or static variable, or a field that is "
+    "not reset when an episode begins? Does it go by chance, by time or by addresses?"
+)
+"""The questions about an explorer that does not repeat itself."""
+
+
+UNWRITTEN = (
+    "Does it read memory that nobody has written? Compile it with -g; then 'valgrind -q "
+    "--trace-children=yes --track-origins=yes' before the command below, with --start-timeout 600 "
+    "--answer-timeout 600 behind it, names the line. Memory that was freed is found sooner by "
+    "-fsanitize=address,undefined, with LD_PRELOAD=$(gcc -print-file-name=libasan.so)."
+)
+"""A further question about a shared library; that is how its line is found."""
+
+
+def advice(finding: Finding) -> list[str]:
+    """The cause that the kind of the fault makes likely; no sentence where there is none."""
+    seen = str(finding.seen)
+    if finding.law == "crash" and MEMORY.search(seen):
+        return [SANITIZER]
+    if is_program(finding.explorer):
+        if finding.law == "timeout":
+            return [FLUSH]
+        if finding.law in ("illegal-action", "nondeterministic") and re.search(
+            "(a|the) line", seen
+        ):
+            known = (said for looks, said in NO_LINE if re.search(looks, seen))
+            return [next(known, STDOUT)]
+    if finding.law != "nondeterministic":
+        return []
+    return [KEPT, UNWRITTEN] if is_library(finding.explorer) else [KEPT]
