@@ -156,6 +156,15 @@ def test_each_kind_of_end_has_the_advice_that_is_about_it(law, seen, explorer, s
     assert [line.startswith(last) for line in explain(finding).sentences].count(True) == 1
 
 
+@pytest.mark.parametrize(("law", "told"), [("crash", 1), ("timeout", 0)])
+def test_the_last_words_of_a_process_that_ended_are_told(law, told):
+    ended = replace(
+        found(walking(), PATH_OF_3), law=law, seen="its end (signal 6)", detail="", output="a\nb\n"
+    )
+    assert explain(ended).sentences.count("Its last message: b") == told
+    assert "Its last message: c" in explain(replace(ended, detail="c")).sentences
+
+
 @pytest.mark.parametrize(
     ("detail", "said"),
     [

@@ -40,9 +40,11 @@ from allworlds.world.world import World
 def _say_message(finding: Finding) -> list[str]:
     """Tell the last line of a traceback, or of stderr, that names an error, else the last line.
 
-    No sentence if there is none, or if it is told as what was seen.
+    Of a process that has ended, as by ``abort``, there is what it printed alone.  No sentence if
+    there is none, or if it is told as what was seen.
     """
-    lines = [line.strip() for line in finding.detail.splitlines() if line.strip()]
+    said = finding.detail or (finding.output if finding.law == "crash" else "")
+    lines = [line.strip() for line in said.splitlines() if line.strip()]
     if not lines or lines[-1] in str(finding.seen):
         return []
     naming = [line for line in lines if re.search("error|exception|panic", line, re.IGNORECASE)]
