@@ -5,9 +5,15 @@ import re
 import pytest
 
 import allworlds
+from allworlds import World
 from allworlds.engines import asked_again
 from allworlds.inputs.checks import InputError
+from allworlds.maps import named_map
+from allworlds.reports.drawing.text import draw as in_characters
 from allworlds.reports.formats import text
+from allworlds.reports.parts import scene_of
+from allworlds.world import Labelling
+from allworlds.world.lighthouses.kinds import lighthouse_kind
 from models import PARITY
 
 EXPLORER = """
@@ -231,3 +237,43 @@ def test_a_lighthouse_that_is_the_same_is_asked_again_and_the_finding_stands(fol
     (folder / "another.py").write_text(ANOTHER)
     (found,) = ASKED["check"]("another.py:Constant").findings
     assert found.confirmed
+
+
+HOLE = """
+from dataclasses import dataclass, replace
+
+from allworlds import Lighthouse, Percept
+
+
+@dataclass(frozen=True)
+class Hole(Lighthouse):
+    dart: int
+    hole: int
+    wells: tuple
+    depth: int = 1
+
+    @classmethod
+    def places(cls, map_, start):
+        for hole in map_.darts:
+            yield cls(start, hole, (0,))
+
+    def relabelled(self, names):
+        wells = tuple(names[dart] for dart in self.wells)
+        return replace(self, dart=names[self.dart], hole=names[self.hole], wells=wells)
+
+    def sensed(self, map_, here):
+        return Percept(map_.degree_at[here], map_.vertex_of[here] == map_.vertex_of[self.hole])
+"""
+
+
+def test_what_stands_in_a_world_is_drawn_with_the_names_of_its_fields(folder):
+    (folder / "hole.py").write_text(HOLE)
+    kind = lighthouse_kind("hole.py:Hole").as_class
+    path = named_map("path-3")
+    world = World(path, kind(0, 2, (0, 3)), 0)
+    assert scene_of(world).vertices == ["v0 wells", "v1 hole", "v2 wells"]
+    assert "v1 hole" in in_characters(scene_of(world), 80)
+    named = World(path, kind(0, 2, ()), 0, labels=Labelling("", ("a", "b", "c")))
+    assert [*scene_of(named).vertices] == ["a", "b hole", "c"]
+    parity = World(path, lighthouse_kind("parity.py:Parity").as_class(0), 0)
+    assert scene_of(parity).vertices == ()

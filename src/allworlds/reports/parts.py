@@ -21,6 +21,8 @@ from allworlds.judging.walk import Walk
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Estimate, Move, Percept
 from allworlds.world.labels import Position
+from allworlds.world.lighthouses import own_kind
+from allworlds.world.lighthouses.kinds import parts_of
 from allworlds.world.world import World
 
 if TYPE_CHECKING:
@@ -129,8 +131,25 @@ def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
     map_, lying = world.map, Counter(dropped)
     percepts = ((d, p.marked(lying[map_.vertex_of[d]])) for d, p in enumerate(world.percepts))
     scene, labels = Scene.sensed(map_, world.start, percepts, lasting=True), world.labels
-    scene = doc.replace(scene, vertices=labels.vertices, positions=labels.positions)
+    scene = doc.replace(scene, vertices=_names(world), positions=labels.positions)
     return _without_labels(scene, world)
+
+
+def _names(world: World) -> Sequence[str]:
+    """The names of the vertices, with the fields of a user's lighthouse whose darts are there."""
+    map_, labels = world.map, world.labels
+    named = [
+        one
+        for part in parts_of(world.lighthouse)
+        for one in own_kind.named_darts(part, map_).items()
+    ]
+    if not named:
+        return labels.vertices
+    names = [[labels.vertex(vertex)] for vertex in range(map_.vertex_count)]
+    for field_, darts in named:
+        for vertex in sorted({map_.vertex_of[dart] for dart in darts}):
+            names[vertex].append(field_)
+    return [" ".join(each) for each in names]
 
 
 def _without_labels(scene: Scene, world: World) -> Scene:

@@ -138,6 +138,32 @@ def _check(kind: type[Lighthouse], name: str, method: str, *, theirs: bool) -> N
     setattr(kind, method, checked if found is function else type(found)(checked))
 
 
+USUAL = ("dart", "darts")
+"""The fields of a lighthouse with one place, whose marks and bearings show it."""
+
+
+def named_darts(place: Lighthouse, map_: CombinatorialMap) -> dict[str, tuple[int, ...]]:
+    """The darts in further fields of a user's lighthouse, such as ``hole``, by the fields' names.
+
+    A field holds darts if it is renamed with them.
+    """
+    if type(place).code is None:
+        return {}
+    moved = place.relabelled([dart + len(map_.darts) for dart in map_.darts])
+    found = {}
+    for each in fields(place):  # type: ignore[arg-type]  # it is a dataclass
+        old, new = (_several(getattr(one, each.name)) for one in (place, moved))
+        if old and each.name not in USUAL and new == tuple(d + len(map_.darts) for d in old):
+            found[each.name] = old
+    return found
+
+
+def _several(value: Any) -> tuple[int, ...]:
+    """The integers of a field that holds one or several; none of any other."""
+    values = value if isinstance(value, tuple) else (value,)
+    return values if all(type(each) is int for each in values) else ()
+
+
 # ---------------------------------------------------------------- the values of methods
 
 
