@@ -11,6 +11,7 @@ from allworlds import Checkpoint, CombinatorialMap, Move
 from allworlds.documents.document import replace
 from allworlds.judging.explanations.by_law import SHOW
 from allworlds.judging.explanations.endless import TIMES, Round, round_of
+from allworlds.maps import named_map
 from allworlds.protocol.code_lines import LATELY, TracedPlay
 from allworlds.reports.formats import file_of, text
 from allworlds.studies.explain import explain
@@ -237,3 +238,42 @@ def test_a_silent_run_tells_the_lines_in_which_it_was(tmp_path, monkeypatch):
     )
     assert "::error file=stuck.py,line=" in file_of("annotations", report)
     assert not [said for said in explain(replace(finding, output="")).sentences if "was in" in said]
+
+
+STAR = World(named_map("star-3"), Directional(0), 0)
+
+
+def rooms_from_the_hall(count, ends):
+    """An explorer that enters each room and comes back, with what it counts for the next door."""
+
+    def explore(first):
+        for door in range(first.degree):
+            yield Move(count(door))
+            yield Move(0)
+        while ends is None:
+            yield Move(0)
+        if ends == "crash":
+            raise ArithmeticError
+
+    return explore
+
+
+@pytest.mark.parametrize("ends", [None, "crash", "no-estimate"])
+def test_who_takes_one_door_for_another_after_a_way_back_is_told_the_step(ends):
+    wrong = run(rooms_from_the_hall(lambda door: door, ends), STAR).finding
+    told = [said for said in explain(wrong).sentences if said.startswith("Before step")]
+    (sentence,) = told
+    assert sentence.startswith("Before step 5 it was back at v0 and faced dart 1, by which it had")
+    assert "move 2 led along dart 0, which was walked before. Counted from dart 0" in sentence
+    assert "it would have led along dart 3, which was new" in sentence
+    right = run(rooms_from_the_hall(lambda door: min(door, 1), ends), STAR).finding
+    assert not [said for said in explain(right).sentences if said.startswith("Before step")]
+
+
+def test_who_counts_from_the_door_it_went_out_by_is_not_told_otherwise_later():
+    def explore(_):
+        for k in (0, 0, 1, 0, 1, 0, 3, 0):  # right at first; at last it walks an old door again
+            yield Move(k)
+
+    finding = run(explore, World(named_map("star-5"), Directional(0), 0)).finding
+    assert not [said for said in explain(finding).sentences if said.startswith("Before step")]

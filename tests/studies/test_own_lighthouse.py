@@ -255,14 +255,15 @@ class Hole(Lighthouse):
     @classmethod
     def places(cls, map_, start):
         for hole in map_.darts:
-            yield cls(start, hole, (0,))
+            yield cls(start, hole, (0, 3))
 
     def relabelled(self, names):
         wells = tuple(names[dart] for dart in self.wells)
         return replace(self, dart=names[self.dart], hole=names[self.hole], wells=wells)
 
     def sensed(self, map_, here):
-        return Percept(map_.degree_at[here], map_.vertex_of[here] == map_.vertex_of[self.hole])
+        there = map_.vertex_of[here] == map_.vertex_of[self.hole]
+        return Percept(map_.degree_at[here], int(there))
 """
 
 
@@ -273,7 +274,7 @@ def test_what_stands_in_a_world_is_drawn_with_the_names_of_its_fields(folder):
     world = World(path, kind(0, 2, (0, 3)), 0)
     assert scene_of(world).vertices == ["v0 wells", "v1 hole", "v2 wells"]
     assert "v1 hole" in in_characters(scene_of(world), 80)
-    named = World(path, kind(0, 2, ()), 0, labels=Labelling("", ("a", "b", "c")))
-    assert [*scene_of(named).vertices] == ["a", "b hole", "c"]
+    named = World(path, kind(0, 2, (0, 3)), 0, labels=Labelling("", ("a", "b", "c")))
+    assert [*scene_of(named).vertices] == ["a wells", "b hole", "c wells"]
     parity = World(path, lighthouse_kind("parity.py:Parity").as_class(0), 0)
     assert scene_of(parity).vertices == ()

@@ -6,7 +6,7 @@ from collections import Counter
 from allworlds.inputs.checks import InputError
 from allworlds.judging.belief import Parting
 from allworlds.judging.explanations.advice import advice
-from allworlds.judging.explanations.endless import tell_open, tell_round, tell_stack
+from allworlds.judging.explanations.endless import tell_open, tell_round, tell_stack, tell_way_back
 from allworlds.judging.explanations.story import (
     Belief,
     Story,
@@ -59,6 +59,7 @@ def ending(how: str) -> Teller:
         sentences = [how.format(seen=finding.seen), *advice(finding), *_tell_first_wrong(story)]
         sentences += tell_stack(finding)
         sentences += _say_left(story) if finding.law == "task" else []
+        sentences += [] if story.checkpoint is not None else tell_way_back(story)
         sentences += [_say_last_step(story), *_say_message(finding)]
         return Telling(sentences, story.checkpoint)
 
@@ -115,7 +116,7 @@ def tell_budget(story: Story) -> Telling:
         why = [f"After step {len(story.walk.actions)} it only showed checkpoints."]
     else:
         is_map, found = story.finding.rules.task.is_map, tell_round(story)
-        why = [_say_progress(story), *found]
+        why = [_say_progress(story), *found, *tell_way_back(story)]
         why += tell_open(story) if is_map else _say_left(story)
         why += [SHOW] if is_map and not found else []
     return Telling([how, *why, tell_whose_budget(story.finding)], story.checkpoint)

@@ -9,6 +9,8 @@ from msgspec import Struct
 
 from allworlds.judging.explanations.story import Story
 from allworlds.judging.findings.finding import Finding
+from allworlds.maps.combinatorial import Dart
+from allworlds.protocol.actions import Move
 from allworlds.protocol.code_lines import is_users
 from allworlds.words import listed, plural
 
@@ -67,6 +69,37 @@ def tell_round(story: Story) -> list[str]:
     named = ", ".join([line for line in dict.fromkeys(lines) if line][:SHOWN])
     how = f"{plural(found.steps, 'step')}, {found.times} times, to {where}"
     return [f"From step {found.first} on it goes round: {how}{named and f' (lines {named})'}."]
+
+
+def tell_way_back(story: Story) -> list[str]:
+    """Tell where a robot takes one door for another after a way back; no sentence if it does not.
+
+    Back at a vertex it faces the door that it went out by.  Some count on from the door by which
+    they had come before.  That is told if so counted a motion would have led to a new edge where it
+    led to a walked one, and never the other way round.
+    """
+    map_, darts = story.map, story.walk.darts
+    came, left, walked, told = dict[int, Dart](), dict[int, Dart](), set[Dart](), list[str]()
+    for step, action in enumerate(story.walk.actions, 1):
+        if type(action) is not Move:
+            continue
+        here, out = darts[step - 1], map_.alpha[darts[step]]
+        vertex = map_.vertex_of[here]
+        if left.get(vertex) != here:
+            came[vertex] = here
+        meant = map_.turn(came[vertex], action.k)
+        if (out in walked) < (meant in walked):
+            return []
+        if (out in walked) > (meant in walked) and not told:
+            told.append(
+                f"Before step {step} it was back at {story.vertex(here)} and faced dart {here}, by "
+                f"which it had gone out; {action} led along dart {out}, which was walked before. "
+                f"Counted from dart {came[vertex]}, by which it had come first, it would have led "
+                f"along dart {meant}, which was new: does it take the one door for the other?"
+            )
+        walked |= {out, darts[step]}
+        left[vertex] = out
+    return told
 
 
 def tell_open(story: Story) -> list[str]:
