@@ -1,15 +1,18 @@
 import pytest
 
-from allworlds import merge
+from allworlds import Move, merge
 from allworlds.engines.listeners import Listener
 from allworlds.inputs.checks import InputError
 from allworlds.maps.build import named_map
+from allworlds.maps.classes import Extent, MapClass, condition_named
 from allworlds.maps.mixture import PARTS
 from allworlds.maps.quotient import classes_of_union
 from allworlds.reports.content.check import scope_words, size_table
 from allworlds.reports.formats import file_of, text as text_of
 from allworlds.studies.check.covered import FEATURES, telling_apart
 from allworlds.studies.fuzz.sample_sweep import fuzz
+from allworlds.studies.fuzz.sampling import SMALL, SMALL_RUNS, SmallBatch
+from allworlds.world import Directional
 
 
 def test_algorithm_1_is_not_refuted_and_that_is_no_proof():
@@ -94,9 +97,35 @@ def test_whoever_listens_is_told_of_every_world():
             told.append(worlds)
 
     fuzz(edges=6, runs=150, listener=Listening())
-    levels = [(6, 16), (6, 48), (6, 86)]
+    levels = [(SMALL, 0), (6, 16), (6, 48), (6, 86)]
     assert [each for each in told if each in levels] == levels
-    assert sum(each for each in told if each not in levels) == 150
+    assert sum(each for each in told if each not in levels) == SMALL_RUNS + 150
+
+
+def walks_for_ever(first):
+    while True:
+        yield Move(1)
+
+
+def answers_at_once(first):
+    return 0
+    yield
+
+
+def test_who_walks_for_ever_is_found_in_a_small_world():
+    report = fuzz(walks_for_ever, edges=50, min_edges=40, runs=16)
+    (finding,) = report.findings
+    assert (finding.law, finding.world.map.edge_count) == ("budget", 1)
+    assert (report.runs, report.verdict.value) == (SMALL_RUNS, "refuted")
+    assert report.traversals < 10_000
+    # Any other slip is left to the sample.
+    other = fuzz(answers_at_once, edges=5, runs=16)
+    assert (other.findings[0].law, other.runs) == ("no-estimate", 16)
+
+
+def test_a_sample_of_worlds_that_are_never_small_begins_with_none():
+    kind = Extent(MapClass.MAPS, 9, where=condition_named("regular:9"))
+    assert [*SmallBatch(0, ()).placed(kind, Directional)] == []
 
 
 @pytest.mark.parametrize(

@@ -47,7 +47,7 @@ from allworlds.studies.fuzz.breeding import (
     is_bred_for,
 )
 from allworlds.studies.fuzz.given_maps import MapsRequest
-from allworlds.studies.fuzz.sampling import batches, waves
+from allworlds.studies.fuzz.sampling import SMALL, SmallBatch, batches, waves
 from allworlds.studies.fuzz.shrinking import smallest_from
 from allworlds.studies.options import ClusterOptions, RunDirectoryOptions
 from allworlds.world import world
@@ -93,8 +93,9 @@ def fuzz(request: FuzzRequest) -> CheckReport:
     """Run an explorer in random worlds of up to ``edges`` edges; shrink what refutes it.
 
     The report is a sample's: at best ``not-refuted``, never complete.  The sample depends on
-    the class, ``where``, ``edges``, ``min_edges``, ``mix``, ``runs`` and ``seed`` alone.  It ends
-    after the first 16, 64, 256, ... runs of which one refutes.  The finding is the smallest that
+    the class, ``where``, ``edges``, ``min_edges``, ``mix``, ``runs`` and ``seed`` alone.  Before it
+    a few small worlds are tried, and it ends there if the explorer walks for ever.  It ends after
+    the first 16, 64, 256, ... runs of which one refutes.  The finding is the smallest that
     the shrinker reaches from the smallest refuting world of these; that may have fewer than
     ``min_edges`` edges.  Shrinking ends with the time limit.  Of an explorer in Python worlds are
     bred, too: see :func:`bred`.
@@ -147,8 +148,9 @@ class SampleCounter(RunCounter, frozen=True, kw_only=True):
 class FuzzSweep(TallySweep[CheckReport]):
     """The sweep of a sample.
 
-    Its levels are waves of draws, each four times as large as all before, and between them worlds
-    bred from the draws.  Every finished part is reported; a level with a finding is the last one.
+    Its levels are a few small worlds, for those who walk for ever; waves of draws, each four times
+    as large as all before, and between them worlds bred from the draws.  Every finished part is
+    reported; a level with a finding is the last one.
 
     Args:
         request: what was asked for.
@@ -175,6 +177,9 @@ class FuzzSweep(TallySweep[CheckReport]):
         sample, edges = self.scope.coverage, self.request.edges
         assert isinstance(sample, Sample)
         subject, blocks = self.job.subject, 0
+        if not sample.portion.index:
+            small = [SmallBatch(sample.seed, sample.mix)]
+            yield SweptLevel(min(SMALL, edges), 0, small, of=0)
         for begin, end in waves(sample.runs):
             yield SweptLevel(edges, end - begin, batches(sample, begin, end))
             until = end // DRAWS_PER_BLOCK
@@ -203,8 +208,11 @@ class FuzzSweep(TallySweep[CheckReport]):
 
     @override
     def leave(self, level: SweptLevel, total: Tally) -> None:
-        if level.of is not None:  # bred worlds do not count
-            total = Tally(total.keep, findings=total.findings, remarks=total.remarks)
+        found = total.findings
+        if level.of == 0:  # of the small worlds only who walks for ever is told
+            found = total.findings = [one for one in found if one.law == "budget"]
+        if level.of or (level.of == 0 and not found):  # bred worlds do not count, nor these
+            total = Tally(total.keep, findings=found, remarks=total.remarks)
         self._tally.add(total)
 
     @override

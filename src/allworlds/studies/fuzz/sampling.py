@@ -1,10 +1,12 @@
 """The draws of a sample: waves, batches and their random worlds."""
 
 from collections.abc import Iterator
+from contextlib import suppress
 from itertools import count
 from random import Random
 
 from msgspec import Struct
+from msgspec.structs import replace
 
 from allworlds.engines.units import Sample
 from allworlds.inputs.checks import InputError, show
@@ -53,6 +55,31 @@ def batches(sample: Sample, begin: int = 0, end: int | None = None) -> "Iterator
         if first // RUNS_PER_BATCH % portion.count == portion.index:
             last = min(first + RUNS_PER_BATCH, end)
             yield Batch(sample.seed, first, last, sample.mix, sample.min_edges)
+
+
+SMALL, SMALL_RUNS = 4, 8
+"""The edges, and the number, of the worlds that are tried before the sample."""
+
+
+class SmallBatch(Struct, frozen=True):
+    """Small worlds of the mixture, whatever the least number of edges is; none if there are none.
+
+    Who walks for ever is found there with some hundred traversals.
+    """
+
+    seed: int
+    mix: tuple[str, ...]
+
+    @property
+    def key(self) -> str:
+        """Key in a run directory: ``SEED/small``."""
+        return f"{self.seed}/small"
+
+    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
+        """One world a run, as of a batch."""
+        small = replace(extent, edges=min(SMALL, extent.levels[-1]))
+        with suppress(InputError):  # the condition may admit none
+            yield from Batch(self.seed, 0, SMALL_RUNS, self.mix).placed(small, kind)
 
 
 class Batch(Struct, frozen=True):
