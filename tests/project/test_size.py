@@ -22,19 +22,19 @@ class Size(NamedTuple):
     lines: int
 
 
-MOST = 31_100
+MOST = 31_537
 """Lines of code of ``src/allworlds``."""
 
 MOST_OF_WING = {
     "ground": 1_300,
     "maps": 2_200,
     "protocol": 1_100,
-    "world": 2_300,
+    "world": 2_500,
     "explorers": 2_000,
-    "judging": 2_200,
+    "judging": 2_300,
     "engines": 6_300,
     "robots": 2_400,
-    "studies": 6_400,
+    "studies": 6_500,
     "reports": 4_200,
     "doors": 300,
     "cli": 900,
