@@ -171,7 +171,8 @@ def test_a_page_that_cannot_be_written_is_lost_with_a_word(cli, monkeypatch, tmp
         ("invariant-1", 3, 1, "a.py:8"),
         ("invariant-1", 3, 2, "a.py:3"),
         ("map", None, None, "a.py:3"),
-        ("budget", None, None, ""),
+        ("budget", None, None, "a.py:3"),
+        ("bound", None, None, ""),
     ],
 )
 def test_the_first_wrong_line_is_that_of_the_checkpoint_or_of_the_step(law, step, shown, told):

@@ -121,11 +121,13 @@ FRAME = re.compile(r'^  File "(.*)", line ([0-9]+) in (.*)$', re.MULTILINE)
 
 def stack_of(finding: Finding) -> list[tuple[str, str]]:
     """The user's lines in which a silent run was, innermost first, each with its function."""
+    if finding.law != "timeout":
+        return []
     here = f"{os.getcwd()}{os.sep}"  # noqa: PTH109  # a text, as the files are
     return [
         (f"{file.removeprefix(here)}:{line}", function)
         for file, line, function in FRAME.findall(finding.output)
-        if finding.law == "timeout" and is_users(file)
+        if is_users(file)
     ]
 
 
