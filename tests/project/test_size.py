@@ -35,7 +35,7 @@ MOST_OF_WING = {
     "engines": 6_300,
     "robots": 2_400,
     "studies": 6_500,
-    "reports": 4_200,
+    "reports": 4_300,
     "doors": 300,
     "cli": 900,
 }

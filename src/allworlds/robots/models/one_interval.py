@@ -15,7 +15,7 @@ from allworlds.robots.model import Places, Scheduler
 from allworlds.robots.models.goals import Apart
 
 
-class Round(NamedTuple):
+class RoundState(NamedTuple):
     """A state.
 
     Attributes:
@@ -62,13 +62,13 @@ class OneInterval(Apart):
         return map_.vertex_count
 
     @override
-    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Round]:
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[RoundState]:
         robots = len(starts)
         visited = frozenset(map_.vertex_of[dart] for dart in starts)
-        yield Round(tuple(starts), (True,) * robots, (False,) * robots, visited)
+        yield RoundState(tuple(starts), (True,) * robots, (False,) * robots, visited)
 
     @override
-    def sensed(self, map_: CombinatorialMap, state: Round, robot: int) -> list[Any]:
+    def sensed(self, map_: CombinatorialMap, state: RoundState, robot: int) -> list[Any]:
         here = map_.vertex_of[state.darts[robot]]
         at = [map_.vertex_of[dart] for dart in state.darts]
         others = [held for r, held in enumerate(state.held) if r != robot and at[r] == here]
@@ -77,8 +77,8 @@ class OneInterval(Apart):
 
     @override
     def step(
-        self, map_: CombinatorialMap, state: Round, acts: Mapping[int, Any]
-    ) -> Iterator[tuple[Round, str]]:
+        self, map_: CombinatorialMap, state: RoundState, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[RoundState, str]]:
         leave = {robot: _leaving(map_, state.darts[robot], act) for robot, act in acts.items()}
         ports: dict[Dart, list[int]] = {}
         for robot, dart in leave.items():
@@ -94,30 +94,30 @@ class OneInterval(Apart):
     def _after(
         self,
         map_: CombinatorialMap,
-        state: Round,
+        state: RoundState,
         leave: Mapping[int, Dart],
         first: Sequence[int],
         missing: Dart | None,
-    ) -> Round:
+    ) -> RoundState:
         darts, moved, held = [*state.darts], [*state.moved], [*state.held]
         for robot, dart in leave.items():
             held[robot] = robot in first and min(dart, map_.alpha[dart]) == missing
             moved[robot] = robot in first and not held[robot]
             darts[robot] = map_.alpha[dart] if moved[robot] else darts[robot]
         visited = state.visited | {map_.vertex_of[dart] for dart in darts}
-        return Round(tuple(darts), tuple(moved), tuple(held), visited)
+        return RoundState(tuple(darts), tuple(moved), tuple(held), visited)
 
     @override
-    def over(self, map_: CombinatorialMap, state: Round) -> bool:
+    def over(self, map_: CombinatorialMap, state: RoundState) -> bool:
         return self.ends and len(state.visited) == map_.vertex_count
 
     @override
-    def flaw(self, map_: CombinatorialMap, state: Round, answers: Sequence[Any]) -> str:
+    def flaw(self, map_: CombinatorialMap, state: RoundState, answers: Sequence[Any]) -> str:
         left = map_.vertex_count - len(state.visited)
         return f"{left} vertices are not visited" if left else ""
 
     @override
-    def places(self, map_: CombinatorialMap, state: Round) -> Places:
+    def places(self, map_: CombinatorialMap, state: RoundState) -> Places:
         return Places(state.darts, dict.fromkeys(state.visited, "visited"))
 
 
