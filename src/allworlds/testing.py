@@ -2,6 +2,8 @@
 
 ``assert_explores``
     an explorer is right in every small world, or an assertion fails with the finding as text;
+``assert_team``
+    several robots reach their goal in every small world under every schedule, or it fails so;
 ``conformance``, ``assert_conforms``
     all tests that an explorer should pass, as parts with names, or in one call;
 ``assert_lighthouse``
@@ -37,6 +39,8 @@ from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckReport
 from allworlds.studies.fuzz.given_maps import MapsRequest, refuted_in
 from allworlds.studies.fuzz.sample_sweep import fuzz
+from allworlds.studies.team.search_sweep import team
+from allworlds.studies.team.team_report import TeamReport
 from allworlds.world import named, selection
 from allworlds.world.lighthouses.kinds import GivenLighthouse, lighthouse_kind
 
@@ -46,6 +50,7 @@ __all__ = [
     "assert_conforms",
     "assert_explores",
     "assert_lighthouse",
+    "assert_team",
     "conformance",
     "known_hard_maps",
     "levels_of",
@@ -86,6 +91,26 @@ def assert_explores(explore: Explorer, *, edges: int | None = None, **options: A
     __tracebackhide__ = True
     report = _checked(explore, {"edges": edges, **options})
     _assert_holds(report)
+    return report
+
+
+def assert_team(*programs: Explorer, edges: int = 3, **options: Any) -> TeamReport:
+    """Assert that no law is broken in any schedule of several robots, and return the report.
+
+    Args:
+        programs: one for all robots, or one for each.
+        edges: the largest number of edges.
+        options: those of :func:`allworlds.team`.
+
+    Raises:
+        AssertionError: with the run of the smallest finding, or a run that the budget cuts off.
+        InputError: naming the offending option and what would be legal.
+    """
+    __tracebackhide__ = True
+    bounds = {} if options.keys() & {"family", "world", "worlds", "graph"} else {"edges": edges}
+    report = team(*programs, **bounds, **options)
+    if report.verdict is not outcome.Verdict.HOLDS:
+        raise AssertionError(f"\n{formats.text(report, WIDTH)}")
     return report
 
 

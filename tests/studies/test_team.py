@@ -10,6 +10,7 @@ from allworlds.documents.document import replace
 from allworlds.outcome import Verdict
 from allworlds.robots.finding import TeamFinding
 from allworlds.robots.models.meeting import Meeting
+from allworlds.testing import assert_team
 
 PROGRAMS = Path(__file__).parents[1] / "support" / "teams.py"
 ANYWHERE = "meeting:apart=false"
@@ -176,6 +177,39 @@ def test_its_command_searches_that_world_again(cli):
 def test_a_stale_move_is_told():
     told = allworlds.explain(finding())
     assert "repeat for ever" in " ".join(told.sentences)
+
+
+def test_one_schedule_is_played_and_told():
+    found = finding()
+    asked = {"world": json.dumps({"sigma": found.sigma, "alpha": found.alpha})}
+    asked |= {"starts": found.starts, "scheduler": "async", "model": "meeting", "edges": None}
+    report = team("other_end", schedule=found.schedule, **asked)
+    assert report.verdict is Verdict.INCONCLUSIVE
+    assert report.unfinished.schedule == found.schedule
+    assert report.unfinished.events == found.events
+
+
+SCHEDULES = {
+    "0x": "'0x' is no event",
+    "0+1:1": "event 1 has 1 ways of the adversary",
+    "0L 0L": "in event 2 robot 0 moves",
+    "2": "in event 1 robot 2 cannot act",
+}
+
+
+@pytest.mark.parametrize("schedule", SCHEDULES)
+def test_a_schedule_that_cannot_be_is_refused(schedule, refused):
+    world = '{"sigma":[0,1],"alpha":[1,0]}'
+    words = [f"{PROGRAMS}:other_end", "--world", world, "--starts", "0,1"]
+    said = refused("team", *words, "--scheduler", "async", "--schedule", schedule)
+    assert SCHEDULES[schedule] in said
+
+
+def test_a_team_is_asserted():
+    programs = [f"{PROGRAMS}:{name}" for name in ("waits", "searches")]
+    assert_team(*programs, edges=2, model=ANYWHERE, scheduler="async")
+    with pytest.raises(AssertionError, match="for ever without the goal"):
+        assert_team(f"{PROGRAMS}:other_end")
 
 
 # ---------------------------------------------------------------- however it is made

@@ -46,7 +46,10 @@ def markdown(content: parts.ReportContent) -> str:
 
 
 def _section(section: parts.Section) -> Iterator[str]:
-    if any(isinstance(block, parts.ShownWalk | parts.MapPictures) for block in section.blocks):
+    if any(
+        isinstance(block, parts.ShownWalk | parts.ShownRun | parts.MapPictures)
+        for block in section.blocks
+    ):
         yield from [f"### {_plain(section.title)}"] if section.title else []
         yield fenced(plain_text.text_of([section], WIDTH))
         return
@@ -54,9 +57,7 @@ def _section(section: parts.Section) -> Iterator[str]:
         if isinstance(table, parts.Table) and table.rows:
             yield from [f"**{_plain(table.caption)}**"] if table.caption else []
             yield _table(table.header, table.texts, table.right)
-    others = [
-        b for b in section.blocks if not isinstance(b, parts.Table | parts.Curve | parts.ShownRun)
-    ]
+    others = [b for b in section.blocks if not isinstance(b, parts.Table | parts.Curve)]
     if others:
         yield f"<details><summary>{_plain(section.title or 'More')}</summary>"
         for block in others:

@@ -431,17 +431,19 @@ class RunRow(Struct, frozen=True):
 
 
 class ShownRun(Struct, frozen=True):
-    """A run of several robots, step by step beside its map; only pages show it.
+    """A run of several robots: on a page step by step beside its map, in a text a diagram.
 
     Attributes:
         title: of the picture.
         scene: the map.
         rows: the start, then each event.
+        diagram: the lines of the space-time diagram.
     """
 
     title: str
     scene: Scene
     rows: Sequence[RunRow]
+    diagram: Sequence[str]
 
 
 class Quote(Struct, frozen=True):

@@ -74,6 +74,8 @@ def _found(section: parts.Section, width: int, room: int) -> list[str]:
             for said in block.sentences:
                 lines += wrap(said, width, break_on_hyphens=False)
             picture = draw(block.views[0].scene, width)
+        elif isinstance(block, parts.ShownRun):
+            picture = _shortened(block.diagram, room - len(lines) - 4)
         elif isinstance(block, parts.Quote) and block.command:
             command = [*_block(block, width)]
     for drawn in (picture, picture.rpartition("\n\n")[0]):  # at least without its legend
@@ -81,7 +83,15 @@ def _found(section: parts.Section, width: int, room: int) -> list[str]:
         if drawn and len(lines) + len(shown) + len(command) <= room:
             lines += shown
             break
-    return [*lines[: room - len(command)], *command, "(check -v: the walk, the answer, the output)"]
+    return [*lines[: room - len(command)], *command, "(-v: all of it)"]
+
+
+def _shortened(lines: Sequence[str], most: int) -> str:
+    """The first and the last lines, if they are more than ``most``."""
+    if len(lines) > most:
+        after = most // 3
+        lines = [*lines[: most - 1 - after], "...", *lines[-after:]]
+    return "\n".join(lines)
 
 
 def content_line(content: parts.ReportContent, width: int) -> str:
@@ -134,7 +144,9 @@ def _block(block: parts.Block, width: int) -> Iterator[str]:
             indent = block.prefix or ("  " if block.title else "")
             yield from [block.title] if block.title else []
             yield from (f"{indent}{line}".rstrip() for line in block.text.splitlines())
-        case parts.DataRecord() | parts.Curve() | parts.ShownRun():
+        case parts.ShownRun():
+            yield from block.diagram
+        case parts.DataRecord() | parts.Curve():
             return  # for pages; documents and tables hold the same
 
 

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 
 from msgspec import Struct
 
+from allworlds.inputs.checks import InputError
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol.actions import IllegalAction, Wait, Watch
 from allworlds.protocol.turns import Sensed
@@ -82,7 +83,7 @@ class Search:
         self.ends, self.full = Ends(), False
         self._robots = range(len(team))
         self._slow = time.scheduler == "async"
-        self._limited = False
+        self._limited, self._layers = False, 0
         self._keys: list[tuple[Any, ...]] = []
         self._ids: dict[tuple[Any, ...], int] = {}
         self.states: list[Any] = []
@@ -127,6 +128,9 @@ class Search:
             able, cut = self.able(number)
             if self._cut_off(able, cut, number):
                 continue
+            if self.time.schedule is not None and self._layers == len(self.time.schedule):
+                self._note_cut_off(number)
+                continue
             if not able:
                 if self._goes_on(number):
                     self._plans.append((number, (), ()))
@@ -143,12 +147,13 @@ class Search:
         for number, able, looks in plans:
             self.graph.begin(number)
             at, turns = self.configuration(number), self._turns(number, able, looks)
-            for group, bits in self.time.groups(tuple(able)):
+            for group, bits in self._groups(number, able):
                 if not self._make(number, at, group, bits, turns):
                     return
             if len(self._keys) > self.time.configurations:
                 self.full = True
                 return
+        self._layers += 1
 
     def configuration(self, number: int) -> tuple[Any, tuple[int, ...], tuple[int, ...]]:
         """The state, the minds, and what the scheduler keeps."""
@@ -213,13 +218,50 @@ class Search:
         """Whether a run ends here because of the budget."""
         if not cut or (able and self.time.scheduler != "fsync"):
             return False
-        self.ends.cut_off += 1
-        self.ends.shortest = number if self.ends.shortest < 0 else self.ends.shortest
+        self._note_cut_off(number)
         if self.time.within:
             most = self.time.budget
             seen = f"the goal is not reached within {most} activations of each robot"
             self.found = self.found or Broken("budget", seen, number)
         return True
+
+    def _note_cut_off(self, number: int) -> None:
+        self.ends.cut_off += 1
+        self.ends.shortest = number if self.ends.shortest < 0 else self.ends.shortest
+
+    def _groups(self, number: int, able: Sequence[int]) -> Iterable[tuple[tuple[int, ...], int]]:
+        """The sets of robots that are activated; of a given schedule the next one.
+
+        Raises:
+            InputError: if one of these cannot be activated.
+        """
+        if self.time.schedule is None:
+            return self.time.groups(tuple(able))
+        event = self.time.schedule[self._layers]
+        for robot, phase in event.phases.items():
+            if robot not in able:
+                raise InputError(f"schedule: in event {self._layers + 1} robot {robot} cannot act")
+            moves = self._keys[number][robot + 1] < 0
+            if phase and moves != (phase == "M"):
+                does = "moves" if moves else "looks"
+                raise InputError(f"schedule: in event {self._layers + 1} robot {robot} {does}")
+        return ((event.group, sum(1 << robot for robot in event.group)),)
+
+    def _chosen(self, following: Sequence[Any]) -> Iterable[tuple[int, Any]]:
+        """The states that follow, each with its index; of a given schedule that one alone.
+
+        Raises:
+            InputError: if there is none of that index.
+        """
+        if self.time.schedule is None:
+            return enumerate(following)
+        index = self.time.schedule[self._layers].adversary
+        if index >= len(following):
+            raise InputError(
+                f"schedule: event {self._layers + 1} has {len(following)} ways of the adversary; "
+                f"legal are 0 to {len(following) - 1}, not {index}"
+            )
+        return ((index, following[index]),)
 
     def _looks(self, number: int, able: Iterable[int]) -> list[int]:
         """For each robot its mind after the look; of one that moves what it was."""
@@ -268,7 +310,7 @@ class Search:
             self.found = Broken("illegal-action", str(error), number, group, robot=whose)
             return False
         extra = self._passed(extra, group, minds) if extra else extra
-        for index, (to, _) in enumerate(following):
+        for index, (to, _) in self._chosen(following):
             reached = self._meet(to, after, extra, number, bits, index)
             if not group and reached == number and len(following) == 1:
                 self._stop(number)  # nobody is able, and nothing changes any more
@@ -341,6 +383,8 @@ class Search:
             self.states.append(state)
             self._sensed.append([])
         key = (of, *minds, *extra)
+        if self.time.schedule is not None:
+            self._ids.pop(key, None)  # the same again is a later event
         number = self._ids.setdefault(key, len(self._keys))
         if number == len(self._keys):
             self._keys.append(key)
@@ -398,7 +442,7 @@ class Search:
     def finish(self) -> None:
         """Do what is left when all layers are searched: the runs that never end."""
         self.graph.begin(len(self._keys))
-        if self.found is None and not self.full:
+        if self.found is None and not self.full and self.time.schedule is None:
             self.found = broken_for_ever(self)
 
     # ---------------------------------------------------------------- what was searched

@@ -135,6 +135,8 @@ class SearchLane:
         if search.ends.cut_off and tally.wants(map_, unfinished=True):
             most = self.counter.time.budget
             seen = f"the run goes on after {most} activations of each robot"
+            if self.counter.time.schedule is not None:
+                seen = "the schedule that was given ends here"
             cut = Broken("budget", seen, search.ends.shortest)
             tally.find(self._finding(search, cut), unfinished=True)
         if map_.edge_count <= SAME_TO:

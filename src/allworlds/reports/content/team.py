@@ -202,7 +202,7 @@ def finding_section(found: TeamFinding, place: int) -> parts.Section:
 
 def unfinished_section(found: TeamFinding) -> parts.Section:
     """A shortest run that the budget cuts off."""
-    title = f"A run that is cut off, {size(*found.key[:2])}"
+    title = f"A run that is cut off, with {size(*found.key[:2])}"
     return parts.Section("unfinished", title, [*_run(found)])
 
 
@@ -220,8 +220,7 @@ def _run(found: TeamFinding) -> Iterator[parts.Block]:
             ("model", f"{found.model}, scheduler {found.time.scheduler}"),
         ]
     )
-    yield parts.ShownRun("The run", parts.Scene(map_), [*_rows_of(found)])
-    yield parts.Quote("diagram", "Space-time diagram", diagram(found))
+    yield parts.ShownRun("The run", parts.Scene(map_), [*_rows_of(found)], diagram(found))
     if found.detail:
         yield parts.Quote("detail", "Detail", found.detail)
     yield parts.Quote("again", "Again", found.reproduce, command=True)
@@ -249,7 +248,7 @@ def _rows_of(found: TeamFinding) -> Iterator[parts.RunRow]:
         before = darts
 
 
-def diagram(found: TeamFinding) -> str:
+def diagram(found: TeamFinding) -> list[str]:
     """The space-time diagram of a run: a column for each robot, a row for each event."""
     rows = [["", *(f"robot {robot}" for robot in range(len(found.starts))), "world"]]
     vertex_of, before = found.map.vertex_of, tuple[int | None, ...](found.starts)
@@ -269,7 +268,7 @@ def diagram(found: TeamFinding) -> str:
         lines = [*lines[: SHOWN_EVENTS + 1], between, *lines[-SHOWN_EVENTS:]]
     if found.loop:
         lines.append("(the events with * repeat for ever)")
-    return "\n".join(lines)
+    return lines
 
 
 def sequence_of(found: TeamFinding) -> str:

@@ -12,9 +12,10 @@ from allworlds.documents import document as doc
 from allworlds.engines import single, units
 from allworlds.engines.limits import Limits, positive
 from allworlds.explorers import sources
-from allworlds.inputs.checks import InputError, an_integer, integer_of, not_one_of, show
+from allworlds.inputs.checks import InputError, a_text, an_integer, integer_of, not_one_of, show
 from allworlds.inputs.requests import (
     RARE_EFFORT,
+    RARE_RULES,
     RARE_SCOPE,
     RULES,
     SCOPE,
@@ -28,7 +29,7 @@ from allworlds.maps.families import FORMS, family
 from allworlds.notations.given import GivenMap, GivenMaps, GivenOptions, held
 from allworlds.robots.model import SCHEDULERS, Model, Scheduler
 from allworlds.robots.models.table import NamedModel, named_model
-from allworlds.robots.schedulers import ROUNDS, Time
+from allworlds.robots.schedulers import ROUNDS, Time, schedule_of
 from allworlds.robots.team import Team
 from allworlds.studies.options import ClusterOptions, ListenerOptions, RunDirectoryOptions
 from allworlds.world import selection
@@ -59,6 +60,12 @@ def _natural(name: str, least: int) -> Callable[[object], Any]:
         return number
 
     return take
+
+
+def _schedule(given: object) -> str | None:
+    if given is not None:
+        schedule_of(a_text("schedule", given))
+    return None if given is None else str(given)
 
 
 def darts_of(text: str) -> tuple[int, ...]:
@@ -218,6 +225,20 @@ class TeamRequest(
         ),
     ] = Converted(lambda given: None if given is None else tuple(given), None)
 
+    schedule: Annotated[
+        Converted[str | None, str | None],
+        Option(
+            RARE_RULES,
+            "E E ...",
+            "One schedule in place of every one, as in '0L 1L 0M 0+1:2': the robots of each event, "
+            "L for a look and M for its move, and behind a colon the index of what the adversary "
+            "does.",
+            document_type=Annotated[
+                doc.IfAny[doc.Text | None], doc.about("the only schedule that was tried")
+            ],
+        ),
+    ] = Converted(_schedule, None)
+
     @property
     def extent(self) -> Extent:
         """The maps.
@@ -271,9 +292,15 @@ class TeamRequest(
                 f"start-delay = {self.start_delay} has no effect in {scheduler}, which has no "
                 f"rounds; legal schedulers are {' and '.join(ROUNDS)}"
             )
+        schedule = None
+        if self.schedule is not None:
+            schedule = schedule_of(self.schedule)
+            if self.starts is None:
+                raise InputError(f"schedule = {show(self.schedule)} needs a world and its starts")
         budget = self.budget if self.within is None else self.within
         bound = self.within is not None
-        return Time(scheduler, budget, self.lead, self.start_delay, bound, self.configurations)
+        limits = bound, self.configurations, schedule
+        return Time(scheduler, budget, self.lead, self.start_delay, *limits)
 
     def team(self) -> Team:
         """The programs, loaded.
