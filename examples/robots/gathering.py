@@ -42,7 +42,9 @@ def pairs(ring, numbers):
     """Every pair of views where these numbers of robots are at different vertices."""
     others = combinations(range(1, ring), len(numbers) - 1)
     every = [(0, *rest) for rest in others]
-    return sorted({pair(each, numbers, robot, ring) for each in every for robot in range(len(numbers))})
+    return sorted(
+        {pair(each, numbers, robot, ring) for each in every for robot in range(len(numbers))}
+    )
 
 
 def every_rule_set(each):
