@@ -1,15 +1,14 @@
 """Two robots that shall meet, in ``meeting``.
 
-With ``labels=true``: ``mommy``: robot 0 waits for mommy, robot 1 looks for it.  ``impatient`` waits
-one turn at a time: others may be too slow for any number of turns, so it is unfinished in async
-where ``mommy`` holds.  Anonymous robots, which start at the same time: ``walk``, ``zigzag`` and
-``tree`` never meet where symmetry keeps them apart.
+``mommy``, with ``labels=true``: robot 0 waits for mommy, robot 1 looks for it.
+``walk``, ``zigzag`` and ``tree`` are anonymous, and start at the same time: they never meet where
+symmetry keeps them apart.
 
 ``to_the_other`` is oblivious: on one edge each of two goes to the other one.  They meet in central,
 and go past each other for ever in fsync and async.
 """
 
-from allworlds import Automaton, Move, Wait, Watch
+from allworlds import Automaton, Move, Watch
 
 
 def tree(first):
@@ -36,14 +35,6 @@ def mommy(first, *, told):
         yield Watch()
 
 
-def impatient(first, *, told):
-    """The same; robot 0 counts the turns that it waits."""
-    if told:
-        yield from tree(first)
-    while True:
-        yield Wait()
-
-
 def walk(first):
     """Walk on round a face, for ever."""
     while True:
@@ -58,4 +49,9 @@ def zigzag(first):
         seen = yield Move(steps * steps + seen.degree)
 
 
-to_the_other = Automaton(None, lambda memory, percept: (memory, Move(0)))
+def go(memory, percept):
+    """Go along the edge."""
+    return memory, Move(0)
+
+
+to_the_other = Automaton(None, go)
