@@ -13,7 +13,7 @@ STAY, FIRST, SECOND = range(3)
 
 
 def seen(robots):
-    """A view: one's own number, and the distances of others, each with their number."""
+    """The number of robots here, and the distances of others, each with their number."""
     others = [(place, robots[place]) for place in range(1, len(robots)) if robots[place]]
     return robots[0], tuple(others)
 

@@ -25,7 +25,9 @@ def opinions():
             for starts in [*model.starts(map_, 2)][:3]:
                 agree(map_, starts, model, [program] * 2, scheduler)
     for scheduler in SCHEDULERS:
-        agree(PATH, (0, 3), Together(labels=True), [patient, every[0]], scheduler, budget=2)
+        agree(
+            PATH, (0, 3), Together(labels=True, aim="FG"), [patient, every[0]], scheduler, budget=2
+        )
 
 
 def test_without_a_fault_all_agree():

@@ -17,7 +17,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol.actions import IllegalAction, Wait, Watch
 from allworlds.protocol.turns import Sensed
-from allworlds.robots.cycles import broken_for_ever
+from allworlds.robots.cycles import broken_for_ever, cut_for_ever
 from allworlds.robots.events import event_of
 from allworlds.robots.graph import Broken, Graph
 from allworlds.robots.minds import Ended, Minds, ProgramFault
@@ -218,12 +218,16 @@ class Search:
         """Whether a run ends here because of the budget."""
         if not cut or (able and self.time.scheduler != "fsync"):
             return False
+        self._unfinished(number)
+        return True
+
+    def _unfinished(self, number: int) -> None:
+        """Note a run that the budget cuts off in a configuration."""
         self._note_cut_off(number)
         if self.time.within:
             most = self.time.budget
             seen = f"the goal is not reached within {most} activations of each robot"
             self.found = self.found or Broken("budget", seen, number)
-        return True
 
     def _note_cut_off(self, number: int) -> None:
         self.ends.cut_off += 1
@@ -442,8 +446,22 @@ class Search:
     def finish(self) -> None:
         """Do what is left when all layers are searched: the runs that never end."""
         self.graph.begin(len(self._keys))
-        if self.found is None and not self.full and self.time.schedule is None:
-            self.found = broken_for_ever(self)
+        if self.found or self.full or self.time.schedule is not None:
+            return
+        self.found = broken_for_ever(self)
+        if self.found or self.minds.finite or self.minds.histories:
+            return
+        endless = cut_for_ever(self)
+        if endless is not None:
+            self._unfinished(endless)
+
+    def unable(self, number: int, robot: int) -> bool:
+        """Whether a robot cannot be activated, whatever the budget."""
+        return not any(robot in each for each in self.able(number))
+
+    def unable_or_cut(self, number: int, robot: int) -> bool:
+        """Whether a robot cannot be activated, or is kept from it by the budget alone."""
+        return robot not in self.able(number)[0]
 
     # ---------------------------------------------------------------- what was searched
 

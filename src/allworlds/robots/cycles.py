@@ -19,6 +19,9 @@ if TYPE_CHECKING:
 Steps: TypeAlias = Callable[[int], Iterable[int]]
 """Of a configuration the steps that count."""
 
+Unable: TypeAlias = Callable[[int, int], bool]
+"""Whether in a configuration a robot cannot be activated."""
+
 Wish: TypeAlias = Callable[[int, int], bool]
 """Whether a step, by the configuration before it and its number, is what is looked for."""
 
@@ -26,9 +29,9 @@ Wish: TypeAlias = Callable[[int, int], bool]
 def broken_for_ever(search: Search) -> Broken | None:
     """The first condition that an infinite run breaks, with a shortest way to a cycle that does."""
     graph = search.graph
-    if not search.minds.finite and all(map(graph.group, range(len(graph)))):
+    if search.minds.histories and all(map(graph.group, range(len(graph)))):
         return None  # each step makes a history longer
-    fair, assumed = [*_fairness(search)], [*_assumptions(search)]
+    fair, assumed = [*_fairness(search, search.unable)], [*_assumptions(search)]
     ways: list[tuple[Steps, list[Wish]]] = [(graph.steps, [*fair, *assumed])]
     if assumed and not search.time.has_rounds:
         ways.append((graph.still_steps, fair))  # the adversary is never asked
@@ -42,6 +45,19 @@ def broken_for_ever(search: Search) -> Broken | None:
             for part in components(search, inside, steps):
                 if broken := _broken_in(search, condition, part, wishes, steps):
                     return broken
+    return None
+
+
+def cut_for_ever(search: Search) -> int | None:
+    """A configuration of a cycle on which others go on while the budget keeps a robot from it."""
+
+    def cut(before: int, _step: int) -> bool:
+        return bool(search.able(before)[1])
+
+    wishes, steps = [cut, *_fairness(search, search.unable_or_cut)], search.graph.steps
+    for part in components(search, range(len(search)), steps):
+        if _cycle(search, part, wishes, steps):
+            return part[0]
     return None
 
 
@@ -85,14 +101,14 @@ def _broken_by(search: Search, condition: Liveness) -> Iterator[Wish]:
         yield lambda before, _step: not _holds(search, condition, before)
 
 
-def _fairness(search: Search) -> Iterator[Wish]:
+def _fairness(search: Search, unable: Unable) -> Iterator[Wish]:
     """The steps of which every cycle that counts has one."""
     graph = search.graph
     for robot in range(len(search.team)):
         bit = 1 << robot
 
         def fair(before: int, step: int, robot: int = robot, bit: int = bit) -> bool:
-            return bool(graph.group(step) & bit) or robot not in search.able(before)[0]
+            return bool(graph.group(step) & bit) or unable(before, robot)
 
         yield fair
 

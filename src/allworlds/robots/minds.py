@@ -81,7 +81,7 @@ class Minds:
     Attributes:
         value: for each mind the action that is due, how its program has ended, or None.
         sensed: for each mind what it has sensed last, if it watches, or is a history.
-        depth: for each mind the number of activations; 0 if all programs are automata.
+        depth: for each mind the number of activations; of automata 0.
         messages: the number of turns of each message.
     """
 
@@ -91,7 +91,6 @@ class Minds:
         self.depth: list[int] = []
         self.watches: list[bool] = []
         self.messages: list[int] = []
-        self._counted = False
         self.kept = [AskedProgram(program, {}, [], [], []) for program in programs]
         self._of: list[int] = []
         self._memory: list[int] = []  # of a history the mind before
@@ -118,17 +117,21 @@ class Minds:
         if kept.automaton:
             memory, letter, words = said(answer)
             fault = None if letter == ACTION else value_of(letter, words)
-            mind = self._automaton(program, memory, fault, None, 0)
+            mind = self._automaton(program, memory, fault, None)
         else:
             self._new(program, -1, None, None, 0)
         kept.roots[told] = mind
-        self._counted = not self.finite
         return mind
 
     @property
     def finite(self) -> bool:
         """Whether all programs are automata: then every run can be followed for ever."""
         return all(kept.automaton for kept in self.kept)
+
+    @property
+    def histories(self) -> bool:
+        """Whether no program is an automaton: then every activation makes a history longer."""
+        return not any(kept.automaton for kept in self.kept)
 
     def look(self, mind: int, sensed: Sensed) -> int:
         """The mind after one percept more; one below 0 is known once all are settled."""
@@ -177,9 +180,9 @@ class Minds:
         key, step = self._asked[-mind - 1]
         found = self._after.get(key)
         if found is None:
-            before, sensed = key
+            _, sensed = key
             memory, value = self._steps[step]
-            found = self._automaton(step[0], memory, value, sensed, self.depth[before] + 1)
+            found = self._automaton(step[0], memory, value, sensed)
             self._after[key] = found
         return found
 
@@ -193,7 +196,7 @@ class Minds:
         kept = self.watches[mind] or type(self.value[mind]) is Ended
         if kept or not self.kept[program].automaton:
             return mind
-        return self._automaton(program, self._memory[mind], None, None, self.depth[mind])
+        return self._automaton(program, self._memory[mind], None, None)
 
     def precedes(self, mind: int, before: int) -> bool:
         """Whether a turn whose number before is that one begins in a mind."""
@@ -202,15 +205,12 @@ class Minds:
         own = self._memory[mind] if automaton else mind
         return first if before == BEGIN else own == before
 
-    def _automaton(
-        self, program: int, memory: int, value: Any, sensed: Sensed | None, depth: int
-    ) -> int:
+    def _automaton(self, program: int, memory: int, value: Any, sensed: Sensed | None) -> int:
         sensed = sensed if type(value) is Watch else None
-        depth = depth if self._counted else 0
         # Equal actions may be different ones: Do(1) and Do(True).
-        key = program, memory, repr(value), sensed, depth
+        key = program, memory, repr(value), sensed
         if key not in self._minds:
-            self._minds[key] = self._new(program, memory, value, sensed, depth)
+            self._minds[key] = self._new(program, memory, value, sensed, 0)
         return self._minds[key]
 
     def _new(self, program: int, memory: int, value: Any, sensed: Sensed | None, depth: int) -> int:

@@ -59,8 +59,7 @@ class Time(Struct, frozen=True):
 
     Attributes:
         scheduler: see :data:`allworlds.robots.model.Scheduler`.
-        budget: no robot whose program is a generator is activated more often; nor any other one in
-            a team with such a robot.
+        budget: no robot whose program is a generator is activated more often.
         lead: nobody is more than so many activations ahead of one that could be activated; None:
             without a limit.
         start_delay: robot 1 begins up to so many rounds later.

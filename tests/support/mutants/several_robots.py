@@ -3,7 +3,7 @@
 from msgspec.structs import replace
 
 from allworlds.protocol import turns
-from allworlds.robots import cycles
+from allworlds.robots import configurations, cycles
 from allworlds.robots.configurations import Search
 from allworlds.robots.minds import Minds
 from allworlds.robots.schedulers import Time
@@ -106,13 +106,13 @@ def watched_forgotten(patch):
 
 def unfair(patch):
     """A cycle counts in which a robot is never activated, though it is able."""
-    patch.setattr(cycles, "_fairness", lambda _: [])
+    patch.setattr(cycles, "_fairness", lambda *_: [])
 
 
 def too_fair(patch):
     """A cycle counts only if each robot is activated in it, also one that never can be."""
 
-    def each(search):
+    def each(search, _):
         for robot in range(len(search.team)):
             yield lambda _, step, bit=1 << robot: search.graph.group(step) & bit
 
@@ -159,22 +159,21 @@ def one_more(patch):
     patch.setattr(Search, "__init__", wider)
 
 
-def uncounted(patch):
-    """Automata beside a generator have no budget."""
-    root = Minds.root
+def endless_beside_a_generator(patch):
+    """Where a generator is cut off, what automata do for ever is a fault of theirs."""
+    patch.setattr(Search, "unable", Search.unable_or_cut)
 
-    def forgets(self, program, told):
-        found = root(self, program, told)
-        self._counted = False
-        return found
 
-    patch.setattr(Minds, "root", forgets)
+def mixed_teams_end(patch):
+    """In a team with a generator no run goes on for ever."""
+    patch.setattr(configurations, "cut_for_ever", lambda _: None)
 
 
 SEARCHES = (
     *(one_at_a_time, never_all, moves_at_once, no_empty_rounds, dead_ones_move, truth_is_one),
     *(told_alike, states_alone, watched_forgotten, unfair, too_fair, no_assumption),
     *(progress_on_the_cycle, endings_are_good, largest_part_alone, cut_off_is_an_end, one_more),
-    uncounted,
+    endless_beside_a_generator,
+    mixed_teams_end,
 )
 """All of them: functions of pytest's ``monkeypatch``."""
