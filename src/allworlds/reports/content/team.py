@@ -19,8 +19,8 @@ from allworlds.studies.team.retold import TeamExplanation, TeamReplay
 from allworlds.studies.team.team_report import TeamReport
 from allworlds.words import counted, number, plural, size
 
-WIDEST = 34
-"""The columns of a percept in a diagram."""
+COLUMNS, LEAST, OF_ACTION = 62, 7, 12
+"""The columns of all robots in a diagram, the least ones of a percept, and those of its action."""
 
 SHOWN_EVENTS = 15
 """The events at either end of a long run that its diagram shows."""
@@ -250,11 +250,12 @@ def _rows_of(found: TeamFinding) -> Iterator[parts.RunRow]:
 
 def diagram(found: TeamFinding) -> list[str]:
     """The space-time diagram of a run: a column for each robot, a row for each event."""
+    most = max(LEAST, COLUMNS // len(found.starts) - OF_ACTION)
     rows = [["", *(f"robot {robot}" for robot in range(len(found.starts))), "world"]]
     vertex_of, before = found.map.vertex_of, tuple[int | None, ...](found.starts)
     repeats = len(found.events) - found.loop
     for step, event in enumerate(found.events, 1):
-        cells = [_cell(event, robot) for robot in range(len(found.starts))]
+        cells = [_cell(event, robot, most) for robot in range(len(found.starts))]
         where = [*_moved(before, event.darts, vertex_of)]
         world = "; ".join(filter(None, [event.world, ", ".join(where)]))
         mark = "*" if step > repeats else ""
@@ -295,23 +296,23 @@ def _fitted(row: Sequence[str], widths: Sequence[int]) -> Iterator[str]:
         yield text.ljust(width)
 
 
-def _cell(event: EventRow, robot: int) -> str:
+def _cell(event: EventRow, robot: int, most: int = COLUMNS) -> str:
     turn = next((each for each in event.robots if each.robot == robot), None)
     if turn is None:
         return "|"
     if turn.phase == "move":
         return f"'-> {turn.did}"
     later = " ..." if turn.phase == "look" else ""
-    return f"{sensed_in_words(turn)}: {turn.did}{later}"
+    return f"{sensed_in_words(turn, most)}: {turn.did}{later}"
 
 
-def sensed_in_words(turn: Turned) -> str:
+def sensed_in_words(turn: Turned, most: int) -> str:
     """The percept of a turn, in a few words."""
     sensed: Any = turn.sensed
     if isinstance(sensed, dict) and {*sensed} == {"degree", "marks", "bearing"}:
         return str(Percept(**sensed))
     text = json.dumps(sensed, separators=(",", ":"))
-    return text if len(text) <= WIDEST else text[: WIDEST - 3] + "..."
+    return text if len(text) <= most else f"{text[: most - 2]}.."
 
 
 def _moved(
