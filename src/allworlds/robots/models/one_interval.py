@@ -11,7 +11,7 @@ from typing_extensions import override
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, Vertex
 from allworlds.protocol.actions import IllegalAction, Move
-from allworlds.robots.model import Places, Scheduler
+from allworlds.robots.model import Scheduler
 from allworlds.robots.models.goals import Apart
 
 
