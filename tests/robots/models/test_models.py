@@ -96,7 +96,7 @@ CASES = {
     "shared-whiteboard:goal=agree,apart=false": (writes, 2),
     "shared-whiteboard:goal=agree,apart=false,at_once=true": (writes, 2),
     "face-to-face": (talks, 2),
-    "face-to-face:goal=meet,together=false": (talks, 2),
+    "face-to-face:together=false": (talks, 2),
     "tokens": (lays, 2),
     "tokens:apart=false,movable=false": (lays, 2),
     "black-hole": (looks, 2),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple
+from typing import Any, NamedTuple
 
 from msgspec.json import decode, encode
 from typing_extensions import override
@@ -12,7 +12,7 @@ from typing_extensions import override
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Do, IllegalAction, Move
 from allworlds.robots.model import Model, every_start
-from allworlds.robots.models.goals import are_together, map_flaw, replaced
+from allworlds.robots.models.goals import map_flaw, replaced
 
 
 class Company(NamedTuple):
@@ -29,18 +29,18 @@ class Company(NamedTuple):
 
 @dataclass(frozen=True)
 class FaceToFace(Model):
-    """Robots that see and hear each other at a vertex; each is told its number.
+    """Robots that see and hear each other at a vertex; robot 0 shall answer a map.
+
+    Each is told its number.
 
     A percept is ``[degree, others]``: of each other robot here ``[k, value]``, sorted: by how many
     darts clockwise its dart is away from one's own, and what it says, at first null.  ``Do(value)``
     says something until the next motion; ``Move(k)`` moves.
 
     Attributes:
-        goal: a map of the world, answered by robot 0; or to be at one vertex.
         together: whether they start at one dart.
     """
 
-    goal: Literal["map", "meet"] = "map"
     together: bool = True
 
     @override
@@ -80,11 +80,5 @@ class FaceToFace(Model):
         yield Company(darts, words), ""
 
     @override
-    def over(self, map_: CombinatorialMap, state: Company) -> bool:
-        return self.goal == "meet" and are_together(map_, state.darts)
-
-    @override
     def flaw(self, map_: CombinatorialMap, state: Company, answers: Sequence[Any]) -> str:
-        if self.goal == "meet":
-            return "they have not met"
         return map_flaw(map_, state.darts[0], answers[0])

@@ -11,7 +11,7 @@ from typing_extensions import override
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, Vertex
 from allworlds.protocol.actions import IllegalAction, Move
-from allworlds.robots.model import Scheduler
+from allworlds.robots.model import Places, Scheduler, joined
 from allworlds.robots.models.goals import Apart
 
 
@@ -86,26 +86,16 @@ class OneInterval(Apart):
         firsts = product(*ports.values()) if self.exclusive else [tuple(leave)]
         edges = sorted({min(dart, map_.alpha[dart]) for dart in ports})
         for first, missing in product(firsts, (None, *edges)):
+            darts, moved, held = [*state.darts], [*state.moved], [*state.held]
+            for robot, dart in leave.items():
+                held[robot] = robot in first and min(dart, map_.alpha[dart]) == missing
+                moved[robot] = robot in first and not held[robot]
+                darts[robot] = map_.alpha[dart] if moved[robot] else darts[robot]
+            visited = state.visited | {map_.vertex_of[dart] for dart in darts}
+            after = RoundState(tuple(darts), tuple(moved), tuple(held), visited)
             words = "" if missing is None else f"edge {missing} is missing"
-            if len(first) < len(leave):
-                words = "; ".join(filter(None, (words, f"on their ports are {[*first]}")))
-            yield self._after(map_, state, leave, first, missing), words
-
-    def _after(
-        self,
-        map_: CombinatorialMap,
-        state: RoundState,
-        leave: Mapping[int, Dart],
-        first: Sequence[int],
-        missing: Dart | None,
-    ) -> RoundState:
-        darts, moved, held = [*state.darts], [*state.moved], [*state.held]
-        for robot, dart in leave.items():
-            held[robot] = robot in first and min(dart, map_.alpha[dart]) == missing
-            moved[robot] = robot in first and not held[robot]
-            darts[robot] = map_.alpha[dart] if moved[robot] else darts[robot]
-        visited = state.visited | {map_.vertex_of[dart] for dart in darts}
-        return RoundState(tuple(darts), tuple(moved), tuple(held), visited)
+            ports_of = f"on their ports are {[*first]}" if len(first) < len(leave) else ""
+            yield after, joined(words, ports_of)
 
     @override
     def over(self, map_: CombinatorialMap, state: RoundState) -> bool:
