@@ -112,12 +112,16 @@ CASES = {
 @pytest.mark.parametrize("edges", [2, long(3)])
 @pytest.mark.parametrize("name", CASES)
 def test_schedules_one_by_one_are_as_many_and_end_alike(name, edges):
-    """Under each scheduler that the model has; in ssync and async from some of the starts."""
+    """Under each scheduler that the model has; in ssync and async from some of the starts.
+
+    With 3 edges in fsync and central alone: the schedules of the others are too many to be tried.
+    """
     model, _ = model_of(name)
     program, robots = CASES[name]
     one_in = {"fsync": 1, "central": 1, "ssync": 7, "async": 19}
     tried = 0
-    for map_, scheduler in product(all_maps(edges), model.schedulers):
+    schedulers = [each for each in model.schedulers if edges < 3 or one_in[each] == 1]
+    for map_, scheduler in product(all_maps(edges), schedulers):
         every = [*model.starts(map_, robots)]
         for starts in every[:: one_in[scheduler]]:
             tried += agree(map_, starts, model, [program] * robots, scheduler, budget=3)
