@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from itertools import product
-from typing import Any, NamedTuple
+from typing import Any, TypeAlias
 
 from msgspec import Struct
 
@@ -44,18 +44,9 @@ class Ends(Struct):
     shortest: int = -1
 
 
-class PlannedTurn(NamedTuple):
-    """The turn of a robot in a configuration.
-
-    Attributes:
-        value: the action, or the end, of its program.
-        after: the mind after it.
-        later: whether the action is done in a later event.
-    """
-
-    value: Any
-    after: int
-    later: bool
+PlannedTurn: TypeAlias = tuple[Any, int, bool]
+"""The turn of a robot in a configuration: the action, or the end, of its program; the mind after
+it; and whether the action is done in a later event."""
 
 
 class Search:
@@ -191,8 +182,10 @@ class Search:
                     cut.append(robot)
                     continue
             able.append(robot)
-        extra = key[len(self.team) + 1 :]
-        return (self._allowed(able, key[1:], extra) if extra else able), cut
+        robots = len(self.team)
+        if len(key) > robots + 1:
+            able = self._allowed(able, key[1:], key[robots + 1 :])
+        return able, cut
 
     def _allowed(self, able: list[int], minds: Sequence[int], extra: tuple[int, ...]) -> list[int]:
         """Those whom the scheduler lets go on: who has begun, and is not too far ahead.
@@ -284,7 +277,7 @@ class Search:
             mind = ~look if moves else minds.settled(look)
             value = minds.value[mind]
             later = self._slow and not moves and not isinstance(value, STILL)
-            turns[robot] = PlannedTurn(value, ~mind if later else minds.after(mind), later)
+            turns[robot] = value, ~mind if later else minds.after(mind), later
         return turns
 
     def _make(
