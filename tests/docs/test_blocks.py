@@ -26,6 +26,7 @@ SLOW = {
     "docs/how-to/refuted.md",
     "docs/how-to/rows.md",
     "docs/python.md",
+    "docs/robots.md",
     "docs/theory.md",
     "docs/tutorial.md",
 }

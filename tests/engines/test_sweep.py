@@ -3,14 +3,17 @@
 The documents are compared byte for byte, so that the order of their keys counts, too.
 """
 
+from pathlib import Path
+
 import pytest
 
-from allworlds import ambiguity, check, compare, count, fuzz, worst
+from allworlds import ambiguity, check, compare, count, fuzz, team, worst
 from allworlds.verbs import VERBS
 from kept_jobs import EXPLORERS
 
 pytestmark = [pytest.mark.usefixtures("compiled", "without_workers")]
 
+TEAM = Path(__file__).parents[1] / "support" / "teams.py"
 WRONG = f"{EXPLORERS / 'wrong.py'}"
 
 SWEEPS = {
@@ -35,6 +38,7 @@ SWEEPS = {
     "count": lambda **more: count(edges=4, **more),
     "count simple": lambda **more: count(vertices=4, map_class="simple", **more),
     "ambiguity census": lambda **more: ambiguity.census(edges=4, **more),
+    "team": lambda **more: team(f"{TEAM}:walks", edges=3, budget=9, **more),
 }
 """Small jobs by their verb, and what is special about them."""
 

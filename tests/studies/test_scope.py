@@ -53,7 +53,7 @@ def of_all(report):
 
 def test_every_study_that_is_told_of_here_is_tried():
     swept = {verb.name for verb in VERBS if verb.swept}
-    assert swept - {"worst"} == {*STUDIES}  # which has no such options
+    assert swept - {"worst", "team"} == {*STUDIES}  # which has no such options
 
 
 @pytest.mark.parametrize("name", STUDIES)

@@ -1,7 +1,5 @@
 """A vertex that swallows who enters it: it shall be found, and somebody be left."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any

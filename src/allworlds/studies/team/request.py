@@ -101,8 +101,9 @@ class TeamRequest(
         Converted[str | Model | NamedModel, NamedModel],
         Option(
             SCOPE,
-            "NAME|FILE.py:Class",
-            "The model of the world, perhaps with options, as in meeting:labels=true.",
+            "MODEL",
+            "The model of the world: one of ours, or FILE.py:Class, perhaps with options, as in "
+            "meeting:labels=true.",
             document_type=Annotated[doc.Text, doc.about("the model of the world, by its name")],
         ),
     ] = Converted(_model, DEFAULT_MODEL)
@@ -282,7 +283,7 @@ class TeamRequest(
             InputError: naming an option that has no effect under this scheduler.
         """
         legal = self.model.model.schedulers
-        scheduler = self.scheduler or legal[0]
+        scheduler = legal[0] if self.scheduler is None else self.scheduler
         if scheduler not in legal:
             raise not_one_of(f"scheduler of the model {self.model}", scheduler, legal)
         if self.lead is not None and scheduler == "fsync":
