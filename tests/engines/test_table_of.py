@@ -19,7 +19,7 @@ STATIC = {name: kind for name, kind in LIGHTHOUSES.items() if kind.static}
 
 
 def test_these_kinds_change_by_what_the_robot_does_and_no_others():
-    assert {*LIGHTHOUSES} - {*STATIC} == {"movable", "whiteboard", "ports"}
+    assert {*LIGHTHOUSES} - {*STATIC} == {"movable", "whiteboard", "doormarks"}
     assert Composed((Nothing(),)).static
     assert not Composed((Nothing(), Movable())).static
 

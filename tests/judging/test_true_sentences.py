@@ -346,7 +346,7 @@ def test_of_a_long_walk_the_traversals_and_the_edges_are_counted():
         ("whiteboard", [Write(1), Move(0), Move(0)], [0, 1, 0, 1]),
         ("whiteboard", [Move(0), Write(1), Move(1), Move(0)], [0, 0, 1, 0, 1]),
         # On the middle's dart 1 alone: by dart 2 the robot comes to another one.
-        ("ports", [Move(0), Write(1), Move(1), Move(0)], [0, 0, 1, 0, 0]),
+        ("doormarks", [Move(0), Write(1), Move(1), Move(0)], [0, 0, 1, 0, 0]),
         ("movable", [Drop(), Move(0), Move(0), Pick()], [0, 1, 0, 1, 0]),
         ("movable:distinct=true,markers=2", [Drop(), Drop(), Move(0), Move(0)], [0, 1, 3, 0, 3]),
     ],

@@ -210,7 +210,7 @@ def test_it_is_the_same_from_a_run_directory(folder):
 
 
 def test_where_the_robot_leaves_marks_there_is_no_census():
-    for kind in ("movable", "whiteboard", "compass+ports"):
+    for kind in ("movable", "whiteboard", "compass+doormarks"):
         with pytest.raises(InputError, match="leaves marks itself"):
             census(edges=2, lighthouse=kind)
 

@@ -40,7 +40,7 @@ def test_percepts_add_up_and_places_multiply():
     ("name", "said"),
     [
         ("position+movable", "position and movable both have marks"),
-        ("whiteboard+ports", "whiteboard and ports both have marks"),
+        ("whiteboard+doormarks", "whiteboard and doormarks both have marks"),
         ("compass+directional", "compass and directional both have bearings"),
         ("natural+told:n", "natural and told:n both tell something"),
         ("position+", "'' is not one of"),
@@ -49,7 +49,7 @@ def test_percepts_add_up_and_places_multiply():
         ("told:n=3", "names 'n=3'; legal are n, m, d, g"),
         ("whiteboard:states=1", "option states = 1 is less than 2"),
         ("whiteboard:marks=3", "has no option 'marks'"),
-        ("ports:states=many", "option states = 'many' is not an integer"),
+        ("doormarks:states=many", "option states = 'many' is not an integer"),
         ("movable:distinct=1", "neither true nor false"),
     ],
 )
@@ -57,6 +57,14 @@ def test_what_does_not_go_together_is_refused_with_the_reason(name, said):
     with pytest.raises(InvalidWorld, match=said) as error:
         lighthouse_kind(name)
     assert "\n" not in str(error.value)
+
+
+@pytest.mark.parametrize("name", ["ports", "ports:states=3", "compass+ports"])
+def test_the_old_name_of_doormarks_is_answered_by_both_that_may_be_meant(name):
+    with pytest.raises(InvalidWorld, match=r"now called 'doormarks' .* port numbers, .* 'compass'"):
+        lighthouse_kind(name)
+    with pytest.raises(InvalidWorld, match="'ports' is now called 'doormarks'"):
+        lighthouse_from_json({"kind": "ports", "states": 2}, EDGE, 0)
 
 
 def test_parts_of_a_document_that_do_not_go_together_are_refused():
@@ -106,7 +114,7 @@ def test_a_number_stays_where_it_was_written():
 
 
 def test_on_darts_the_number_is_that_of_the_dart_one_came_by():
-    world = one("ports", TRIANGLE)
+    world = one("doormarks", TRIANGLE)
     state, _ = world.step(world.initial, Move(0))  # round the triangle
     state, sensed = world.step(state, Write(1))
     assert sensed.marks == 1

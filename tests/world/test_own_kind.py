@@ -411,12 +411,12 @@ def test_a_field_with_a_default_is_an_option_and_one_without_is_none(folder):
 
 def test_options_stand_beside_the_name_of_a_kind_and_not_in_it(folder):
     own = World(EDGE, next(lighthouse_kind("parity.py:Parity").as_class.places(EDGE, 0))).to_json()
-    for kind in ("ports:states=3", "parity.py:Parity?modulus=3", "compass+movable"):
+    for kind in ("doormarks:states=3", "parity.py:Parity?modulus=3", "compass+movable"):
         lighthouse = {**own["lighthouse"], "kind": kind}
         with pytest.raises(InvalidWorld, match="is more than a name"):
             World.from_json({**own, "lighthouse": lighthouse})
-    ports = World.from_json({**EDGE.to_json(), "lighthouse": {"kind": "ports", "states": 3}})
-    assert str(kind_of(ports.lighthouse)) == "ports:states=3"
+    written = World.from_json({**EDGE.to_json(), "lighthouse": {"kind": "doormarks", "states": 3}})
+    assert str(kind_of(written.lighthouse)) == "doormarks:states=3"
 
 
 def test_what_a_lighthouse_prints_gets_to_stderr(folder, capsys):

@@ -32,10 +32,10 @@ if TYPE_CHECKING:
     )
     from allworlds.world.lighthouses.composed import (
         Composed as Composed,
+        Doormarks as Doormarks,
         Knowledge as Knowledge,
         Movable as Movable,
         Nothing as Nothing,
-        Ports as Ports,
         Whiteboard as Whiteboard,
     )
     from allworlds.world.lighthouses.kinds import LIGHTHOUSES as LIGHTHOUSES

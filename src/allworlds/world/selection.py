@@ -307,8 +307,9 @@ class LighthouseOptions(Request):
         Option(
             SCOPE,
             "KIND",
-            f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, {OWN}, or several with + between them "
-            "[default: directional, or the one that a built-in explorer is written for].",
+            f"KIND[:key=value,...]: {one_of(LIGHTHOUSES)}, {OWN}, or several with + between them; "
+            "compass: port numbers, doormarks: writing on doors [default: directional, or the one "
+            "that a built-in explorer is written for].",
             document_type=Annotated[Text, about("`KIND[:key=value,...]`")],
         ),
     ] = Converted(kind_if_any, None)

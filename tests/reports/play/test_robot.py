@@ -61,7 +61,7 @@ def reachable(world):
     "name",
     [
         *("movable:markers=2", "movable:markers=2,pick=false", "movable:markers=3,distinct=true"),
-        *("whiteboard:states=3", "ports:states=3", "compass+movable:markers=2,distinct=true"),
+        *("whiteboard:states=3", "doormarks:states=3", "compass+movable:markers=2,distinct=true"),
     ],
 )
 def test_marks_are_left_and_taken_up_as_in_the_world(name, ask):

@@ -159,14 +159,14 @@ class Whiteboard(PlacelessLighthouse):
 
 
 @dataclass(frozen=True, slots=True)
-class Ports(Whiteboard):
+class Doormarks(Whiteboard):
     """At every dart room for one number, which the robot writes and reads when it comes by it.
 
     Sensed: the number that was last written on the dart by which the robot has arrived (0 at
     first) as marks, and the degree.  The option is ``states=K``: the numbers are 0 to K-1 (2).
     """
 
-    kind: ClassVar[str] = "ports"
+    kind: ClassVar[str] = "doormarks"
 
     @override
     def place_of_number(self, map_: CombinatorialMap, dart: Dart) -> int:

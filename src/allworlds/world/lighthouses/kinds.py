@@ -15,10 +15,10 @@ from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.composed import (
     PLUS,
     Composed,
+    Doormarks,
     Knowledge,
     Movable,
     Nothing,
-    Ports,
     Whiteboard,
     composed,
 )
@@ -49,7 +49,7 @@ LIGHTHOUSES: dict[str, type[Lighthouse]] = {
     kind.kind: kind
     for kind in (
         *(Nothing, Position, Directional, Door, Word, Compass, Cluster, Natural, Movable, Labels),
-        *(Whiteboard, Ports, Knowledge),
+        *(Whiteboard, Doormarks, Knowledge),
     )
 }
 """Every kind of lighthouse that comes with this program, by its name."""
@@ -134,7 +134,15 @@ def _part(text: str) -> str | user_code.UserCode:
     return _found(f"{parts[1]}?{parts[2]}" if parts else text)
 
 
+RENAMED = (
+    "lighthouse 'ports' is now called 'doormarks' (numbers that the robot writes on darts); for "
+    "port numbers, by which it tells the darts of a vertex apart, take 'compass'"
+)
+
+
 def _found(name: str) -> user_code.UserCode:
+    if re.match(r"ports\b(?!\.)", name):
+        raise InvalidWorld(RENAMED)
     try:
         return LIGHTHOUSE.find(name)
     except InputError as error:

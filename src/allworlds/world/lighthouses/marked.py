@@ -305,7 +305,7 @@ def _first_sensed(walk: base.WalkInAnswer) -> dict[int, tuple[Dart, int]]:
 
 @dataclass(frozen=True, slots=True)
 class Compass(AtEveryVertex):
-    """At every vertex a reference dart (its north), and no mark.
+    """At every vertex a reference dart (its north), and no mark: a port-numbered graph.
 
     Sensed: the degree, and the bearing of the vertex's reference dart.  ``darts`` holds one
     dart of each vertex, ascending.

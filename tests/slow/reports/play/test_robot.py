@@ -17,9 +17,9 @@ def worlds_of(kind, most):
 
 
 def up_to_three_edges():
-    """Every lighthouse with the most edges; with ports there are very many worlds with three."""
+    """Every lighthouse with the most edges; doormarks have very many worlds with three."""
     for name, kind in LIGHTHOUSES.items():
-        if name == "ports":
+        if name == "doormarks":
             yield pytest.param(kind, 2, id=name)
             yield pytest.param(kind, 3, id=f"{name}, three edges", marks=pytest.mark.long)
         else:
