@@ -1,13 +1,11 @@
 """Draw ``docs/assets/refutation.svg``: how the first explorer of the README is refuted.
 
-``python docs/figures/refutation.py`` reads the explorer from the README, runs ``check``, and draws
-the finding: the world on the left, the explorer's answer on the right.
+``python docs/figures/refutation.py`` runs ``check`` with ``examples/first/mine.py``, and draws the
+finding: the world on the left, the explorer's answer on the right.
 """
 
 from __future__ import annotations
 
-import re
-import tempfile
 from pathlib import Path
 from xml.etree import ElementTree as ET
 
@@ -22,7 +20,6 @@ from allworlds.reports.parts import Scene, walk_in_answer, walk_in_world
 
 ROOT = Path(__file__).parents[2]
 FILE = ROOT / "docs" / "assets" / "refutation.svg"
-PROGRAM = re.compile(r"^```python\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 
 WIDE, HIGH = 640, 300
 STYLE = """\
@@ -45,12 +42,8 @@ STYLE = """\
 
 def found() -> Finding:
     """The smallest world that refutes the explorer of the README."""
-    program = PROGRAM.search((ROOT / "README.md").read_text(encoding="utf-8"))
-    assert program, "the README has no explorer"
-    with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / "mine.py"
-        file.write_text(program[1], encoding="utf-8")
-        report = allworlds.check(f"{file}:explore", lighthouse="labels", edges=4, workers=1)
+    file = ROOT / "examples" / "first" / "mine.py"
+    report = allworlds.check(f"{file}:explore", lighthouse="labels", edges=4, workers=1)
     return report.findings[0]
 
 

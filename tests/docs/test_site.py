@@ -32,6 +32,18 @@ def test_every_page_has_its_place_in_the_navigation():
     assert named - made - folders <= pages
 
 
+def test_the_names_of_pages_have_one_form_and_stand_on_the_pages():
+    """Each names a thing: no sentence, no question; how-to and research pages begin with it."""
+    titles = dict(re.findall(r"^ +- ([^:\n]+): ([\w/-]+\.md)$", NAV, re.MULTILINE))
+    assert len(titles) > 20
+    wrong = [title for title in titles if not re.fullmatch(r"[A-Z][\w ,]*|allworlds\.h", title)]
+    assert wrong == []
+    for title, name in titles.items():
+        if name.startswith(("how-to/", "research/")):
+            page = (ROOT / "docs" / name).read_text(encoding="utf-8")
+            assert page.startswith(f"# {title}\n"), name
+
+
 @pytest.mark.parametrize(
     "text",
     [

@@ -24,6 +24,7 @@ PEBBLE = {"lighthouse": "compass+movable"}
 VIEWS = {"lighthouse": "told:n", "task": "judges.py:kinds", "step_budget": 100_000}
 HOMING = {"lighthouse": "directional+told:m", "bound": "none", "step_budget": 20_000}
 ROUND = {"lighthouse": "told:m", "task": "judges.py:every_dart"}
+CLEANER = {"lighthouse": "labels", "task": "cover"}
 UNIVERSAL = {"lighthouse": "none", "task": "cover", "where": "cubic"}
 
 HOLD = {
@@ -35,6 +36,7 @@ HOLD = {
     ("homing.py:learns", "none", 2): HOMING,
     ("right_hand.py:goes_round", "2*m", 4): {**ROUND, "where": "judges.py:one_face"},
     ("universal.py:follows?word=112", "none", 3): UNIVERSAL,
+    ("cleaner.py:cleans", "4*m", 4): CLEANER,
 }
 """Explorers that hold, with a bound, and the number of edges to which that takes a second."""
 
@@ -48,6 +50,7 @@ REFUTED = {
     ("views.py:norris", "none"): (VIEWS, "task", 3, 2),
     ("homing.py:trusts", "none"): ({**HOMING, "step_budget": 500}, "budget", 1, 1),
     ("right_hand.py:goes_round", "none"): (ROUND, "task", 1, 1),
+    ("cleaner.py:forgets", "none"): (CLEANER, "task", 3, 3),
 }
 """Explorers that are refuted: the law, and the edges and vertices of the smallest world."""
 
@@ -75,6 +78,11 @@ def test_the_right_hand_rule_walks_along_everything_in_maps_with_one_face_alone(
     )
     assert held.verdict.value == "holds"
     assert held.worlds + len(several) == len(worlds) == 86
+
+
+def test_the_cleaner_that_forgets_to_turn_is_right_in_the_grid_from_every_start():
+    report = allworlds.check("cleaner.py:forgets", worlds="grid.json", workers=1, **CLEANER)
+    assert (report.verdict.value, report.runs) == ("holds", 48)
 
 
 def covers(word, maps):
