@@ -162,12 +162,18 @@ def test_the_reader_of_paths_sees_stale_ones():
 def test_the_page_of_verdicts_lists_every_law_in_the_order_of_precedence():
     page = (ROOT / "docs" / "verdicts.md").read_text(encoding="utf-8")
     laws = page.partition("## Laws")[2].partition("##")[0]
-    table = laws.partition("\n| law ")[2].partition("\n\n")[0]
-    assert tuple(re.findall(r"^\| `([a-z0-9-]+)` \|", table, re.MULTILINE)) == PRECEDENCE
+    assert tuple(re.findall(r"^- `([a-z0-9-]+)`: ", laws, re.MULTILINE)) == PRECEDENCE
+
+
+@pytest.mark.parametrize("page", ["protocol.md", "verdicts.md"])
+def test_no_cell_of_a_table_is_a_paragraph(page):
+    lines = (ROOT / "docs" / page).read_text(encoding="utf-8").splitlines()
+    cells = [cell for line in lines if line.startswith("|") for cell in line.split("|")]
+    assert [cell for cell in cells if len(cell.split()) > 24] == []
 
 
 def test_the_page_of_verdicts_names_every_witness_that_is_required():
     page = (ROOT / "docs" / "verdicts.md").read_text(encoding="utf-8")
     witnesses = page.partition("## Witnesses")[2].partition("##")[0]
-    named = set(re.findall(r"^\| `([a-z0-9A-Z-]+)` \|", witnesses, re.MULTILINE))
+    named = set(re.findall(r"^- `([a-z0-9A-Z-]+)`: ", witnesses, re.MULTILINE))
     assert named == {"loop-edge", "parallel-edge", *BUILT_IN["algorithm1"].witnesses}

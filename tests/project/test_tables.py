@@ -65,8 +65,8 @@ def page(name):
 
 
 def rows(text):
-    """The first cells of all rows of all tables of a page, where they are names."""
-    return re.findall(r"^\| `([^`]+)`", text, re.MULTILINE)
+    """The first cells of all rows of tables, and beginnings of lists, where they are names."""
+    return re.findall(r"^[|-] `([^`]+)`", text, re.MULTILINE)
 
 
 def section(text, heading):

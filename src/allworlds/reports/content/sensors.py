@@ -43,6 +43,8 @@ def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
         parts.FactList([(row.lighthouse, row.tried or "") for row in found.rows]),
     ]
     ordered: list[parts.Block] = [parts.Paragraph(said), parts.Quote("order", "The order", order)]
+    if less := [*_less_at_a_step(found)]:
+        ordered.append(parts.FactList([("each step", sentence) for sentence in less]))
     sections = [parts.Section("seen", "", blocks)]
     sections += [parts.Section("order", "Which tells more", ordered)] if order else []
     named = [(row.lighthouse, row.twins) for row in found.rows if row.twins]
@@ -94,6 +96,16 @@ def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
     for name in first:
         if not above[name] - below[name]:
             yield from lines(name, 0)
+
+
+def _less_at_a_step(found: AmbiguitySensors) -> Iterator[str]:
+    """A sentence for each sensor that senses less than others to which it is equal in the end."""
+    for row in found.rows:
+        less = row.lighthouse
+        more = [b for a, b in found.coarser if a == less and (b, a) not in found.coarser]
+        more = [each for each in more if (less, each) in found.dominates]
+        if more:
+            yield f"{less} senses less than {', '.join(more)}, and is equal in the end"
 
 
 def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]:
