@@ -1,6 +1,7 @@
 """Everything that is done to this project, by name: ``nox -l`` lists it."""
 
 import time
+from pathlib import Path
 
 import nox
 
@@ -55,7 +56,19 @@ def package(session: nox.Session) -> None:
     session.run("python", "tests/package_contents.py", "dist")
 
 
-@nox.session(python=["3.11", "3.12", "3.13"])
+PYTHONS = ["3.11", "3.12", "3.13", "3.14"]
+
+
+@nox.session(python=PYTHONS)
+def wheel(session: nox.Session) -> None:
+    """Install the wheel in dist alone, with every version of Python that is there, and check."""
+    (built,) = Path("dist").resolve().glob("*.whl")
+    session.install(str(built))
+    session.chdir(session.create_tmp())
+    session.run("allworlds", "check", "--edges", "3")
+
+
+@nox.session(python=PYTHONS)
 def pythons(session: nox.Session) -> None:
     """Test the package with every version of Python that is there."""
     session.install(".[test]")

@@ -33,6 +33,7 @@ NEEDED = {
         "papers/lower_bounds/coq/Main.v",
         "CHANGELOG.md",
         "CONTRIBUTING.md",
+        "SECURITY.md",
         "CITATION.cff",
         "action.yml",
         ".pre-commit-hooks.yaml",
