@@ -56,7 +56,7 @@ def package(session: nox.Session) -> None:
     session.run("python", "tests/package_contents.py", "dist")
 
 
-PYTHONS = ["3.11", "3.12", "3.13", "3.14"]
+PYTHONS = ["3.11", "3.12", "3.13"]
 
 
 @nox.session(python=PYTHONS)
