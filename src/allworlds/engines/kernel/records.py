@@ -9,10 +9,11 @@ that has been glued, and its root is dart 0.
 from __future__ import annotations
 
 from array import array
+from mmap import MAP_PRIVATE, mmap
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from msgspec import Struct
-from numpy import dtype, int32, int64, recarray, uint8, zeros
+from numpy import dtype, frombuffer, int32, int64, recarray, uint8, zeros
 
 from allworlds.engines.kernel.capabilities import LONG
 
@@ -359,8 +360,9 @@ class Kept(NamedTuple):
 
 
 def new(kind: Any) -> Any:
-    """A record of the kind, all zero."""
-    return zeros(1, kind).view(recarray)[0]
+    """A record of the kind, all zero; of its memory only what is written to is taken."""
+    memory = mmap(-1, kind.itemsize, MAP_PRIVATE)
+    return frombuffer(memory, kind).view(recarray)[0]
 
 
 # The columns of what is said of a run besides: its budget, what is told, its number in its unit and
