@@ -8,12 +8,15 @@ from allworlds import check
 from allworlds.documents.document import replace
 from allworlds.engines import compiled_engine as compiled
 from allworlds.engines.compiled_engine import AGREED, UNBOUNDED, bounds_of
-from allworlds.engines.kernel.engine import judge
+from allworlds.engines.kernel.capabilities import POLICIES
+from allworlds.engines.kernel.demand_driven import KNOWN_EDGES
+from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.kernel.records import Counts
 from allworlds.engines.kernel.runs import UNDEFINED
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent, condition_named
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.enumeration import FINGERPRINTS, fingerprint, history, prefixes, rooted_maps
 from allworlds.studies.check.report import known_fingerprints
 
@@ -124,6 +127,35 @@ def test_the_kernel_counts_its_fingerprints_as_its_twin_does():
         for map_ in rooted_maps(4, prefix=prefix):
             sums[map_.vertex_count] += fingerprint(map_)
         assert found == {n: each % FINGERPRINTS for n, each in sums.items()}
+
+
+@pytest.mark.parametrize("policy", POLICIES)
+def test_walks_have_the_fingerprints_of_their_twin_whatever_is_looked_at_first(policy):
+    extent = Extent(MapClass.MAPS, 4)
+    sums = Counter()
+    for prefix in prefixes(4, depth=2):
+        for row in walk(LEVEL_OF("algorithm1", Rules(policy=policy), extent, 4), prefix).counts:
+            sums[row.vertices] += row.fingerprint
+    listed = known_fingerprints(extent, 4)
+    assert {n: f"{each % FINGERPRINTS:x}" for n, each in sums.items()} == listed
+
+
+@pytest.mark.parametrize("policy", POLICIES)
+def test_no_map_is_numbered_anew_for_a_fingerprint_that_no_list_has(policy):
+    for edges in (KNOWN_EDGES, KNOWN_EDGES + 1):
+        bouquet, extent = rose(edges), Extent(MapClass.MAPS, edges)
+        level = LEVEL_OF("algorithm1", Rules(policy=policy), extent, edges)
+        (row,) = walk(level, history(bouquet)).counts
+        told = policy == "fifo" or edges == KNOWN_EDGES
+        assert row.fingerprint == (fingerprint(bouquet) if told else 0)
+    assert known_fingerprints(Extent(MapClass.MAPS, 9), KNOWN_EDGES)
+    assert not known_fingerprints(Extent(MapClass.MAPS, 9), KNOWN_EDGES + 1)
+
+
+def rose(edges):
+    """One vertex with so many loops."""
+    darts = range(2 * edges)
+    return CombinatorialMap([(dart + 1) % len(darts) for dart in darts], [d ^ 1 for d in darts])
 
 
 @pytest.mark.parametrize("map_class", MapClass)

@@ -15,28 +15,30 @@ def mixed(code, decision):
 
 
 @inner
-def fingerprint(world):
-    """The fingerprint of the rooted map, by sigma and alpha alone, in any numbering of its darts.
+def fingerprint(world, alpha):
+    """The fingerprint of the rooted map, in any numbering in which a vertex's darts follow.
 
     The twin is :func:`allworlds.maps.enumeration.fingerprint`.
     """
     number, order = world.number, world.order
-    for dart in range(world.darts):
-        number[dart] = NONE
-    code = known = taken = dart = 0
+    code = met = known = taken = dart = 0
     while True:
-        before = known
-        while number[dart] == NONE:
-            number[dart], order[known] = known, dart
-            known += 1
-            dart = world.sigma[dart]
-        if known > before:
-            code = mixed(code, before - known)
+        v = world.owner[dart]
+        if not met >> v & 1:
+            met |= 1 << v
+            degree, end = world.degree[dart], world.end[dart]
+            code = mixed(code, 0 - degree)
+            for x in range(dart, end):
+                number[x], order[known] = known, x
+                known += 1
+            for x in range(end - degree, dart):
+                number[x], order[known] = known, x
+                known += 1
         elif number[dart] >= taken:
             code = mixed(code, number[dart])
         if taken == known:
             return code
-        dart = world.alpha[order[taken]]
+        dart = alpha[order[taken]]
         taken += 1
 
 

@@ -43,6 +43,9 @@ WORLDS, TRAVERSALS, LARGEST, CASES_1, CASES_2, TESTS_AT_V0, EMPTY_HS = range(7)
 LOOP_EDGE, PARALLEL_EDGE, FINGERPRINT, FAILURES = range(7, 11)
 _FEW = 0xFF
 
+KNOWN_EDGES = 8
+"""The largest m of whose worlds the corpus has the fingerprints."""
+
 
 @entry
 def explore(w, prefix, kept, halt):
@@ -155,11 +158,7 @@ def _tally(w, s, kept):
     """Tally one world, and the walk in it."""
     n, cost = s.vertices, s.total & COST
     w.counts[n, WORLDS] += 1
-    code = s.code
-    if s.stage == FAILED or w.policy != FIFO:
-        _settle(w, s)
-        code = fingerprint(w.world)
-    w.counts[n, FINGERPRINT] = (w.counts[n, FINGERPRINT] + code) & LESS
+    w.counts[n, FINGERPRINT] = (w.counts[n, FINGERPRINT] + _fingerprint(w, s)) & LESS
     if s.stage == FAILED:
         w.counts[n, FAILURES] += 1
         _blame(w, s, kept)
@@ -176,6 +175,16 @@ def _tally(w, s, kept):
     w.counts[n, PARALLEL_EDGE] += s.total >> 53 & 1
     if cost > w.bound[n]:
         _blame(w, s, kept)
+
+
+@inlined
+def _fingerprint(w, s):
+    """The fingerprint of W; 0 where W would be numbered anew, and no list has its worlds."""
+    if w.policy == FIFO and s.stage != FAILED:
+        return s.code
+    if w.policy != FIFO and w.edges > KNOWN_EDGES:
+        return 0
+    return fingerprint(w, w.partner)
 
 
 @inner

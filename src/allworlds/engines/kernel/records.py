@@ -162,9 +162,9 @@ GLUING = _record(
 WORLD = _record(
     # The lighthouse: the number of its place, its dart at v0, what it tells.
     (int64, "darts vertices place pointed told"),
-    # By darts: the first dart of the vertex, the vertex, and the degree there; what is sensed on
-    # arriving.  By vertices: the first dart.
-    (int64, "first owner degree sigma alpha marks bearing root", DARTS),
+    # By darts: the first dart of the vertex, the one behind its last, the vertex, and the degree
+    # there; what is sensed on arriving.  By vertices: the first dart.
+    (int64, "first end owner degree sigma alpha marks bearing root", DARTS),
     # The canonical order of the darts, and the place of each in it.  Of the compass: the vertices
     # in that order, and the number of the dart of each.
     (int64, "order number met choice", DARTS),
@@ -303,7 +303,7 @@ NOW = _record(
     (uint8, "candidate steps t"),
     # The cost and the counters of the walk, packed.
     (int64, "total"),
-    # The fingerprint of S, as far as it is known; under fifo that of W at the end.
+    # Under fifo the fingerprint of S, as far as it is known: at the end that of W.
     (int64, "code"),
 )
 """The state to which a walk goes back to decide a dart in another way."""
@@ -321,6 +321,8 @@ WALK = _record(
     # W, by darts: the partner, the vertex, the degree there, and the dart behind the last one of
     # the vertex.
     (uint8, "partner owner degree end", WALKED),
+    # The canonical order of its darts, and the place of each in it.
+    (uint8, "order number", WALKED),
     # S, by darts: the partner, the vertex, the degree that is expected there, the image in
     # W.  By vertices: the darts, and the vertices joined to each.  By degrees: the darts.
     (uint8, "s_partner s_owner s_degree image", WALKED),

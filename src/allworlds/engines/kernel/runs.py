@@ -75,7 +75,7 @@ def examine(job, player, unit, halt):
         counts[n, WORLDS] += 1
         counts[n, LOOP_EDGE] += kinds & 1
         counts[n, PARALLEL_EDGE] += kinds >> 1
-        counts[n, FINGERPRINT] = (counts[n, FINGERPRINT] + fingerprint(world)) & LESS
+        counts[n, FINGERPRINT] = (counts[n, FINGERPRINT] + fingerprint(world, world.alpha)) & LESS
         call(job.lighthouse, (world,))
         if world.place == NONE:
             counts[n, LEFT_OUT] += 1

@@ -276,6 +276,7 @@ def settle(world, g):
         world.root[v] = first
         for dart in range(first, first + degree):
             world.owner[dart], world.first[dart], world.degree[dart] = v, first, degree
+            world.end[dart] = first + degree
             world.sigma[dart] = dart + 1
             world.alpha[dart] = g.alpha[dart]
         world.sigma[first + degree - 1] = first

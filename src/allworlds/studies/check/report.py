@@ -186,7 +186,7 @@ def count_gate(extent: classes.Extent, edges: int, tally: Tally) -> list[GateCel
             enumerated=row.worlds,
             counted=counted,
             source=source.name,
-            fingerprint=f"{row.fingerprint:x}",
+            fingerprint=f"{row.fingerprint:x}" if row.fingerprint else "",
             listed=known.get(vertices, ""),
         )
         if cell.enumerated or cell.counted:
