@@ -47,7 +47,7 @@ from allworlds.studies.fuzz.breeding import (
     is_bred_for,
 )
 from allworlds.studies.fuzz.given_maps import MapsRequest
-from allworlds.studies.fuzz.sampling import SMALL, SmallBatch, batches, waves
+from allworlds.studies.fuzz.sampling import SMALL, SMALL_RUNS, SmallBatch, batches, waves
 from allworlds.studies.fuzz.shrinking import smallest_from
 from allworlds.studies.options import ClusterOptions, RunDirectoryOptions
 from allworlds.world import world
@@ -179,7 +179,8 @@ class FuzzSweep(TallySweep[CheckReport]):
         subject, blocks = self.job.subject, 0
         if not sample.portion.index:
             small = [SmallBatch(sample.seed, sample.mix)]
-            yield SweptLevel(min(SMALL, edges), 0, small, of=0)
+            announced = SMALL_RUNS * sample.portion.count  # a shard tells of its part
+            yield SweptLevel(min(SMALL, edges), announced, small, of=0)
         for begin, end in waves(sample.runs):
             yield SweptLevel(edges, end - begin, batches(sample, begin, end))
             until = end // DRAWS_PER_BLOCK

@@ -143,7 +143,7 @@ class TeamRequest(
     within: Annotated[
         Converted[int | None, int | None],
         Option(
-            RULES,
+            RARE_RULES,
             "B",
             "The same as a bound: a run that goes on is a finding.",
             parse=integer_of,
@@ -153,7 +153,7 @@ class TeamRequest(
     lead: Annotated[
         Converted[int | None, int | None],
         Option(
-            RULES,
+            RARE_RULES,
             "D",
             "No robot is more than D activations ahead of one that could be activated.",
             parse=integer_of,
@@ -163,7 +163,7 @@ class TeamRequest(
     start_delay: Annotated[
         Converted[int, int],
         Option(
-            RULES,
+            RARE_RULES,
             "D",
             "Robot 1 begins up to D rounds later, as the adversary likes.",
             parse=integer_of,
