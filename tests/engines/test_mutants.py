@@ -9,7 +9,6 @@ from allworlds.documents.document import replace
 from allworlds.engines import compiled_engine as compiled
 from allworlds.engines.compiled_engine import AGREED, UNBOUNDED, bounds_of
 from allworlds.engines.kernel.capabilities import POLICIES
-from allworlds.engines.kernel.demand_driven import KNOWN_EDGES
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.kernel.records import Counts
 from allworlds.engines.kernel.runs import UNDEFINED
@@ -141,15 +140,12 @@ def test_walks_have_the_fingerprints_of_their_twin_whatever_is_looked_at_first(p
 
 
 @pytest.mark.parametrize("policy", POLICIES)
-def test_no_map_is_numbered_anew_for_a_fingerprint_that_no_list_has(policy):
-    for edges in (KNOWN_EDGES, KNOWN_EDGES + 1):
-        bouquet, extent = rose(edges), Extent(MapClass.MAPS, edges)
-        level = LEVEL_OF("algorithm1", Rules(policy=policy), extent, edges)
-        (row,) = walk(level, history(bouquet)).counts
-        told = policy == "fifo" or edges == KNOWN_EDGES
-        assert row.fingerprint == (fingerprint(bouquet) if told else 0)
-    assert known_fingerprints(Extent(MapClass.MAPS, 9), KNOWN_EDGES)
-    assert not known_fingerprints(Extent(MapClass.MAPS, 9), KNOWN_EDGES + 1)
+def test_a_map_beyond_all_lists_has_its_fingerprint_whatever_is_looked_at_first(policy):
+    bouquet, extent = rose(9), Extent(MapClass.MAPS, 9)
+    level = LEVEL_OF("algorithm1", Rules(policy=policy), extent, 9)
+    (row,) = walk(level, history(bouquet)).counts
+    assert row.fingerprint == fingerprint(bouquet)
+    assert not known_fingerprints(extent, 9)
 
 
 def rose(edges):

@@ -43,9 +43,6 @@ WORLDS, TRAVERSALS, LARGEST, CASES_1, CASES_2, TESTS_AT_V0, EMPTY_HS = range(7)
 LOOP_EDGE, PARALLEL_EDGE, FINGERPRINT, FAILURES = range(7, 11)
 _FEW = 0xFF
 
-KNOWN_EDGES = 8
-"""The largest m of whose worlds the corpus has the fingerprints."""
-
 
 @entry
 def explore(w, prefix, kept, halt):
@@ -179,11 +176,9 @@ def _tally(w, s, kept):
 
 @inlined
 def _fingerprint(w, s):
-    """The fingerprint of W; 0 where W would be numbered anew, and no list has its worlds."""
+    """The fingerprint of W, which is numbered anew but under fifo."""
     if w.policy == FIFO and s.stage != FAILED:
         return s.code
-    if w.policy != FIFO and w.edges > KNOWN_EDGES:
-        return 0
     return fingerprint(w, w.partner)
 
 
