@@ -18,6 +18,7 @@ PUBLIC = {
     "allworlds.ambiguity",
     "allworlds.claims",
     "allworlds.maps",
+    "allworlds.robots",
     "allworlds.strategies",
     "allworlds.testing",
 }

@@ -1,0 +1,66 @@
+"""Symmetric starts of two robots, one of which begins d rounds later: feasible iff d >= Shrink.
+
+Source: Pelc and Yadav, Using Time to Break Symmetry, 2018, for port numbers.  For rotations: with
+the words of ``shrink.py`` the later robot is where, in the other copy, the earlier one was d rounds
+ago, so they are s - d apart at least.  With d >= s the earlier one walks to where the later comes.
+"""
+
+from __future__ import annotations
+
+from allworlds import Automaton, CombinatorialMap, Move, Percept
+from allworlds.claims import Found, Means, truth
+from allworlds.robots import search
+from check import never_together
+from shrink import Pair, by_word, distance, shrink_by_walk, words_from
+from small_automata import two_states
+from worlds import EDGE, named, ring, starts_apart
+
+
+def ahead(map_: CombinatorialMap, pair: Pair, delay: int) -> Automaton:
+    """The program that leads both near each other, and then over to the other's place."""
+    words = words_from(map_, pair) or {}
+    near = min(words, key=lambda each: (distance(map_, *each), len(words[each])))
+    over = path_between(map_, *near)
+    return by_word([*words[near], *over, *[None] * (delay - len(over))])
+
+
+def path_between(map_: CombinatorialMap, one: int, other: int) -> list[int]:
+    """The turns of a shortest walk from a dart to the vertex of another."""
+    turns = []
+    while left := distance(map_, one, other):
+        around = range(map_.degree_at[one])
+        turns.append(next(k for k in around if distance(map_, map_.move(one, k), other) < left))
+        one = map_.move(one, turns[-1])
+    return turns
+
+
+def meet_late(map_: CombinatorialMap, pair: Pair, program: Automaton, delay: int) -> bool:
+    """Whether two of a program meet, the first of which is so many rounds ahead."""
+    memory, (dart, other) = program.start, pair
+    for _ in range(delay):
+        memory, action = program.step(memory, Percept(map_.degree_at[dart]))
+        dart = map_.move(dart, action.k) if isinstance(action, Move) else dart
+        if map_.vertex_of[dart] == map_.vertex_of[other]:
+            return True
+    team = [Automaton(memory, program.step), program]
+    return search(map_, (dart, other), named("meeting"), team, "fsync").holds
+
+
+def delays(_: Means, *, rings: list[int], most: int) -> Found:
+    """Search the program for each delay from Shrink on, and all automata of two states below it."""
+    yes = no = wrong = searched = 0
+    least: list[int] = []
+    for map_ in (EDGE, *map(ring, rings)):
+        automata = [*two_states([map_.degree_at[0]])]
+        shrinks = {pair: shrink_by_walk(map_, pair) or 0 for pair in starts_apart(map_)}
+        least.append(max(shrinks.values()))
+        for pair, shrink in shrinks.items():
+            for delay in range(shrink):
+                no, searched = no + 1, searched + len(automata)
+                wrong += not never_together(map_.sigma, map_.alpha, *pair, delay)
+                wrong += any(meet_late(map_, pair, each, delay) for each in automata)
+            for delay in range(shrink, most + 1):
+                yes += 1
+                wrong += not meet_late(map_, pair, ahead(map_, pair, delay), delay)
+    witnesses = {"feasible": yes, "infeasible": no, "automata": searched}
+    return Found(truth(not wrong), witnesses, {"least delay for all": least})
