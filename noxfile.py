@@ -116,7 +116,7 @@ def matrix(session: nox.Session) -> None:
 def papers(session: nox.Session) -> None:
     """Check each paper's ledger to its full extent, with Coq, and test it."""
     session.install(".[test]")
-    for paper in ("papers/minimal_information", "papers/lower_bounds"):
+    for paper in ("papers/minimal_information", "papers/lower_bounds", "papers/mobile_robots"):
         session.run("allworlds", "ledger", paper, "--budget", "full")
         session.run("pytest", "-n", "auto", "-m", "", f"{paper}/tests")
 

@@ -6,8 +6,7 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).parents[2] / "examples" / "robots"))
 
 from companions import hidden_once, labels, lights, second_robot, to_the_other
-from delays import delays
-from dispersion import dispersion
+from delays import delays, dispersion
 from exploring import (
     perpetual_new,
     perpetual_none,

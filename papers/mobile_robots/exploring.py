@@ -118,8 +118,6 @@ def perpetual_twelve(_: Means) -> Found:
     return Found(truth(stuck == checked == equal), witnesses)
 
 
-# ---------------------------------------------------------------- all rule sets, lazily
-
 Attempt = Callable[[Automaton], bool]
 """Whether a program is right; it raises Unruled where a rule is missing that is needed."""
 
@@ -152,9 +150,6 @@ def perpetual_none(_: Means, *, one: int, two: int, three: int) -> Found:
                 searched += 1
                 right += found or some_rules(checked_from(start, n))[1]
     return Found(truth(not right), {"starts": searched}, {"rule sets begun": begun})
-
-
-# ---------------------------------------------------------------- exploration with stop
 
 
 @dataclass(frozen=True)

@@ -19,14 +19,7 @@ from worlds import simple_worlds
 
 
 class Walked(NamedTuple):
-    """A walk until it repeats itself.
-
-    Attributes:
-        before: the steps before those that repeat.
-        period: the number of these.
-        cover: the steps until every edge is crossed.
-        states: that were met: the vertex, and the pointers.
-    """
+    """A walk: steps before those that repeat, their number, steps to cross all, states met."""
 
     before: int
     period: int

@@ -50,7 +50,7 @@ MOST_OF_FUNCTION = 60
 MOST_ATTRIBUTES = 20
 """Attributes that a class sets on itself; fields that are declared do not count."""
 
-MOST_OF_PAPERS = 8_200
+MOST_OF_PAPERS = 9_800
 """Lines of the papers' programs, without tests."""
 
 MOST_OF_PROOFS = 24_400

@@ -8,5 +8,10 @@ from pathlib import Path
 
 TESTS = Path(__file__).parent
 sys.path[:0] = [str(TESTS.parent), str(TESTS)]
+ROOT = TESTS.parents[2]
+sys.path += [
+    str(ROOT / "examples" / "robots"),
+    str(ROOT / "proofs"),
+]  # proofs: of every paper's tests
 
 pytest_plugins = ["conftest"]
