@@ -31,7 +31,7 @@ def test_each_expected_number_matters_beside_what_is_really_found(name):
 
 
 SMALL = {
-    "shrink-worlds": {"edges": 3},
+    "shrink-worlds": {"edges": 5},
     "shrink-positive": {"rings": [3], "edges": 3},
     "delays": {"rings": [5], "most": 2},
     "tokens-facing": {"vertices": 5},
