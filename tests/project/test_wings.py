@@ -53,7 +53,7 @@ MOST_ROWS, MOST_ARROWS, MOST_ENTRIES, MOST_IN_A_CIRCLE = 12, 70, 25, 8
 BY_FOLDER = {"studies"}
 
 # What is there for all studies, and knows none of them.
-OF_ALL = ("findings", "options", "reports", "scopes", "swept")
+OF_ALL = ("findings", "options", "reports", "scopes", "swept", "user_corpus")
 SHARED_BY_STUDIES = {f"studies.{name}" for name in OF_ALL}
 
 # What lies beside the wings and holds no code, or code that no wing knows.

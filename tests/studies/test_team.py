@@ -246,3 +246,60 @@ def test_what_cannot_be_meant_is_refused_in_one_line(case, refused):
         plain if plain in values else word for plain, word in zip(arguments, named, strict=True)
     ]
     assert said in refused("team", *words)
+
+
+# ---------------------------------------------------------------- a corpus of findings
+
+
+def past(report):
+    """What a search says of its corpus, without the directory and without what is empty."""
+    said = report.corpus.to_json()
+    return {kind: len(names) for kind, names in said.items() if kind != "directory" and names}
+
+
+def test_findings_of_earlier_searches_are_tried_first(tmp_path):
+    options = {"edges": 2, "model": "meeting", "scheduler": "fsync", "corpus": tmp_path}
+    assert past(team("waits", **options)) == {"written": 1}
+    again = team("waits", **options)
+    assert (past(again), again.levels, again.exit_code) == ({"reproduced": 1}, (), 1)
+    given = team("waits", **{**options, "edges": None, "family": "lattice:1x2"})
+    assert (past(given), given.levels) == ({"reproduced": 1}, ())
+
+
+@pytest.mark.parametrize(
+    ("names", "options", "kind"),
+    [
+        (["waits"], {"scheduler": "async"}, "beyond_scope"),
+        (["waits"], {"budget": 7}, "beyond_scope"),
+        (["waits"], {"model": "meeting:labels=true"}, "beyond_scope"),
+        (["waits"], {"robots": 3}, "beyond_scope"),
+        (["waits"], {"edges": None, "family": "lattice:1x3"}, "beyond_scope"),
+        (["waits", "searches"], {}, "fixed"),
+        (["waits", "waits", "searches"], {}, "stale"),
+        (["waits", "polls"], {"configurations": 2}, "undecided"),
+    ],
+)
+def test_a_finding_of_another_scope_or_team_is_told_as_what_it_is(names, options, kind, tmp_path):
+    asked = {"edges": 2, "model": "meeting", "scheduler": "fsync", "corpus": tmp_path}
+    team("waits", **asked)
+    assert past(team(*names, **{**asked, **options}))[kind] == 1
+
+
+MINE = """
+from dataclasses import dataclass
+from allworlds.robots.models.meeting import Meeting
+
+@dataclass(frozen=True)
+class Mine(Meeting):
+    pass
+"""
+
+
+def test_a_finding_whose_model_has_another_text_is_stale(tmp_path):
+    model = tmp_path / "model.py"
+    corpus = tmp_path / "corpus"
+    asked = {"edges": 1, "model": f"{model}:Mine", "corpus": corpus}
+    model.write_text(MINE)
+    assert past(team("waits", **asked)) == {"written": 1}
+    model.write_text(f"{MINE}# changed\n")
+    assert past(team("waits", **asked)) == {"stale": 1, "written": 1}

@@ -116,7 +116,7 @@ def plain_command(verb: Verb) -> Callable[..., int]:
 
     def command(request: Any, *, output: OutputGroup) -> int:
         from allworlds.engines.limits import WorkerOptions
-        from allworlds.studies.check.tally_sweep import CorpusOptions
+        from allworlds.studies.user_corpus import CorpusOptions
 
         if isinstance(request, CorpusOptions):
             ensure_directory(request.corpus)

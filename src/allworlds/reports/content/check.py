@@ -19,7 +19,7 @@ from allworlds.reports.content.scope import (
     option_facts,
     trust,
 )
-from allworlds.studies.check import tally_sweep, time_estimate
+from allworlds.studies.check import time_estimate
 from allworlds.studies.check.report import CheckReport, GateCell, most_expensive_runs
 from allworlds.studies.scopes import tried_places
 from allworlds.words import about, counted, duration, listed, number, plural, size
@@ -183,7 +183,7 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
         ("gate", _gate(report)),
         ("witnesses", f"events seen: {seen}" if seen else "no event was seen"),
         ("MISSING", missing and f"never met: {missing}"),
-        ("corpus", f"{past.directory}: {_corpus(past)}" if past else ""),
+        ("corpus", f"{past.directory}: {past.summary}" if past else ""),
         ("left out", left_out(report.tally.left_out)),
         *(("remark", remark) for remark in report.remarks),
     ]
@@ -230,18 +230,6 @@ def _maps(report: CheckReport) -> str:
     ended = report.refuted and 0 < report.worlds < sample.runs and sample.portion == units.WHOLE
     first = f"the first {number(report.worlds)} of " if ended else ""
     return f"each of {first}a SAMPLE of {plural(sample.runs, 'map')} (seed {sample.seed})"
-
-
-def _corpus(past: tally_sweep.CorpusReport) -> str:
-    found = {
-        "reproduced": past.reproduced,
-        "still refuted, but beyond the scope": past.beyond_scope,
-        "fixed and kept": past.fixed,
-        "stale and not tried": past.stale,
-        "written": past.written,
-    }
-    counts = (f"{len(names)} {what} ({', '.join(names)})" for what, names in found.items() if names)
-    return "; ".join(counts) or "no finding"
 
 
 def _schedules(report: CheckReport) -> str:

@@ -108,6 +108,7 @@ def scope_words(report: TeamReport) -> list[tuple[str, str]]:
     if time.start_delay:
         bounds.append(f"robot 1 up to {plural(time.start_delay, 'round')} later")
     total = report.total
+    past = report.corpus
     paths = "infinitely many, or not known" if total.schedules is None else number(total.schedules)
     return [
         ("programs", ", ".join(report.explorers)),
@@ -117,6 +118,7 @@ def scope_words(report: TeamReport) -> list[tuple[str, str]]:
         ("gate", _gate(report)),
         ("schedules", paths if report.verdict is Verdict.HOLDS else ""),
         ("anonymous", _anonymous(report)),
+        ("corpus", f"{past.directory}: {past.summary}" if past else ""),
         *(("remark", remark) for remark in report.remarks),
     ]
 

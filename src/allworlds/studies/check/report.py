@@ -26,11 +26,11 @@ from allworlds.maps.classes import DEFAULT_EDGES, ClassOptions, Condition, Exten
 from allworlds.notations.given import GivenOptions
 from allworlds.outcome import Completed, Verdict
 from allworlds.protocol.choices import Schedule
-from allworlds.studies.check import tally_sweep
 from allworlds.studies.check.covered import CoveredRow, covered_rows
 from allworlds.studies.options import ClusterOptions, ListenerOptions, RunDirectoryOptions
 from allworlds.studies.scopes import FileDigests, GivenCount, TriedPlaces, told_scope, tried_places
 from allworlds.studies.swept import PortionReport
+from allworlds.studies.user_corpus import CorpusOptions, CorpusReport, UserCorpus
 from allworlds.world import named, selection
 from allworlds.world.world import World
 
@@ -72,7 +72,7 @@ class ManyWorlds(ListenerOptions, Limits, RuleOptions, selection.LighthouseOptio
 
 
 class CheckRequest(
-    tally_sweep.CorpusOptions,
+    CorpusOptions,
     RunDirectoryOptions,
     ClusterOptions,
     ManyWorlds,
@@ -294,7 +294,7 @@ class CheckReport(PortionReport):
     tally: doc.NotInDocument[Tally]
     levels: doc.NotInDocument[tuple[int, ...]]
     cells: doc.NotInDocument[tuple[GateCell, ...]] = ()
-    past: doc.NotInDocument[tally_sweep.UserCorpus | None] = None
+    past: doc.NotInDocument[UserCorpus[Finding] | None] = None
     symmetry: doc.NotInDocument[str] = ""
     seconds: doc.NotInDocument[tuple[float, ...]] = ()
     offspring: doc.NotInDocument[int] = 0
@@ -391,7 +391,7 @@ class CheckReport(PortionReport):
         return self.offspring or None
 
     @doc.computed
-    def corpus(self) -> tally_sweep.CorpusReport | None:
+    def corpus(self) -> CorpusReport | None:
         """Null without ``--corpus``."""
         return self.past.report if self.past else None
 

@@ -4,35 +4,31 @@ How run directories know it, its findings confirmed, and findings of earlier che
 """
 
 import hashlib
-import re
 import time
-from collections import defaultdict
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import fields
 from functools import partial
-from pathlib import Path
-from tempfile import TemporaryDirectory
-from typing import Annotated, Any, TypeVar
+from typing import Any, TypeVar
 
-from msgspec import Struct, field
+from msgspec import Struct
 from typing_extensions import override
 
 from allworlds import outcome
-from allworlds.documents.document import Document, IfAny, Text, about, replace
+from allworlds.documents.document import replace
 from allworlds.engines import lanes, single, sweep, tally, units
 from allworlds.engines.engine_table import Job
 from allworlds.engines.job_records import Records, canonical, from_kept
 from allworlds.engines.limits import Limits, deadline_after
 from allworlds.explorers import loading, sources
-from allworlds.inputs import checks, requests
+from allworlds.inputs import requests
 from allworlds.judging.differences import nondeterministic
-from allworlds.judging.findings.finding import DIGITS, Finding, digest_of, labelled
+from allworlds.judging.findings.finding import Finding, labelled
 from allworlds.judging.laws.law_table import LAWS
 from allworlds.judging.referee import LOST
 from allworlds.judging.rules import Among, RuleOptions, Rules
 from allworlds.maps.classes import Extent, MapClass
-from allworlds.protocol.user_code import OtherText
 from allworlds.studies.check import hints
+from allworlds.studies.user_corpus import corpus_of
 
 # ---------------------------------------------------------------- confirmed findings
 
@@ -147,129 +143,6 @@ class Confirmation(Struct, frozen=True):
 # ---------------------------------------------------------------- findings of earlier checks
 
 
-class CorpusOptions(requests.Request):
-    """The part of a request that names the corpus."""
-
-    corpus: Annotated[
-        str | Path | None,
-        requests.Option(
-            requests.RARE_EFFORT,
-            "DIR",
-            "A directory of findings, which are tried first; new ones are added to it.",
-            apart=True,
-        ),
-    ] = None
-
-
-class UserCorpus(Struct):
-    """A directory of findings in the course of one check.
-
-    Attributes:
-        directory: need not exist yet.
-        files: their names, by the keys of :class:`CorpusReport`.
-    """
-
-    directory: Path
-    files: dict[str, list[str]] = field(default_factory=lambda: defaultdict(list))
-    _standing: list[Finding] = field(default_factory=list)
-
-    def retry(self, subject: loading.Subject, limits: Limits, scope: units.Scope) -> list[Finding]:
-        """Run the explorer in every recorded world. Return the findings within the scope.
-
-        Each finding is tried by itself, so that one that is lost does no harm to others.
-        """
-        for name, finding in self._past():
-            found = _retry(finding, subject, limits)
-            if found is None:
-                self.files["fixed"].append(name)
-            elif is_inside(found, scope):
-                self.files["reproduced"].append(name)
-                self._standing.append(found)
-            else:
-                self.files["beyond_scope"].append(name)
-        return self._standing
-
-    def _past(self) -> list[tuple[str, Finding]]:
-        """The findings of the directory with the names of their files, smallest first.
-
-        Raises:
-            InputError: naming the file that cannot be read, is no finding, or has been changed
-                since it was written.
-        """
-        past = list[tuple[str, Finding]]()
-        for file in sorted(self.directory.glob("*.json")):
-            said = f"corpus file {checks.show(file.name)}"
-            if not file.is_file():
-                raise checks.InputError(f"{said} is no regular file; legal are findings")
-            try:
-                text = file.read_text(encoding="utf-8-sig")
-            except (OSError, UnicodeDecodeError) as error:
-                reason = error.strerror if isinstance(error, OSError) else "it is no text"
-                raise checks.InputError(f"{said} cannot be read: {reason}") from None
-            written = re.search(rf"-([0-9a-f]{{{DIGITS}}})\.json$", file.name)
-            if written and written[1] != digest_of(text):
-                raise checks.InputError(f"{said} has been changed since it was written")
-            try:
-                past.append((file.name, Finding.from_json(text)))
-            except OtherText:
-                self.files["stale"].append(file.name)
-            except ValueError as error:
-                raise checks.InputError(f"{said}: {error}") from None
-        return sorted(past, key=lambda each: each[1].key)
-
-    @property
-    def report(self) -> "CorpusReport":
-        """The part of the check's report about past findings."""
-        keys = ("reproduced", "beyond_scope", "fixed", "stale", "written")
-        files = {key: tuple(self.files[key]) for key in keys}
-        return CorpusReport(directory=str(self.directory), **files)
-
-    def holds(self, finding: Finding) -> bool:
-        """Whether this is a past finding that was reproduced and confirmed."""
-        return finding in self._standing
-
-    def write(self, findings: Iterable[Finding]) -> Iterator[str]:
-        """Write the new findings, and yield a line for each that could not be written."""
-        for finding in findings:
-            if not self.holds(finding):
-                try:
-                    self._write(finding)
-                except OSError as error:
-                    yield f"the corpus could not take {finding.file_name}: {error.strerror}"
-                else:
-                    self.files["written"].append(finding.file_name)
-
-    def _write(self, finding: Finding) -> None:
-        """Write a finding, unless it is there already: whole or not at all."""
-        self.directory.mkdir(parents=True, exist_ok=True)
-        path = self.directory / finding.file_name
-        if path.exists():
-            return
-        with TemporaryDirectory(prefix=".allworlds-", dir=self.directory) as beside:
-            draft = Path(beside) / path.name
-            draft.write_text(finding.text, encoding="utf-8")
-            draft.replace(path)
-
-
-class CorpusReport(Document):
-    """Findings of a corpus after a check: reproduced, fixed or written."""
-
-    directory: Annotated[Text, about("the path of the corpus")]
-    reproduced: Annotated[tuple[Text, ...], about("the files whose findings still stand")]
-    beyond_scope: Annotated[
-        tuple[Text, ...],
-        about("findings that still stand but lie outside this check's scope; they refute nothing"),
-    ]
-    fixed: Annotated[
-        tuple[Text, ...], about("the files whose worlds no longer refute; they are kept")
-    ]
-    stale: Annotated[
-        IfAny[tuple[Text, ...]],
-        about("the files that were not tried: their lighthouse or judge has another text now"),
-    ]
-    written: Annotated[tuple[Text, ...], about("the files that this check has added")]
-
-
 def is_inside(finding: Finding, scope: units.Scope) -> bool:
     """Whether a check of that scope could have found this itself."""
     rules, own, world = scope.rules, finding.rules, finding.world
@@ -374,20 +247,14 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
         self.narrowed = scope.extent
         notice = self.listener.notice
         self.job = Job(scope, subject, request.limits, keep, self.deadline, notice, request.dask)
-        named = request.corpus
-        self.corpus = None if named is None else UserCorpus(checks.a_path("corpus", named))
-        if named is not None and request.run is not None:
-            raise checks.InputError(
-                f"corpus {checks.show(str(named))} cannot be given with run "
-                f"{checks.show(str(request.run))}: what is in the one would change what the other "
-                "keeps; give one of them"
-            )
+        self.corpus = corpus_of(request.corpus, request.run, Finding.from_json)
 
     def retry_past(self, total: tally.Tally) -> outcome.Ending | None:
         """Try past findings. Those that stand are in the total; enough of them end the job."""
         job = self.job
         if self.corpus is not None:
-            past = self.corpus.retry(job.subject, job.limits, self.scope)
+            again = partial(_retry, subject=job.subject, limits=job.limits)
+            past = self.corpus.retry(again, partial(is_inside, scope=self.scope))
             total.findings = past[: job.keep]
             if len(total.findings) >= job.keep:
                 return outcome.Stopped("past findings stand")

@@ -33,7 +33,6 @@ from allworlds.outcome import Completed, Ending
 from allworlds.studies.check.covered import features
 from allworlds.studies.check.report import CheckReport
 from allworlds.studies.check.tally_sweep import (
-    CorpusOptions,
     TallySweep,
     rules_known,
     subject_of_record,
@@ -50,6 +49,7 @@ from allworlds.studies.fuzz.given_maps import MapsRequest
 from allworlds.studies.fuzz.sampling import SMALL, SMALL_RUNS, SmallBatch, batches, waves
 from allworlds.studies.fuzz.shrinking import smallest_from
 from allworlds.studies.options import ClusterOptions, RunDirectoryOptions
+from allworlds.studies.user_corpus import CorpusOptions
 from allworlds.world import world
 
 

@@ -32,6 +32,7 @@ from allworlds.robots.models.table import NamedModel, named_model
 from allworlds.robots.schedulers import ROUNDS, Time, schedule_of
 from allworlds.robots.team import Team
 from allworlds.studies.options import ClusterOptions, ListenerOptions, RunDirectoryOptions
+from allworlds.studies.user_corpus import CorpusOptions
 from allworlds.world import selection
 from allworlds.world.named import world_named
 
@@ -78,6 +79,7 @@ def darts_of(text: str) -> tuple[int, ...]:
 
 
 class TeamRequest(
+    CorpusOptions,
     ListenerOptions,
     RunDirectoryOptions,
     ClusterOptions,

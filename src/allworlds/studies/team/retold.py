@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
@@ -11,15 +10,9 @@ from typing_extensions import override
 from allworlds.documents import document as doc
 from allworlds.documents.report import Report
 from allworlds.engines.limits import TimeoutOptions
-from allworlds.inputs.checks import InputError, show
-from allworlds.inputs.requests import (
-    values_of,
-)
 from allworlds.outcome import Facts, Verdict
 from allworlds.robots.finding import LAWS, TeamFinding
-from allworlds.robots.models.table import named_model
-from allworlds.studies.team.request import TeamRequest
-from allworlds.studies.team.search_sweep import searched
+from allworlds.studies.team.search_sweep import request_again, searched
 from allworlds.studies.team.team_report import TeamReport
 from allworlds.words import plural
 
@@ -66,23 +59,8 @@ def replayed(finding: TeamFinding, explore: Any, limits: TimeoutOptions) -> Team
     Raises:
         InputError: if a program or the model is not to be found, or the model has another text.
     """
-    time = finding.time
-    model = named_model(finding.model)
-    if model.digest != finding.model_digest:
-        raise InputError(f"the model {show(finding.model)} has another text than the recorded one")
-    request = TeamRequest(
-        explorers=(explore,) if explore is not None else finding.team,
-        model=model,
-        robots=len(finding.starts),
-        scheduler=time.scheduler,
-        budget=time.budget,
-        within=time.budget if time.within else None,
-        lead=time.lead,
-        start_delay=time.start_delay,
-        world=json.dumps({"sigma": finding.sigma, "alpha": finding.alpha}),
-        starts=finding.starts,
-        **values_of(TimeoutOptions, limits),
-    )
+    programs = (explore,) if explore is not None else finding.team
+    request = request_again(finding, programs, limits)
     return TeamReplay(again=searched(request), recorded=finding)
 
 

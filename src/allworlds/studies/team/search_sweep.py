@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import json
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import Any
 
@@ -13,17 +14,23 @@ from allworlds.documents import document as doc
 from allworlds.engines import lanes, sweep, units
 from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.job_records import Identity
+from allworlds.engines.limits import TimeoutOptions
 from allworlds.engines.listeners import Listener
-from allworlds.inputs.requests import (
-    takes_fields,
-)
+from allworlds.inputs.checks import parse_json, show
+from allworlds.inputs.requests import takes_fields, values_of
 from allworlds.maps import count_source
 from allworlds.maps.classes import Extent
+from allworlds.maps.combinatorial import CombinatorialMap, rooted_code
+from allworlds.protocol.user_code import OtherText
+from allworlds.robots.finding import TeamFinding, TimeDocument
 from allworlds.robots.lane import SearchLane
+from allworlds.robots.model import Guarded
+from allworlds.robots.models.table import NamedModel, named_model
 from allworlds.robots.team import Team, TeamScope, TeamTally
 from allworlds.studies.check.tally_sweep import record_of, subject_of_record
 from allworlds.studies.team.request import TeamRequest, renamed
 from allworlds.studies.team.team_report import TeamCell, TeamReport
+from allworlds.studies.user_corpus import LeftOpen, corpus_of
 from allworlds.world.named import world_named
 
 
@@ -67,6 +74,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
             starts,
         )
         self._tally = self.scope.tally()
+        self.corpus = corpus_of(request.corpus, request.run, _read)
         self._levels: list[int] = []
         self._gate: list[TeamCell] = []
 
@@ -111,6 +119,44 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
         return self.scope.tally()
 
     @override
+    def begin(self) -> outcome.Ending | None:
+        """Try past findings; enough that stand end the job."""
+        if self.corpus is None:
+            return None
+        for found in self.corpus.retry(self._again, partial(is_inside, scope=self.scope)):
+            self._tally.find(found)
+        if len(self._tally.findings) >= self.scope.keep:
+            return outcome.Stopped("past findings stand")
+        return None
+
+    def _again(self, finding: TeamFinding) -> TeamFinding | None:
+        """The finding that the programs of today give in that world; None if they give none.
+
+        Raises:
+            OtherText: if its model has another text, or it is of another number of robots.
+            LeftOpen: if a limit ends its search.
+        """
+        programs = tuple(self.request.explorers)
+        if len(programs) not in (1, len(finding.starts)):
+            raise OtherText(f"{len(programs)} programs for {len(finding.starts)} robots")
+        asked = request_again(finding, programs, self.request, self.scope.model)
+        report = searched(doc.replace(asked, configurations=self.request.configurations))
+        if report.findings:
+            return doc.replace(report.findings[0], minimal=False)
+        if report.verdict is not outcome.Verdict.HOLDS:
+            raise LeftOpen(report.ending.reason)
+        return None
+
+    @override
+    def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
+        """Add new findings to the corpus; a remark tells what it could not take."""
+        if self.corpus is not None:
+            for lost in self.corpus.write(self._tally.findings):
+                self._tally.remarks[lost] += 1
+                self.listener.notice(lost)
+        return None
+
+    @override
     def finish(self, level: units.SweptLevel, total: TeamTally) -> outcome.Ending | None:
         whole = self.portion == units.WHOLE
         total.findings = [doc.replace(found, minimal=whole) for found in total.findings]
@@ -141,6 +187,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
             cells=tuple(self._gate),
             seconds=tuple(self.seconds),
             levels=tuple(self._levels),
+            past=self.corpus,
         )
 
 
@@ -160,3 +207,73 @@ def gate_of(extent: Extent, edges: int, tally: TeamTally) -> Iterator[TeamCell]:
                 counted=counted,
                 source=source.name,
             )
+
+
+# ---------------------------------------------------------------- findings of earlier searches
+
+
+def _read(text: str) -> TeamFinding:
+    return TeamFinding.from_json(parse_json(text))
+
+
+def request_again(
+    finding: TeamFinding,
+    programs: Sequence[str | Callable[..., Any]],
+    limits: TimeoutOptions,
+    here: NamedModel | None = None,
+) -> TeamRequest:
+    """The request that searches the world of a finding again, with these programs.
+
+    ``here`` is a model that no name may lead to; it is taken where the finding is of it.
+
+    Raises:
+        InputError: if the model is not to be found, or has another text.
+    """
+    time = finding.time
+    known = here is not None and here.name == finding.model
+    model = here if here is not None and known else named_model(finding.model)
+    if model.digest != finding.model_digest:
+        raise OtherText(f"the model {show(finding.model)} has another text than the recorded one")
+    return TeamRequest(
+        explorers=programs,
+        model=model,
+        robots=len(finding.starts),
+        scheduler=time.scheduler,
+        budget=time.budget,
+        within=time.budget if time.within else None,
+        lead=time.lead,
+        start_delay=time.start_delay,
+        world=json.dumps({"sigma": finding.sigma, "alpha": finding.alpha}),
+        starts=finding.starts,
+        **values_of(TimeoutOptions, limits),
+    )
+
+
+def is_inside(finding: TeamFinding, scope: TeamScope) -> bool:
+    """Whether a search of that scope could have found this itself."""
+    asked = scope.model.name, scope.model.digest, len(scope.team.of), TimeDocument.of(scope.time)
+    starts = finding.starts
+    if asked != (finding.model, finding.model_digest, len(starts), finding.time):
+        return False
+    there = _place(finding.map, starts)
+    for map_ in _rooted_like(finding.map, scope.extent):
+        world = Guarded(scope.model.model, map_, scope.model.name)
+        tried = [scope.starts] if scope.starts else world.starts(len(starts))
+        if any(_place(map_, each) == there for each in tried):
+            return True
+    return False
+
+
+def _place(map_: CombinatorialMap, starts: Sequence[int]) -> Any:
+    """A map with starts, whatever its numbering."""
+    return rooted_code(map_.sigma, map_.alpha, starts[0]), renamed(map_, starts)
+
+
+def _rooted_like(map_: CombinatorialMap, extent: Extent) -> Iterator[CombinatorialMap]:
+    """The maps of an extent that are this one, at every root that it has there."""
+    if extent.given is not None:
+        for unit in units.units_of_level(extent, map_.edge_count, units.WHOLE):
+            yield from unit.maps(extent)
+    elif extent.include(map_):
+        codes = {rooted_code(map_.sigma, map_.alpha, dart): None for dart in map_.darts}
+        yield from (CombinatorialMap(*code) for code in codes)

@@ -13,6 +13,7 @@ from allworlds.robots.team import TeamRow, TeamScope, TeamTally
 from allworlds.studies.scopes import FileDigests, GivenCount, told_scope
 from allworlds.studies.swept import PortionReport
 from allworlds.studies.team.request import TeamRequest
+from allworlds.studies.user_corpus import CorpusReport, UserCorpus
 
 
 class TeamCell(doc.Document):
@@ -81,6 +82,7 @@ class TeamReport(PortionReport, kw_only=True):
     cells: doc.NotInDocument[tuple[TeamCell, ...]] = ()
     seconds: doc.NotInDocument[tuple[float, ...]] = ()
     levels: doc.NotInDocument[tuple[int, ...]] = ()
+    past: doc.NotInDocument[UserCorpus[TeamFinding] | None] = None
 
     @doc.computed
     def verdict(self) -> outcome.Verdict:
@@ -114,6 +116,11 @@ class TeamReport(PortionReport, kw_only=True):
     def remarks(self) -> tuple[doc.Text, ...]:
         """Remarks about processes, which refute nothing, each once."""
         return tuple(sorted(self.tally.remarks))
+
+    @doc.computed
+    def corpus(self) -> doc.IfAny[CorpusReport | None]:
+        """Null without ``--corpus``."""
+        return self.past.report if self.past else None
 
     @doc.computed
     def findings(self) -> tuple[TeamFinding, ...]:
