@@ -22,7 +22,7 @@ class Size(NamedTuple):
     lines: int
 
 
-MOST = 31_608
+MOST = 31_616
 """Lines of code of ``src/allworlds``."""
 
 MOST_OF_WING = {

@@ -22,7 +22,7 @@ from allworlds.robots.events import event_of
 from allworlds.robots.graph import Broken, Graph
 from allworlds.robots.minds import Ended, Minds, ProgramFault
 from allworlds.robots.model import Assumption, Guarded, joined
-from allworlds.robots.schedulers import Time
+from allworlds.robots.schedulers import Time, bits_of
 
 STILL = Wait, Watch, Ended, ProgramFault
 """The values of minds that make no step of the world."""
@@ -242,7 +242,7 @@ class Search:
             if phase and moves != (phase == "M"):
                 does = "moves" if moves else "looks"
                 raise InputError(f"schedule: in event {self._layers + 1} robot {robot} {does}")
-        return ((event.group, sum(1 << robot for robot in event.group)),)
+        return ((event.group, bits_of(event.group)),)
 
     def _chosen(self, following: Sequence[Any]) -> Iterable[tuple[int, Any]]:
         """The states that follow, each with its index; of a given schedule that one alone.
@@ -448,13 +448,14 @@ class Search:
         if endless is not None:
             self._unfinished(endless)
 
-    def unable(self, number: int, robot: int) -> bool:
-        """Whether a robot cannot be activated, whatever the budget."""
-        return not any(robot in each for each in self.able(number))
+    def unable(self, number: int) -> int:
+        """The robots that cannot be activated, whatever the budget, as bits."""
+        able, cut = self.able(number)
+        return bits_of(self._robots) & ~bits_of(able) & ~bits_of(cut)
 
-    def unable_or_cut(self, number: int, robot: int) -> bool:
-        """Whether a robot cannot be activated, or is kept from it by the budget alone."""
-        return robot not in self.able(number)[0]
+    def unable_or_cut(self, number: int) -> int:
+        """Those that cannot be activated, or are kept from it by the budget alone, as bits."""
+        return bits_of(self._robots) & ~bits_of(self.able(number)[0])
 
     # ---------------------------------------------------------------- what was searched
 

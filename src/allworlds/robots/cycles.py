@@ -7,6 +7,7 @@ all that a strongly connected part has of them is there if each is met in the pa
 
 from __future__ import annotations
 
+from array import array
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -19,8 +20,8 @@ if TYPE_CHECKING:
 Steps: TypeAlias = Callable[[int], Iterable[int]]
 """Of a configuration the steps that count."""
 
-Unable: TypeAlias = Callable[[int, int], bool]
-"""Whether in a configuration a robot cannot be activated."""
+Unable: TypeAlias = Callable[[int], int]
+"""The robots that cannot be activated in a configuration, as bits."""
 
 Wish: TypeAlias = Callable[[int, int], bool]
 """Whether a step, by the configuration before it and its number, is what is looked for."""
@@ -103,12 +104,11 @@ def _broken_by(search: Search, condition: Liveness) -> Iterator[Wish]:
 
 def _fairness(search: Search, unable: Unable) -> Iterator[Wish]:
     """The steps of which every cycle that counts has one."""
-    graph = search.graph
+    group, stuck = search.graph.group, array("Q", map(unable, range(len(search))))
     for robot in range(len(search.team)):
-        bit = 1 << robot
 
-        def fair(before: int, step: int, robot: int = robot, bit: int = bit) -> bool:
-            return bool(graph.group(step) & bit) or unable(before, robot)
+        def fair(before: int, step: int, bit: int = 1 << robot) -> bool:
+            return bool((group(step) | stuck[before]) & bit)
 
         yield fair
 
@@ -131,7 +131,7 @@ def components(search: Search, inside: Sequence[int], steps: Steps) -> Iterator[
         inside: the configurations, ascending; others do not count.
         steps: of each configuration those that count.
     """
-    to = search.graph.to
+    following_of = search.graph.following
     index = dict.fromkeys(inside, -1)
     low: dict[int, int] = {}
     stack: list[int] = []
@@ -140,14 +140,14 @@ def components(search: Search, inside: Sequence[int], steps: Steps) -> Iterator[
     for root in inside:
         if index[root] >= 0:
             continue
-        work = [(root, iter(steps(root)))]
+        work = [(root, iter(following_of(steps(root))))]
         index[root] = low[root] = count
         count += 1
         stack.append(root)
         on.add(root)
         while work:
             at, rest = work[-1]
-            following = next((to(step) for step in rest if to(step) in index), None)
+            following = next((each for each in rest if each in index), None)
             if following is None:
                 work.pop()
                 if work:
@@ -157,14 +157,14 @@ def components(search: Search, inside: Sequence[int], steps: Steps) -> Iterator[
                     while part[-1] != at:
                         part.append(stack.pop())
                     on.difference_update(part)
-                    if len(part) > 1 or any(to(step) == at for step in steps(at)):
+                    if len(part) > 1 or at in following_of(steps(at)):
                         found.append(sorted(part))
             elif index[following] < 0:
                 index[following] = low[following] = count
                 count += 1
                 stack.append(following)
                 on.add(following)
-                work.append((following, iter(steps(following))))
+                work.append((following, iter(following_of(steps(following)))))
             elif following in on:
                 low[at] = min(low[at], index[following])
     yield from sorted(found)
@@ -178,26 +178,32 @@ def _cycle(
     Empty if the part has not.
     """
     inside, start = {*part}, part[0]
+    if not _has_all(search, inside, wishes, steps):
+        return ()
     at, cycle = start, list[tuple[int, int]]()
     for wish in wishes:
         if any(wish(before, step) for before, step in cycle):
             continue
-        way = _shortest(search, inside, at, wish, steps)
-        if not way:
-            return ()
-        cycle += way
+        cycle += _shortest(search, inside, at, wish, steps)
         at = search.graph.to(cycle[-1][1])
     if at != start or not cycle:
-        back = _shortest(search, inside, at, lambda _, step: search.graph.to(step) == start, steps)
-        assert back
-        cycle += back
+        cycle += _shortest(
+            search, inside, at, lambda _, step: search.graph.to(step) == start, steps
+        )
     return tuple(step for _, step in cycle)
+
+
+def _has_all(search: Search, inside: set[int], wishes: Iterable[Wish], steps: Steps) -> bool:
+    """Whether for each wish a part holds a step that is as wished for."""
+    to = search.graph.to
+    within = [(at, step) for at in inside for step in steps(at) if to(step) in inside]
+    return all(any(wish(at, step) for at, step in within) for wish in wishes)
 
 
 def _shortest(
     search: Search, inside: set[int], at: int, wish: Wish, steps: Steps
 ) -> list[tuple[int, int]]:
-    """The steps of a shortest way inside whose last one is as wished; none if there is no way."""
+    """The steps of a shortest way inside whose last one is as wished; there is one."""
     to = search.graph.to
     came: dict[int, tuple[int, int]] = {at: (-1, -1)}
     for number in (queue := [at]):
@@ -212,4 +218,4 @@ def _shortest(
             if to(step) not in came:
                 came[to(step)] = number, step
                 queue.append(to(step))
-    return []
+    raise AssertionError("a strongly connected part is left by no way to a step of its own")

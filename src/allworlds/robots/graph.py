@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from array import array
+from collections.abc import Iterable
 from typing import NamedTuple
 
 
@@ -80,6 +81,11 @@ class Graph:
     def to(self, step: int) -> int:
         """The configuration to which a step leads."""
         return self._steps[step] >> BITS + 1
+
+    def following(self, steps: Iterable[int]) -> list[int]:
+        """The configurations to which steps lead."""
+        every = self._steps
+        return [every[step] >> BITS + 1 for step in steps]
 
     def group(self, step: int) -> int:
         """The robots of a step, as bits."""

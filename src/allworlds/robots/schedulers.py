@@ -89,6 +89,11 @@ class Time(Struct, frozen=True):
         return _groups(self.scheduler, able)
 
 
+def bits_of(robots: Iterable[int]) -> int:
+    """A set of robots, as bits."""
+    return sum(1 << robot for robot in robots)
+
+
 @cache
 def _groups(scheduler: Scheduler, able: tuple[int, ...]) -> tuple[tuple[tuple[int, ...], int], ...]:
     if scheduler == "fsync" or not able:
@@ -97,4 +102,4 @@ def _groups(scheduler: Scheduler, able: tuple[int, ...]) -> tuple[tuple[tuple[in
         sets = ((robot,) for robot in able)
     else:
         sets = chain.from_iterable(combinations(able, size + 1) for size in range(len(able)))
-    return tuple((each, sum(1 << robot for robot in each)) for each in sets)
+    return tuple((each, bits_of(each)) for each in sets)
