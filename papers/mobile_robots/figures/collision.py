@@ -5,33 +5,21 @@
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
 from xml.etree import ElementTree as ET
 
-sys.path += [str(Path(__file__).parents[1]), str(Path(__file__).parents[3] / "docs" / "figures")]
-sys.path.append(str(Path(__file__).parents[3] / "examples" / "robots"))
-
-from frame import framed, tag
+from strokes import keep, line, sheet, tag, words
 
 from exploring import as_steps, collisions
 from worlds import places_of
 
-FILE = Path(__file__).with_suffix(".svg")
 RING, COLUMN, ROW, LEFT, TOP = 10, 52, 34, 120, 70
 COLOURS = "#1d5fa8", "#c26a00", "#2d7d46"
 STYLE = """\
 .grid { stroke: #dfe4e8; }
 .way { stroke-width: 3; fill: none; }
 .due { stroke-width: 1.5; stroke-dasharray: 3 4; }
-.words { font-weight: 400; }
 .end { fill: none; stroke: #b3261e; stroke-width: 3; }
 """
-
-
-def line(x1: float, y1: float, x2: float, y2: float, class_: str, **more: str) -> ET.Element:
-    """A line."""
-    return tag("line", class_=class_, x1=x1, y1=y1, x2=x2, y2=y2, **more)
 
 
 def figure() -> ET.Element:
@@ -46,11 +34,11 @@ def figure() -> ET.Element:
     for vertex in range(RING):
         x = LEFT + COLUMN * vertex
         parts.append(line(x, TOP - 10, x, bottom + 8, "grid"))
-        parts.append(tag("text", str((vertex - 3) % RING), x=x, y=TOP - 26, class_="words"))
+        parts.append(words(str((vertex - 3) % RING), x, TOP - 26))
     for number, event in enumerate(events, 1):
         y, moves = TOP + ROW * number, dict(event)
         written = " ".join(f"{'abc'[r]}{'M' if step is None else 'L'}" for r, step in event)
-        parts.append(tag("text", written, x=44, y=y, class_="words"))
+        parts.append(words(written, 44, y))
         for robot, place in enumerate(places):
             x, colour = LEFT + COLUMN * place, COLOURS[robot]
             to = x
@@ -65,10 +53,10 @@ def figure() -> ET.Element:
     last = next(place for place in places if places.count(place) > 1)
     parts += [*dots, tag("circle", class_="end", cx=LEFT + COLUMN * last, cy=bottom, r=13)]
     told = "L: looks and decides (circle). M: makes that move. Dotted: decided, and not yet done."
-    parts.append(tag("text", told, class_="words", x=330, y=bottom + 40))
+    parts.append(words(told, 330, bottom + 40))
     title = "Three robots on a ring of ten vertices: two collide after twelve events"
-    return framed(title, STYLE, 660, bottom + 64, *parts)
+    return sheet(title, STYLE, 660, bottom + 64, *parts)
 
 
 if __name__ == "__main__":
-    FILE.write_text(ET.tostring(figure(), "unicode") + "\n", encoding="utf-8")
+    keep(__file__, figure())
