@@ -1,7 +1,9 @@
 """Three oblivious robots that gather on a ring from all starts but three equal gaps; ``snapshot``.
 
-``three`` is right in async.  ``naive`` makes one step to the nearest vertex with a robot, and stays
-if two are equally near: in central and in fsync it fails from different starts.
+``odd`` is Odd-Gathering of Klasing, Markou and Pelc (TCS 390, 2008), for three robots: one moves at
+a time.  ``three`` has the rules that Millet and others synthesized for rounds (SSS 2014), where two
+may move.  Both are right in async.  ``naive`` makes one step to the nearest vertex with a robot,
+and stays if two are equally near: in central and in fsync it fails from different starts.
 """
 
 from allworlds import Automaton, Do, Wait
@@ -20,20 +22,34 @@ def towards(ahead, behind):
     return Do("first" if ahead < behind else "second")
 
 
-def gather(memory, views):
-    """Widen the largest gap: whoever is beside it goes away from it, towards the third robot.
+def beside_the_largest(ahead, between, behind):
+    """Whether to leave a largest gap, or the one between two of them."""
+    return max(ahead, behind) > between
 
-    Of two largest gaps the robot between them makes one larger, while the others stay.  At last two
-    are at one vertex, and the third goes there.
+
+def nearer_or_axial(ahead, between, behind):
+    """The same, of two robots beside one largest gap the nearer one alone; of equals the third."""
+    nearer = min(ahead, behind) < between < max(ahead, behind)
+    return nearer or ahead == behind != between
+
+
+def by_gaps(moves):
+    """The robot that goes away from the larger gap beside it, if ``moves`` says so of the three.
+
+    At last two are at one vertex, and the third goes there.
     """
-    ring, others = len(views[0][0]), others_in(views)
-    if views[0][0][0] > 1 or not others:
-        return memory, Wait()
-    if len(others) == 1:
-        return memory, towards(others[0], ring - others[0])
-    ahead, between, behind = others[0], others[1] - others[0], ring - others[1]
-    beside_largest = max(ahead, behind) > between
-    return memory, towards(ahead, behind) if beside_largest else Wait()
+
+    def gather(memory, views):
+        ring, others = len(views[0][0]), others_in(views)
+        if views[0][0][0] > 1 or not others:
+            return memory, Wait()
+        if len(others) == 1:
+            return memory, towards(others[0], ring - others[0])
+        ahead, between, behind = others[0], others[1] - others[0], ring - others[1]
+        going = moves(ahead, between, behind)
+        return memory, towards(ahead, behind) if going else Wait()
+
+    return Automaton(None, gather)
 
 
 def step_to_nearest(memory, views):
@@ -44,5 +60,6 @@ def step_to_nearest(memory, views):
     return memory, towards(others[0], ring - others[-1])
 
 
-three = Automaton(None, gather)
+odd = by_gaps(nearer_or_axial)
+three = by_gaps(beside_the_largest)
 naive = Automaton(None, step_to_nearest)

@@ -1,8 +1,9 @@
 """Three robots that explore a ring for ever, never two at one vertex (Blin and others, DISC 2010).
 
 Oblivious, anonymous, without chirality, in ``snapshot:goal=explore,exclusive=true,crossing=false``.
-The rules are those of a public model of the algorithm; ``old`` has the rule RC5 as it was
-published, and is refuted in async; ``new`` has the corrected one.
+The rules are those that Millet prints (Verification et synthese d'algorithmes de robots, thesis,
+UPMC 2015), and of her generator of models; ``old`` has the rule RC5 as it was published, and is
+refuted in async; ``new`` has the corrected one.
 
 A robot sees three gaps: x vertices without a robot ahead of it, y between the two others, z behind
 it.  Every rule holds as well with ahead and behind exchanged.

@@ -3,7 +3,8 @@
 Source: Pelc and Yadav, Using Time to Break Symmetry, 2018, for port numbers.  For rotations: with
 the words of ``shrink.py`` the later robot is where, in the other copy, the earlier one was d rounds
 ago, so they are s - d apart at least.  With d >= s the earlier one walks to where the later comes.
-Dispersion: Augustine and Moses, Dispersion of Mobile Robots, ICDCN 2018.
+Dispersion: Augustine and Moses, Dispersion of Mobile Robots, ICDCN 2018; of anonymous robots Das,
+Bose, Sau, arXiv 2008.00701.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
 Source: Blin, Milani, Potop-Butucaru, Tixeuil, Exclusive Perpetual Ring Exploration without
 Chirality, DISC 2010; its fault: Berard, Lafourcade, Millet, Potop-Butucaru, Thierry-Mieg, Tixeuil,
 Formal Verification of Mobile Robot Protocols, Distributed Computing 29 (2016).  The rules are those
-of a public model of the algorithm, see ``examples/robots/perpetual.py``.  With stop: Flocchini,
+that Millet prints (thesis, UPMC 2015), see ``examples/robots/perpetual.py``.  With stop: Flocchini,
 Ilcinkas, Pelc, Santoro, Computing without Communicating: Ring Exploration by Asynchronous Oblivious
 Robots, Algorithmica 65 (2013).
 """

@@ -1,9 +1,9 @@
 """A black hole in a ring, whose size is known.
 
 Source: Dobrev, Flocchini, Prencipe, Santoro, Mobile Search for a Black Hole in an Anonymous Ring,
-Algorithmica 48 (2007), for asynchronous agents with whiteboards: one is lost, two find it.
-Balamohan, Flocchini, Miri, Santoro (2011): they need 2(n - 2) units of time at least.  Here are
-rounds, or Look-Compute-Move: other models.
+Algorithmica 48 (2007), for asynchronous agents with whiteboards: two are necessary and enough.
+Balamohan, Flocchini, Miri, Santoro, Time Optimal Algorithms for Black Hole Search in Rings, COCOA
+2010: any number needs 2(n - 2) units of time.  Here are rounds, or Look-Compute-Move: other models.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Rings of which one edge may be missing in each round, and robots that visit all vertices.
 
 Source: Di Luna, Dobrev, Flocchini, Santoro, Distributed Exploration of Dynamic Rings, Distributed
-Computing 33 (2020): two robots that know n and have no chirality need 3n - 6 rounds at most.  Their
-program is not the one here, which is ours and has one orientation.
+Computing 33 (2020), of which the abstract alone was read: two robots that know n and have no
+chirality are said to need 3n - 6 rounds.  The program here is ours and has one orientation.
 """
 
 from __future__ import annotations

@@ -1,8 +1,10 @@
 """Oblivious robots on rings that see the whole ring, and shall gather for ever.
 
 Source: Klasing, Markou, Pelc, Gathering Asynchronous Oblivious Mobile Robots in a Ring, TCS 390
-(2008): an odd number of robots can gather from all starts but periodic ones.  Their rules are for
-all odd numbers; those of ``examples/robots/gathering_three.py`` are ours, for three.
+(2008), read as Research Report RR-1422-07 of LaBRI: an odd number of robots gathers by Algorithm
+Odd-Gathering from all starts but periodic ones.  Two robots never do (Proposition 2.1).  Millet,
+Potop-Butucaru, Sznajder, Tixeuil, On the Synthesis of Mobile Robots Algorithms, SSS 2014: rules for
+three in rounds.  Both are in ``examples/robots/gathering_three.py``.
 """
 
 from __future__ import annotations
@@ -42,19 +44,24 @@ def gather_as_checked(
 
 
 def lcm_counts(_: Means, *, least: int, most: int) -> Found:
-    """Arrangements of three robots, and those from which they gather in async; the others turn."""
+    """Arrangements of three robots, and those from which two programs gather in async.
+
+    The others are turned onto themselves.
+    """
     classes, gathered, periodic, wrong = [], [], 0, 0
+    programs = gathering_three.odd, gathering_three.three
     for n in range(least, most + 1):
-        starts = arrangements(n, 3)
-        right = [start for start in starts if gather_from(start, n, gathering_three.three, "async")]
-        classes.append(len(starts))
-        gathered.append(len(right))
+        starts, right = arrangements(n, 3), 0
         for start in starts:
             still = is_periodic(start, n)
             periodic += still
-            wrong += (start in right) == still
             wrong += still != turned_onto_itself(places_of(start), n)
-            wrong += gather_as_checked(start, n, gathering_three.three, "async") == still
+            found = [gather_from(start, n, program, "async") for program in programs]
+            found += [gather_as_checked(start, n, program, "async") for program in programs]
+            wrong += still in found
+            right += all(found)
+        classes.append(len(starts))
+        gathered.append(right)
     witnesses = {"arrangements": sum(classes), "periodic": periodic}
     return Found(truth(not wrong), witnesses, {"arrangements": classes, "gathered": gathered})
 

@@ -1,7 +1,8 @@
 """The rotor-router: worst lock-in and worst cover of all small simple graphs.
 
 Known: after 2mD steps at most the walk goes round and round an Euler tour of all darts (Yanovski,
-Wagner, Bruckstein 2003).  The worst numbers themselves are ours.
+Wagner, Bruckstein 2003, as Bampas and others 2009 quote it for all graphs).  The worst numbers
+themselves are ours.
 """
 
 from __future__ import annotations

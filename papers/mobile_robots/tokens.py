@@ -1,7 +1,7 @@
 """Robots with a token each that stays where it is laid down, on rings: where they can meet.
 
 Source: Kranakis, Krizanc, Santoro, Sawchuk, Mobile Agent Rendezvous in a Ring, ICDCS 2003, for one
-orientation; for more robots Gasieniec, Kranakis, Krizanc, Zhang 2006.  Facing each other: ours.
+orientation; for any number Gasieniec, Kranakis, Krizanc, Zhang, SOFSEM 2006.  Facing: ours.
 """
 
 from __future__ import annotations

@@ -138,7 +138,7 @@ MUTANTS = [
         "no failure",
         ((companions, "named", lambda _text: named("lighthouse:directional")),),
     ),
-    Mutant("lcm-counts", "naive", ((gathering_three, "three", gathering_three.naive),)),
+    Mutant("lcm-counts", "naive", ((gathering_three, "odd", gathering_three.naive),)),
     Mutant("naive-two", "not naive", ((gathering_three, "naive", gathering_three.three),)),
     Mutant("naive-three", "not naive", ((gathering_three, "naive", gathering_three.three),)),
     Mutant("rule-sets-five", "no multiplicity", ((oblivious, "named", blind),)),
