@@ -331,21 +331,26 @@ def swallowed(
     memories: list[object],
     decide: Callable[[object, tuple[int, bool, int, object]], Decision],
     events: Sequence[Sequence[int]],
+    *,
+    whole: bool = False,
 ) -> int:
     """The number of robots in the hole after these events, each a next step of robots at once.
 
-    A step is a look with a decision, or what was decided: it writes at home, and then moves.
+    A step is a look with a decision, or what was decided: it writes at home, and then moves.  In
+    whole activations it is both.
     """
     darts, board = [0] * len(memories), None
     due: list[tuple[object, int | None] | None] = [None] * len(memories)
     for event in events:
         before, old = [dart // 2 for dart in darts], board
         for robot in event:
-            here, plan = before[robot], due[robot]
-            if plan is None:
+            here, looks = before[robot], due[robot] is None
+            if looks:
                 percept = 2, here == 0, before.count(here) - 1, None if here else old
                 memories[robot], *decided = decide(memories[robot], percept)
                 due[robot] = None if decided == [None, None] else tuple(decided)
+            plan = due[robot]
+            if plan is None or (looks and not whole):
                 continue
             due[robot] = None
             board = plan[0] if plan[0] is not None and here == 0 else board

@@ -17,7 +17,7 @@ from allworlds import CombinatorialMap, Do, End, Move, World, run
 from allworlds.claims import Found, Means, Picture, truth
 from allworlds.maps import rooted_maps
 from allworlds.robots import search
-from check import apart_for_ever
+from check import apart_for_ever, gathers
 from worlds import EDGE, SCHEDULERS, named, searches, simple_worlds
 
 
@@ -84,14 +84,21 @@ def labels(_: Means, *, edges: int) -> Found:
     return Found(truth(right == sum(starts)), {"searches": right}, {"starts": starts[0]})
 
 
+def across(ahead: tuple[int, ...]) -> tuple[int]:
+    """The rule of a robot on one edge, a ring of two vertices: go to the other one."""
+    return (1,) if ahead[0] == 1 else (0,)
+
+
 def to_the_other(_: Means) -> Found:
-    """Two on one edge, each of which goes to the other one."""
+    """Two on one edge, each of which goes to the other one; and by ``check.py``."""
     laws, loops = [], 0
     for scheduler in SCHEDULERS:
         found = search(EDGE, (0, 1), named("meeting"), [rendezvous.to_the_other] * 2, scheduler)
         laws.append(f"{scheduler}: {found.law or 'they meet'}")
         loops += found.loop > 0
-    right = ["they meet" in law for law in laws] == [False, False, True, False]
+    meets = ["they meet" in law for law in laws]
+    right = meets == [gathers((0, 1), 2, across, scheduler) for scheduler in SCHEDULERS]
+    right = right and meets == [False, False, True, False]
     return Found(truth(right and loops == 3), {"cycles": loops}, {"verdicts": laws})
 
 

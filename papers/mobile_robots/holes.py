@@ -55,13 +55,23 @@ def hole_two(_: Means, *, vertices: int) -> Found:
         worst.append(rounds.longest)
         bound.append(2 * (n - 2))
         alone = hole(n, black_holes.cautious, "central")
+        walks = [black_holes.cautious(None, told=(n, robot)) for robot in range(2)]
+        begun = [(walk, False) for walk in walks]
         right = right and alone.law == "never"
+        right = right and both_swallowed(n, alone, begun, cautiously, whole=True)
         lost.append(len(alone.events))
     figures = {"worst rounds": worst, "2(n - 2)": bound, "events until both are lost": lost}
     return Found(truth(right), {"rings": len(worst)}, figures)
 
 
-def decide(memory: Any, percept: Any) -> Decision:
+def cautiously(memory: Any, percept: Any) -> Decision:
+    """A step of the cautious walk, as ``check.py`` has it: it is told nothing at first."""
+    walk, told = memory
+    action = walk.send(percept if told else None)
+    return (walk, True), None, action.k if isinstance(action, Move) else None
+
+
+def by_halves(memory: Any, percept: Any) -> Decision:
     """A step of the program with the list at home, as ``check.py`` has it."""
     after, action = black_holes.halves.step(memory, percept)
     if isinstance(action, Move):
@@ -69,11 +79,13 @@ def decide(memory: Any, percept: Any) -> Decision:
     return after, action.value["write"] if isinstance(action, Do) else None, None
 
 
-def both_swallowed(vertices: int, found: SearchOutcome) -> bool:
+def both_swallowed(
+    vertices: int, found: SearchOutcome, memories: list[Any], decide: Any, *, whole: bool = False
+) -> bool:
     """Whether both are lost when the run is made anew."""
-    memories = [black_holes.halves.begun([vertices, robot]) for robot in range(2)]
     steps = [[turn.robot for turn in event.turns] for event in found.events]
-    return swallowed(vertices, found.events[-1].state.hole, memories, decide, steps) == 2
+    at = found.events[-1].state.hole
+    return swallowed(vertices, at, memories, decide, steps, whole=whole) == 2
 
 
 def hole_lost_update(_: Means, *, vertices: int) -> Found:
@@ -83,7 +95,8 @@ def hole_lost_update(_: Means, *, vertices: int) -> Found:
         for scheduler in ("fsync", "ssync", "central"):
             right = right and hole(n, black_holes.halves, scheduler).holds
         found = hole(n, black_holes.halves, "async")
-        right = right and found.law == "never" and both_swallowed(n, found)
+        begun = [black_holes.halves.begun([n, robot]) for robot in range(2)]
+        right = right and found.law == "never" and both_swallowed(n, found, begun, by_halves)
         lost.append(len(found.events))
         right = right and hole(n, black_holes.halves, "async", ":at_once=true").holds
     return Found(truth(right), {"rings": len(lost)}, {"events until both are lost": lost})

@@ -6,6 +6,7 @@ import pytest
 
 import check
 from allworlds.robots import named_model
+from companions import across
 from exploring import as_steps, collisions
 from paper_claims import CLAIMS, PAPER
 from paper_laws import (
@@ -18,7 +19,7 @@ from paper_laws import (
     verdict,
 )
 from perpetual import new, old
-from worlds import named, places_of, ring, steps_by
+from worlds import SCHEDULERS, named, places_of, ring, steps_by
 
 
 def test_there_are_as_many_claims_as_were_made():
@@ -90,6 +91,20 @@ def test_a_ring_with_a_missing_edge_is_walked():
     assert check.left_out(3, [0], on) == 0
     assert check.left_out(3, [0], [(right, 0, []), (right, 0, [])]) == 2
     assert check.left_out(3, [0], [(right, None, [0]), (right, None, [0])]) == 2
+
+
+def test_a_whole_activation_is_a_look_and_a_move_and_else_each_is_a_step():
+    def on(memory, _percept):
+        return memory, None, 0
+
+    assert check.swallowed(3, 1, [None, None], on, [[0], [1]], whole=True) == 2
+    assert check.swallowed(3, 1, [None, None], on, [[0], [1]]) == 0
+    assert check.swallowed(3, 1, [None, None], on, [[0], [1], [0, 1]]) == 2
+
+
+def test_two_that_swap_on_a_ring_of_two_do_not_gather_unless_one_moves_alone():
+    met = [check.gathers((0, 1), 2, across, scheduler) for scheduler in SCHEDULERS]
+    assert met == [False, False, True, False]
 
 
 def test_lights_that_change_at_once_do_not_come_back():
