@@ -138,7 +138,12 @@ MUTANTS = [
         "no failure",
         ((companions, "named", lambda _text: named("lighthouse:directional")),),
     ),
-    Mutant("lcm-counts", "naive", ((gathering_three, "odd", gathering_three.naive),)),
+    Mutant(
+        "lcm-counts",
+        "naive",
+        ((gathering_three, "odd", gathering_three.naive),),
+        {"least": 4, "most": 7},
+    ),
     Mutant("naive-two", "not naive", ((gathering_three, "naive", gathering_three.three),)),
     Mutant("naive-three", "not naive", ((gathering_three, "naive", gathering_three.three),)),
     Mutant("rule-sets-five", "no multiplicity", ((oblivious, "named", blind),)),
