@@ -14,7 +14,7 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from importlib import import_module
 from pathlib import Path
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, cast
 from urllib.parse import quote
 from xml.etree import ElementTree as ET
 
@@ -24,13 +24,13 @@ from allworlds import verbs, words
 from allworlds.explorers.sources import SourceLine, place_of_explorer
 from allworlds.inputs.checks import InputError, did_you_mean, ensure_installed, show
 from allworlds.judging.findings.finding import Finding
-from allworlds.judging.laws.law_table import ASKED
 from allworlds.notations.table import by_suffix, legal, to_write
 from allworlds.outcome import Verdict
 from allworlds.reports import parts, plain_text
-from allworlds.robots.finding import LAWS as TEAM_LAWS, TeamFinding
-from allworlds.studies.team.team_report import TeamReport
 from allworlds.version import __version__
+
+if TYPE_CHECKING:
+    from allworlds.robots.finding import TeamFinding
 
 WIDTH = 100
 
@@ -158,9 +158,9 @@ def runner_commands(content: parts.ReportContent) -> str:
     return "".join(commands)
 
 
-def _told(finding: Finding | TeamFinding, number: int) -> tuple[str, str]:
+def _told(finding: "Finding | TeamFinding", number: int) -> tuple[str, str]:
     """A finding in a line, and with its picture."""
-    if isinstance(finding, TeamFinding):
+    if not isinstance(finding, Finding):
         from allworlds.reports.content import team
 
         section = team.finding_section(finding, number)
@@ -170,12 +170,14 @@ def _told(finding: Finding | TeamFinding, number: int) -> tuple[str, str]:
     return headline_of(finding), plain_text.finding_in_words(finding, WIDTH, number)
 
 
-def _at(finding: Finding | TeamFinding, place: SourceLine | None, root: Path) -> SourceLine | None:
+def _at(
+    finding: "Finding | TeamFinding", place: SourceLine | None, root: Path
+) -> SourceLine | None:
     """The first wrong line, if it is known and stands in the repository; else that place.
 
     Of a team that of the program that is to blame.
     """
-    if isinstance(finding, TeamFinding):
+    if not isinstance(finding, Finding):
         blamed = place_of_explorer(finding.programs[finding.robot or 0])
         return blamed if blamed and blamed.is_in(root) else place
     from allworlds.reports.content.single_run import wrong_line
@@ -230,8 +232,7 @@ def sarif(content: parts.ReportContent) -> str:
     report: Any = content.result  # of a check
     head = content.headline
     assert head is not None
-    asked_laws = TEAM_LAWS if isinstance(report, TeamReport) else ASKED
-    rules = [_rule(law, asked) for law, asked in asked_laws.items()]
+    rules = [_rule(law, asked) for law, asked in content.laws.items()]
     driver = {"name": "allworlds", "semanticVersion": __version__, "rules": rules}
     level = LEVELS.get(report.verdict)
     said = [(level, head.line)] if level else []
@@ -255,7 +256,7 @@ def sarif(content: parts.ReportContent) -> str:
 
 
 def _result(
-    number: int, finding: Finding | TeamFinding, place: SourceLine | None, root: Path
+    number: int, finding: "Finding | TeamFinding", place: SourceLine | None, root: Path
 ) -> dict[str, Any]:
     place = _at(finding, place, root)
     head, text = _told(finding, number)

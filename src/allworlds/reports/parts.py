@@ -17,6 +17,7 @@ from msgspec import Struct, field
 from allworlds import outcome, words
 from allworlds.documents import document as doc
 from allworlds.judging.belief import believed_walk
+from allworlds.judging.laws.law_table import ASKED
 from allworlds.judging.walk import Walk
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Estimate, Move, Percept
@@ -526,6 +527,7 @@ class ReportContent(Struct, frozen=True):
         page: makes the page, where it is not of these sections.
         apart: the keys of the result's document that sections hold as records.
         short: facts of a line each, which on a terminal stand in place of the last section.
+        laws: those that a finding may break, with what each asks.
     """
 
     done: str
@@ -541,6 +543,7 @@ class ReportContent(Struct, frozen=True):
     page: Callable[[], str] | None = None
     apart: frozenset[str] = frozenset()
     short: Sequence[tuple[str, str]] = ()
+    laws: Mapping[str, str] = field(default_factory=lambda: ASKED)
 
 
 def fact(name: str, text: str) -> FactList:

@@ -23,10 +23,10 @@ from allworlds.maps.combinatorial import Dart, InvalidMap
 from allworlds.protocol.actions import Ambiguous, Estimate
 from allworlds.protocol.playing import BUILT, NO_MAP
 from allworlds.reports import parts
-from allworlds.studies.run import Replay, WorldNames
 
 if TYPE_CHECKING:
     from allworlds.studies.explain import Explanation
+    from allworlds.studies.run import Replay, WorldNames
 
 
 def known(run: SingleRun) -> parts.ShownMap | None:
@@ -48,7 +48,7 @@ def known(run: SingleRun) -> parts.ShownMap | None:
 
 def run_content(run: SingleRun | WorldNames) -> parts.ReportContent:
     """One run, with its finding if it breaks a law; or the list of worlds."""
-    if isinstance(run, WorldNames):
+    if not isinstance(run, SingleRun):
         named = (("maps", run.maps), ("families", run.families), ("corpus", run.corpus))
         section = parts.Section(
             "names", "", [parts.FactList([(kind, ", ".join(of)) for kind, of in named])]

@@ -13,7 +13,7 @@ from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Percept
 from allworlds.reports import parts
 from allworlds.reports.content.scope import SAID, each_of, of_the_class, option_facts
-from allworlds.robots.finding import EventRow, TeamFinding, Turned, places_of
+from allworlds.robots.finding import LAWS, EventRow, TeamFinding, Turned, places_of
 from allworlds.robots.team import TeamRow
 from allworlds.studies.team.retold import TeamExplanation, TeamReplay
 from allworlds.studies.team.team_report import TeamReport
@@ -53,6 +53,7 @@ def team_content(report: TeamReport) -> parts.ReportContent:
         command=_command(report),
         apart=frozenset({"findings", "unfinished"}),
         short=[(name, said) for name, said in scope_words(report) if said],
+        laws=LAWS,
     )
 
 
