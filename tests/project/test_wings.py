@@ -501,6 +501,14 @@ def test_importing_the_package_loads_no_library_and_no_wing():
     assert {wing(name) for name in own} == {"ground"}
 
 
+def test_a_check_loads_nothing_of_teams():
+    parts = ["cli.app", "cli.check", "studies.check.exhaustive", "reports.content.check"]
+    loaded = loaded_by("import " + ", ".join(f"allworlds.{part}" for part in parts))
+    assert "allworlds.reports.formats" in loaded
+    assert not {name for name in loaded if name.startswith("allworlds.robots")}
+    assert not {name for name in loaded if name.startswith("allworlds.studies.team")}
+
+
 def test_what_explorers_need_loads_maps_and_protocol_alone():
     loaded = loaded_by("from allworlds import CombinatorialMap, Choices, Move, Estimate")
     assert {name.partition(".")[0] for name in loaded} & set(HOMES) == {"msgspec"}
@@ -514,7 +522,8 @@ def test_a_process_that_only_plays_loads_neither_judges_nor_worlds():
         "from allworlds.explorers.loading import Subject; "
         "from allworlds.protocol.playing import Record, TableWorld, play_run"
     )
-    assert not {"numpy", "numba", "z3", "networkx", "subprocess", "pickle", "socket"} & loaded
+    libraries = {"numpy", "numba", "z3", "networkx", "subprocess", "pickle", "socket", "difflib"}
+    assert not libraries & loaded
     own = {inner(name) for name in loaded if inner(name)}
     assert not {name for name in own if wing(name) in ("judging", "world", "studies")}
     explorers = {name for name in own if wing(name) == "explorers"}

@@ -1,6 +1,7 @@
 """The command line: options in, text or JSON out; every decision is made elsewhere."""
 
 import atexit
+import gc
 import os
 import select
 import signal
@@ -15,6 +16,7 @@ def main() -> NoReturn:
 
     Everything else is loaded here, so that even an early interrupt is answered in one line.
     """
+    gc.set_threshold(10_000)  # much is made that stays, and nearly nothing in circles
     try:
         from allworlds.inputs.checks import at_interrupts
 

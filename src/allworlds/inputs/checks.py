@@ -14,7 +14,6 @@ import signal
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from difflib import get_close_matches
 from functools import partial
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any
@@ -112,6 +111,8 @@ def did_you_mean(name: str, known: Iterable[str], also: Mapping[str, str] | None
     Of a form such as ``wheel:N`` the part before the colon is compared, and what stands behind it
     in the name is kept.  ``also`` has other words for names, such as ``grid`` for a lattice.
     """
+    from difflib import get_close_matches  # which players do not need
+
     names = {re.sub(":[A-Z].*", "", each).lower(): each for each in known}
     names |= {word: names[meant] for word, meant in (also or {}).items() if meant in names}
     head, colon, argument = name.lower().partition(":")
