@@ -13,6 +13,7 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart, Vertex
 from allworlds.protocol.actions import IllegalAction, Move
 from allworlds.robots.model import Places, Scheduler, joined
 from allworlds.robots.models.goals import Apart
+from allworlds.words import plural
 
 
 class RoundState(NamedTuple):
@@ -104,7 +105,7 @@ class OneInterval(Apart):
     @override
     def flaw(self, map_: CombinatorialMap, state: RoundState, answers: Sequence[Any]) -> str:
         left = map_.vertex_count - len(state.visited)
-        return f"{left} vertices are not visited" if left else ""
+        return f"{plural(left, 'vertex', 'vertices')} not visited" if left else ""
 
     @override
     def places(self, map_: CombinatorialMap, state: RoundState) -> Places:
