@@ -22,7 +22,7 @@ class Size(NamedTuple):
     lines: int
 
 
-MOST = 31_616
+MOST = 31_623
 """Lines of code of ``src/allworlds``."""
 
 MOST_OF_WING = {
