@@ -13,7 +13,7 @@ SLOW = pytest.mark.slow
 NAMES = [
     "collision",
     "start_pairs",
-    *(pytest.param(n, marks=SLOW) for n in ("schedules", "rule_sets")),
+    *(pytest.param(n, marks=SLOW) for n in ("configurations", "rule_sets")),
 ]
 
 
@@ -55,8 +55,8 @@ def test_there_is_a_square_for_each_pair_in_both_orders_and_a_bar_for_each_numbe
 
 
 def test_the_last_number_of_configurations_is_that_of_the_claim(drawing):
-    _, configurations = drawing("schedules").counts("async")
-    kept = (PAPER / "figures" / "schedules.svg").read_text(encoding="utf-8")
+    _, configurations = drawing("configurations").counts("async")
+    kept = (PAPER / "figures" / "configurations.svg").read_text(encoding="utf-8")
     assert f">{configurations[-1]} configurations in ASYNC" in kept
 
 

@@ -1,6 +1,6 @@
-"""Draw ``schedules.svg``: configurations beside schedules, both by the number of events.
+"""Draw ``configurations.svg``: configurations beside schedules, both by the number of events.
 
-``python papers/mobile_robots/figures/schedules.py`` counts them, and writes the picture anew.
+``python papers/mobile_robots/figures/configurations.py`` counts them, and writes the picture anew.
 """
 
 from __future__ import annotations
