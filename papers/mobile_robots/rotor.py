@@ -13,9 +13,9 @@ from typing import NamedTuple
 
 from allworlds import CombinatorialMap
 from allworlds.claims import Found, Means, truth
+from allworlds.maps import distances
 from allworlds.robots import search
 from rotor_router import RotorRouter, go, goes, pointed_way
-from shrink import distances_from
 from worlds import simple_worlds
 
 
@@ -48,7 +48,7 @@ def rotor_worst(_: Means, *, edges: int) -> Found:
     lock_in, cover, walks, wrong, on_paths = [0] * edges, [0] * edges, 0, 0, 0
     for map_ in simple_worlds(edges):
         m = map_.edge_count
-        diameter = max(max(distances_from(map_, v).values()) for v in range(map_.vertex_count))
+        diameter = max(max(distances(map_, v).values()) for v in range(map_.vertex_count))
         path = diameter == m
         for pointers in product(*map_.vertices):
             walk = walked(map_, pointers)

@@ -20,7 +20,7 @@ from typing import Any
 
 from allworlds import Automaton, CombinatorialMap, Move, Wait
 from allworlds.claims import Found, Means, truth
-from allworlds.maps import project
+from allworlds.maps import distances, project
 from allworlds.robots import search
 from check import never_together
 from small_automata import two_states
@@ -32,21 +32,9 @@ NAMED |= {"triangle": ring(3), "square": ring(4)}
 Pair = tuple[int, int]
 
 
-def distances_from(map_: CombinatorialMap, vertex: int) -> dict[int, int]:
-    """The distance from a vertex to each."""
-    found, queue = {vertex: 0}, [vertex]
-    for here in queue:
-        for dart in map_.vertices[here]:
-            there = map_.vertex_of[map_.alpha[dart]]
-            if there not in found:
-                found[there] = found[here] + 1
-                queue.append(there)
-    return found
-
-
 def distance(map_: CombinatorialMap, one: int, other: int) -> int:
     """The distance of the vertices of two darts."""
-    return distances_from(map_, map_.vertex_of[one])[map_.vertex_of[other]]
+    return distances(map_, map_.vertex_of[one])[map_.vertex_of[other]]
 
 
 def words_from(map_: CombinatorialMap, pair: Pair) -> dict[Pair, tuple[int, ...]] | None:

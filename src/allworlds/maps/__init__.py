@@ -79,6 +79,7 @@ if TYPE_CHECKING:
         CombinatorialMap as CombinatorialMap,
         InvalidMap as InvalidMap,
         automorphisms as automorphisms,
+        distances as distances,
         isomorphism as isomorphism,
         rooted_code as rooted_code,
         rooted_isomorphism as rooted_isomorphism,
