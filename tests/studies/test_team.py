@@ -10,6 +10,7 @@ from allworlds.documents.document import replace
 from allworlds.outcome import Verdict
 from allworlds.robots.finding import TeamFinding
 from allworlds.robots.models.meeting import Meeting
+from allworlds.studies.team.search_sweep import TeamSweep
 from allworlds.testing import assert_team
 
 PROGRAMS = Path(__file__).parents[1] / "support" / "teams.py"
@@ -303,3 +304,45 @@ def test_a_finding_whose_model_has_another_text_is_stale(tmp_path):
     assert past(team("waits", **asked)) == {"written": 1}
     model.write_text(f"{MINE}# changed\n")
     assert past(team("waits", **asked)) == {"stale": 1, "written": 1}
+
+
+def interrupted_in_one_world(monkeypatch):
+    """Have the user interrupt as soon as the programs search a given world."""
+    through = TeamSweep._through
+
+    def asked(sweep, ready):
+        if sweep.request.world:
+            raise KeyboardInterrupt
+        return through(sweep, ready)
+
+    monkeypatch.setattr(TeamSweep, "_through", asked)
+
+
+def test_an_interrupt_while_a_finding_is_tried_again_ends_the_search(tmp_path, monkeypatch):
+    asked = {"edges": 1, "model": "meeting", "corpus": tmp_path}
+    team("waits", **asked)
+    interrupted_in_one_world(monkeypatch)
+    assert team("waits", **asked).exit_code == 130
+
+
+def test_an_interrupt_of_a_replay_is_one(monkeypatch):
+    found = finding()
+    interrupted_in_one_world(monkeypatch)
+    with pytest.raises(KeyboardInterrupt):
+        allworlds.replay(found)
+
+
+def test_the_limits_hold_for_each_search_of_a_past_finding(tmp_path, monkeypatch):
+    through, seen = TeamSweep._through, []
+
+    def kept(sweep, ready):
+        seen.append(sweep.request)
+        return through(sweep, ready)
+
+    asked = {"edges": 1, "model": "meeting", "corpus": tmp_path}
+    team("waits", **asked)
+    monkeypatch.setattr(TeamSweep, "_through", kept)
+    team("waits", **asked, time_limit=77, memory=4321)
+    (again,) = seen
+    assert again.world
+    assert (again.time_limit, again.memory) == (77, 4321)

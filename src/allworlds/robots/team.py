@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from bisect import insort
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from typing import Annotated, Any
 
@@ -224,6 +224,10 @@ class TeamScope(Struct, frozen=True):
         """An empty tally."""
         return TeamTally(self.keep)
 
+    def starts_in(self, world: Guarded) -> Iterable[tuple[int, ...]]:
+        """The starts that are tried in a map."""
+        return [self.starts] if self.starts else world.starts(len(self.team.of))
+
     def searches(self, unit: LevelUnit, minds: Minds) -> Iterator[tuple[bool, Search | Guarded]]:
         """The searches of a unit, in a fixed order; a map without a start by itself.
 
@@ -231,8 +235,7 @@ class TeamScope(Struct, frozen=True):
         """
         for map_ in unit.maps(self.extent):
             world, first = Guarded(self.model.model, map_, self.model.name), True
-            starts = [self.starts] if self.starts else world.starts(len(self.team.of))
-            for start in starts:
+            for start in self.starts_in(world):
                 yield first, Search(world, start, self.team.of, minds, self.time)
                 first = False
             if first:

@@ -47,7 +47,10 @@ class CorpusReport(Document):
     ]
     stale: Annotated[
         IfAny[tuple[Text, ...]],
-        about("the files that were not tried: what they name has another text now"),
+        about(
+            "the files that were not tried: what they name has another text now, or they are of "
+            "another number of robots"
+        ),
     ]
     undecided: Annotated[
         IfAny[tuple[Text, ...]], about("the files that a limit of this check leaves open")

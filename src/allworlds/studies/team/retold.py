@@ -61,7 +61,7 @@ def replayed(finding: TeamFinding, explore: Any, limits: TimeoutOptions) -> Team
     """
     programs = (explore,) if explore is not None else finding.team
     request = request_again(finding, programs, limits)
-    return TeamReplay(again=searched(request), recorded=finding)
+    return TeamReplay(again=searched(request).uninterrupted(), recorded=finding)
 
 
 class TeamExplanation(Report):

@@ -14,7 +14,7 @@ from allworlds.documents import document as doc
 from allworlds.engines import lanes, sweep, units
 from allworlds.engines.engine_table import ReadyEngine
 from allworlds.engines.job_records import Identity
-from allworlds.engines.limits import TimeoutOptions
+from allworlds.engines.limits import Limits, TimeoutOptions
 from allworlds.engines.listeners import Listener
 from allworlds.inputs.checks import parse_json, show
 from allworlds.inputs.requests import takes_fields, values_of
@@ -140,7 +140,9 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
         if len(programs) not in (1, len(finding.starts)):
             raise OtherText(f"{len(programs)} programs for {len(finding.starts)} robots")
         asked = request_again(finding, programs, self.request, self.scope.model)
-        report = searched(doc.replace(asked, configurations=self.request.configurations))
+        limits = values_of(Limits, self.request)
+        within = doc.replace(asked, configurations=self.request.configurations, **limits)
+        report = searched(within).uninterrupted()
         if report.findings:
             return doc.replace(report.findings[0], minimal=False)
         if report.verdict is not outcome.Verdict.HOLDS:
@@ -258,8 +260,7 @@ def is_inside(finding: TeamFinding, scope: TeamScope) -> bool:
     there = _place(finding.map, starts)
     for map_ in _rooted_like(finding.map, scope.extent):
         world = Guarded(scope.model.model, map_, scope.model.name)
-        tried = [scope.starts] if scope.starts else world.starts(len(starts))
-        if any(_place(map_, each) == there for each in tried):
+        if any(_place(map_, each) == there for each in scope.starts_in(world)):
             return True
     return False
 
