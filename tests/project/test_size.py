@@ -22,7 +22,7 @@ class Size(NamedTuple):
     lines: int
 
 
-MOST = 31_628
+MOST = 31_630
 """Lines of code of ``src/allworlds``."""
 
 MOST_OF_WING = {
@@ -34,7 +34,7 @@ MOST_OF_WING = {
     "judging": 2_300,
     "engines": 6_300,
     "robots": 2_400,
-    "studies": 6_568,
+    "studies": 6_569,
     "reports": 4_300,
     "doors": 300,
     "cli": 900,

@@ -10,6 +10,8 @@ from allworlds.documents.document import replace
 from allworlds.outcome import Verdict
 from allworlds.robots.finding import TeamFinding
 from allworlds.robots.models.meeting import Meeting
+from allworlds.robots.team import Team
+from allworlds.studies.team.request import TeamRequest
 from allworlds.studies.team.search_sweep import TeamSweep
 from allworlds.testing import assert_team
 
@@ -45,6 +47,15 @@ def test_robots_are_told_apart_by_what_they_are_told():
     labelled = team("by_label", model="meeting:labels=true,apart=false", edges=2)
     assert labelled.verdict is Verdict.HOLDS
     assert len(labelled.asked.team.subjects) == 1
+
+
+def test_a_unit_is_small_beside_its_level():
+    sweep = TeamSweep(TeamRequest(explorers=(f"{PROGRAMS}:waits",), edges=5), Team((), ()))
+    (*_, largest) = sweep.levels()
+    weights = [unit.weight(sweep.extent) for unit in largest.units]
+    assert sum(weights) == largest.worlds == 8162
+    # With ten units one alone, of the maps that begin with a new vertex, is half of the work.
+    assert max(weights) < largest.worlds / 60
 
 
 def test_the_gate_counts_the_maps():
@@ -289,6 +300,7 @@ def test_a_finding_of_another_scope_or_team_is_told_as_what_it_is(names, options
 MINE = """
 from dataclasses import dataclass
 from allworlds.robots.models.meeting import Meeting
+from allworlds.robots.team import Team
 
 @dataclass(frozen=True)
 class Mine(Meeting):

@@ -93,6 +93,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         verb: the study's name on the command line.
         asked: the class of its requests.
         result: the class of its results, where it needs nothing but what was kept.
+        finer: the further decisions that make a unit.
         narrowed: the extent whose condition is asked again.
         portion: the part of the units that is done.
         seconds: those that each finished level took.
@@ -103,6 +104,7 @@ class Sweep(ABC, Generic[Total, Answer]):
     verb: ClassVar[str]
     asked: ClassVar[Any]
     result: ClassVar[Any]
+    finer: ClassVar[int] = 0
     records: Records
 
     def __init__(self, request: Any, extent: classes.Extent | None = None) -> None:
@@ -157,7 +159,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         """Return its levels, in their order."""
         assert self.extent is not None
         for edges in self.extent.levels:
-            mine = units.units_of_level(self.extent, edges, self.portion)
+            mine = units.units_of_level(self.extent, edges, self.portion, self.finer)
             yield units.SweptLevel(edges, units.level_size(self.extent, edges), mine)
 
     @abstractmethod

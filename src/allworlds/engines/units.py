@@ -253,11 +253,12 @@ class GivenUnit(Struct, frozen=True):
 
 
 def units_of_level(
-    extent: Extent, edges: int, portion: Shard = WHOLE
+    extent: Extent, edges: int, portion: Shard = WHOLE, finer: int = 0
 ) -> Iterator[LevelUnit | GivenUnit]:
     """The pieces of a level, or those of a shard; independent of the number of workers.
 
-    A shard gets about as many worlds as any other: the weights are counted beforehand.
+    A shard gets about as many worlds as any other: the weights are counted beforehand.  Where a
+    world takes long, ``finer`` is the number of further decisions that make a unit.
     """
     given = extent.given
     if isinstance(given, GivenMaps):
@@ -266,7 +267,7 @@ def units_of_level(
         return
     depths = SIMPLE_DEPTHS if extent.map_class.simple else DEPTHS
     depth = next(depth for below, depth in depths if edges < below)
-    histories = prefixes(edges, extent.map_class, extent.vertices, depth, extent.where)
+    histories = prefixes(edges, extent.map_class, extent.vertices, depth + finer, extent.where)
     units: Iterable[LevelUnit] = (LevelUnit(edges, prefix) for prefix in histories)
     if portion != WHOLE:
         every = list(units)

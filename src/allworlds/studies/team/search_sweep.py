@@ -58,6 +58,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
     """
 
     verb, asked, result = "team", TeamRequest, TeamTally
+    finer = 1
     extent: Extent
 
     def __init__(self, request: TeamRequest, team: Team) -> None:
