@@ -22,7 +22,7 @@ class Size(NamedTuple):
     lines: int
 
 
-MOST = 31_630
+MOST = 31_635
 """Lines of code of ``src/allworlds``."""
 
 MOST_OF_WING = {

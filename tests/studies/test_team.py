@@ -7,6 +7,7 @@ import pytest
 
 import allworlds
 from allworlds.documents.document import replace
+from allworlds.inputs.checks import InputError
 from allworlds.outcome import Verdict
 from allworlds.robots.finding import TeamFinding
 from allworlds.robots.models.meeting import Meeting
@@ -115,6 +116,11 @@ def test_a_run_that_the_budget_cuts_off_refutes_nothing_unless_it_is_a_bound():
     assert not report.findings
     bounded = team("waits", "polls", edges=2, within=4)
     assert [found.law for found in bounded.findings] == ["budget"]
+
+
+def test_a_bound_on_activations_is_refused_where_none_are_counted():
+    with pytest.raises(InputError, match="within = 4 has no effect on automata"):
+        team("other_end", edges=2, within=4)
 
 
 def test_too_many_configurations_leave_the_verdict_open():

@@ -84,10 +84,19 @@ class Search:
         self._plans: list[tuple[int, Sequence[int], Sequence[int]]] = []
 
     def begin(self) -> None:
-        """Make the first configurations."""
+        """Make the first configurations.
+
+        Raises:
+            InputError: if a bound on activations is asked for, and all programs are automata.
+        """
         told = [self.world.told(robot) for robot in self._robots]
         roots = [self.minds.root(program, told[robot]) for robot, program in enumerate(self.team)]
         self._limited = not self.minds.finite
+        if self.time.within and not self._limited:
+            raise InputError(
+                f"within = {self.time.budget} has no effect on automata, whose activations are not "
+                "counted; legal is a memory that counts them, and ends"
+            )
         ahead = (0,) * len(roots) if self.time.lead is not None else ()
         delays: list[tuple[int, ...]] = [()]
         if self.time.start_delay:
