@@ -3,6 +3,7 @@
 import inspect
 
 import pytest
+from msgspec.structs import force_setattr
 
 from allworlds import check, run
 from allworlds.engines.judge import table_of
@@ -88,7 +89,7 @@ def test_a_record_is_over_at_its_end_if_the_run_is_and_has_no_more_percepts():
 
 def test_a_percept_that_one_explorer_spoils_is_none_of_the_next_ones():
     def spoils(first):
-        object.__setattr__(first, "degree", 9)
+        force_setattr(first, "degree", 9)
         yield Move(0)
 
     assert check(spoils, edges=1).verdict == "refuted"

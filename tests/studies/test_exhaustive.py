@@ -6,6 +6,7 @@ import os
 from functools import cache, partial
 
 import pytest
+from msgspec.structs import force_setattr
 
 from allworlds.documents.document import replace
 from allworlds.engines.hash_seeds import GOES_BY_HASHES
@@ -237,7 +238,7 @@ def test_a_negative_bound_is_reported_as_it_is():
 def test_an_explorer_that_tampers_with_percepts_deceives_nobody(explorers):
     def kept(percept):
         own = replace(percept)
-        object.__setattr__(percept, "degree", 99)
+        force_setattr(percept, "degree", 99)
         return own
 
     def tampering(first):

@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Annotated, Any, Literal, Protocol, TypeAlias
 
+from msgspec import Struct
+
 from allworlds.documents.document import (
     Document,
     Entries,
@@ -24,8 +26,7 @@ from allworlds.maps.combinatorial import Alpha, CombinatorialMap, Dart, Sigma
 from allworlds.protocol.choices import Choices
 
 
-@dataclass(frozen=True, slots=True)
-class Percept(WrittenByFields):
+class Percept(Struct, WrittenByFields, frozen=True, gc=False):
     """Percept.
 
     All that is sensed at a vertex.
@@ -57,8 +58,7 @@ class Percept(WrittenByFields):
         return f"degree {self.degree}{marks}{bearing}"
 
 
-@dataclass(frozen=True, slots=True)
-class Move:
+class Move(Struct, frozen=True, gc=False):
     """Leave by ``sigma^k`` of the robot's dart; one edge traversal.
 
     ``k`` may be any integer, negative too; it is taken modulo the degree.  ``Move(0)`` goes
@@ -72,8 +72,7 @@ class Move:
         return f"move {self.k}"
 
 
-@dataclass(frozen=True, slots=True)
-class Drop:
+class Drop(Struct, frozen=True, gc=False):
     """Lay down one marker here; free.  Legal only where the lighthouse gives markers."""
 
     def __str__(self) -> str:
@@ -81,8 +80,7 @@ class Drop:
         return "drop"
 
 
-@dataclass(frozen=True, slots=True)
-class Pick:
+class Pick(Struct, frozen=True, gc=False):
     """Take up one marker from here; free.  Legal only where the lighthouse gives markers."""
 
     def __str__(self) -> str:
@@ -90,8 +88,7 @@ class Pick:
         return "pick"
 
 
-@dataclass(frozen=True, slots=True)
-class Write:
+class Write(Struct, frozen=True, gc=False):
     """Write the number ``k`` here; free.  Legal only where the lighthouse has room for numbers."""
 
     k: int
@@ -101,8 +98,7 @@ class Write:
         return f"write {self.k}"
 
 
-@dataclass(frozen=True, slots=True)
-class Wait:
+class Wait(Struct, frozen=True, gc=False):
     """Do nothing in this activation; only in worlds with several robots."""
 
     def __str__(self) -> str:
@@ -110,8 +106,7 @@ class Wait:
         return "wait"
 
 
-@dataclass(frozen=True, slots=True)
-class Watch:
+class Watch(Struct, frozen=True, gc=False):
     """Do nothing, and be activated again once something else is sensed here than now.
 
     Only in worlds with several robots.
@@ -122,8 +117,7 @@ class Watch:
         return "watch"
 
 
-@dataclass(frozen=True, slots=True)
-class Do:
+class Do(Struct, frozen=True):
     """Whatever the model of the world understands, a value that JSON has."""
 
     value: Any
@@ -133,8 +127,7 @@ class Do:
         return f"do {self.value if isinstance(self.value, str) else json.dumps(self.value)}"
 
 
-@dataclass(frozen=True, slots=True)
-class End:
+class End(Struct, frozen=True):
     """The end of an automaton, with its answer, as a generator returns it."""
 
     answer: Any = None

@@ -171,7 +171,7 @@ class _Turns(Struct):
             if len(record) != self._noted:
                 self.note_choices()
             if type(message) is actions.Move:
-                k = getattr(message, "k", None)  # it may lack its parts
+                k = message.k
                 if type(k) is not int and (k := self._integer(message)) is None:
                     return None
                 if not left:

@@ -39,6 +39,7 @@ from collections import deque
 from itertools import cycle
 
 import numpy as np
+from msgspec.structs import force_setattr
 
 from allworlds import Checkpoint, CombinatorialMap, Estimate, Move
 from allworlds.explorers.builtin.algorithm1 import algorithm1
@@ -151,8 +152,8 @@ def changes_percepts(first):
         said = yield action
         percept = said and type(said)(said.degree, said.marks, said.bearing)
         if said:
-            object.__setattr__(said, "degree", 99)
-            object.__setattr__(said, "bearing", 98)
+            force_setattr(said, "degree", 99)
+            force_setattr(said, "bearing", 98)
 
 
 class Instance:
