@@ -52,6 +52,9 @@ AHEAD = 2
 ALONE = 1.5
 """The seconds for which the lane here is the only one."""
 
+SMALL = 0.8
+"""The seconds after which nothing further is begun by the lane here: the next level has more."""
+
 _KNOWN = (InputError, players.Unsettled, tally.EnginesDisagree, players.HarnessError)
 
 
@@ -126,7 +129,7 @@ class Lanes(Struct):
     apart: bool = False
     models: bool = False
     make: Callable[..., Any] = Lane
-    _until: float = 0.0
+    _began: float = 0.0
     _lane: Lane | None = None
     _processes: list[_Process] = field(default_factory=list)
     _lost: Counter[str] = field(default_factory=Counter)
@@ -152,7 +155,7 @@ class Lanes(Struct):
         unit, again, first = next(waiting, None), list[UnitOfRuns](), self._lane_here(engine)
         last = unit
         while True:
-            alone = first is not None and (not self.apart or time.monotonic() < self._until)
+            alone = first is not None and (not self.apart or time.monotonic() < self._began + ALONE)
             while unit and first and alone and first.hungry:
                 first.offer(unit)
                 last, unit = unit, next(waiting, None)
@@ -187,11 +190,13 @@ class Lanes(Struct):
 
     def _lane_here(self, engine: tally.RunCounter) -> Lane | None:
         """One lane as long as the same is asked for; None once others have begun."""
-        if self._processes or (self._lane is not None and self._lane.counter != engine):
+        self._began = self._began or time.monotonic()
+        late = self.apart and time.monotonic() > self._began + SMALL
+        apart = not self.here or late or bool(self._processes)
+        if apart or (self._lane is not None and self._lane.counter != engine):
             self._close_lane()
-        if not self.here or self._processes:
+        if apart:
             return None
-        self._until = self._until or time.monotonic() + ALONE
         if self._lane is None:
             self._lane = self.make(self.subject, engine, self.limits, deadline=self.deadline)
         return self._lane
