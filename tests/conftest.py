@@ -109,7 +109,8 @@ def without_workers(monkeypatch):
     """Checks and runs are done in this process: no worker has to start, and all else is the same.
 
     Only the confirmation of a finding takes a fresh process still, and the first look at an
-    explorer.  What a program writes to stderr goes nowhere, as in a player that nobody overhears.
+    explorer; and one, not eight, is asked about a predicate or lighthouse again.  What a program
+    writes to stderr goes nowhere, as in a player that nobody overhears.
     """
 
     with ExitStack() as running:
@@ -132,6 +133,7 @@ def without_workers(monkeypatch):
         for module in ("across", "plays", "single"):
             monkeypatch.setattr(f"allworlds.engines.{module}.started", player)
         monkeypatch.setattr("allworlds.robots.asked.started", player)
+        monkeypatch.setattr("allworlds.engines.asked_again.PROCESSES", 1)
         monkeypatch.setattr(
             "allworlds.engines.lanes.Lanes",
             lambda subject, limits, deadline, *more: Lanes(

@@ -4,6 +4,7 @@ Lines of code are all but blank lines, comments, docstrings and imports.
 """
 
 import ast
+from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -64,6 +65,7 @@ def size(paths):
     return Size(sum(map(code, sources)), lines)
 
 
+@cache
 def code(source):
     """The number of lines of code."""
     left_out = set()
