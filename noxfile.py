@@ -148,10 +148,10 @@ def proofs(session: nox.Session) -> None:
 
 @nox.session
 def full(session: nox.Session) -> None:
-    """Run the longest tests, then go further with what Coq extracts (nox -s proofs builds it)."""
+    """Run the slowest tests, then go further with what Coq extracts (nox -s proofs builds it)."""
     session.install(".[browser,dev,docs]")
     distributed = ("-n", "auto", "--dist", "worksteal")
-    session.run("pytest", *distributed, "-m", "long", "--durations=25", "tests/slow")
+    session.run("pytest", *distributed, "-m", "slowest", "--durations=25", "tests", "tests/slow")
     further = ("walked", "judged", "checked", "folded", "shielded")
     limits = [word for name in further for word in (f"--{name}-edges", "4")]
     session.run("python", "proofs/coq/certified.py", "--edges", "5", *limits)

@@ -153,7 +153,7 @@ def without_workers_unless_the_test_is_about_them(request):
 
 def is_slow(item):
     """Whether a test is left out of the quick run."""
-    return item.nodeid.startswith("tests/slow/")
+    return item.nodeid.startswith("tests/slow/") or item.get_closest_marker("slowest")
 
 
 def needs_kernel(item):

@@ -32,7 +32,7 @@ SLOW = {
 }
 """Pages whose commands take more than some seconds, or a compiler."""
 
-LONGEST = {
+SLOWEST = {
     "docs/ambiguity.md",
     "docs/how-to/bound.md",
     "docs/how-to/certificate.md",
@@ -46,7 +46,7 @@ LONGEST = {
     "docs/research/sequence.md",
     "docs/research/task.md",
 }
-"""Pages that are left to the long run."""
+"""Pages that are left to ``nox -s full``."""
 
 ELSEWHERE = {
     "README.md": ("sh", "tests/project/test_readme.py compares these lines with what CI runs"),
@@ -83,7 +83,7 @@ def shell(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "page", [page for page in PAGES if own_blocks(page) and page not in SLOW | LONGEST]
+    "page", [page for page in PAGES if own_blocks(page) and page not in SLOW | SLOWEST]
 )
 def test_every_block_of_the_page_does_what_the_page_says(page, shell, tmp_path, monkeypatch):
     clone = tmp_path / "clone"
@@ -132,7 +132,7 @@ def test_what_is_not_run_says_why():
     for page, text in pages.items():
         known = text.count("<!-- not run: ")
         assert known == sum(1 for block in blocks(text) if block.reason), page
-    assert set(ELSEWHERE) | SLOW | LONGEST | set(PROGRAMS) <= set(PAGES)
+    assert set(ELSEWHERE) | SLOW | SLOWEST | set(PROGRAMS) <= set(PAGES)
 
 
 def test_the_comparison_of_outputs_sees_a_difference():

@@ -9,7 +9,7 @@ from allworlds.judging.laws.law_table import LAWS, PRECEDENCE
 from errands import WEAK_TASK_JUDGES
 from judges import WEAK_JUDGES
 from matrix import mutants, survivors
-from small import long
+from small import slowest
 
 SMALLER = 1
 # Whom it takes three edges to kill, and whom four: every smaller map is its own mirror image.
@@ -20,9 +20,9 @@ TAKE_THREE = [
 TAKE_FOUR = ["confirmed-too-early", "mirror-accepted"]
 
 
-@pytest.fixture(scope="module", params=[2, long(4)])
+@pytest.fixture(scope="module", params=[2, slowest(4)])
 def edges(request):
-    """The bound; in the long run that of the program, which .ci/run takes, too."""
+    """The bound; in ``nox -s full`` that of the program, which .ci/run takes, too."""
     return request.param
 
 

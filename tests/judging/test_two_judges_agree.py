@@ -16,10 +16,10 @@ from allworlds.maps import CombinatorialMap, rooted_maps, unrooted_code
 from allworlds.protocol.actions import Checkpoint, Estimate, Percept, Transcript
 from allworlds.world import Directional, World
 from second_opinion import verdict
-from small import all_maps, long, stepped
+from small import all_maps, slowest, stepped
 
 PARTS = 8
-EACH_PART = [long(4, PARTS, k) for k in range(PARTS)]
+EACH_PART = [slowest(4, PARTS, k) for k in range(PARTS)]
 """Edges, one world of so many, from the k-th."""
 
 NOTHING_SENSED = Transcript(Percept(1))

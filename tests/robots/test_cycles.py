@@ -34,7 +34,7 @@ def test_a_second_algorithm_agrees_where_robots_watch(scheduler):
             agree_on_cycles(world, scheduler, automaton)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("scheduler", SCHEDULERS)
 @pytest.mark.parametrize("number", range(len(WORLDS)))
 def test_a_second_algorithm_agrees_on_all_automata_of_two_states(number, scheduler):

@@ -16,7 +16,7 @@ from allworlds.robots.model import SCHEDULERS
 from allworlds.robots.models.goals import are_apart
 from allworlds.robots.models.table import model_of
 from allworlds.robots.one_world import search
-from small import EDGE, LOOP, all_maps, long
+from small import EDGE, LOOP, all_maps, slowest
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "robots"
 
@@ -119,7 +119,7 @@ def test_of_36_rule_sets_13_and_4_and_2_gather():
         assert found.holds
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_of_all_2916_rule_sets_407_and_14_and_10_gather():
     pairs = gathering.pairs(5, (1, 1, 1)) + gathering.pairs(5, (1, 2))
     left = [*gathering.every_rule_set(pairs)]
@@ -178,7 +178,7 @@ def test_anonymous_robots_never_meet_where_a_word_of_moves_leaves_them_apart(map
     assert counted == numbers
 
 
-@pytest.mark.parametrize("edges", [3, long(5)])
+@pytest.mark.parametrize("edges", [3, slowest(5)])
 @pytest.mark.parametrize(
     ("scheduler", "number"), [("fsync", 969), ("central", 1629), ("async", 2591)]
 )
@@ -191,7 +191,7 @@ def test_who_waits_is_found(scheduler, number, edges):
     assert edges == 5 or sum(found.configurations for found in every) == number
 
 
-@pytest.mark.parametrize("edges", [4, long(5)])
+@pytest.mark.parametrize("edges", [4, slowest(5)])
 @pytest.mark.parametrize("scheduler", SCHEDULERS)
 def test_two_robots_draw_the_map_of_each_simple_world(scheduler, edges):
     """140 worlds with 5 edges."""
@@ -210,7 +210,7 @@ def rounds_hold(vertices, rounds, options):
     return all(found.holds for found in searches([map_], model, team, "fsync"))
 
 
-@pytest.mark.parametrize("vertices", [3, 4, 5, long(6)])
+@pytest.mark.parametrize("vertices", [3, 4, 5, slowest(6)])
 def test_catch_and_bounce_takes_3n_minus_6_rounds_from_two_vertices(vertices):
     assert rounds_hold(vertices, 3 * vertices - 6, ":one_face=true")
     assert not rounds_hold(vertices, 3 * vertices - 7, ":one_face=true")

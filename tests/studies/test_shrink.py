@@ -11,10 +11,10 @@ from allworlds.protocol.actions import Estimate, Move
 from allworlds.studies.fuzz.sample_sweep import fuzz
 from allworlds.studies.fuzz.shrinking import EDGES_OF_FINE_STEPS, shrink
 from allworlds.world import Directional, World
-from small import long
+from small import slowest
 
 
-@pytest.fixture(scope="module", params=[(4, 4), long((9, 6))])
+@pytest.fixture(scope="module", params=[(4, 4), slowest((9, 6))])
 def shrunk(request, planted):
     """An explorer whose error begins at that size, how many edges these are, and the sample."""
     edges, degree = request.param

@@ -33,18 +33,18 @@ def is_least_rooting(map_):
 
 
 def slow(*values):
-    """Parameters of a test of a paper, which are tried with ``-m 'not long'``."""
+    """Parameters of a test of a paper, which are tried with ``-m 'not slowest'``."""
     return pytest.param(*values, marks=pytest.mark.slow)
 
 
-def long(*values):
+def slowest(*values):
     """Parameters that are left to ``nox -s full``."""
-    return pytest.param(*values, marks=pytest.mark.long)
+    return pytest.param(*values, marks=pytest.mark.slowest)
 
 
 def every_eighth(values):
     """Parameters of which all but each eighth are left to ``nox -s full``."""
-    return [value if i % 8 == 0 else long(value) for i, value in enumerate(values)]
+    return [value if i % 8 == 0 else slowest(value) for i, value in enumerate(values)]
 
 
 def all_maps(most):

@@ -16,7 +16,7 @@ from allworlds.protocol.choices import policy_named
 from corridors import Shape, usual_shape
 from matching import augmented
 from playing import played
-from small import long
+from small import slowest
 from testers import order_exact
 
 TESTERS = ("algorithm1", "remembering", "greedy", "prudent")
@@ -69,7 +69,7 @@ def assert_a_bad_world(size, explorer, seed=1, policy="fifo"):
 # Pairs that answers exclude: 56, 675 and 3,192 by a second program, from another matching.
 @pytest.mark.parametrize("explorer", TESTERS)
 @pytest.mark.parametrize(
-    ("size", "excluded"), [(1, 56), (2, 675), ((1, 14), 30), ((2, 14), 99), long(3, 3192)]
+    ("size", "excluded"), [(1, 56), (2, 675), ((1, 14), 30), ((2, 14), 99), slowest(3, 3192)]
 )
 def test_a_tester_walks_as_much_as_the_theorem_says_and_the_same_in_the_world_left(
     explorer, size, excluded
@@ -79,7 +79,7 @@ def test_a_tester_walks_as_much_as_the_theorem_says_and_the_same_in_the_world_le
 
 @pytest.mark.parametrize("policy", ["lifo", "nearest", "random:1", "random:2"])
 @pytest.mark.parametrize("explorer", TESTERS[:2])
-@pytest.mark.parametrize("size", [1, long(2), long((2, 14))])
+@pytest.mark.parametrize("size", [1, slowest(2), slowest((2, 14))])
 def test_no_order_of_darts_and_hypotheses_helps_a_tester(size, explorer, policy):
     assert_a_bad_world(size, explorer, policy=policy)
 

@@ -15,7 +15,7 @@ from bouquets import (
     told_apart,
 )
 from playing import run_here
-from small import long
+from small import slowest
 
 
 @pytest.mark.parametrize("loops", [1, 2, 3, 4])
@@ -47,7 +47,7 @@ def logs(worlds, walk):
     return parts
 
 
-@pytest.mark.parametrize("length", [0, 1, 2, 3, 4, long(5)])
+@pytest.mark.parametrize("length", [0, 1, 2, 3, 4, slowest(5)])
 def test_no_walk_of_fixed_motions_tells_more_apart_than_the_bound(length):
     every = [*bouquets(3)]
     most = max(len(logs(every, walk)) for walk in product(range(7), repeat=length))

@@ -15,7 +15,7 @@ import pytest
 from allworlds.maps import families, family
 from allworlds.maps.families import hub_types, out_darts, usual_degree
 from corridors import Shape, drawn_corridor
-from small import long, slow
+from small import slow, slowest
 
 ALL = 1000
 
@@ -157,8 +157,8 @@ SIZES = [
     ((1, 22), ALL),
     ((2, 14), 6),
     ((2, 22), 6),
-    long(usual(3), 3),
-    long((3, 14), 3),
+    slowest(usual(3), 3),
+    slowest((3, 14), 3),
     slow((3, 22), 3),
 ]
 """F and R, and how many words of a dart: g = 1, 1, 1, 1, 3, 1, 1, 4 and 2."""

@@ -10,7 +10,7 @@ from adversary import Deciding
 from allworlds import check, run
 from corridors import usual_shape
 from playing import named, played
-from small import long
+from small import slowest
 
 HERE = Path(sweep.__file__)
 
@@ -19,7 +19,7 @@ def test_it_is_right_in_every_small_world():
     assert check(f"{HERE}:sweep", edges=3, bound="none").verdict.value == "holds"
 
 
-@pytest.mark.parametrize("edges", [3, long(4)])
+@pytest.mark.parametrize("edges", [3, slowest(4)])
 def test_it_is_right_if_it_sweeps_wherever_it_can(monkeypatch, edges):
     class Eager(sweep.Sweep):
         credit = inf
@@ -34,7 +34,7 @@ def test_it_is_right_if_it_sweeps_wherever_it_can(monkeypatch, edges):
     assert report.traversals > check(named("prudent"), edges=edges).traversals  # it did sweep
 
 
-@pytest.mark.parametrize(("far", "cost"), [(1, 832), long(2, 7_799)])
+@pytest.mark.parametrize(("far", "cost"), [(1, 832), slowest(2, 7_799)])
 def test_what_it_walks_against_the_adversary(far, cost):
     deciding = Deciding(usual_shape(far), 1)
     walk = played(sweep.sweep, deciding, deciding.heed)

@@ -13,7 +13,7 @@ from allworlds.maps.build import dense, lattice
 from allworlds.protocol.choices import policy_named
 from explorers import greedy, prudent, remembering
 from settled_log import SettledLog
-from small import long, maps, slow
+from small import maps, slow, slowest
 from testers import paper_bound
 from unforgetting import Spread
 
@@ -74,14 +74,14 @@ GREEDY = [3, 60, 989, 16836, 308937]
     ("explore", "edges"),
     [
         *((explore, edges) for explore in (greedy, prudent) for edges in (1, 2, 3)),
-        *(slow(greedy, 4), long(greedy, 5), slow(prudent, 4)),
+        *(slow(greedy, 4), slowest(greedy, 5), slow(prudent, 4)),
     ],
 )
 def test_all_runs_together_are_as_long_as_those_of_another_implementation(explore, edges):
     assert sum(Run(explore, *run).cost for run in every_run(edges)) == GREEDY[edges - 1]
 
 
-@pytest.mark.parametrize("edges", [1, 2, 3, slow(4), long(5)])
+@pytest.mark.parametrize("edges", [1, 2, 3, slow(4), slowest(5)])
 def test_remembering_never_walks_more_than_algorithm_1_with_the_same_choices(edges):
     compared, walked = Counter(), 0
     for run in every_run(edges):

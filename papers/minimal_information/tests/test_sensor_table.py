@@ -22,7 +22,7 @@ def test_rows_of_the_table_are_what_the_command_finds():
     assert other.splitlines()[-1] not in TEXT
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_table_and_the_pictures_are_those_that_are_written_anew():
     found = sensor_table.found()
     again = sensor_table.written(TEXT, "table", sensor_table.table(found))
@@ -62,7 +62,7 @@ def test_no_sensor_that_is_proved_is_finer_than_another():
         assert not names & {*below}
 
 
-@pytest.mark.parametrize("edges", [3, pytest.param(5, marks=pytest.mark.long)])
+@pytest.mark.parametrize("edges", [3, pytest.param(5, marks=pytest.mark.slowest)])
 def test_worlds_under_sensors_that_are_proved_are_their_own_quotients(edges):
     found = several_sheets(proved(), edges)
     # An edge; a loop, with the door at either dart; a path, from both starts.

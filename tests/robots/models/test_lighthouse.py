@@ -10,14 +10,14 @@ from allworlds.robots.models.table import model_of
 from allworlds.robots.one_world import search
 from allworlds.world import World
 from allworlds.world.lighthouses.kinds import lighthouse_kind
-from small import all_maps, long
+from small import all_maps, slowest
 
 
 def mapper(first):
     return (yield from algorithm1(first))
 
 
-@pytest.mark.parametrize(("edges", "runs"), [(3, 309), long(4, 3684)])
+@pytest.mark.parametrize(("edges", "runs"), [(3, 309), slowest(4, 3684)])
 def test_algorithm_1_has_as_many_runs_as_always(edges, runs):
     model, _ = model_of("lighthouse:directional")
     count = 0

@@ -15,7 +15,7 @@ from allworlds.robots.models.table import model_of
 from allworlds.robots.one_world import search
 from fair_runs import Automata
 from one_by_one import agree
-from small import EDGE, LOLLIPOP, LOOP, PATH, TRIANGLE, all_maps, long
+from small import EDGE, LOLLIPOP, LOOP, PATH, TRIANGLE, all_maps, slowest
 
 
 def meets(first, *, told=None):
@@ -109,7 +109,7 @@ CASES = {
 }
 
 
-@pytest.mark.parametrize("edges", [2, long(3)])
+@pytest.mark.parametrize("edges", [2, slowest(3)])
 @pytest.mark.parametrize("name", CASES)
 def test_schedules_one_by_one_are_as_many_and_end_alike(name, edges):
     """Under each scheduler that the model has; in ssync and async from some of the starts.

@@ -16,7 +16,7 @@ scene = quick.scene
 
 def weight(later, workers):
     """The marks of an attack: whether it is a later one, and the workers."""
-    return pytest.mark.long if later or workers == 2 else ()
+    return pytest.mark.slowest if later or workers == 2 else ()
 
 
 def is_for_compiled_code(attack):
@@ -30,8 +30,8 @@ def is_for_compiled_code(attack):
 def tried():
     """Each attack with 1 and with 2 workers, but for the quick run.
 
-    Where both engines can judge, every other file is left to the long run here, and the others in
-    :func:`tried_in_compiled_code`.
+    Where both engines can judge, every other file is left to ``nox -s full`` here, and the others
+    in :func:`tried_in_compiled_code`.
     """
     for place, attack in enumerate(attacks()):
         elsewhere = is_for_compiled_code(attack) and place % 2 == 0
@@ -43,7 +43,7 @@ def tried():
                     yield pytest.param(attack, function, workers, marks=marks, id=name)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.early
 @pytest.mark.parametrize(("attack", "function", "workers"), [*tried()])
 def test_an_attack_gets_its_verdict_and_leaves_nothing_behind(attack, function, workers, scene):
@@ -66,7 +66,7 @@ def tried_in_compiled_code():
                     yield pytest.param(attack, function, workers, marks=marks, id=name)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize(("attack", "function", "workers"), [*tried_in_compiled_code()])
 def test_an_attack_gets_the_same_verdict_where_compiled_code_judges(
@@ -93,7 +93,7 @@ def explore(first):
 """
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_right_explorer_is_not_refuted_by_who_kills_its_player(scene):
     scene.place.joinpath("waits.py").write_text(WAITS)
     words = ["waits.py:explore", "--edges", 2, "--workers", 1, "--answer-timeout", 600, "--json"]
@@ -114,7 +114,7 @@ def explore(first):
 """
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_what_was_found_in_another_scope_refutes_nothing_in_this_one(scene):
     scene.place.joinpath("right.py").write_text(RIGHT)
 

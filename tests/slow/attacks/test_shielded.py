@@ -15,14 +15,14 @@ def scene(tmp_path):
 
 
 def tried():
-    """Each attack under the directional lighthouse; all but the first one of a kind are long."""
+    """Each attack under the directional lighthouse; all but the first one of a kind slowest."""
     kinds = set()
     for attack in attacks():
         if attack.signal or "--lighthouse" in attack.options:
             continue
         for function in attack.verdicts:
             kind = attack.name.partition("/")[0]
-            marks = [pytest.mark.long] if kind in kinds else []
+            marks = [pytest.mark.slowest] if kind in kinds else []
             kinds.add(kind)
             name = f"{attack.name}-{function or 'exec'}"
             yield pytest.param(attack, function, id=name, marks=marks)

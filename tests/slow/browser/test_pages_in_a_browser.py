@@ -11,7 +11,7 @@ from allworlds.maps import CombinatorialMap, family
 from allworlds.reports.formats import file_of
 from allworlds.studies.check.exhaustive import check
 from allworlds.world import Directional, World, world_named
-from small import long
+from small import slowest
 
 axe = pytest.importorskip("axe_core_python.sync_playwright", reason="needs the extra 'browser'")
 
@@ -75,7 +75,7 @@ def robots(page):
     )
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_keys_step_along_the_walk_in_every_picture(shows):
     with shows("twins") as page:
         items = page.locator(".walk li")
@@ -145,7 +145,7 @@ def heights(page):
 
 
 @pytest.mark.parametrize("size", [DESK, PHONE], ids=["desk", "phone"])
-@pytest.mark.parametrize("name", ["genus 0", long("genus 1"), long("genus 2"), "14 edges"])
+@pytest.mark.parametrize("name", ["genus 0", slowest("genus 1"), slowest("genus 2"), "14 edges"])
 def test_what_is_written_in_pictures_is_large_enough_at_every_zoom(name, size, shows):
     with shows(name, size) as page:
         at_first = heights(page)
@@ -252,7 +252,7 @@ def test_on_a_phone_another_way_is_gone_in_the_picture_of_the_world(shows):
 
 
 @pytest.mark.parametrize("name", PAGES)
-@pytest.mark.parametrize("colours", ["light", long("dark")])
+@pytest.mark.parametrize("colours", ["light", slowest("dark")])
 def test_contrast_and_roles_are_as_the_guidelines_ask(name, colours, shows):
     with shows(name, color_scheme=colours, bypass_csp=True) as page:
         for another in page.locator(".another summary").all():

@@ -176,7 +176,7 @@ def in_frame(page, selector):
     return sum(seen), len(seen)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_places_stay_where_they_are_and_fifteen_are_seen_at_once(visit, tmp_path):
     page_file = tmp_path / "play.html"
     page_file.write_text(game_page(play("torus:4x4", seed=3)), encoding="utf-8")

@@ -25,7 +25,7 @@ def site(tmp_path_factory):
     return where / "built"
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_word_is_found_from_the_disk(site, visit):
     with visit(site / "index.html") as page:
         page.locator("input.md-search__input").click()

@@ -5,7 +5,7 @@ import pytest
 from cli import test_helping as quick
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("columns", [50, 79, 80, 120])
 @pytest.mark.parametrize("name", ["", "ambiguity", *quick.NAMES])
 def test_no_help_cuts_a_word_or_gives_a_flag_a_value(name, columns, monkeypatch, capsys):

@@ -6,7 +6,7 @@ from allworlds.verbs import VERBS
 from cli.test_helping import help_of
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_verb_that_takes_an_explorer_tells_of_the_shield(monkeypatch, capsys):
     for verb in VERBS:
         command, told = help_of(verb.name.split(), 200, monkeypatch, capsys)

@@ -13,9 +13,9 @@ from cli import test_made_by as quick
 from cli.test_made_by import NAMES, takes_workers
 from printed import without_made_by
 from recorded.record import least
-from small import long
+from small import slowest
 
-pytestmark = pytest.mark.long
+pytestmark = pytest.mark.slowest
 
 tmp = quick.tmp
 
@@ -59,7 +59,7 @@ def told(seed, commands):
     return [json.loads(line) for line in done.stdout.splitlines()]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_no_document_depends_on_the_order_of_hashes(tmp):
     # init refuses to do twice what it has done.
     names = [name for name in NAMES if name != "init"]
@@ -70,7 +70,7 @@ def test_no_document_depends_on_the_order_of_hashes(tmp):
         assert (code, without_made_by(text)) == (code_2, without_made_by(text_2)), words
 
 
-@pytest.mark.parametrize("half", [0, long(1)])
+@pytest.mark.parametrize("half", [0, slowest(1)])
 def test_no_document_depends_on_the_number_of_workers(half, tmp):
     assert {name.partition(",")[0] for name in WORKING} == {
         name for name in NAMES if takes_workers(name)

@@ -3,11 +3,11 @@
 import pytest
 
 from cli import test_progress as quick
-from small import long
+from small import slowest
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
-@pytest.mark.parametrize("name", [long("count compiled")])
+@pytest.mark.parametrize("name", [slowest("count compiled")])
 def test_what_is_promised_is_done(name):
     quick.test_what_is_promised_is_done(name)

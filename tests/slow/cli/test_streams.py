@@ -23,7 +23,7 @@ def test_without_stderr_an_explorer_prints_into_the_void(stderr, tmp_path):
     assert json.loads(out)["verdict"] == "holds"
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(
     ("verb", "stdout"),
     [

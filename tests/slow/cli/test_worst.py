@@ -13,7 +13,7 @@ def test_worst_prints_a_table(cli):
     assert header in [line.split() for line in out.splitlines()]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_check_tells_the_engine_and_its_symmetry(cli):
     code, out, _ = cli("check", "--edges", 6, "--json", "-q")
     assert code == 0

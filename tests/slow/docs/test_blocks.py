@@ -18,7 +18,9 @@ def test_every_block_of_the_page_does_what_the_page_says(page, shell, tmp_path, 
     does_what_it_says(page, shell, tmp_path, monkeypatch)
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("page", [page for page in PAGES if page in quick.LONGEST])
-def test_every_block_of_a_long_page_does_what_the_page_says(page, shell, tmp_path, monkeypatch):
+@pytest.mark.slowest
+@pytest.mark.parametrize("page", [page for page in PAGES if page in quick.SLOWEST])
+def test_every_block_of_the_slowest_pages_does_what_the_page_says(
+    page, shell, tmp_path, monkeypatch
+):
     does_what_it_says(page, shell, tmp_path, monkeypatch)

@@ -16,7 +16,7 @@ from docs.test_site import ROOT
 from docsite_modules import load
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_every_live_page_has_a_name_of_its_own_and_is_written_and_linked(tmp_path):
     pictures = load("pictures")
     names = [live.name for live in [*pictures.lives(), *pictures.walks()]]
@@ -72,7 +72,7 @@ def distributions(lines, extras=(), found=None):
     return found
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_extra_of_the_site_has_all_that_the_names_it_shows_are_loaded_with():
     needed = [*PROJECT["dependencies"], *PROJECT["optional-dependencies"]["docs"]]
     found = distributions(needed)
@@ -87,7 +87,7 @@ def test_the_extra_of_the_site_has_all_that_the_names_it_shows_are_loaded_with()
     assert "pytest" in refused
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_every_name_of_the_reference_is_found_by_reading():
     griffe = pytest.importorskip("griffe", reason="the extra docs is not installed")
     package = griffe.load("allworlds", search_paths=[str(ROOT / "src")])

@@ -9,7 +9,7 @@ from doors import test_entry_points as quick
 installed = quick.installed
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_run_directories_and_the_census_take_them(installed):
     words = [*CHECK, "--task", "my-word?word=here", "--run", "rd"]
     assert installed(*words)[0] == 0

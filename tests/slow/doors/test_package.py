@@ -5,7 +5,7 @@ import pytest
 from doors.test_package import run_without_heavy_ones
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("workers", ["1", "2"])
 def test_an_explorer_of_ones_own_is_checked_without_numba_and_z3_in_every_process(
     workers, tmp_path

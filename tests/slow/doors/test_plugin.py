@@ -9,7 +9,7 @@ pytestmark = pytest.mark.usefixtures("without_workers")
 pytest_plugins = ["pytester"]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_workers_of_xdist_collect_the_same_tests(pytester):
     pytester.makepyfile(MARKED)
     result = pytester.runpytest_subprocess("-n", "2", "-p", "no:cov")

@@ -37,7 +37,7 @@ def test_every_way_to_grow_ends_in_a_map_and_every_map_can_be_grown(map_class, e
     assert grown == set(all_rooted_maps(edges, map_class))
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @CLASSES
 @pytest.mark.parametrize("edges", [6, 14])
 def test_what_is_drawn_is_a_valid_map_of_the_class_in_canonical_numbering(map_class, edges):

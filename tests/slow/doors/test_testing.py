@@ -11,14 +11,14 @@ cubic_alone = quick.cubic_alone
 pytestmark = pytest.mark.usefixtures("without_workers")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_right_explorer_passes_and_the_report_says_how_much_was_tried():
     report = assert_explores(RIGHT, edges=3, corpus=None)
     assert (report.worlds, report.runs) == (86, 309)
     assert assert_explores("algorithm1", corpus=None).scope.edges == 4
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_under_a_condition_no_part_of_the_kit_leaves_it(cubic_alone):
     assert_conforms(cubic_alone, edges=3, drawn=3, where="cubic")
     with pytest.raises(AssertionError, match="known-hard-maps"):

@@ -21,7 +21,7 @@ from allworlds.maps.classes import Extent
 from allworlds.maps.counting import rooted_maps as counted
 from allworlds.maps.enumeration import Gluing, prefixes
 
-pytestmark = [pytest.mark.long, pytest.mark.usefixtures("compiled")]
+pytestmark = [pytest.mark.slowest, pytest.mark.usefixtures("compiled")]
 
 
 @pytest.fixture(autouse=True)
@@ -37,7 +37,7 @@ POLICIES = ["fifo", "lifo", "nearest"]
 ALGORITHM1 = load("algorithm1")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("policy", POLICIES)
 def test_both_modes_agree_world_by_world(policy):
     for edges in (1, 2, 3, 4):
@@ -45,7 +45,7 @@ def test_both_modes_agree_world_by_world(policy):
             assert walk(asked(edges, policy), prefix) == judge(asked(edges, policy), prefix)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("policy", POLICIES)
 def test_both_modes_agree_in_every_number_of_a_level(policy):
     assert level(walk, 6, policy) == level(judge, 6, policy)
@@ -60,7 +60,7 @@ def test_totals_are_those_of_independent_programs():
         assert {n: row["worlds"] for n, row in rows.items()} == counted(edges)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_premise_holds_on_every_bearing(monkeypatch):
     # Raises where anything differs; up to m = 4 each check with the kernel does this itself.
     monkeypatch.setattr(agreement, "AGREEMENT_EDGES", 5)
@@ -90,7 +90,7 @@ SETTINGS = {
 }
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("options", SETTINGS.values(), ids=SETTINGS)
 def test_both_engines_give_the_same_report(options):
     reports = [check(engine=name, workers=2, **options).to_json() for name in ("python", "kernel")]
@@ -99,7 +99,7 @@ def test_both_engines_give_the_same_report(options):
     assert reports[0] == reports[1]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("explore", ["algorithm1-cluster", "algorithm1-natural"])
 def test_lighthouses_at_two_vertices_are_compared_to_six_edges_in_simple_worlds(explore):
     # Under one of them the explorer is told the degree of v1; few small worlds have it.
@@ -110,14 +110,14 @@ def test_lighthouses_at_two_vertices_are_compared_to_six_edges_in_simple_worlds(
     compare_engines(scope, load(explore))
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_bearings_are_counted_together_from_six_edges_on_and_the_report_says_so():
     small, large = (check(edges=m, engine="kernel").to_json()["scope"] for m in (5, 6))
     assert small["symmetry"] is None
     assert "from m = 6 on" in large["symmetry"]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("bound", ["m * n", "n - m - 3", "0 - 10**30"])
 @pytest.mark.parametrize("keep", [1, 4])
 def test_both_engines_report_the_same_least_findings(keep, bound):
@@ -132,7 +132,7 @@ def test_both_engines_report_the_same_least_findings(keep, bound):
     assert reports[0]["rows"] == reports[1]["rows"]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_shards_add_up_to_the_whole():
     whole = check(edges=6, engine="kernel")
     parts = [check(edges=6, engine="kernel", shard=(k, 3), workers=2) for k in range(3)]
@@ -155,7 +155,7 @@ assert max(row.worst for row in worst(edges=3).rows) == 11
 """
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_where_each_index_is_checked_the_engines_say_the_same(tmp_path):
     environment = {
         **os.environ,
@@ -213,7 +213,7 @@ def level(does, edges, policy="fifo", limit=None):
     return total, events
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_limit_of_vertices_leaves_the_other_worlds_as_they_are():
     whole, _ = level(walk, 5)
     for limit in range(2, 6):

@@ -11,7 +11,7 @@ from native_libraries import attack, example
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_auto_takes_the_kernel_from_five_edges_on_wherever_it_can():
     assert check(edges=4).engine == "python"
     assert check(edges=5).engine == "kernel"
@@ -23,7 +23,7 @@ def test_auto_takes_the_kernel_from_five_edges_on_wherever_it_can():
     assert check(edges=5, vertices=2, policy="random:1").engine == "python"
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_both_judges_of_a_library_count_and_find_the_same():
     library = f"native:{example('c/algorithm1.c')}"
     compiled, general = (check(library, edges=2, engine=each) for each in ("kernel", "python"))
@@ -33,7 +33,7 @@ def test_both_judges_of_a_library_count_and_find_the_same():
     assert [found.key for found in law] == [found.key for found in other]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_ctrl_c_leaves_the_finished_levels():
     listener = Stopper(after=50_000)
     report = check(edges=8, engine="kernel", workers=2, listener=listener)
@@ -43,7 +43,7 @@ def test_ctrl_c_leaves_the_finished_levels():
     assert listener.worlds < 1_000_000
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_time_limit_is_kept():
     report = check(edges=10, engine="kernel", workers=2, time_limit=2.5)
     assert report.verdict is Verdict.INCONCLUSIVE
@@ -57,13 +57,13 @@ def test_threads_do_not_change_the_report():
     assert one == three
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("name", [*("everywhere", "here_of_another", "raises")])
 def test_both_judges_of_a_users_explorer_count_and_find_the_same(name):
     quick.test_both_judges_of_a_users_explorer_count_and_find_the_same(name)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("kept", [False, True])
 def test_which_engine_is_taken_does_not_depend_on_what_is_compiled(monkeypatch, kept):
     monkeypatch.setattr("allworlds.engines.compiled_engine.is_compiled", lambda _: kept)

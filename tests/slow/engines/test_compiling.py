@@ -13,7 +13,7 @@ from allworlds.engines.kernel.runs import examine
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_what_is_kept_is_good_for_the_same_sources_installed_later():
     compile_apart("algorithm1")
     source = Path(compiling.__file__)
@@ -25,7 +25,7 @@ def test_what_is_kept_is_good_for_the_same_sources_installed_later():
         os.utime(source, ns=(before.st_atime_ns, before.st_mtime_ns))
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_what_is_kept_is_no_good_for_other_sources(monkeypatch):
     compile_apart("algorithm1")
     monkeypatch.setattr(compiling._file_of(examine), "_source_stamp", "of others")

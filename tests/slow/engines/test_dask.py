@@ -13,7 +13,7 @@ from allworlds.engines.listeners import Listener
 from clusters import cluster_apart
 from engines import test_dask as quick
 from engines.test_dask import WRONG, distributed
-from small import long
+from small import slowest
 
 here = quick.here
 
@@ -28,7 +28,7 @@ class Interrupts(Listener):
         raise KeyboardInterrupt
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_an_interrupt_cancels_what_is_done_elsewhere(here, tmp_path):
     report = check(edges=5, engine="kernel", dask=here, listener=Interrupts(), run=tmp_path)
     assert report.exit_code == 130
@@ -59,8 +59,8 @@ def apart(tmp_path):
         yield cluster
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("name", ["python", long("kernel"), long("foreign")])
+@pytest.mark.slowest
+@pytest.mark.parametrize("name", ["python", slowest("kernel"), slowest("foreign")])
 def test_a_worker_that_is_killed_changes_nothing(name, apart, tmp_path):
     job, after = {
         "python": (lambda **more: check(edges=4, engine="python", **more), 300),
@@ -79,8 +79,8 @@ SILENCE = 10.0
 """Seconds that no heartbeat takes, under any load."""
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("verb", ["check", long("worst"), long("count")])
+@pytest.mark.slowest
+@pytest.mark.parametrize("verb", ["check", slowest("worst"), slowest("count")])
 def test_a_worker_that_is_stopped_is_given_up(verb, apart, monkeypatch):
     monkeypatch.setattr("allworlds.engines.dask.SILENCE", SILENCE)
     job, after = {
@@ -102,9 +102,9 @@ GOES_AWAY = {
 }
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(
-    "what", [name if name == "scheduler killed" else long(name) for name in GOES_AWAY]
+    "what", [name if name == "scheduler killed" else slowest(name) for name in GOES_AWAY]
 )
 def test_a_cluster_that_goes_away_leaves_what_was_finished(
     what, apart, tmp_path, capfd, monkeypatch
@@ -127,7 +127,7 @@ def test_a_cluster_that_goes_away_leaves_what_was_finished(
     assert check(**asked).to_json() == check(edges=4, engine="python").to_json()
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_an_interrupt_waits_for_no_cluster(apart):
     def interrupt():
         for process in apart.all:
@@ -141,7 +141,7 @@ def test_an_interrupt_waits_for_no_cluster(apart):
     assert time.monotonic() - began[0] < 5
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("stopped", [False, True], ids=["lively", "stopped"])
 def test_a_cluster_of_this_machine_leaves_nothing_behind(stopped, tmp_path, monkeypatch):
     monkeypatch.setenv("TMPDIR", str(tmp_path))
@@ -163,7 +163,7 @@ def test_a_cluster_of_this_machine_leaves_nothing_behind(stopped, tmp_path, monk
     assert [*tmp_path.iterdir()] == []
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_cluster_of_this_machine_that_is_killed_is_told_of_in_one_line(capfd):
     def kill():
         (cluster_,) = {*processes.named("engines.dask")} & {*processes.children_of(os.getpid())}

@@ -48,7 +48,7 @@ def mounted(*words):
         pytest.skip(f"nothing can be mounted: {done.stderr}")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_full_disk_loses_nothing_that_was_finished(tmp_path):
     whole = check(edges=EDGES).to_json()
     with disk(tmp_path / "disk", 180) as small:
@@ -79,7 +79,7 @@ def test_a_directory_on_a_disk_that_is_full_already_is_refused(tmp_path):
         assert said.count("\n") == 1
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_file_that_may_not_grow_loses_nothing_that_was_finished(tmp_path):
     """A limit on the size of files takes the place of a small file system."""
     whole = check(edges=EDGES).to_json()

@@ -11,7 +11,7 @@ from allworlds.maps import random_map
 from engines.test_embedding import look, published_as
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_right_s_breaks_no_law():
     random = Random(1)
     for _ in range(30):

@@ -64,7 +64,7 @@ def test_the_worlds_are_the_same_whatever_the_robot_looks_at_first(policy, edges
     assert walked(edges, policy) == known_fingerprints(Extent(MapClass.MAPS, edges), edges)
 
 
-@pytest.mark.parametrize("edges", [6, pytest.param(7, marks=pytest.mark.long)])
+@pytest.mark.parametrize("edges", [6, pytest.param(7, marks=pytest.mark.slowest)])
 def test_the_enumeration_in_python_has_the_worlds_of_the_corpus(edges):
     extent = Extent(MapClass.MAPS, edges)
     assert in_hexadecimal(listed(extent, edges).items()) == known_fingerprints(extent, edges)

@@ -55,7 +55,7 @@ class Ends(Listener):
             raise KeyboardInterrupt
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("name", CHECKS)
 def test_a_check_of_an_explorer_that_goes_by_hashes_is_the_same_whenever_that_is_noticed(
     name, tmp_path, monkeypatch
@@ -83,7 +83,7 @@ def test_a_check_of_an_explorer_that_goes_by_hashes_is_the_same_whenever_that_is
     assert json.dumps(again.to_json()) == whole
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_sample_of_an_explorer_that_goes_by_hashes_is_shrunk_with_either_seed(tmp_path):
     module = tmp_path / "by_hashes.py"
     module.write_text(WRONG_WITH_ONE)
@@ -107,7 +107,7 @@ def explore(first):
 """
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_finding_of_a_play_that_another_does_not_repeat_has_both(tmp_path):
     module = tmp_path / "chance.py"
     module.write_text(EVERY_OTHER_TIME)

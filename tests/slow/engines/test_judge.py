@@ -237,7 +237,7 @@ def laws_of(monkeypatch, explore, only):
             yield {found.law for found in played.findings}, {run.law for run in judged}
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("only", [None, *LAWS])
 @pytest.mark.parametrize("explore", WRONG, ids=lambda explore: explore.__name__)
 def test_both_judges_find_the_same_law_broken(monkeypatch, explore, only):
@@ -245,7 +245,7 @@ def test_both_judges_find_the_same_law_broken(monkeypatch, explore, only):
     assert [python for python, _ in both] == [compiled for _, compiled in both]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_every_law_is_broken_by_one_of_them(monkeypatch):
     found = set()
     for explore in WRONG:

@@ -8,7 +8,7 @@ import pytest
 from allworlds import ambiguity, check, worst
 from allworlds.engines.listeners import Listener
 from allworlds.engines.tally import Tally
-from small import long
+from small import slowest
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -66,9 +66,9 @@ def growth_of(name, **more):
     return watches.growth
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.early
-@pytest.mark.parametrize("name", [long("python"), long("compiled"), "worst", "census"])
+@pytest.mark.parametrize("name", [slowest("python"), slowest("compiled"), "worst", "census"])
 def test_memory_does_not_grow_with_the_units(name, tmp_path):
     # A census keeps what each of its worlds shows, and so grows with the worlds of its units.
     most = 2 * MOST if name == "census" else MOST
@@ -76,9 +76,9 @@ def test_memory_does_not_grow_with_the_units(name, tmp_path):
     assert growth_of(name, run=tmp_path / "run") < most
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.early
-@pytest.mark.parametrize("name", ["python", long("compiled")])
+@pytest.mark.parametrize("name", ["python", slowest("compiled")])
 def test_a_check_that_keeps_every_result_is_found_out(name, monkeypatch):
     kept, add = [], Tally.add
 

@@ -63,7 +63,7 @@ MUTANTS = [
 ]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(
     ("where", "honest", "mutant"), MUTANTS, ids=lambda part: getattr(part, "__name__", part)
 )
@@ -81,7 +81,7 @@ def test_a_check_with_a_damaged_table_ends_as_an_internal_error(
         assert report.ending.reason
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("damage", ["doubled", "lost"])
 def test_work_that_is_doubled_or_lost_fails_at_the_count_gate(monkeypatch, damage):
     units = units_of_level
@@ -100,7 +100,7 @@ def test_work_that_is_doubled_or_lost_fails_at_the_count_gate(monkeypatch, damag
     assert all((cell.enumerated > cell.counted) == (damage == "doubled") for cell in wrong)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_both_modes_break_in_the_same_worlds():
     allowed = [4, 20, 20, 20, 20, 20]
     level = asked(5, bounds=table_of([0, *allowed]))
@@ -113,7 +113,7 @@ def test_both_modes_break_in_the_same_worlds():
         assert walked.counts == judged.counts
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_disagreement_names_the_world(monkeypatch):
     honest = walk
 

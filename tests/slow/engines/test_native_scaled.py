@@ -5,7 +5,7 @@ import pytest
 from allworlds import check, merge
 from native_libraries import example
 
-pytestmark = pytest.mark.long
+pytestmark = pytest.mark.slowest
 
 
 def test_a_native_explorer_is_scaled_out_in_compiled_code(tmp_path):

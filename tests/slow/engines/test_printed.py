@@ -20,21 +20,21 @@ for line in sys.stdin:
 """
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_replay_does_not_compare_it(named):
     (finding,) = check(named("wrong"), edges=3).findings
     document = finding.to_json() | {"output": "something else"}
     assert replay(Finding.from_json(document)).outcome == "reproduced"
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_last_words_are_kept(named):
     (finding,) = check(named("dies"), edges=1).findings
     assert (finding.law, finding.output) == ("crash", "last words\n")
     assert run(named("dies"), "theta").finding.output == "last words\n"
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_what_a_program_writes_to_stderr_is_kept_too(tmp_path):
     file = tmp_path / "program.py"
     file.write_text(PROGRAM, encoding="utf-8")
@@ -43,7 +43,7 @@ def test_what_a_program_writes_to_stderr_is_kept_too(tmp_path):
     assert finding.output == 'hears {"episode": \n'
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_finding_holds_what_was_printed_in_its_run_alone(named, cli):
     (finding,) = check(named("wrong"), edges=3).findings
     degree = finding.transcript.first.degree

@@ -16,7 +16,7 @@ from allworlds import check
 from allworlds.engines.listeners import Listener
 from engines.test_resuming import VERBS, wrong
 from kept_jobs import EXPLORERS, stable
-from small import long
+from small import slowest
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -63,8 +63,8 @@ LONGER = {
 }
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("name", [name if name == "census" else long(name) for name in LONGER])
+@pytest.mark.slowest
+@pytest.mark.parametrize("name", [name if name == "census" else slowest(name) for name in LONGER])
 def test_a_job_that_is_killed_at_random_moments_says_the_same(name, tmp_path):
     command, times = LONGER[name], 20 if name == "foreign" else 4
     whole = subprocess.run(
@@ -106,7 +106,7 @@ def units_in(directory):
         return {key for (key,) in connection.execute("SELECT key FROM units")}
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("name", ["compiled", "refuted", "worst", "census", "own", "foreign"])
 def test_a_job_that_was_ended_goes_on_and_says_the_same(name, tmp_path):
@@ -138,7 +138,7 @@ class NoticeOnce(Listener):
         self.notices += [text] if "run directory" in text else []
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("name", ["refuted", "worst", *("own", "compiled", "foreign", "census")])
 def test_a_lock_that_is_removed_by_hand_harms_nobody(name, tmp_path):
@@ -176,7 +176,7 @@ def test_a_command_says_that_its_directory_was_removed(what, tmp_path):
     assert "was removed; the job goes on without it, and keeps nothing" in notice
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("name", ["here_of_another", "sys_exit", "raises", "everywhere"])
 def test_a_finding_that_was_kept_is_the_same_finding(name, tmp_path):

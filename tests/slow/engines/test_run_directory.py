@@ -12,7 +12,7 @@ from allworlds.engines.run_directory import FILE, reading
 from allworlds.inputs.checks import InputError
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.usefixtures("compiled")
 def test_a_full_disk_loses_nothing_that_was_finished(tmp_path, monkeypatch):
     said = []
@@ -39,7 +39,7 @@ def test_a_full_disk_loses_nothing_that_was_finished(tmp_path, monkeypatch):
         assert set(kept) < {key for key, *_ in read.rows()}
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.usefixtures("without_workers")
 def test_a_flipped_byte_is_detected_or_harms_nothing(tmp_path):
     job = lambda run: check(edges=3, engine="python", run=run).to_json()  # noqa: E731

@@ -13,7 +13,7 @@ from engines.test_seeds import GOES_BY_ORDER
 pytestmark = pytest.mark.processes
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(("edges", "workers"), [(1, 1), (2, 2), (4, 1)])
 def test_there_are_two_plays_a_run_and_more_under_other_seeds(tmp_path, edges, workers):
     quick.test_there_are_two_plays_a_run_and_more_under_other_seeds(tmp_path, edges, workers)
@@ -48,7 +48,7 @@ def explore(first):
 """
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(
     ("later", "outcome", "plays"),
     [("len(RUNS.read_text()) >= 6", ("reproduced", 0), 6), ("False", ("not-reproduced", 3), 16)],

@@ -24,7 +24,7 @@ def test_a_time_limit_that_is_over_at_once_leaves_it_undecided(name):
     quick.test_a_time_limit_that_is_over_at_once_leaves_it_undecided(name)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("name", SWEEPS)
 def test_what_was_interrupted_at_several_places_goes_on(name, undisturbed, tmp_path):
     job, whole = SWEEPS[name], undisturbed(name)
@@ -43,7 +43,7 @@ def test_what_was_interrupted_at_several_places_goes_on(name, undisturbed, tmp_p
         assert standing.units.done == standing.units.all
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("name", SWEEPS)
 def test_what_is_sharded_and_merged_is_the_same(name, undisturbed, tmp_path):
     job = SWEEPS[name]
@@ -55,7 +55,7 @@ def test_what_is_sharded_and_merged_is_the_same(name, undisturbed, tmp_path):
     assert text(merged) == undisturbed(name)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_what_a_shrinker_had_when_the_time_was_up_is_not_the_end(tmp_path, monkeypatch):
     """A directory keeps no smallest finding that was not sought to the end."""
 
@@ -137,7 +137,7 @@ def cluster():
         yield address
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning")
 @pytest.mark.parametrize("name", SWEEPS)
 def test_what_a_cluster_does_is_the_same_and_goes_on_without_it(
@@ -151,7 +151,7 @@ def test_what_a_cluster_does_is_the_same_and_goes_on_without_it(
     assert text(job(run=tmp_path)) == undisturbed(name)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("name", SWEEPS)
 def test_what_was_finished_when_it_was_ended_is_reported(name, undisturbed, monkeypatch):
     """Before each level in turn, by the time limit, by lost workers and by the user."""

@@ -20,7 +20,7 @@ def test_what_harms_nobody_is_no_finding(wrong, capfd, name):
     assert capfd.readouterr().out == ""
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_walk_of_a_killed_explorer_is_known(wrong):
     finding = only_finding(wrong("hang_in_the_middle"))
     assert finding.law == "timeout"
@@ -28,7 +28,7 @@ def test_the_walk_of_a_killed_explorer_is_known(wrong):
     assert finding.confirmed
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_choices_of_a_killed_explorer_are_known(wrong, clock):
     # No further than what is allowed where something is still to be heard.
     clock.LEAP = SOON + GRACE / 2
@@ -37,9 +37,9 @@ def test_the_choices_of_a_killed_explorer_are_known(wrong, clock):
     assert len(finding.transcript.steps) == 1
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(
-    "name", ["chooses_for_ever", small.long("chooses_for_ever_whatever_is_raised")]
+    "name", ["chooses_for_ever", small.slowest("chooses_for_ever_whatever_is_raised")]
 )
 def test_an_explorer_that_chooses_for_ever_is_silent(wrong, name):
     finding = only_finding(wrong(name))
@@ -56,13 +56,13 @@ def test_a_program_that_plays_one_episode_is_told_that_there_are_more(program):
     assert "one process plays many" in finding.seen
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_an_explorer_that_takes_its_interpreter_with_it_when_it_is_closed(wrong):
     report = check(wrong("ends_at_its_close"), edges=1)
     assert [finding.law for finding in report.findings] == ["crash"]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("name", ["by_random", "by_time", "by_id", "by_hash", "by_state"])
 def test_a_walk_that_is_another_one_the_second_time_is_nondeterministic(wrong, name):
     finding = only_finding(wrong(name))
@@ -72,7 +72,7 @@ def test_a_walk_that_is_another_one_the_second_time_is_nondeterministic(wrong, n
     assert "walk differs" in finding.seen or "in some plays only" in finding.seen
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(
     ("kind", "law", "seen"),
     [
@@ -115,7 +115,7 @@ def test_a_program_that_does_not_end_with_its_input_is_ended(program, tmp_path, 
     assert gone(tmp_path / "pids")
 
 
-@pytest.mark.parametrize("time_limit", [0.3, small.long(1.5)])
+@pytest.mark.parametrize("time_limit", [0.3, small.slowest(1.5)])
 def test_a_program_in_the_middle_of_a_run_is_ended_with_the_check(
     program, tmp_path, gone, time_limit
 ):
@@ -125,7 +125,7 @@ def test_a_program_in_the_middle_of_a_run_is_ended_with_the_check(
     assert gone(tmp_path / "pids")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_one_run_of_an_explorer_that_hangs_is_stopped_too(wrong):
     told = run(wrong("hang_in_the_middle"), EDGE, answer_timeout=PATIENCE)
     assert (told.exit_code, told.finding.law, told.outcome.cost) == (1, "timeout", 1)
@@ -139,7 +139,7 @@ def test_one_run_of_an_explorer_that_dies_is_a_crash(wrong, name):
     assert (told.exit_code, told.finding.law, told.outcome.cost) == (1, "crash", 0)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_an_answer_that_is_another_one_the_second_time_is_nondeterministic(wrong):
     # In three runs both plays may agree by chance; in the 300 of three edges they do not.
     report = check(wrong("by_answer"), edges=3, laws=["map"])
@@ -149,7 +149,7 @@ def test_an_answer_that_is_another_one_the_second_time_is_nondeterministic(wrong
     assert "answer differs" in finding.seen or "in some plays only" in finding.seen
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_crash_in_one_of_two_plays_is_nondeterministic(wrong):
     finding = only_finding(wrong("crashes_the_second_time"))
     assert finding.law == "nondeterministic"
@@ -168,10 +168,10 @@ def test_a_crash_in_one_of_two_plays_is_nondeterministic(wrong):
         ("closes", "crash", "end of the process"),
         ("raises", "crash", "ZeroDivisionError"),
         ("hang", "timeout", "silent for 4 s"),
-        small.long("hang_gil", "timeout", "silent for 4 s"),
-        small.long("hang_regex", "timeout", "silent for 4 s"),
+        small.slowest("hang_gil", "timeout", "silent for 4 s"),
+        small.slowest("hang_regex", "timeout", "silent for 4 s"),
         ("reads", "crash", "EOFError"),
-        small.long("closes_and_hangs", "crash", "the process's pipe"),
+        small.slowest("closes_and_hangs", "crash", "the process's pipe"),
         ("sys_exit", "crash", "SystemExit"),
         ("interrupt", "crash", "KeyboardInterrupt"),
         ("deep", "crash", "RecursionError"),

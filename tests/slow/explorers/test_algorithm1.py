@@ -26,7 +26,7 @@ def test_all_worlds_with_the_bearing_on_the_root_cost_as_much_as_counted_elsewhe
         assert most_expensive == {6: 19, 5: 25, 4: 32, 3: 31, 2: 37, 1: 5}
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("simple", [False, True])
 def test_the_witnesses_are_met_from_the_stated_size_on_and_not_earlier(simple):
     map_class = MapClass.SIMPLE if simple else MapClass.MAPS

@@ -5,7 +5,7 @@ import pytest
 import allworlds
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_robot_finds_the_map_from_everywhere_to_four_edges():
     report = allworlds.check("elsewhere:algorithm1", edges=4)
     # Of m edges there are 2, 10, 74, 706 rooted maps (OEIS A000698), each with 2m places.
@@ -17,7 +17,7 @@ def test_the_robot_finds_the_map_from_everywhere_to_four_edges():
     )
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("inside", ["algorithm1-door", "algorithm1-cluster"])
 def test_so_do_the_explorers_of_other_lighthouses_to_three_edges(inside):
     assert allworlds.check(f"elsewhere:{inside}", edges=3).verdict.value == "holds"

@@ -32,13 +32,13 @@ FURTHER = {
 """The same, further."""
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(("asked", "options"), FURTHER.items(), ids=lambda each: str(each)[:40])
 def test_an_explorer_of_the_field_holds_further(asked, options):
     assert checked(*asked, options).verdict.value == "holds"
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_views_of_depth_2_are_not_enough_for_4_edges():
     (finding,) = checked("views.py:looks?depth=2", "none", 4, VIEWS).findings
     assert (finding.law, finding.world.map.edge_count) == ("task", 4)
@@ -68,7 +68,7 @@ def has_word(maps, length):
     return goes_on([(i, 0, lacking) for i, lacking in enumerate(vertices)], length)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_13_offsets_visit_every_cubic_map_with_at_most_6_edges(monkeypatch):
     # 13 is what the issue of the project's user expects.
     universal = loaded("universal", monkeypatch)

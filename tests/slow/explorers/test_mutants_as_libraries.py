@@ -12,13 +12,13 @@ SOON_KILLED = ("lucky-guess", "crashes-at-leaves", "no-answer", "drops-markers")
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("mutant", WRONG_EXPLORERS, ids=lambda mutant: mutant.name)
 def test_every_wrong_explorer_in_a_library_is_killed_in_the_same_world(mutant):
     same(mutant, "kernel")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("mutant", WRONG_EXPLORERS, ids=lambda mutant: mutant.name)
 def test_every_wrong_explorer_in_python_is_killed_by_compiled_code_in_the_same_world(mutant):
     name = f"allworlds.corpus.explorers:{mutant.name.replace('-', '_')}"
@@ -48,7 +48,7 @@ def same(mutant, engine):
         assert ours.confirmed
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(
     "mutant", [m for m in WRONG_EXPLORERS if m.name in SOON_KILLED], ids=lambda m: m.name
 )

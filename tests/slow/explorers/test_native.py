@@ -20,7 +20,7 @@ from native_libraries import ATTACKS, EXAMPLES, FOR_TESTS, attack, built, exampl
 from processes import PATIENCE, SOON
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_it_takes_part_in_fuzz_and_leaves_findings_in_a_corpus(tmp_path):
     assert fuzz(native(example("c/algorithm1.c")), edges=8, runs=20).exit_code == 0
     wrong = native(example("c/hasty.c"))
@@ -60,7 +60,7 @@ def test_a_library_that_plays_tells_which_run_of_the_batch_it_is_in():
     assert played == {*range(laid.runs)}
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.usefixtures("compiled")
 def test_both_engines_find_the_same_most_expensive_runs_of_a_library(without_choices):
     by_kernel, by_python = (
@@ -72,7 +72,7 @@ def test_both_engines_find_the_same_most_expensive_runs_of_a_library(without_cho
     assert by_kernel == by_python
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_library_that_counts_its_runs_is_found():
     # In three runs the two orders may agree by chance, in about one check of four.
     library = native(attack("here_is = episodes % 2"))
@@ -90,7 +90,7 @@ def test_algorithm_1_in_another_language_walks_as_ours(source, policy):
 EDGE = World(small.EDGE, Directional(0))
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.processes
 def test_it_may_say_that_several_worlds_look_alike():
     position, ours = Position(0), native(quotient())
@@ -104,7 +104,7 @@ def test_it_may_say_that_several_worlds_look_alike():
     assert (finding.expected, finding.seen) == (other.expected, other.seen)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.processes
 @pytest.mark.early
 @pytest.mark.parametrize("code", ATTACKS)

@@ -11,7 +11,7 @@ from native_libraries import EXAMPLES
 program = quick.program
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_example_in_javascript_walks_as_the_built_in_does():
     if shutil.which("node") is None:
         pytest.skip("there is no node")

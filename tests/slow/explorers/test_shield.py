@@ -8,12 +8,12 @@ import allworlds
 from allworlds.corpus.explorers import EQUIVALENT_EXPLORERS, WRONG_EXPLORERS
 from explorers import test_shield as quick
 from explorers.test_shield import STRANGERS
-from small import long
+from small import slowest
 
 mine = quick.mine
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.early
 def test_an_explorer_that_does_not_yield_is_silent_with_a_shield_too(mine):
     report = allworlds.check(f"shield:{mine}:explore", edges=2, answer_timeout=1)
@@ -30,14 +30,14 @@ def test_a_silent_program_is_silent_with_a_shield_too(tmp_path):
     assert [finding.law for finding in report.findings] == ["timeout"]
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("edges", [3, long(4)])
+@pytest.mark.slowest
+@pytest.mark.parametrize("edges", [3, slowest(4)])
 @pytest.mark.parametrize("mutant", [*WRONG_EXPLORERS, *EQUIVALENT_EXPLORERS], ids=lambda m: m.name)
 def test_every_wrong_explorer_is_made_right(mutant, edges):
     quick.test_every_wrong_explorer_is_made_right(mutant, edges)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("edges", [3])
 @pytest.mark.parametrize("stranger", STRANGERS, ids=lambda s: s.__name__)
 def test_whatever_is_inside_the_map_is_right(stranger, edges):
@@ -64,7 +64,7 @@ def program(tmp_path, silent):
     return f"exec:{sys.executable} -I {file}"
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.processes
 def test_a_program_can_have_one(tmp_path):
     name = program(tmp_path, silent=False)

@@ -15,7 +15,7 @@ from native_libraries import FOR_TESTS, HEADER, built
 shell = quick.shell
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("lang", [lang for lang in LANGUAGES if lang != "python"])
 def test_the_test_of_a_skeleton_fails_with_the_picture(lang, shell, tmp_path):
     ready(lang)
@@ -35,7 +35,7 @@ def ready(lang):
             pytest.skip(f"there is no {program}")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("lang", ["python", "c", "javascript", "rust"])
 def test_a_skeleton_builds_and_is_refuted_in_a_picture(lang, shell, tmp_path):
     ready(lang)
@@ -72,7 +72,7 @@ UNSET = {
 """Likewise, of one that uses a value which was never set."""
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("lang", ["c", "rust"])
 @pytest.mark.parametrize(
     ("target", "slip", "said"),
@@ -99,7 +99,7 @@ def test_a_slip_with_memory_is_found_by_a_tool_in_its_line(
     assert re.search(rf"{file.name}:{number}\b", found.stdout)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("lang", ["c", "rust"])
 @pytest.mark.parametrize("target", ["test", "asan", "valgrind"])
 def test_the_blocking_explorer_is_refuted_in_the_same_world(target, lang, shell, tmp_path):
@@ -113,7 +113,7 @@ def test_the_blocking_explorer_is_refuted_in_the_same_world(target, lang, shell,
     assert "warning" not in done.stderr
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_blocking_explorer_keeps_its_stack_from_step_to_step(tmp_path):
     """It is recursive, and right; and a run that is given up does not harm the next one."""
     init(tmp_path, lang="c")

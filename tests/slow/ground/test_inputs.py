@@ -11,15 +11,15 @@ from ground import test_inputs as quick
 from ground.cases import cases
 from ground.law import tried
 from ground.test_inputs import ALL, PART, QUICK, SEED
-from small import long
+from small import slowest
 
 folder = quick.folder
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("first", [0, *map(long, range(PART, ALL, PART))])
+@pytest.mark.slowest
+@pytest.mark.parametrize("first", [0, *map(slowest, range(PART, ALL, PART))])
 def test_every_input_is_answered_or_refused_in_one_line(first, folder):
     keep_the_law(range(first, first + PART), folder)
 

@@ -6,7 +6,7 @@ import sys
 import pytest
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_mypy_knows_the_keywords(tmp_path):
     pytest.importorskip("mypy")
     calls = {

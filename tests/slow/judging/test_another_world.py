@@ -6,12 +6,12 @@ from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.explain import explain
 from judging import test_another_world as quick
-from small import long
+from small import slowest
 
-pytestmark = pytest.mark.long
+pytestmark = pytest.mark.slowest
 
 
-@pytest.mark.parametrize("map_class", [long("maps")])
+@pytest.mark.parametrize("map_class", [slowest("maps")])
 def test_in_every_small_world_and_for_every_short_walk_it_is_another_and_senses_the_same(map_class):
     quick.test_in_every_small_world_and_for_every_short_walk_it_is_another_and_senses_the_same(
         map_class

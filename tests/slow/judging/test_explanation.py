@@ -5,7 +5,7 @@ import pytest
 from allworlds.studies.explain import explain
 from judging.test_explanation import MUTANTS
 
-pytestmark = pytest.mark.long
+pytestmark = pytest.mark.slowest
 
 
 @pytest.mark.parametrize("name", MUTANTS)

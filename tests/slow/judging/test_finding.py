@@ -9,7 +9,7 @@ finding = quick.finding
 one_schedule = quick.one_schedule
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(
     ("choices", "notice"),
     [

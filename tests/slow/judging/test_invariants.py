@@ -12,7 +12,7 @@ def test_algorithm_1_keeps_every_invariant(m):
         assert kept(case)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_whole_map_glued_otherwise_breaks_invariant_1_unless_it_is_the_same():
     same = 0
     for case in up_to(3):
@@ -32,7 +32,7 @@ def test_the_whole_map_glued_otherwise_breaks_invariant_1_unless_it_is_the_same(
     assert same  # two leaves may be exchanged
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_another_here_breaks_invariant_1_unless_it_is_the_same_by_symmetry():
     wrong = 0
     for case, i, checkpoint in every(3):

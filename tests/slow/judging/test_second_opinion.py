@@ -44,14 +44,14 @@ def agree_on(a, b):
     return bool(found)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_judge_agrees_with_all_dart_bijections_on_up_to_two_edges():
     maps = [*all_maps(1), *all_maps(2)]
     outcomes = {agree_on(a, b) for a in maps for b in maps}
     assert outcomes == {True, False}
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_judge_agrees_with_all_dart_bijections_on_some_pairs_with_three_edges():
     maps = list(all_maps(3))
     rng = random.Random(3)

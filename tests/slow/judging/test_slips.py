@@ -7,7 +7,7 @@ from allworlds.studies.explain import explain
 from judging import test_slips as quick
 from judging.test_slips import mirrored, spoiling
 
-pytestmark = pytest.mark.long
+pytestmark = pytest.mark.slowest
 
 
 @pytest.fixture(scope="module", params=quick.LATER)
@@ -15,7 +15,7 @@ def findings(request):
     return quick.found_about(request.param)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_mirror_image_is_claimed_exactly_where_there_is_one(findings):
     quick.test_a_mirror_image_is_claimed_exactly_where_there_is_one(findings)
 
@@ -32,7 +32,7 @@ def test_bearings_that_are_read_the_right_way_round_are_not_suspected(findings):
     quick.test_bearings_that_are_read_the_right_way_round_are_not_suspected(findings)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_slip_stands_in_the_explanation():
     (finding,) = check(spoiling(mirrored), edges=4, laws=("map",)).findings
     told = explain(finding)

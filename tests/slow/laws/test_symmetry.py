@@ -17,7 +17,7 @@ EXPLORERS = {"algorithm1": algorithm1, **WRONG}
 FEW = settings(max_examples=25)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("explore", EXPLORERS.values(), ids=EXPLORERS)
 def test_relabelling_the_world_leaves_the_transcript_and_the_answer_unchanged(explore):
     @FEW
@@ -62,7 +62,7 @@ def reflected(answer):
     return Estimate(answer.map.mirrored(), answer.here)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("explore", EXPLORERS.values(), ids=EXPLORERS)
 def test_a_mirrored_explorer_in_the_mirrored_world_walks_and_answers_mirrored(explore):
     @FEW

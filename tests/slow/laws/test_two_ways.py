@@ -8,7 +8,7 @@ from laws.test_two_ways import MANY, SMALL, answers, judged
 from second_opinion import verdict
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_judge_that_takes_mirror_images_for_the_same_would_be_noticed():
     def soft(truth, dart, estimate, here):
         said = judged(truth, dart, estimate, here)

@@ -4,10 +4,10 @@ import pytest
 import test_conditions as quick
 from test_conditions import NAMES, TOGETHER
 
-from small import long
+from small import slowest
 
 
-@pytest.mark.parametrize("edges", [4, long(6)])
+@pytest.mark.parametrize("edges", [4, slowest(6)])
 @pytest.mark.parametrize("name", TOGETHER)
 def test_several_conditions_leave_what_each_of_them_leaves(name, edges):
     quick.test_several_conditions_leave_what_each_of_them_leaves(name, edges)

@@ -7,7 +7,7 @@ from allworlds.maps import CombinatorialMap, class_size, is_ambiguous
 from allworlds.studies.ambiguity import projection_of
 from allworlds.studies.ambiguity.members import lifts
 from allworlds.world import Position, World
-from small import long
+from small import slowest
 
 
 def moore(colour, *permutations_):
@@ -43,7 +43,7 @@ def groups(maps):
     return found
 
 
-@pytest.mark.parametrize("edges", [1, 2, 3, 4, 5, long(6)])
+@pytest.mark.parametrize("edges", [1, 2, 3, 4, 5, slowest(6)])
 def test_the_criterion_and_burnsides_count_are_right_for_every_marked_map(edges):
     maps = marked_maps(edges)
     found = groups(maps)

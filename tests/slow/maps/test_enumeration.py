@@ -16,7 +16,7 @@ GATED = [(c, m) for c in MapClass for m in range(1, 7 if c.simple else 6)]
 FURTHER = [(c, 7 if c.simple else 6) for c in MapClass]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(("map_class", "edges"), [*GATED, *FURTHER])
 def test_every_cell_holds_as_many_maps_as_the_independent_source_says(map_class, edges):
     cells = SOURCES[map_class.value].cells(edges)

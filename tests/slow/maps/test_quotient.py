@@ -9,7 +9,7 @@ from allworlds.maps import named_map, project, random_map
 from allworlds.maps.quotient import classes_of_union
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_rooted_quotients_are_equal_exactly_if_the_roots_share_a_class_of_the_union():
     some = list(labelled_maps(3))
     for one in some:

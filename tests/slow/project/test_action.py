@@ -12,15 +12,15 @@ from allworlds.studies.init import init
 from project import test_action as quick
 from project.runner import ROOT, read
 from project.test_action import STAR, shown, steps, workflow
-from small import long
+from small import slowest
 
 job = quick.job
 programs = quick.programs
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(
-    "lang", ["python", *(long(lang) for lang in LANGUAGES if lang != "python")]
+    "lang", ["python", *(slowest(lang) for lang in LANGUAGES if lang != "python")]
 )
 def test_the_job_of_a_skeleton_fails_and_shows_the_picture(lang, job, tmp_path):
     for program in LANGUAGES[lang].needs:

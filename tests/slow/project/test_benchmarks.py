@@ -11,7 +11,7 @@ import pytest
 ROOT = Path(__file__).parents[3]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.usefixtures("compiled")
 def test_the_program_that_measures_sets_others_beside_the_engines():
     line = [sys.executable, ROOT / "benchmarks/rounds.py", "--edges=4", "--rounds=1"]
@@ -25,7 +25,7 @@ def test_the_program_that_measures_sets_others_beside_the_engines():
     assert b"'culprit'" in failed.stderr
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_mutants_are_drawn_by_their_seed_and_all_fit_into_the_source(monkeypatch):
     monkeypatch.syspath_prepend(ROOT / "benchmarks")
     mutants = importlib.import_module("mutants")

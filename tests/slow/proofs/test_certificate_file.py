@@ -17,7 +17,7 @@ needs_coq = pytest.mark.skipif(
 
 
 @needs_coq
-@pytest.mark.long
+@pytest.mark.slowest
 def test_coq_accepts_what_is_claimed_and_twelve_and_three_hundred_changed_files_are_refused(
     verified, mine
 ):
@@ -32,7 +32,7 @@ def test_coq_accepts_what_is_claimed_and_twelve_and_three_hundred_changed_files_
 
 
 @needs_coq
-@pytest.mark.long
+@pytest.mark.slowest
 def test_coq_alone_refuses_a_tree_that_lacks_a_percept(verified, mine):
     there = "((2, Some 1), Node 0 [::\n ((2, Some 0), Leaf (NumberedMap [:: 1; 0] [:: 1; 0] 1))])"
     assert mine.count(f";\n{there}") == 1

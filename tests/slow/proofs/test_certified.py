@@ -25,7 +25,7 @@ def test_another_walk_or_another_answer_does_not(certified, capsys, how):
     assert ", 0 of them different" not in said
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_mirrored_explorer_has_the_same_sums_in_every_row(certified):
     """So sums cannot tell it from the real one, and transcripts can."""
     rows = [

@@ -80,12 +80,12 @@ def test_bad_arguments_are_said_in_a_line(built, capfd, arguments, said):
     assert "Traceback" not in told
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_both_checkers_say_the_same_of_every_mutant(built):
     assert built.checkers_agree(2)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_other_explorers_than_those_that_are_named_are_noticed(built, capsys, monkeypatch):
     honest = built.served
     monkeypatch.setattr(built, "served", lambda _name, policy="fifo": honest("algorithm1", policy))
@@ -100,7 +100,7 @@ LIES = {
 }
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_folding_that_says_the_same_agrees(folding, tmp_path, monkeypatch, capsys):
     impostor(folding, tmp_path, monkeypatch, lambda folded: folded)
     assert folding.foldings_agree(2)

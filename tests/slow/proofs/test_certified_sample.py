@@ -20,7 +20,7 @@ def kernels(samples, checkers):
     return checkers("kernels")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_interpreted_kernel_is_the_compiled_one(kernels, samples):
     right = kernels.WrongKernel("right", "", "COST = 0xFFFFF", "COST = 0xFFFFF").walk()
     for policy in samples.POLICIES:
@@ -29,7 +29,7 @@ def test_the_interpreted_kernel_is_the_compiled_one(kernels, samples):
             assert right(*asked) == samples.walk(*asked)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_wrong_kernels_that_are_right_in_small_worlds_are_seen_in_the_sample(kernels):
     assert len(kernels.WRONG_KERNELS) == 10
     for wrong in kernels.WRONG_KERNELS:
@@ -51,7 +51,7 @@ def test_the_most_expensive_worlds_of_a_level_are_found_among_all(samples):
     assert len(case.walk) == largest[found[1].vertex_count]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.skipif(
     not PROGRAM.parent.joinpath("coq", "runs").exists(),
     reason="not built: make -C proofs/coq explorer",

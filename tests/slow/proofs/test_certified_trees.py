@@ -61,14 +61,14 @@ def test_an_explorer_is_played_where_it_does_no_harm_and_its_silence_is_waited_o
     assert (text is not None) == written_down
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_program_that_is_silent_is_waited_for_in_one_run(written):
     code, text, said = written("--exec", "sleep 60", "--answer-timeout", "0.5", "--edges", "4")
     assert (code, text) == (1, None)
     assert said == "NO ANSWER  timeout: silent for 0.5 s; no file is written\n"
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_coq_and_the_package_say_the_same_of_every_mutant(trees):
     if not (COQ / "DecisionTrees.vo").exists():
         pytest.skip("not built: make -C proofs/coq")

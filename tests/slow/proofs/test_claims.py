@@ -11,7 +11,7 @@ from proofs.test_claims import CLAIMS, check, with_right_digests
 copied = quick.copied
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_every_claim_holds_by_the_files_alone_and_without_any_package(copied):
     # -S: no site-packages; so neither a solver nor this project can be imported.
     code, said = check(copied)
@@ -24,7 +24,7 @@ def certificates(proofs_):
     return sorted(json.loads((proofs_ / "manifest.json").read_text()))
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("seed", range(8))
 def test_a_certificate_with_one_byte_changed_makes_the_check_fail(copied, seed):
     chance = random.Random(seed)
@@ -38,7 +38,7 @@ def test_a_certificate_with_one_byte_changed_makes_the_check_fail(copied, seed):
     assert (code, "FAILS" in said) == (1, True), said
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_harmless_change_of_a_certificate_is_rejected_too(copied):
     path = copied / "no-twins-directional" / "m1.lrat.xz"
     path.write_bytes(lzma.compress(lzma.decompress(path.read_bytes()), preset=0))
@@ -68,7 +68,7 @@ def test_a_file_that_says_something_else_is_refused_whatever_the_manifest_says(
     assert (code, reason in said, len(said.splitlines())) == (1, True, 2), said
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_certificate_that_the_manifest_does_not_name_is_refused(copied):
     shutil.copy(copied / "natural-lighthouse" / "pair.json", copied / "cycles" / "more.json")
     code, said = check(copied, "cycles")

@@ -23,7 +23,7 @@ needs_programs = pytest.mark.skipif(
 )
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_mutant_is_followed_to_where_it_should_die_first_and_then_to_all_that_rests_on_it(
     monkeypatch,
 ):
@@ -56,13 +56,13 @@ def built(tmp_path_factory):
 
 @needs_coq
 @builds
-@pytest.mark.long
+@pytest.mark.slowest
 def test_every_headline_theorem_is_closed_under_the_global_context(built):
     checked = subprocess.run(["make", "-C", str(built), "assumptions"], check=False)
     assert checked.returncode == 0
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @needs_coq
 @builds
 @pytest.mark.parametrize(
@@ -88,7 +88,7 @@ def test_a_theorem_on_an_axiom_or_without_a_statement_is_refused(built, tmp_path
     assert reason in checked.stdout
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @needs_coq
 @builds
 @pytest.mark.parametrize(("claimed", "code"), [("", 0), (" - 1", 1)])
@@ -101,7 +101,7 @@ def test_coq_refuses_a_statement_that_is_not_proved(built, tmp_path, claimed, co
     assert subprocess.run(command, capture_output=True, check=False).returncode == code
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @needs_coq
 @builds
 def test_a_certificate_with_a_changed_class_is_no_theorem(built, tmp_path):
@@ -121,7 +121,7 @@ def test_a_certificate_with_a_changed_class_is_no_theorem(built, tmp_path):
 
 
 @needs_programs
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_certified_programs_agree_with_the_python_ones():
     low = ("walked", "judged", "checked", "folded")
     limits = [word for name in low for word in (f"--{name}-edges", "2")]
@@ -131,7 +131,7 @@ def test_the_certified_programs_agree_with_the_python_ones():
     assert told.stdout.splitlines()[-1] == "AGREE"
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_limit_counts_the_time_of_the_processor_and_says_when_it_was_short():
     limit = str(COQ / "limit")
     short = subprocess.run(

@@ -230,7 +230,7 @@ def asked(trees, folder, text):
     return trees.asked_of_coq(file)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_there_are_a_hundred_changes_of_all_kinds(trees):
     kinds = {name for name, _ in false_ones(trees)}
     assert len(false_ones(trees)) == COUNT
@@ -247,7 +247,7 @@ def test_a_certificate_that_a_change_has_made_false_is_refused(trees, tmp_path, 
 
 
 @needs_coq
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_certificate_that_a_change_has_left_true_is_accepted(trees, tmp_path):
     """Else refusals would say nothing."""
     true = {

@@ -19,7 +19,7 @@ from proofs.test_corrupted_formulas import (
     text_of,
     write,
 )
-from small import long
+from small import slowest
 
 copied = quick.copied
 refuted = quick.refuted
@@ -67,7 +67,7 @@ EASY = [contradiction, empty_clause, widened, nothing_else, appended]
 """A formula that has no model, but not because of what it should say; and its short proof."""
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(
     ("name", "damage"),
     [*((name, damage) for name in QUICK for damage in EASY), *((n, contradiction) for n in LARGE)],
@@ -88,7 +88,7 @@ def test_a_formula_that_contradicts_itself_is_refused(copied, refuted, checkers,
         refuted(name, folder)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_formula_that_excludes_one_rooted_map_of_8162_is_refused(copied, refuted, checkers):
     name = "no-twins-directional/m5"
     maps, lrat, folder = checkers("maps"), checkers("lrat"), copied(name)
@@ -126,7 +126,7 @@ def test_the_formula_of_another_question_is_refused(copied, refuted, checkers, n
         refuted(name, copied(other, instead_of=name))
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("name", FORMULAS)
 def test_no_changed_formula_is_accepted_in_the_long_run(checkers, proofs, refuted, name):
     tries = 20 if name in LARGE else 60 if name[-1] == "3" else 200
@@ -134,6 +134,6 @@ def test_no_changed_formula_is_accepted_in_the_long_run(checkers, proofs, refute
     assert differ == refused > tries // 2
 
 
-@pytest.mark.parametrize("tries", [long(3000)])
+@pytest.mark.parametrize("tries", [slowest(3000)])
 def test_no_proof_however_changed_refutes_a_formula_that_has_a_model(checkers, proofs, tries):
     quick.test_no_proof_however_changed_refutes_a_formula_that_has_a_model(checkers, proofs, tries)

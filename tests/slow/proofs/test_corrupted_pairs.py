@@ -9,7 +9,7 @@ import pytest
 from proofs.test_corrupted_pairs import PAIRS, accepted_changes, is_harmless
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("name", PAIRS)
 def test_no_change_of_one_part_of_a_pair_is_accepted_in_the_long_run(
     checkers, checker_of, proofs, name

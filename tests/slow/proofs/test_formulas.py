@@ -48,7 +48,7 @@ def looks_alike(checkers, lighthouse, map_class, edges):
     return maps.twins_among(iter(worlds))[1] is not None
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(
     ("lighthouse", "map_class", "edges", "there_is"),
     [
@@ -87,7 +87,7 @@ VARIANTS = [
 ]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("lighthouse", LIGHTHOUSES)
 @pytest.mark.parametrize("map_class", CLASSES)
 def test_two_encoders_that_share_no_code_write_the_same_formulas(

@@ -8,7 +8,7 @@ def committed(lrat, proofs, name):
     return variables, clauses, lrat.read(proofs / f"{name}.lrat.xz").splitlines()
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("seed", range(60))
 def test_a_committed_proof_with_one_line_changed_is_refused(checkers, proofs, seed):
     lrat = checkers("lrat")

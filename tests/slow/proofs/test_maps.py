@@ -5,7 +5,7 @@ import pytest
 from proofs import test_maps as quick
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(
     ("map_class", "edges", "most", "count"),
     [("maps", 5, None, 8162), ("planar-simple", 8, 6, None)],

@@ -53,13 +53,13 @@ SAMPLED = [
 ]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(("lighthouse", "map_class", "edges"), SAMPLED)
 def test_nor_any_of_a_sample_of_larger_ones(checkers, meant, lighthouse, map_class, edges):
     assert require_meaning(checkers, meant, lighthouse, map_class, (edges, edges), sample=8) == 8
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("lighthouse", LIGHTHOUSES)
 @pytest.mark.parametrize("map_class", CLASSES)
 def test_nor_any_two_with_three_edges(checkers, meant, lighthouse, map_class):
@@ -67,7 +67,7 @@ def test_nor_any_two_with_three_edges(checkers, meant, lighthouse, map_class):
     assert require_meaning(checkers, meant, lighthouse, map_class, (3, 3), sample=sample) >= 3
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_pairs_that_look_alike_are_models(checkers, meant, proofs):
     documents, maps = checkers("documents"), checkers("maps")
     pairs = documents.read_json(proofs / "smallest-pairs" / "pairs.json")

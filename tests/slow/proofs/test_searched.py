@@ -14,7 +14,7 @@ CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P"
 WALK = tuple((k, int(p[0]), p[1] == "P") for k, p in zip(*CAPTION.values(), strict=True))
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @needs_python_sat
 @pytest.mark.parametrize(
     ("lighthouse", "map_class", "edges", "formulas"),
@@ -44,7 +44,7 @@ def test_formulas_and_proofs_of_a_search_are_those_of_its_question(
         checkers("searched").check(tmp_path, other, edges + 1, edges)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @needs_python_sat
 def test_a_search_with_degrees_and_a_walk_is_read_back(checkers, tmp_path):
     bounds = {"vertices": 5, "edges": 8, "map_class": "planar-simple"}

@@ -6,7 +6,7 @@ from allworlds.maps import CombinatorialMap, InvalidMap, rooted_code
 from allworlds.reports.drawing.text import draw, rotation_table
 from allworlds.reports.parts import Scene
 from reports.test_text import parsed, parsed_table, without_numbers
-from small import long
+from small import slowest
 
 
 def all_maps(edges):
@@ -23,7 +23,7 @@ def all_maps(edges):
             continue
 
 
-@pytest.mark.parametrize("edges", [1, 2, long(3)])
+@pytest.mark.parametrize("edges", [1, 2, slowest(3)])
 def test_the_drawing_and_the_table_are_exact_for_every_small_map(edges):
     for map_ in all_maps(edges):
         scene = Scene(map_, map_.sigma[0])
@@ -31,7 +31,7 @@ def test_the_drawing_and_the_table_are_exact_for_every_small_map(edges):
         assert parsed_table(rotation_table(scene)) == (map_, [scene.start])
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_without_the_numbers_two_drawings_agree_exactly_for_the_same_rooted_map():
     # 10 + 74 rooted maps of 2 and 3 edges: Arques and Beraud, Discrete Math. 215 (2000).
     for edges, count in ((1, 2), (2, 10), (3, 74)):

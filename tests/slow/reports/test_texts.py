@@ -31,7 +31,7 @@ def test_a_huge_answer_is_a_short_text_and_a_whole_document():
     assert len(report.to_json()["findings"][0]["seen"]["sigma"]) == 20_000
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_time_for_the_text_of_a_huge_answer_grows_no_faster_than_the_answer():
     def calls(darts):
         finding = check(answering(darts), edges=1).findings[0]

@@ -5,7 +5,7 @@ import pytest
 from allworlds.reports.schemas import main, schemas
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_schemas_of_an_earlier_build_do_not_stay(tmp_path):
     (tmp_path / "luck.schema.json").write_text("{}")
     main(tmp_path)

@@ -57,7 +57,7 @@ def spoilt(value, path=()):
                 yield where, [*value[:i], inner, *value[i + 1 :]]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("name", DOCUMENTS)
 def test_a_missing_misspelt_or_odd_key_is_refused(name):
     reference, found = document(name)

@@ -27,7 +27,7 @@ def test_other_classes_agree_with_the_twin(map_class):
     assert report.exit_code == 0
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_in_each_world_every_run_of_the_python_engine_costs_what_the_twin_says():
     examiner = Examiner(load("algorithm1"), Rules())
     for edges in (1, 2, 3):
@@ -40,7 +40,7 @@ def test_in_each_world_every_run_of_the_python_engine_costs_what_the_twin_says()
             assert (every.worst, every.best) == (max(costs), min(costs))
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_check_of_all_schedules_finds_the_same_largest_costs():
     checked = check(edges=3, schedules="all", workers=2)
     report = worst(edges=3)

@@ -20,7 +20,7 @@ from studies.test_bred import EXTENT, SCOPE, is_late, late
 LATE = f"{late.__code__.co_filename}:late"
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_bred_world_finds_what_as_many_draws_do_not():
     drawn = [
         map_
@@ -36,7 +36,7 @@ def test_a_bred_world_finds_what_as_many_draws_do_not():
     assert all(is_late(run.map) and EXTENT.include(run.map) for run in found[0])
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.processes
 def test_bred_worlds_depend_on_neither_workers_nor_shards(tmp_path):
     sample = {"edges": 12, "runs": DRAWS_PER_BLOCK + DRAWS_TRACED}

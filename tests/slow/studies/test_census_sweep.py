@@ -65,12 +65,12 @@ def test_grouping_by_what_words_of_motions_show_gives_the_same_table(map_class):
     assert [numbers(row) for row in rows] == [second_route(m, map_class) for m in range(1, 5)]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_grouping_gives_the_same_table_with_five_edges():
     assert numbers(census(edges=5).rows[-1]) == second_route(5, "maps")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_smallest_planar_simple_ambiguous_worlds_have_eight_edges_and_seven_vertices():
     rows = census(edges=8, map_class="planar-simple").rows
     assert rows[7].classes > 0

@@ -10,7 +10,7 @@ from studies import test_climb as quick
 report = quick.report
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_every_cost_is_that_of_a_single_run_at_the_place_of_that_number(report):
     for row in report.rows:
         for one in row.members:
@@ -25,7 +25,7 @@ def test_every_cost_is_that_of_a_single_run_at_the_place_of_that_number(report):
                 assert run(row.explorer, world).outcome.cost == cost
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_rows_stand_by_family_size_and_explorer_whoever_was_faster(report):
     names = [(row.family, row.edges, row.explorer) for row in report.rows]
     order = {"lattice": 0, "cubic": 1, "algorithm1": 0, "folding-oldest": 1}

@@ -2,12 +2,12 @@ import pytest
 
 from allworlds.studies.ambiguity.formulas import forbid_other_start, pair_formula
 from searches import question
-from small import long
+from small import slowest
 from studies import test_encoder as quick
 from studies.test_encoder import solved
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_pair_that_is_one_world_started_twice_is_excluded_by_its_other_start(tmp_path):
     # Planar simple, 6 edges: one map has two starts that look alike; nothing else does.
     asked = question("position", "planar-simple", 6, 6)
@@ -19,10 +19,10 @@ def test_a_pair_that_is_one_world_started_twice_is_excluded_by_its_other_start(t
     assert solved(tmp_path / "f.cnf", formula) == "unsat"
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(
     ("map_class", "edges", "count"),
-    [long("maps", 4, 706), ("planar", 4, 378)],
+    [slowest("maps", 4, 706), ("planar", 4, 378)],
 )
 def test_the_models_of_one_world_are_the_rooted_maps_of_the_class(
     tmp_path, map_class, edges, count

@@ -10,27 +10,27 @@ from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Move
 from allworlds.studies.run import run
 from allworlds.world import worlds
-from small import long
+from small import slowest
 from studies import test_exhaustive as quick
 from studies.test_exhaustive import check, document
 
 pytestmark = pytest.mark.usefixtures("no_orphans")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_default_job_has_8954_worlds():
     report = check(workers=2)
     assert (report.worlds, report.runs, report.verdict) == (8954, 50727, Verdict.HOLDS)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(
-    "policy", ["fifo", "random:1", *map(long, ("lifo", "nearest", "random:2", "random:3"))]
+    "policy", ["fifo", "random:1", *map(slowest, ("lifo", "nearest", "random:2", "random:3"))]
 )
 @pytest.mark.parametrize(
     ("map_class", "most"),
-    [("maps", 3), ("planar", 3), long("planar", 4), ("simple", 5), ("planar-simple", 5)],
+    [("maps", 3), ("planar", 3), slowest("planar", 4), ("simple", 5), ("planar-simple", 5)],
 )
 def test_no_witness_is_asked_for_that_cannot_occur(policy, map_class, most):
     for edges in range(1, most + 1):
@@ -44,8 +44,8 @@ def test_no_witness_is_asked_for_that_cannot_occur(policy, map_class, most):
             assert report.verdict is Verdict.HOLDS, options
 
 
-@pytest.mark.long
-@pytest.mark.parametrize(("edges", "keep"), [(3, 3), long(4, 12)])
+@pytest.mark.slowest
+@pytest.mark.parametrize(("edges", "keep"), [(3, 3), slowest(4, 12)])
 @pytest.mark.parametrize("name", ["everywhere", "here_of_another"])
 def test_one_worker_and_three_say_the_same(wrong, name, edges, keep):
     reports = [
@@ -75,7 +75,7 @@ def planted(request, explorers, monkeypatch):
     return world, edges, runs
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_an_explorer_that_is_wrong_in_one_run_is_refuted_there(planted, wrong):
     world, edges, runs = planted
     reports = [check(wrong("planted"), edges=edges, workers=workers) for workers in (1, 3)]
@@ -96,7 +96,7 @@ def test_a_folding_explorer_of_somebody_else_holds(folding, policy):
     assert [row.bound for row in report.rows] == [None] * len(report.rows)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(("edges", "all_worlds", "runs"), [(3, 86, 309), (4, 792, 3684)])
 def test_a_program_of_somebody_else_holds(program, edges, all_worlds, runs):
     report = check(program("right"), edges=edges, workers=3)
@@ -106,10 +106,10 @@ def test_a_program_of_somebody_else_holds(program, edges, all_worlds, runs):
     assert report.rows == ours.rows
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(
-    ("edges", "shards"), [(3, 1), (3, 2), (3, 5), long(4, 1), (4, 2), long(4, 5)]
+    ("edges", "shards"), [(3, 1), (3, 2), (3, 5), slowest(4, 1), (4, 2), slowest(4, 5)]
 )
 def test_the_shards_make_the_whole(edges, shards):
     whole = check(edges=edges)
@@ -122,7 +122,7 @@ def test_the_shards_make_the_whole(edges, shards):
     assert all(part.missing_witnesses == () for part in parts)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_one_wrong_schedule_of_many_is_found(wrong):
     report = check(wrong("one_schedule"), schedules="all", edges=2, max_findings=100)
     assert {finding.choices for finding in report.findings} == {(1, 0)}
@@ -155,7 +155,7 @@ def test_the_gate_notices_a_broken_enumerator(explorers, monkeypatch, broken, vi
     assert [(cell.edges, cell.vertices) for cell in wrong_cells] == [(3, target.vertex_count)]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("workers", [1, 2])
 def test_the_time_limit_leaves_unfinished_levels_out(workers):
     report = check(edges=9, time_limit=2, workers=workers)
@@ -181,7 +181,7 @@ def wrong_at_leaves_and_interrupted(play):
     return explore
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_finding_of_an_unfinished_level_is_not_called_minimal():
     levels = set()
     for play in range(120, 600, 20):
@@ -193,12 +193,12 @@ def test_a_finding_of_an_unfinished_level_is_not_called_minimal():
     assert levels == {1, 2, 3}
 
 
-@pytest.mark.parametrize("vertices", [long(5)])
+@pytest.mark.parametrize("vertices", [slowest(5)])
 def test_vertices_alone_bound_the_simple_classes(vertices):
     quick.test_vertices_alone_bound_the_simple_classes(vertices)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.processes
 @pytest.mark.parametrize("edges", [4])
 def test_one_worker_and_three_say_the_same_of_algorithm_1(edges):

@@ -5,7 +5,7 @@ from allworlds.studies.fuzz.sample_sweep import fuzz
 from allworlds.studies.fuzz.shrinking import shrink
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(("begins", "edges", "runs"), [((5, 4), 9, 100), ((9, 6), 16, 500)])
 def test_an_error_that_begins_at_some_size_is_found_and_shrunk(planted_file, begins, edges, runs):
     report = fuzz(planted_file(*begins), edges=edges, runs=runs, workers=2)
@@ -18,7 +18,7 @@ def test_an_error_that_begins_at_some_size_is_found_and_shrunk(planted_file, beg
     assert not finding.minimal
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_report_does_not_depend_on_the_number_of_workers(planted_file):
     explore = planted_file(5, 4)
     one, three = (

@@ -17,7 +17,7 @@ def plans(tmp_path, monkeypatch):
     return "plans.jsonl"
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("more", [{"workers": 2}, {"dask": "local", "workers": 2}])
 @pytest.mark.parametrize("explorer", ["folding", "mine.py:goes_on"])
 def test_wherever_it_is_done_it_is_the_same(plans, tmp_path, explorer, more):
@@ -27,7 +27,7 @@ def test_wherever_it_is_done_it_is_the_same(plans, tmp_path, explorer, more):
     assert of(allworlds.check(explorer, **options, **more)) == of(one)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("verb", ["check", "compare", "census", "worst"])
 def test_shards_of_every_verb_are_merged_to_the_whole(verb, plans):
     def answer(**options):
@@ -54,7 +54,7 @@ def test_every_embedding_of_the_petersen_graph_holds():
     assert report.runs == 3 * report.worlds == 90 * report.to_json()["scope"]["given"]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_hundred_thousand_worlds_stream(tmp_path):
     def most(count):
         tracemalloc.start()

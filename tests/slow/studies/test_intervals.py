@@ -17,7 +17,7 @@ def covered(interval, draw, true, size, trials=2000):
     return sum(low <= true <= high for low, high in map(interval, samples)) / trials
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("size", [5, 10, 30])
 @pytest.mark.parametrize("deviation", [0.1, 0.3])
 def test_intervals_of_lognormal_costs_hold_the_true_value_as_often_as_they_say(size, deviation):
@@ -28,7 +28,7 @@ def test_intervals_of_lognormal_costs_hold_the_true_value_as_often_as_they_say(s
     assert covered(mean_interval, draw, true, size) == pytest.approx(0.947, abs=0.015)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("size", [5, 30])
 def test_of_other_costs_the_interval_of_the_mean_holds_it_nearly_as_often(size):
     random = Random(size)

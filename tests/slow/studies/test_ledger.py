@@ -8,13 +8,13 @@ from allworlds.outcome import Exit
 from allworlds.studies.ledger import Unfinished, of_check
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_check_without_a_verdict_decides_no_claim():
     with pytest.raises(Unfinished, match="inconclusive"):
         of_check(allworlds.check("algorithm1", edges=5, time_limit=1e-9))
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("budget", ["quick", "full"])
 def test_the_ledger_that_init_writes_runs(tmp_path, budget):
     made = allworlds.init(tmp_path / "mine", ledger=True)

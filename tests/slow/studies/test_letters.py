@@ -8,7 +8,7 @@ from studies.test_letters import sizes
 PATTERNS = ["10*", "1*0", "12", "1", "110", "122", "102", "1020*", "1*00"]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("pattern", PATTERNS)
 def test_a_search_finds_twins_of_the_sizes_that_all_worlds_have(tmp_path, pattern):
     kind = f"word:{pattern}"
@@ -16,7 +16,7 @@ def test_a_search_finds_twins_of_the_sizes_that_all_worlds_have(tmp_path, patter
     assert sizes(found.pair) == sizes(census(edges=3, lighthouse=kind).pair)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_constant_words_of_degree_five_have_twins_from_five_edges_on(tmp_path):
     options = {"lighthouse": "word:1", "degree_marked": 5, "vertices": 5, "out": tmp_path}
     assert search(edges=4, **options).status == "unsat"

@@ -14,7 +14,7 @@ def test_no_motion_tells_a_member_from_the_given_world_and_no_two_members_are_th
             assert all(twins(one, other).twins for other in found.worlds[:i])
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("edges", [2, 3, 4])
 def test_every_member_has_the_same_class(edges):
     for found in ambiguous(edges):

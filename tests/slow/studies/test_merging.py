@@ -11,7 +11,7 @@ from studies.test_merging import sharded
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(("name", "shards"), [*((name, 3) for name in JOBS), ("check", 1)])
 def test_what_is_sharded_and_merged_is_the_whole(name, shards, report, tmp_path):
@@ -23,7 +23,7 @@ def test_what_is_sharded_and_merged_is_the_whole(name, shards, report, tmp_path)
     assert (merged, json.dumps(said)) == (code, json.dumps(whole))
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize(
     ("worlds", "by"),

@@ -24,7 +24,7 @@ def test_where_worlds_are_walked_once_it_is_the_same_as_where_every_run_is_judge
         ]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize(
     ("explorer", "map_class", "edges"),

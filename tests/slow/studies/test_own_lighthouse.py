@@ -14,7 +14,7 @@ from studies import test_own_lighthouse as quick
 folder = quick.folder
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_workers_of_a_cluster_get_its_text(folder):
     one = allworlds.check("mine.py:explore", edges=2, lighthouse="parity.py:Parity", workers=1)
     asked = {"edges": 2, "lighthouse": "parity.py:Parity", "workers": 1}
@@ -27,7 +27,7 @@ def counts(report):
     return json.dumps({k: told[k] for k in ("verdict", "scope", "rows", "witnesses", "findings")})
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("explorer", ["algorithm1", "mine.py:explore"])
 def test_a_check_under_it_is_the_same_with_one_worker_and_with_two(folder, explorer):
     one, two = (
@@ -45,7 +45,7 @@ def test_a_check_under_it_is_the_same_with_one_worker_and_with_two(folder, explo
     assert text(one, 100)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_run_directory_is_of_its_content(folder):
     asked = {"edges": 2, "lighthouse": "parity.py:Parity", "workers": 1}
     first = allworlds.check("mine.py:explore", run="rd", **asked)

@@ -13,7 +13,7 @@ from studies.test_own_models import ASKED, WRONG
 folder = quick.folder
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_cluster_changes_nothing(folder):
     one = allworlds.check("mine.py:walks", workers=1, **WRONG)
     assert counts(allworlds.check("mine.py:walks", dask="local", workers=1, **WRONG)) == counts(one)
@@ -25,7 +25,7 @@ def counts(report):
     return json.dumps({k: told[k] for k in ("verdict", "scope", "rows", "witnesses", "findings")})
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("asked", [ASKED, WRONG], ids=["holds", "refuted"])
 def test_workers_and_run_directories_change_nothing(folder, asked):
     one = allworlds.check("mine.py:walks", workers=1, **asked)

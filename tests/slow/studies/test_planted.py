@@ -22,7 +22,7 @@ def test_from_50_edges_a_finding_shrinks_to_the_smallest_world(slip, part, size)
     assert finding.key[:2] == size
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_most_findings_of_50_edges_and_more_end_at_the_smallest_world():
     sample = options(old=False, edges=60, min_edges=48, runs=64, shrink=3)
     ends = [*planted.shrunk(sample, "depth-first")]

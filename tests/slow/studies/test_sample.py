@@ -38,7 +38,7 @@ def test_every_part_makes_what_the_class_can_use(map_class):
         assert any(map_class.includes(map_) for map_ in found)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @CLASSES
 @pytest.mark.parametrize("least", [14])
 def test_no_world_of_a_sample_is_smaller_than_it_is_to_be(map_class, least):

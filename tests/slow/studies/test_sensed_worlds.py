@@ -9,7 +9,7 @@ from studies import test_sensed_worlds as quick
 folder = quick.folder
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(
     ("kind", "edges"),
     [("natural", 4), ("heard.py:Words", 4), ("heard.py:Neighbour", 4)],
@@ -23,7 +23,7 @@ def test_what_is_told_is_a_part_of_a_world_with_four_edges(folder, kind, told):
     quick.test_what_is_told_is_a_part_of_a_world(folder, kind, told, edges=4)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(
     ("kind", "last"),
     [

@@ -11,7 +11,7 @@ LARGER = {5, 7}
 """Degrees of which the twins of constant words have as many edges at least."""
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("degree", range(1, 9))
 def test_a_word_suffices_if_it_is_primitive_and_not_blank(degree):
     found = quick.disagreements(degree, 4)
@@ -19,7 +19,7 @@ def test_a_word_suffices_if_it_is_primitive_and_not_blank(degree):
     assert len(found) == (3 if degree in LARGER else 0)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_twenty_two_of_two_hundred_and_three_sensors_are_the_weakest():
     report = weakest(f"{SENSORS}:Features", edges=4)
     assert (report.coarsenings, report.sufficient, len(report.minimal)) == (203, 139, 22)
@@ -34,7 +34,7 @@ def test_twenty_two_of_two_hundred_and_three_sensors_are_the_weakest():
     }
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_with_five_edges_three_of_the_weakest_have_twins():
     report = weakest(f"{SENSORS}:Features", edges=5)
     assert (report.sufficient, len(report.minimal)) == (135, 19)

@@ -10,19 +10,19 @@ from studies.test_shared_files import HONEST, checked
 MODELS = {"where": "everything", "task": "judge", "lighthouse": "Beacon"}
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_model_that_only_imports_from_the_file_of_the_explorer_is_as_dangerous(folder, tmp_path):
     (tmp_path / "models.py").write_text("from attack import judge\n")
     assert checked("attack", "task", "models.py:judge")[:2] == ("holds", "attack.py")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(("option", "name"), MODELS.items())
 def test_a_model_in_a_file_of_its_own_judges_as_it_should(folder, option, name):
     assert checked("explorers", option, f"models.py:{name}")[:2] == ("refuted", "")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(("option", "name"), MODELS.items())
 def test_the_attack_is_lost_where_nobody_who_judges_loads_it(folder, option, name):
     assert checked("attack", option, f"models.py:{name}")[:2] == ("refuted", "")
@@ -39,7 +39,7 @@ def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(
     ("option", "name"),
     [("task", "judge"), ("where", "everything"), ("lighthouse", "Beacon")],

@@ -9,7 +9,7 @@ from studies import test_telling_apart as quick
 from studies.test_telling_apart import twins_module, worlds
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_directional_worlds_are_told_apart_unless_they_are_the_same():
     # All pairs with at most three edges: a directional marker settles the map and the pose.
     known = {}
@@ -31,7 +31,7 @@ def same_start_class(one, other):
     return first[one.start] == second[other.start]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize(("kind", "fewest"), [("natural", 4)])
 def test_worlds_look_alike_under_a_cluster_from_3_edges_on_and_under_a_natural_from_4(kind, fewest):
     quick.test_worlds_look_alike_under_a_cluster_from_3_edges_on_and_under_a_natural_from_4(

@@ -12,7 +12,7 @@ from allworlds.studies.check.time_estimate import Guess, estimate, worlds_of
 pytestmark = pytest.mark.usefixtures("compiled")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_worlds_that_no_source_counts_are_at_most_so_many(tmp_path):
     predicate = tmp_path / "mine.py"
     predicate.write_text("def few(map):\n    return map.vertex_count == 2\n", encoding="utf-8")
@@ -69,7 +69,7 @@ def test_what_larger_checks_take_is_told_too(asked, rates, expected, monkeypatch
         assert line.split()[:2] == [str(guess.edges), f"{guess.worlds:,}"]
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.usefixtures("without_workers")
 @pytest.mark.parametrize("engine", ["kernel", "python"])
 def test_an_estimate_is_about_all_worlds(engine, monkeypatch):

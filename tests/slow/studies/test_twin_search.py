@@ -12,13 +12,13 @@ from allworlds.studies.ambiguity.question import Size, Sizes
 from allworlds.world import Compass, Directional, Nothing, Position, World
 from allworlds.world.bisimulation import same_world_from, sensed
 from searches import question
-from small import long
+from small import slowest
 from studies.test_twin_search import SENSORS, needs_python_sat, sizes
 
 CAPTION = {"motions": (1, 1, 2, 2, 1), "percepts": ("3A", "3A", "3A", "3A", "4P")}
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_caption_of_fig_1_is_found_and_replays_from_every_start(tmp_path):
     bounds = {"vertices": 9, "edges": 14, "map_class": "planar-simple", "out": tmp_path}
     result = allworlds.search(
@@ -126,7 +126,7 @@ def test_search_and_enumeration_give_the_same_answer(tmp_path, monkeypatch, kind
     assert result.status == ("unsat" if expected is None else "sat")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_one_vertex_more_or_less_decides(tmp_path):
     # K4 with its marker: n = 4; with three vertices a simple map has at most three edges.
     bounds = {"lighthouse": "position", "map_class": "simple", "edges": 6, "out": tmp_path}
@@ -158,7 +158,7 @@ def test_with_every_other_start_excluded_a_level_has_a_pair_where_enumeration_ha
     assert solved.status == ("sat" if there else "unsat")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @needs_python_sat
 @pytest.mark.parametrize(
     ("lighthouse", "map_class", "edges"),
@@ -170,7 +170,7 @@ def test_with_every_other_start_excluded_a_level_has_a_pair_where_enumeration_ha
         ("position", "simple", 5),
         ("position", "planar-simple", 5),
         ("directional", "maps", 4),
-        long("directional", "maps", 5),
+        slowest("directional", "maps", 5),
     ],
 )
 def test_where_there_is_no_pair_every_level_has_a_checked_proof(
@@ -195,7 +195,7 @@ def test_where_there_is_no_pair_every_level_has_a_checked_proof(
         ("maps", 2, (2, 1)),
         ("planar", 3, (3, 1)),
         ("simple", 6, (6, 4)),
-        long("planar-simple", 8, (8, 7)),
+        slowest("planar-simple", 8, (8, 7)),
     ],
 )
 def test_the_smallest_pair_is_found_with_the_position_marked(tmp_path, map_class, edges, found):

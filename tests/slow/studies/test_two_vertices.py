@@ -19,7 +19,7 @@ from studies.test_two_vertices import (
 pytestmark = pytest.mark.usefixtures("no_orphans", "without_workers")
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.parametrize("policy", ["fifo", "lifo", "nearest", "random:1"])
 def test_the_natural_explorer_holds_in_simple_worlds(policy):
     report = check(NATURAL, edges=6, map_class="simple", policy=policy)
@@ -45,7 +45,7 @@ def test_no_witness_is_asked_for_that_cannot_occur(explorer, map_class, policy):
                 assert report.verdict is Verdict.VACUOUS, options
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_every_schedule_holds():
     report = check(CLUSTER, edges=3, schedules="all")
     assert report.verdict is Verdict.HOLDS
@@ -63,7 +63,7 @@ def test_an_explorer_under_a_lighthouse_it_is_not_written_for_is_refuted_not_sto
             assert report.findings[0].law != "crash"
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 @pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize("explorer", [CLUSTER, NATURAL])
 def test_both_engines_do_it_and_say_the_same(explorer):
@@ -79,7 +79,7 @@ def test_the_cluster_explorer_holds_where_one_edge_joins_v0_and_v1(policy, edges
     quick.test_the_cluster_explorer_holds_where_one_edge_joins_v0_and_v1(policy, edges, all_worlds)
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_a_sample_refutes_the_natural_explorer_and_shrinks_to_the_smallest_world():
     report = fuzz(NATURAL, edges=8, runs=300, seed=1)
     assert report.verdict is Verdict.REFUTED

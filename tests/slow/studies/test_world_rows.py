@@ -18,7 +18,7 @@ def test_every_file_of_a_worst_case_names_a_run_that_attains_it():
         assert run("algorithm1", world, choices=choices).outcome.cost == int(row["worst"])
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_parquet_has_the_rows_of_the_csv(cli, refused, monkeypatch, tmp_path):
     parquet = pytest.importorskip("pyarrow.parquet")
     file, text = tmp_path / "a.parquet", tmp_path / "a.csv"

@@ -2,12 +2,12 @@ import pytest
 
 from allworlds.judging.findings.finding import Finding
 from allworlds.studies.run import replay
-from small import long
+from small import slowest
 from world import test_corpus as quick
 from world.test_corpus import CORPUS, entries
 
 
-@pytest.mark.parametrize("most", [long(6)])
+@pytest.mark.parametrize("most", [slowest(6)])
 @entries("counts")
 def test_the_enumeration_gives_the_known_numbers(entry, most):
     quick.test_the_enumeration_gives_the_known_numbers(entry, most)

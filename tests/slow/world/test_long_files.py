@@ -16,7 +16,7 @@ from world.test_notations import (
     valid,
 )
 
-pytestmark = pytest.mark.long
+pytestmark = pytest.mark.slowest
 
 
 @pytest.mark.parametrize("notation", STREAMS)

@@ -21,7 +21,7 @@ def up_to_three_edges():
     for name, kind in LIGHTHOUSES.items():
         if name == "doormarks":
             yield pytest.param(kind, 2, id=name)
-            yield pytest.param(kind, 3, id=f"{name}, three edges", marks=pytest.mark.long)
+            yield pytest.param(kind, 3, id=f"{name}, three edges", marks=pytest.mark.slowest)
         else:
             yield pytest.param(kind, 3, id=name)
 

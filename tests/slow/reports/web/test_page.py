@@ -47,7 +47,7 @@ sys.stdout.buffer.write(file_of("html", report).encode())
 """
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_bytes_are_the_same_whatever_the_hash_seed():
     paths = os.pathsep.join(filter(None, sys.path))
     pages = {
@@ -63,7 +63,7 @@ def test_the_bytes_are_the_same_whatever_the_hash_seed():
     assert b"finding-1-answer" in pages.pop()
 
 
-@pytest.mark.long
+@pytest.mark.slowest
 def test_the_page_shows_the_verdict_and_everything_that_check_prints(refuted, root):
     (verdict,) = root.all(class_="verdict refuted")
     assert "REFUTED" in verdict.text
