@@ -1,23 +1,18 @@
 """Findings of mutants and of explorers made by hand, and what is told of them."""
 
-from functools import cache
-
 import pytest
 
 from allworlds import Estimate, Move
-from allworlds.corpus.explorers import WRONG_EXPLORERS
-from allworlds.studies.check.exhaustive import check
 from allworlds.studies.explain import explain
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
-
-MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}
+from mutant_findings import finding_of as first_finding_of
 
 
 @pytest.fixture(scope="session")
 def finding_of():
     """The first finding of a mutant."""
-    return cache(lambda name: check(MUTANTS[name].explorer(), edges=3).findings[0])
+    return first_finding_of
 
 
 @pytest.fixture

@@ -3,26 +3,22 @@
 import pytest
 
 from allworlds import CombinatorialMap, Estimate
-from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.judging.walk import Walk
 from allworlds.reports.drawing.text import draw
 from allworlds.reports.formats import text as text_of
 from allworlds.reports.parts import walk_in_answer, walk_in_world
-from allworlds.studies.check.exhaustive import check
 from allworlds.studies.explain import explain
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
+from mutant_findings import finding_of
 
 
 def explain_text(explanation, width):
     return text_of(explanation, width)
 
 
-MUTANTS = {mutant.name: mutant for mutant in WRONG_EXPLORERS}
-
-
 def explanation_of(name):
-    return explain(check(MUTANTS[name].explorer(), edges=3).findings[0])
+    return explain(finding_of(name))
 
 
 @pytest.mark.parametrize("width", [40, 80, 200])

@@ -30,6 +30,7 @@ from allworlds.studies.worst.all_worlds import worst
 from allworlds.verbs import VERBS
 from allworlds.world import LIGHTHOUSES, Directional, Position, World, worlds
 from allworlds.world.named import own_corpus
+from mutant_findings import finding_of
 from recorded.record import least
 from schemas.rules import RULES, broken
 from schemas.validating import SCHEMAS, complaints
@@ -51,11 +52,6 @@ def whole(name):
 
 FINDING, WORLD = "check#/$defs/Finding", "explain#/$defs/WorldDocument"
 """What is written; the schemas ``finding`` and ``world`` are of what is read."""
-
-
-@functools.cache
-def finding_of(name):
-    return check(WRONG[name].explorer(), edges=3).findings[0]
 
 
 def interrupted():
