@@ -2,12 +2,10 @@
 
 import pytest
 
-from allworlds.engines import across, lanes, players, units
+from allworlds.engines import across, asked_again, lanes, players
 from allworlds.engines.limits import TimeIsUp, check_deadline
 from allworlds.engines.run_directory import FILE
 from allworlds.judging.findings.finding import Finding
-from allworlds.maps import MapClass
-from allworlds.maps.classes import Extent
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.explain import explain
 from allworlds.studies.merge import merge, status
@@ -95,25 +93,10 @@ def test_shards_that_are_merged_and_a_check_that_goes_on_find_it_too(latch, tmp_
 
 def test_two_workers_and_a_condition_find_it_too(latch, tmp_path, monkeypatch):
     monkeypatch.setattr(lanes, "ALONE", 0.0)
+    monkeypatch.setattr(asked_again, "PROCESSES", 1)
     tmp_path.joinpath("every.py").write_text("def every(map):\n    return True\n")
     (found,) = check(latch(), edges=3, workers=2, where=f"{tmp_path}/every.py:every").findings
     assert found.after
-
-
-def test_the_unit_is_dealt_to_the_first_shard_and_to_the_last_small_levels():
-    def levels(edges, shard=units.WHOLE):
-        extent = Extent(MapClass.MAPS, edges)
-        return [m for m in extent.levels if [*units.across_level(extent, m, shard)]]
-
-    assert [levels(edges) for edges in (1, 2, 3, 4, 7)] == [[1], [2], [3], [3, 4], [3, 4]]
-    assert levels(4, units.Shard(1, 2)) == []
-
-
-def test_a_built_in_explorer_has_no_such_unit(tmp_path):
-    check("algorithm1", edges=1, engine="python", run=tmp_path / "run")
-    assert status(tmp_path / "run").units.all == len(
-        [*units.units_of_level(Extent(MapClass.MAPS, 1), 1)]
-    )
 
 
 @pytest.mark.parametrize("sizes", [((2, 2, 1), (2, 1, 2)), ((2, 1, 2), (2, 2, 1))], ids=str)

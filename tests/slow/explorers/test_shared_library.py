@@ -14,8 +14,8 @@ from allworlds.studies.check.report import most_expensive_runs
 from allworlds.studies.fuzz.sample_sweep import fuzz
 from allworlds.studies.run import run
 from allworlds.world import Directional, Position, World
-from explorers import test_native as quick
-from explorers.test_native import native
+from explorers import test_shared_library as quick
+from explorers.test_shared_library import native
 from native_libraries import ATTACKS, EXAMPLES, FOR_TESTS, attack, built, example, quotient
 from processes import PATIENCE, SOON
 

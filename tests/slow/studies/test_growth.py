@@ -5,7 +5,7 @@ import pytest
 from allworlds import compare, run
 from allworlds.world import Directional, World
 from allworlds.world.named import map_of_family
-from studies import test_climb as quick
+from studies import test_growth as quick
 
 report = quick.report
 

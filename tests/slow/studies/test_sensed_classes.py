@@ -4,7 +4,7 @@ import pytest
 
 from allworlds.ambiguity import census
 from allworlds.studies.ambiguity import sensed_classes
-from studies import test_sensed_worlds as quick
+from studies import test_sensed_classes as quick
 
 folder = quick.folder
 

@@ -4,8 +4,8 @@ import allworlds
 from allworlds.maps import MapClass, contracted, deleted
 from allworlds.studies.fuzz.sample_sweep import fuzz
 from small import slowest
-from studies import test_shrink as quick
-from studies.test_shrink import smallest
+from studies import test_shrinking as quick
+from studies.test_shrinking import smallest
 
 large = quick.large
 

@@ -5,7 +5,7 @@ import pytest
 from allworlds.studies.ambiguity.clauses import Formula
 from allworlds.studies.ambiguity.proofs import ProofRefused, check_lrat, lrat_of_drat
 from allworlds.studies.ambiguity.solvers import python_sat_is_installed, solve_with_python_sat
-from studies.test_proofs_by_propagation import lines
+from studies.test_proofs import lines
 
 
 @pytest.mark.skipif(not python_sat_is_installed(), reason="python-sat is not installed")

@@ -6,7 +6,7 @@ import pytest
 
 import allworlds
 from kept_jobs import JOBS
-from studies.test_merging import sharded
+from studies.test_merge import sharded
 
 pytestmark = pytest.mark.usefixtures("compiled")
 

@@ -5,8 +5,8 @@ import pytest
 from allworlds.maps import CombinatorialMap
 from allworlds.maps.classes import Extent
 from allworlds.maps.mixture import default_mix, generator
-from studies import test_sample as quick
-from studies.test_sample import CLASSES, code, drawn
+from studies import test_sampling as quick
+from studies.test_sampling import CLASSES, code, drawn
 
 
 @CLASSES

@@ -4,8 +4,8 @@ from allworlds import check
 from allworlds.engines.compiled_engine import AGREED
 from allworlds.engines.kernel.capabilities import COMPILING
 from allworlds.outcome import Verdict
-from engines import test_choice_of_engine as quick
-from engines.test_choice_of_engine import Stopper
+from engines import test_engine_table as quick
+from engines.test_engine_table import Stopper
 from native_libraries import attack, example
 
 pytestmark = pytest.mark.usefixtures("compiled")

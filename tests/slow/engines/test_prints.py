@@ -5,7 +5,7 @@ import sys
 import pytest
 
 from allworlds import Finding, check, replay, run
-from engines import test_printed as quick
+from engines import test_prints as quick
 
 named = quick.named
 

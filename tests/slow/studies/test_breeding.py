@@ -15,7 +15,7 @@ from allworlds.studies.fuzz.breeding import (
 )
 from allworlds.studies.fuzz.sample_sweep import fuzz
 from allworlds.studies.fuzz.sampling import Batch, batches
-from studies.test_bred import EXTENT, SCOPE, is_late, late
+from studies.test_breeding import EXTENT, SCOPE, is_late, late
 
 LATE = f"{late.__code__.co_filename}:late"
 
