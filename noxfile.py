@@ -151,7 +151,8 @@ def full(session: nox.Session) -> None:
     """Run the slowest tests, then go further with what Coq extracts (nox -s proofs builds it)."""
     session.install(".[browser,dev,docs]")
     distributed = ("-n", "auto", "--dist", "worksteal")
-    session.run("pytest", *distributed, "-m", "slowest", "--durations=25", "tests", "tests/slow")
+    everywhere = ("-o", "norecursedirs=build .*")  # in tests/slow, too
+    session.run("pytest", *distributed, "-m", "slowest", "--durations=25", *everywhere, "tests")
     further = ("walked", "judged", "checked", "folded", "shielded")
     limits = [word for name in further for word in (f"--{name}-edges", "4")]
     session.run("python", "proofs/coq/certified.py", "--edges", "5", *limits)
