@@ -64,3 +64,30 @@ def test_a_terminal_sees_a_bar_with_its_rate(capsys, monkeypatch):
     assert "edges 3" in said
     assert "worlds" in said
     assert "turns" in said
+
+
+def test_a_run_that_goes_on_is_told_after_ever_longer_silences(capsys):
+    seconds = 0.0
+    progress = output.Progress(quiet=False, clock=lambda: seconds)
+    progress.level(60, 50)
+    progress.progress(3)
+    told = []
+    for seconds in range(0, 101, 5):
+        progress.walk(1000 * seconds, 160_000)
+        if capsys.readouterr().err:
+            told.append(seconds)
+    assert told == [10, 30, 70]
+    seconds = 200.0
+    progress.progress(1)
+    progress.walk(2, 160_000)  # of the next run
+    assert capsys.readouterr().err == ""
+    seconds = 1000.0
+    progress.walk(12_000, 160_000)
+    said = "edges 60, 4 of 50 worlds done: the run in progress is at turn 12,000 of the explorer"
+    assert said in capsys.readouterr().err
+
+
+def test_a_quiet_progress_tells_of_no_run(capsys):
+    seconds = iter([0.0, 100.0])
+    output.Progress(quiet=True, clock=lambda: next(seconds)).walk(1, 2)
+    assert capsys.readouterr().err == ""

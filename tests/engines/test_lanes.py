@@ -8,8 +8,9 @@ from collections import Counter
 
 import pytest
 
+from allworlds import check
 from allworlds.engines import lane, lanes, tally, units
-from allworlds.engines.limits import Limits
+from allworlds.engines.limits import Limits, TimeIsUp
 from allworlds.engines.listeners import Listener
 from allworlds.engines.single import subject_of
 from allworlds.engines.sweep import gather
@@ -110,3 +111,31 @@ def test_a_process_that_ends_by_itself_has_the_time_to(monkeypatch):
         process = object.__new__(lanes._Process)
         process.link, process.pid = child.stdin, child.pid
         assert "7" in process.end()
+
+
+ENDLESS = """
+from allworlds import Move
+
+def walks(first):
+    while True:
+        yield Move(1)
+"""
+
+
+class HearsAWalk(Listener):
+    def walk(self, turns, budget):
+        self.heard = turns, budget
+        raise TimeIsUp
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_a_run_that_goes_on_is_told_of_while_it_does(workers, tmp_path, monkeypatch):
+    monkeypatch.setattr(lanes, "ALONE", 0.0)
+    path, listener = tmp_path / "endless.py", HearsAWalk()
+    path.write_text(ENDLESS)
+    asked = {"step_budget": 10**9, "workers": workers, "time_limit": 600, "listener": listener}
+    report = check(f"{path}:walks", edges=1, **asked)
+    assert report.exit_code == 3
+    turns, budget = listener.heard
+    assert budget == 10**9
+    assert 0 <= turns < budget

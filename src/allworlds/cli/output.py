@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import sys
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field, make_dataclass
@@ -313,11 +314,20 @@ def prepare_streams() -> None:
     sys.stderr = prints.patient_stderr()
 
 
-class Progress(Listener):
-    """Progress bar on stderr with the exact total and the time left; only on a terminal."""
+SILENCE = 10.0
+"""The seconds without a finished world after which a run that goes on is told of at first."""
 
-    def __init__(self, *, quiet: bool) -> None:
-        self._quiet = quiet
+
+class Progress(Listener):
+    """Progress bar on stderr with the exact total and the time left; only on a terminal.
+
+    A run that goes on for long is told in lines, each after twice the silence before.
+    """
+
+    def __init__(self, *, quiet: bool, clock: Callable[[], float] = time.monotonic) -> None:
+        self._quiet, self._clock = quiet, clock
+        self._name, self._done, self._total, self._of = "", 0, 0, ""
+        self._silent_since, self._patience = clock(), SILENCE
         self._bar: Any = None
         if not quiet and sys.stderr.isatty():
             self._bar = _bar()
@@ -337,13 +347,29 @@ class Progress(Listener):
 
     def stage(self, name: str, total: int, of: str) -> None:
         """Begin a line with a bar of its own."""
+        self._name, self._done, self._total, self._of = name, 0, total, of
         if self._bar:
             self._task = self._bar.add_task(name, total=total, of=of)
 
     def progress(self, count: int) -> None:
         """Move the bar on by this many."""
+        self._done += count
+        if count > 0:
+            self._silent_since = self._clock()
         if self._bar:
             self._bar.advance(self._task, count)
+
+    def walk(self, turns: int, budget: int) -> None:
+        """Tell of a run that goes on, if nothing was done for long."""
+        now = self._clock()
+        if now - self._silent_since < self._patience:
+            return
+        self._silent_since = now
+        self._patience *= 2
+        self.notice(
+            f"{self._name}, {self._done:,} of {self._total:,} {self._of} done: the run in progress "
+            f"is at turn {turns:,} of the explorer; its step budget is {budget:,} traversals"
+        )
 
     def notice(self, text: str) -> None:
         """Print the message as a line on stderr."""

@@ -148,7 +148,8 @@ class Lane:
                 for due, cost in work.best.values():
                     self.counter.count_best(due.world, cost, work.tally)
             if whole or late:
-                parts.append(units.PartialResult(work.unit, work.tally, whole))
+                walk = None if whole else self._plays.longest_walk()
+                parts.append(units.PartialResult(work.unit, work.tally, whole, walk=walk))
                 work.tally = self.counter.tally()
                 self._reported = time.monotonic()
         return parts

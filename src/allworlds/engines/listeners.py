@@ -13,6 +13,9 @@ class Listener:
     def progress(self, count: int) -> None:
         """Hear how many more worlds, or other units of the stage, are done."""
 
+    def walk(self, turns: int, budget: int) -> None:
+        """Hear that a run goes on: the explorer's turns in it so far, and its step budget."""
+
     def notice(self, text: str) -> None:
         """Hear a message to the user."""
 

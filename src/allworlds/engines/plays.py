@@ -112,6 +112,19 @@ class BothPlays:
                 heard.append(job.batch)
         return heard
 
+    def longest_walk(self) -> tuple[int, int] | None:
+        """The explorer's turns in the longest run that is being played, and the run's budget."""
+        walks = list[tuple[int, int]]()
+        for player in self.players:
+            if not player.jobs:
+                continue
+            (batch, rows), _ = player.jobs[0]
+            number, turns = player.beat
+            if 0 <= number < len(rows):
+                rules, run = batch.by.counter.scope.rules, batch.due(rows[number])
+                walks.append((turns, rules.budget(run.world.map)))
+        return max(walks, default=None)
+
     def lost_in(self, which: int) -> tuple[RunBatch | None, int | None]:
         """The batch, and the run of it, in which a player was lost, if it was in one."""
         player = self._players[which]

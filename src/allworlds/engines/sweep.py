@@ -65,6 +65,8 @@ def gather(
             if whole is not result:
                 whole.add(result)
             listener.progress(worlds)  # which may end the job: the part is counted by then
+            if part.walk:
+                listener.walk(*part.walk)
             if part.last:
                 total.add(begun.pop(unit.key))
                 records.keep(unit.key, whole)

@@ -55,12 +55,14 @@ class PartialResult(Struct, frozen=True):
         result: to be added to those before.
         last: whether it completes the unit.
         anew: whether the unit is begun anew, so that those before count no more.
+        walk: of the longest run in progress the explorer's turns, and the step budget; or None.
     """
 
     unit: Any
     result: Any
     last: bool
     anew: bool = False
+    walk: tuple[int, int] | None = None
 
 
 class UnitEngine(Protocol):
