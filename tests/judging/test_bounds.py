@@ -9,6 +9,7 @@ import pytest
 
 from allworlds.inputs.checks import InputError
 from allworlds.judging.laws.bounds import Bound, bound_named, default_step_budget, paper_bound
+from allworlds.judging.rules import Rules
 from allworlds.maps import named_map
 from small import LOLLIPOP
 
@@ -378,6 +379,33 @@ def test_what_python_thinks_of_a_text_besides_is_not_told(text):
 def test_the_default_step_budget():
     assert default_step_budget(1) == 108
     assert default_step_budget(100) == 900
+
+
+@pytest.mark.parametrize(
+    ("options", "budget"),
+    [
+        ({}, 8 * paper_bound(20, 40) + 100),
+        ({"bound": "paper"}, 8 * paper_bound(20, 40) + 100),
+        ({"bound": "2*m"}, 100 * 80 + 100),
+        ({"bound": "0"}, 100),
+        ({"bound": "-m"}, 100),
+        ({"bound": "2*m", "step_budget": 7}, 7),
+        ({"bound": "2*m", "laws": ("map",)}, None),
+        ({"bound": "10**9"}, 8 * paper_bound(20, 40) + 100),
+        ({"bound": "d0"}, 8 * paper_bound(20, 40) + 100),
+        ({"bound": "m//0"}, 8 * paper_bound(20, 40) + 100),
+        ({"own_bound": "2*m"}, 100 * 80 + 100),
+        ({"own_bound": "10**9"}, 10**9),
+        ({"own_bound": "2*m", "bound": "none"}, 8 * paper_bound(20, 40) + 100),
+        ({"own_bound": "10**9", "bound": "m"}, 100 * 40 + 100),
+    ],
+)
+def test_no_run_goes_on_far_beyond_the_bound_that_is_checked(options, budget):
+    if budget is None:
+        with pytest.raises(InputError, match="no effect"):
+            Rules(**options)
+    else:
+        assert Rules(**options).budget_by_size(20, 40) == budget
 
 
 @pytest.mark.parametrize(

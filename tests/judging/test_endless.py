@@ -130,6 +130,19 @@ def test_the_budget_that_was_asked_for_is_told_as_that():
     assert told[-1] == "The budget is that of --step-budget: 7 traversals."
 
 
+def test_a_run_a_hundred_times_dearer_than_the_bound_is_given_up():
+    def to_and_fro(_):
+        while True:
+            yield Move(0)
+
+    world = world_named("theta", "compass")
+    finding = run(to_and_fro, world, bound="m-2").finding
+    assert (finding.law, finding.transcript.cost) == ("budget", 100 * (3 - 2) + 100)
+    told = explain(finding).sentences[-1]
+    assert told.startswith("In a world with 3 edges and 2 vertices the budget is 200 traversals, ")
+    assert "100 times the bound m-2, and 100 more" in told
+
+
 LOOP = World(CombinatorialMap((1, 0), (1, 0)), Directional(0), 0)
 
 

@@ -36,6 +36,7 @@ from allworlds.judging.laws.bounds import (
     Bound,
     bound_named,
     default_step_budget,
+    far_beyond,
     paper_bound,
 )
 from allworlds.judging.laws.law_table import (
@@ -51,6 +52,9 @@ from allworlds.maps import classes, combinatorial
 from allworlds.protocol.choices import DEFAULT_POLICY, POLICIES, SEEDED, Choices, policy_named
 from allworlds.world.lighthouses import base, kinds, marked
 from allworlds.world.world import World
+
+SIZE = {"n", "m"}
+"""The variables of a bound that depends on the size alone."""
 
 
 def law_names(text: str) -> tuple[str, ...]:
@@ -159,7 +163,7 @@ class RuleOptions(Request):
             RARE_RULES,
             "B",
             "The most traversals of a run: more break the law 'budget' [default: 8 "
-            "times the bound 'paper', plus 100].",
+            "times the bound 'paper', or 100 times a smaller --bound; plus 100].",
             parse=integer_of,
             document_type=Annotated[
                 doc.Positive | None,
@@ -310,15 +314,30 @@ class Rules(RuleOptions, kw_only=False):
     def budget_by_size(self, vertices: int, edges: int) -> int:
         """The largest legal number of traversals in a world of that size.
 
-        The number is not below the explorer's own bound, if that depends on the size alone.
+        The number is not below the explorer's own bound, and not far beyond the bound that is
+        checked, if these depend on the size alone.
         """
         if self.step_budget is not None:
             return self.step_budget
         usual = default_step_budget(paper_bound(vertices, edges))
         brought = self.own_bound or NO_BOUND
-        if brought.variables <= {"n", "m"}:
-            return max(usual, brought.value(vertices, edges, 0, 0, 0, 0) or 0)
-        return usual
+        if brought.variables <= SIZE:
+            usual = max(usual, brought.value(vertices, edges, 0, 0, 0, 0) or 0)
+        far = self.budget_of_bound(vertices, edges)
+        return usual if far is None else min(usual, far)
+
+    def budget_of_bound(self, vertices: int, edges: int) -> int | None:
+        """A hundred times the bound that is checked, and 100 more; None if no size has one.
+
+        A run that costs so much breaks a law in any case: it is given up, however it would end.
+        """
+        if not self.the_bound.variables <= SIZE:
+            return None
+        try:
+            bound = self.the_bound.value(vertices, edges, 0, 0, 0, 0)
+        except InputError:  # which a run of that size tells
+            return None
+        return None if bound is None else far_beyond(bound)
 
     def choices(self, name: str, script: Sequence[int] = ()) -> Choices:
         """Fresh choices for the run of that name; a random policy draws anew for each name."""

@@ -20,6 +20,11 @@ def default_step_budget(bound: int) -> int:
     return 8 * bound + 100
 
 
+def far_beyond(bound: int) -> int:
+    """The traversals after which a run is hopelessly beyond a bound: 100 x the bound + 100."""
+    return 100 * max(0, bound) + 100
+
+
 def paper_bound(vertices: int, edges: int) -> int:
     """The sum of (1) and (2) of Section VI, exactly."""
     growing, closing = paper_terms(vertices, edges)
