@@ -2,8 +2,8 @@
 
 It is right if all act in rounds; else nobody can tell a slow robot from a lost one.
 
-Source: J. Czyzowicz, D. Kowalski, E. Markou, A. Pelc, Complexity of searching for a black hole
-(2006); P. Flocchini, N. Santoro and others for robots without rounds.
+Source: J. Czyzowicz, D. Kowalski, E. Markou, A. Pelc, Complexity of searching for a black hole,
+Fundamenta Informaticae 71(2-3), 229-242 (2006).
 
     $ allworlds team black_hole.py --model black-hole --family cycle:4 --scheduler fsync
     HOLDS

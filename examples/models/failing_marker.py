@@ -2,7 +2,7 @@
 
 The robot goes on until it has seen the marker twice; the lesser distance is right.
 
-Source: none is known to us; the fault is that of a sensor which misses a landmark.
+Source: ours; the fault is that of a sensor which misses a landmark.
 
     $ allworlds team failing_marker.py:twice --model hidden:1+lighthouse:position --robots 1 --family cycle:4
     HOLDS

@@ -2,7 +2,8 @@
 
 Depth first: the robot turns back where a door leads into a known room, and counts the rooms.
 
-Source: P. Panaite, A. Pelc, Exploring unknown undirected graphs (1999).
+Source: P. Panaite, A. Pelc, Exploring unknown undirected graphs, Journal of Algorithms 33, 281-295
+(1999).
 
     $ allworlds check labels.py --lighthouse labels --task count:n --bound '4*m' --edges 4
     HOLDS

@@ -4,7 +4,7 @@ Who finds the board empty writes on it, and leads.  This is right if one acts at
 if two can look at once.
 
 Source: L. Barrière, P. Flocchini, P. Fraigniaud, N. Santoro, Can we elect if we cannot compare?
-(2003).
+(2003), for the question; these robots are ours.
 
     $ allworlds team leader.py:first_one --model leader.py:Election --scheduler central --edges 2
     HOLDS
@@ -15,7 +15,7 @@ Source: L. Barrière, P. Flocchini, P. Fraigniaud, N. Santoro, Can we elect if w
 from dataclasses import dataclass
 
 from allworlds import Do
-from allworlds.robots.models.shared_whiteboard import SharedWhiteboard
+from allworlds.robots import SharedWhiteboard
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,8 @@
 
 The robot leaves the pebble, and goes round until it finds it again.
 
-Source: G. Dudek, M. Jenkin, E. Milios, D. Wilkes, Robotic exploration as graph construction (1991).
+Source: G. Dudek, M. Jenkin, E. Milios, D. Wilkes, Robotic exploration as graph construction, IEEE
+Transactions on Robotics and Automation 7(6), 859-865 (1991).
 
     $ allworlds check pebble.py:leaves --lighthouse movable --task count:n --where pebble.py:ring --edges 5
     HOLDS

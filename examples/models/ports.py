@@ -2,7 +2,8 @@
 
 The robot knows how many rooms there are.  It tries every sequence of so many doors, and comes back.
 
-Source: M. Yamashita, T. Kameda, Computing on anonymous networks (1996), for views of ports.
+Source: M. Yamashita, T. Kameda, Computing on anonymous networks: Part I, IEEE Transactions on
+Parallel and Distributed Systems 7(1), 69-89 (1996), for the model.
 
     $ allworlds check ports.py:all_doors --lighthouse compass+told:n --task home --step-budget 10000 --edges 3
     HOLDS

@@ -1,6 +1,7 @@
 """Rendezvous: one robot waits, the other one looks for it, on ever longer ways.
 
-Source: S. Alpern, S. Gal, The theory of search games and rendezvous (2003), 'wait for mommy'.
+Source: S. Alpern, S. Gal, The Theory of Search Games and Rendezvous, Kluwer (2003), 'wait for
+mommy'.
 
     $ allworlds team rendezvous.py:wait rendezvous.py:search --model meeting:apart=false --scheduler async --edges 2
     HOLDS

@@ -2,7 +2,8 @@
 
 Each time the robot leaves, it turns the pointer of the room to the next door, and goes there.
 
-Source: V. Yanovski, I. Wagner, A. Bruckstein, A distributed ant algorithm (2003).
+Source: V. Yanovski, I. A. Wagner, A. M. Bruckstein, A distributed ant algorithm for efficiently
+patrolling a network, Algorithmica 37(3), 165-186 (2003).
 
     $ allworlds check rotor.py --lighthouse compass+whiteboard:states=8 --task cover:edges --bound '2*m*n' --edges 3
     HOLDS

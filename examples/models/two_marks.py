@@ -2,7 +2,9 @@
 
 Then the robot maps the world as if they had been there, by the built-in algorithm for such marks.
 
-Source: G. Dudek, M. Jenkin, E. Milios, D. Wilkes, Robotic exploration as graph construction (1991).
+Source: G. Dudek, M. Jenkin, E. Milios, D. Wilkes, Robotic exploration as graph construction, IEEE
+Transactions on Robotics and Automation 7(6), 859-865 (1991), for one mark; two are
+ours.
 
     $ allworlds check two_marks.py:leaves --lighthouse movable:markers=3,pick=false --class simple --edges 3
     HOLDS
@@ -11,7 +13,7 @@ Source: G. Dudek, M. Jenkin, E. Milios, D. Wilkes, Robotic exploration as graph 
 """
 
 from allworlds import Drop, Move
-from allworlds.explorers.builtin.algorithm1 import algorithm1_cluster
+from allworlds.explorers import algorithm1_cluster
 
 
 def leaves(first, *, choices):

@@ -1,7 +1,7 @@
 """A universal sequence: one word of turns that visits every room of every small cubic graph.
 
-Source: R. Aleliunas and others, Random walks, universal traversal sequences (1979); M. Koucký,
-Universal traversal sequences with backtracking (2002), for words of turns.
+Source: R. Aleliunas, R. Karp, R. Lipton, L. Lovász, C. Rackoff, Random walks, universal traversal
+sequences, and the complexity of maze problems, FOCS 1979, 218-223. The letters here are turns.
 
     $ allworlds check universal.py:whole --lighthouse none --task cover --where cubic --edges 3
     HOLDS

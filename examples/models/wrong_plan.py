@@ -2,7 +2,8 @@
 
 The robot is told the number of passages in the plan.  Who walks knows better than who reads.
 
-Source: D. Dereniowski, A. Pelc, Drawing maps with advice (2012), for robots that are told of a map.
+Source: D. Dereniowski, A. Pelc, Drawing maps with advice, Journal of Parallel and Distributed
+Computing 72, 132-143 (2012), for robots that are told of a map; a wrong one is ours.
 
     $ allworlds check wrong_plan.py:walks --lighthouse labels+wrong_plan.py:Plan --task count:m --edges 3
     HOLDS

@@ -3,7 +3,7 @@
 One fault is enough for a wrong map: the smallest world has two edges.
 """
 
-from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.explorers import algorithm1
 
 
 def mapper(first):

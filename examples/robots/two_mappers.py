@@ -10,7 +10,7 @@ or after it, and there would be a thousand times as many configurations.
 """
 
 from allworlds import Automaton, Checkpoint, Do, Drop, End, Move, Percept, Pick, Watch
-from allworlds.explorers.builtin.baselines import dudek91
+from allworlds.explorers import dudek91
 
 
 def next_action(replies):

@@ -41,7 +41,8 @@ def test_a_model_of_the_field_does_what_its_commands_say(
 @pytest.mark.parametrize("name", NAMES)
 def test_a_model_has_its_source_a_right_and_a_wrong_case_and_its_place_on_the_page(name):
     text = told(name)
-    assert "\nSource: " in text
+    source = text.partition("\nSource: ")[2].partition("\n\n")[0]
+    assert re.search(r"\b(18|19|20)\d\d\b|\bours\b", source)  # a year is that of a publication
     assert [verdict for _, verdict in COMMAND.findall(text)] == ["HOLDS", "REFUTED"]
     body = (MODELS / name).read_text(encoding="utf-8").partition(text)[2]
     assert len([line for line in body.splitlines() if line.strip()]) <= MOST

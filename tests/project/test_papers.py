@@ -1,4 +1,4 @@
-"""A paper is written against public names, as anybody else's would be."""
+"""A paper, and an example, is written against public names, as anybody else's would be."""
 
 import ast
 import re
@@ -12,11 +12,13 @@ from allworlds import claims
 
 ROOT = Path(__file__).parents[2]
 PAPERS = ROOT / "papers"
-FILES = sorted(path for path in PAPERS.rglob("*.py") if "tests" not in path.parts)
+EXAMPLES = sorted((ROOT / "examples").rglob("*.py"))
+FILES = [*sorted(path for path in PAPERS.rglob("*.py") if "tests" not in path.parts), *EXAMPLES]
 PUBLIC = {
     "allworlds",
     "allworlds.ambiguity",
     "allworlds.claims",
+    "allworlds.explorers",
     "allworlds.maps",
     "allworlds.robots",
     "allworlds.strategies",
@@ -42,8 +44,8 @@ def private(source):
             yield f"{module}:{name}"
 
 
-@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(PAPERS)))
-def test_a_paper_imports_public_names_alone(path):
+@pytest.mark.parametrize("path", FILES, ids=lambda path: str(path.relative_to(ROOT)))
+def test_a_paper_or_an_example_imports_public_names_alone(path):
     assert [*private(path.read_text(encoding="utf-8"))] == []
 
 

@@ -13,4 +13,29 @@
     explorers in shared libraries; ``allworlds.h`` is the interface, and its own manual;
 ``languages``
     the languages of skeletons, which are explorers to begin with, in the folder ``skeletons``.
+
+``dir(allworlds.explorers)`` lists the functions of the built-in ones, for users' programs.
 """
+
+from typing import TYPE_CHECKING
+
+from allworlds.lazy import open_door
+
+if TYPE_CHECKING:
+    from allworlds.explorers.builtin.algorithm1 import (
+        algorithm1 as algorithm1,
+        algorithm1_cluster as algorithm1_cluster,
+        algorithm1_natural as algorithm1_natural,
+    )
+    from allworlds.explorers.builtin.baselines import dfs as dfs, dudek91 as dudek91
+    from allworlds.explorers.builtin.folding import (
+        folding as folding,
+        folding_oldest as folding_oldest,
+    )
+    from allworlds.explorers.builtin.quotient import quotient as quotient
+    from allworlds.explorers.builtin.scanning import (
+        algorithm1_door as algorithm1_door,
+        algorithm1_word as algorithm1_word,
+    )
+else:
+    open_door(__name__)

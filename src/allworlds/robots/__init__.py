@@ -19,6 +19,7 @@ if TYPE_CHECKING:
         Places as Places,
         every_start as every_start,
     )
+    from allworlds.robots.models.shared_whiteboard import SharedWhiteboard as SharedWhiteboard
     from allworlds.robots.models.table import named_model as named_model
     from allworlds.robots.one_world import SearchOutcome as SearchOutcome, search as search
 else:
