@@ -198,8 +198,10 @@ def _flaws(
     if places != [*kind.places(map_, 0)]:
         yield "asked twice, it has other places"
     renamed = [*kind.places(map_.relabelled(other), other[0])]
-    if renamed != [place.relabelled(other) for place in places]:
-        yield f"with the darts renamed to {[*other]}, it has the places {renamed}"
+    legal = [place.relabelled(other) for place in places]
+    if renamed != legal:
+        said = f"with the darts renamed to {[*other]}, it has the places {renamed}"
+        yield f"{said}; legal are {legal} in this order, found from the start and by no name"
     for place in places:
         yield from _flaws_at(World(map_, place), other)
 
