@@ -163,7 +163,7 @@ class RuleOptions(Request):
             RARE_RULES,
             "B",
             "The most traversals of a run: more break the law 'budget' [default: 8 "
-            "times the bound 'paper', or 100 times a smaller --bound; plus 100].",
+            "times the bound 'paper', plus 100; at most 100 times --bound, plus 100].",
             parse=integer_of,
             document_type=Annotated[
                 doc.Positive | None,
