@@ -290,3 +290,17 @@ def test_who_counts_from_the_door_it_went_out_by_is_not_told_otherwise_later():
 
     finding = run(explore, World(named_map("star-5"), Directional(0), 0)).finding
     assert not [said for said in explain(finding).sentences if said.startswith("Before step")]
+
+
+def test_a_loop_is_no_other_door_by_which_it_came():
+    def explore(first):
+        for k in range(1, first.degree + 1):
+            yield Move(k)
+            yield Move(0)
+
+    world = World(CombinatorialMap((1, 2, 0, 3), (1, 0, 3, 2)), Directional(0), 0)
+    told = explain(run(explore, world).finding).sentences
+    (sentence,) = [said for said in told if said.startswith("Before step")]
+    assert sentence.startswith("Before step 3 it was back at v0 and faced dart 1, by which it had")
+    assert "Counted from dart 0" in sentence
+    assert "it would have led along dart 2, which was new" in sentence

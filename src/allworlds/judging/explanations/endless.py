@@ -85,12 +85,14 @@ def tell_way_back(story: Story) -> list[str]:
             continue
         here, out = darts[step - 1], map_.alpha[darts[step]]
         vertex = map_.vertex_of[here]
-        if left.get(vertex) != here:
+        back = left.get(vertex) == here
+        by_loop = vertex in left and map_.vertex_of[map_.alpha[here]] == vertex
+        if not (back or by_loop):
             came[vertex] = here
         meant = map_.turn(came[vertex], action.k)
         if (out in walked) < (meant in walked):
             return []
-        if (out in walked) > (meant in walked) and not told:
+        if back and (out in walked) > (meant in walked) and not told:
             told.append(
                 f"Before step {step} it was back at {story.vertex(here)} and faced dart {here}, by "
                 f"which it had gone out; {action} led along dart {out}, which was walked before. "
@@ -98,7 +100,8 @@ def tell_way_back(story: Story) -> list[str]:
                 f"along dart {meant}, which was new: does it take the one door for the other?"
             )
         walked |= {out, darts[step]}
-        left[vertex] = out
+        if not (by_loop and out == here):  # back through the loop, which it is about to end
+            left[vertex] = out
     return told
 
 
