@@ -59,7 +59,10 @@ def folder(tmp_path, monkeypatch):
     ("kind", "said"),
     [
         ("OfNames", "'degree 1, marked' at dart 0, and 'degree 1' with the darts renamed to"),
-        ("AtNames", "with the darts renamed to .* it has the places .*; legal are .* in this order"),
+        (
+            "AtNames",
+            "with the darts renamed to .* it has the places .*; legal are .* in this order",
+        ),
         ("Nowhere", "has no place in any map with at most 4 edges"),
     ],
 )
