@@ -93,6 +93,20 @@ def test_what_a_call_returns_decides():
     assert next(subject.player()(Percept(1), Choices(), 7)) == 7
 
 
+def test_a_decorator_that_hides_its_function_passes_on_what_that_takes():
+    def taking_told(first, *, told):
+        yield told
+
+    def taking_none(first):
+        yield first
+
+    def hidden(function):
+        return lambda *given, **words: function(*given, **words)
+
+    assert in_process_subject(hidden(taking_told)).keywords == {"told"}
+    assert in_process_subject(hidden(taking_none)).keywords == frozenset()
+
+
 def test_the_walk_of_the_trial_call_is_closed():
     calls = []
 

@@ -328,15 +328,33 @@ def keywords_of(name: str, explore: Any) -> frozenset[str]:
         raise InputError(f"{name} is no generator function: {EXPLORER}")
     keywords = _accepted(name, explore)
     if not inspect.isgeneratorfunction(explore) and not inspect.isgeneratorfunction(function):
-        offered = {"choices": Choices(), "told": None}
-        given = {key: offered[key] for key in keywords}
-        what = f"{name} is no generator function, and a call of it raises"
-        walk = importing.attempted(what, lambda: explore(actions.Percept(1, 1, 0), **given))
+        walk, keywords = _called(name, explore, keywords)
         if not callable(getattr(walk, "send", None)):
             said = f"a call of it returns {show(walk)}, which has no send"
             raise InputError(f"{name} is no generator function, and {said}: {EXPLORER}")
         closed(walk)
     return keywords
+
+
+def _called(
+    name: str, explore: Callable[..., Any], keywords: frozenset[str]
+) -> tuple[Any, frozenset[str]]:
+    """What a call returns, and the keywords that a decorator's ``**`` can pass on.
+
+    Raises:
+        InputError: if the call raises anything but that it knows none of them.
+    """
+    offered = {"choices": Choices(), "told": None}
+    given = {key: offered[key] for key in keywords}
+    what = f"{name} is no generator function, and a call of it raises"
+    try:
+        walk = importing.attempted(what, lambda: explore(actions.Percept(1, 1, 0), **given))
+    except InputError as error:
+        unknown = {key for key in keywords if f"unexpected keyword argument '{key}'" in str(error)}
+        if not unknown:
+            raise
+        return _called(name, explore, keywords - unknown)
+    return walk, keywords
 
 
 def _accepted(name: str, explore: Callable[..., Any]) -> frozenset[str]:
