@@ -101,7 +101,10 @@ def test_a_decorator_that_hides_its_function_passes_on_what_that_takes():
         yield first
 
     def hidden(function):
-        return lambda *given, **words: function(*given, **words)
+        def inner(*given, **words):
+            return function(*given, **words)
+
+        return inner
 
     assert in_process_subject(hidden(taking_told)).keywords == {"told"}
     assert in_process_subject(hidden(taking_none)).keywords == frozenset()
