@@ -361,3 +361,14 @@ def test_a_lighthouse_without_a_place_is_at_the_first_dart(tmp_path):
     file = write(tmp_path / "one.jsonl", as_json("path-3", lighthouse={"kind": "directional"}))
     (one,) = worlds_of_files(files_of(file), None, None).piece(2, 0)
     assert one.lighthouse == Directional(0)
+
+
+def test_a_finding_of_a_comparison_has_the_names_of_the_file(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "mine.py").write_text(WRONG)
+    plan = {"lodge": {"hall": ["dining room"], "dining room": ["hall"]}}
+    (tmp_path / "lodge.json").write_text(json.dumps(plan))
+    report = allworlds.compare("algorithm1", "mine.py:goes_on", worlds="lodge.json")
+    (finding,) = report.findings
+    assert finding.world.labels.name == "lodge"
+    assert {*finding.world.labels.vertices} == {"hall", "dining room"}

@@ -14,9 +14,11 @@ from msgspec import Struct
 from msgspec.structs import force_setattr
 from typing_extensions import override
 
+from allworlds.documents.document import replace
 from allworlds.engines.listeners import Listener
 from allworlds.inputs.checks import InputError, an_integer, at_most, show
 from allworlds.inputs.requests import RARE_SCOPE, Converted, Option, Request
+from allworlds.judging.findings.finding import Finding, labelled
 from allworlds.judging.rules import Rules
 from allworlds.maps import combinatorial, count_source, counting
 from allworlds.maps.classes import Extent
@@ -497,6 +499,11 @@ class Scope(Struct, frozen=True):
     def like(self, world: World) -> Iterable[World]:
         """The given worlds that are this one in another numbering; none where none are given."""
         return () if self.extent.given is None else self.extent.given.like(world)
+
+    def labelled(self, finding: Finding) -> Finding:
+        """The finding with the names of the given world that its world is, if one is given."""
+        world = finding.world
+        return replace(finding, world=labelled(world, self.like(world)))
 
     @property
     def portion(self) -> Shard:

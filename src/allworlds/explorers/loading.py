@@ -339,7 +339,7 @@ def keywords_of(name: str, explore: Any) -> frozenset[str]:
 def _called(
     name: str, explore: Callable[..., Any], keywords: frozenset[str]
 ) -> tuple[Any, frozenset[str]]:
-    """What a call returns, and the keywords that a decorator's ``**`` can pass on.
+    """Return the result of a call, and the keywords that a decorator's ``**`` can pass on.
 
     Raises:
         InputError: if the call raises anything but that it knows none of them.

@@ -22,7 +22,6 @@ from allworlds.engines.limits import deadline_after
 from allworlds.engines.listeners import Listener
 from allworlds.inputs.checks import InputError
 from allworlds.inputs.requests import answers
-from allworlds.judging.findings.finding import labelled
 from allworlds.studies.check import tally_sweep
 from allworlds.studies.check.report import (
     CheckReport,
@@ -142,11 +141,8 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
     @override
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
         """Confirm the findings, and store them."""
-        corpus, like = self.corpus, self.scope.like
-        self._tally.findings = [
-            doc.replace(found, world=labelled(found.world, like(found.world)))
-            for found in self._tally.findings
-        ]
+        corpus = self.corpus
+        self._tally.findings = [*map(self.scope.labelled, self._tally.findings)]
         known = corpus.holds if corpus is not None else None
         unrepeated = self.confirmation.settle(self._tally, known)
         self.keep_new(self._tally)

@@ -497,6 +497,8 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
         """Confirm the findings of all entrants."""
         for (_, number), tally in sorted(self._found.items()):
             one, limits = self.entrants[number], self.request.limits
-            job = one.subject, limits, one.scope(self.bounds), self.deadline, self.records
-            self.findings += Confirmation(*job).confirmed(tally.findings)
+            scope = one.scope(self.bounds)
+            job = one.subject, limits, scope, self.deadline, self.records
+            found = [*map(scope.labelled, tally.findings)]
+            self.findings += Confirmation(*job).confirmed(found)
         return outcome.Completed() if ending.final and self.findings else None
