@@ -304,3 +304,15 @@ def test_a_loop_is_no_other_door_by_which_it_came():
     assert sentence.startswith("Before step 3 it was back at v0 and faced dart 1, by which it had")
     assert "Counted from dart 0" in sentence
     assert "it would have led along dart 2, which was new" in sentence
+
+
+def test_the_way_back_through_a_loop_is_counted_from_the_door_before_it():
+    def explore(_):
+        for k in (1, 0, 3, 0, 3, 0):  # the loop has the doors 1 and 2
+            yield Move(k)
+
+    map_ = CombinatorialMap((1, 2, 3, 4, 0, 5, 6, 7), (5, 2, 1, 6, 7, 0, 3, 4))
+    told = explain(run(explore, World(map_, Directional(0), 0)).finding).sentences
+    (sentence,) = [said for said in told if said.startswith("Before step")]
+    assert sentence.startswith("Before step 5 it was back at v0 and faced dart 5, by which it had")
+    assert "led along dart 3, which was walked before. Counted from dart 0" in sentence
