@@ -171,7 +171,7 @@ class _Turns(Struct):
             if len(record) != self._noted:
                 self.note_choices()
             if type(message) is actions.Move:
-                k = message.k
+                k: Any = message.k
                 if type(k) is not int and (k := self._integer(message)) is None:
                     return None
                 if not left:
