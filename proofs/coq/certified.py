@@ -18,7 +18,7 @@ asks the certified checker whether a program is right (``certified_checker.py``)
 
 compares the extracted programs with the package, in every world (``certified_programs.py``), and
 
-    python proofs/coq/certified.py --sample [RUNS] [--seed 0]
+    python proofs/coq/certified.py --sample [RUNS] [--units 51] [--seed 0]
 
 in a sample of larger ones (``certified_sample.py``).  The last three need the programs that
 ``make -C proofs/coq explorer`` builds.  ``--help`` behind any of these words says more.  Exit code

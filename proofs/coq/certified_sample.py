@@ -1,6 +1,6 @@
 """The extracted programs and the package, compared in a sample of worlds with 5 to 9 edges.
 
-    python proofs/coq/certified.py --sample [RUNS] [--seed 0] [--policy POLICY] [--edges 9]
+    python proofs/coq/certified.py --sample [RUNS] [--units 51] [--seed 0] [--policy P] [--edges 9]
 
 draws so many runs of Algorithm 1, 2,000 of them if no number is given, under each policy a third of
 them, always the same ones for a seed: half of the worlds uniformly among all rooted maps with so
@@ -16,9 +16,16 @@ a path, and the most expensive ones; each with a bearing that is drawn.  In each
 - the compiled judge's ``examine`` plays it at every bearing at that cost, and the kernel that walks
   on demand counts the same.
 
-That kernel has no log of a single world: so one of its units is drawn for every hundred runs, and
-its sums must be those of ``examine``, and those of the extracted programs, which run in every world
-of the unit.  Exit code 1: they disagree; 2: a program is missing; 3: undecided.
+In a single world that kernel decides nothing.  So units are drawn, too, under each policy a third:
+prefixes of the enumeration, the worlds behind which differ in what is decided on the way.  The
+kernel has no log of a single world, but its sums over a unit must be those of ``examine``, and
+
+- its worlds those that the package lists, by number and by fingerprint;
+- their costs those of the extracted programs, which run in every world of the unit: by sum, by the
+  largest, and by the worlds that cost more than each of some bounds, the least of which all exceed;
+- none broken, as the extracted judge finds every answer right.
+
+Exit code 1: they disagree; 2: a program is missing; 3: undecided.
 """
 
 from __future__ import annotations
@@ -28,12 +35,15 @@ import json
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
-from functools import partial
+from functools import cache, partial
 from itertools import accumulate, islice
 from pathlib import Path
 from random import Random
 from typing import Any, TypeAlias
 
+from msgspec import Struct
+
+from allworlds.documents.document import replace
 from allworlds.engines.compiled_engine import level_of
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.kernel.records import Level, Rows
@@ -43,10 +53,11 @@ from allworlds.judging.episode import Answered, Episode, play
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.judging.laws.law_table import Case
 from allworlds.judging.rules import Rules
-from allworlds.maps import CombinatorialMap, MapClass, rooted_code
+from allworlds.maps import CombinatorialMap, MapClass, rooted_code, unrooted_code
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import numbering
-from allworlds.maps.enumeration import history, prefixes
+from allworlds.maps.count_source import completions
+from allworlds.maps.enumeration import FINGERPRINTS, Gluing, fingerprint, history, prefixes
 from allworlds.protocol.actions import Estimate, Percept, Player
 from allworlds.protocol.choices import Choices, policy_named
 from allworlds.world import Directional, World
@@ -60,11 +71,15 @@ WHOLE = 7
 """The largest level whose most expensive worlds are looked for among all of its worlds."""
 AT_A_TIME = 500
 """The number of runs that the programs are given at once."""
-RUNS_A_UNIT, OF_A_UNIT = 100, 200
-"""The number of runs for which a unit is drawn, and the largest number of its worlds."""
+UNITS = 51
+"""The number of units, if none is given."""
+SMALL, LARGE = 200, 800
+"""The largest numbers of worlds of a unit: of most units, and of each third one."""
+BOUNDS = 6
+"""The number of bounds by which the costs in a unit are told apart, at most."""
 
 Draw: TypeAlias = Callable[[int, Random], CombinatorialMap]
-Walk: TypeAlias = Callable[[Level, Sequence[int]], Rows]
+Walk: TypeAlias = Callable[..., Rows]
 
 
 # ---- The sample ----
@@ -227,9 +242,10 @@ def answers_near(answer: Estimate, random: Random) -> list[Estimate]:
     ]
 
 
-def level_asked(edges: int, policy: str) -> Level:
-    """The kernel's question for a level."""
-    return level_of("algorithm1", Rules(policy=policy), Extent(MapClass.MAPS, edges), edges)
+def level_asked(edges: int, policy: str, vertices: int | None = None) -> Level:
+    """The kernel's question for a level, of worlds with at most so many vertices."""
+    extent = Extent(MapClass.MAPS, edges, vertices)
+    return level_of("algorithm1", Rules(policy=policy), extent, edges)
 
 
 def runs_agree(
@@ -274,10 +290,10 @@ def runs_agree(
 
 def kernels_apart(map_: CombinatorialMap, policy: str, cost: int) -> list[str]:
     """Differences of the compiled judge and of the kernel that walks on demand, in a world."""
-    unit = LevelUnit(map_.edge_count, history(map_))
-    (counts,) = judge(level_asked(unit.edges, policy), unit.prefix).counts
+    piece = piece_of(map_)
+    (counts,) = judge(piece.level(policy), piece.unit.prefix).counts
     places = map_.degree_at[0]
-    found = unit_apart(unit, policy)
+    found = piece_apart(piece, policy)
     if (counts.worlds, counts.traversals, counts.largest) != (1, places * cost, cost):
         found.append(f"examine counts {counts.traversals} traversals, not {places} times {cost}")
     return found
@@ -286,9 +302,64 @@ def kernels_apart(map_: CombinatorialMap, policy: str, cost: int) -> list[str]:
 # ---- One unit ----
 
 
-def unit_apart(unit: LevelUnit, policy: str, walked: Walk = walk) -> list[str]:
+class Piece(Struct, frozen=True):
+    """A unit of the worlds of an extent."""
+
+    unit: LevelUnit
+    extent: Extent
+
+    def level(self, policy: str) -> Level:
+        """The kernel's question."""
+        return level_asked(self.unit.edges, policy, self.extent.vertices)
+
+
+def piece_of(map_: CombinatorialMap) -> Piece:
+    """The piece with this world alone."""
+    m = map_.edge_count
+    return Piece(LevelUnit(m, history(map_)), Extent(MapClass.MAPS, m))
+
+
+def pieces(edges: int, random: Random) -> Iterator[Piece]:
+    """An endless sequence of pieces, of which each third one is drawn as its worlds are.
+
+    In the others vertices have one degree, where that is possible: so darts look alike, and tests
+    are long.  Every other of these has few vertices: so the last one has many darts.
+    """
+    while True:
+        m = random.choice(range(min(FEWEST, edges), edges + 1))
+        every = Extent(MapClass.MAPS, m)
+        yield Piece(next(drawn_units(every, m, SMALL, random)), every)
+        few = Extent(MapClass.MAPS, m, random.choice((2, 3, 4)))
+        for extent, most in ((every, LARGE), (few, SMALL)):
+            yield Piece(LevelUnit(m, alike(extent, most, random)), extent)
+
+
+def units_drawn(seed: int, policy: str, edges: int) -> Iterator[Piece]:
+    """The pieces for a seed, whatever the number of runs."""
+    return pieces(edges, Random(f"units {seed} {policy} {edges}"))
+
+
+def alike(extent: Extent, most: int, random: Random) -> tuple[int, ...]:
+    """A prefix with at most so many worlds, of whose new vertices most have the same degree."""
+    degree = random.choice((2, 3, 4, 5))
+    gluing = Gluing(extent.edges, extent.map_class, extent.vertices)
+    prefix = list[int]()
+    while not prefix or completions(gluing) > most:
+        ways = [(way, after) for way, after in gluing.successors() if completions(after)]
+        if not prefix:
+            wished = [each for each in ways if each[0] in (-1, -2)]
+        elif random.random() < 3 / 4:
+            wished = [each for each in ways if each[0] == -degree]
+        else:
+            wished = [each for each in ways if each[0] >= 0]
+        decision, gluing = random.choice(wished or ways)
+        prefix.append(decision)
+    return tuple(prefix)
+
+
+def piece_apart(piece: Piece, policy: str, walked: Walk = walk) -> list[str]:
     """Differences between the sums of the kernel on demand and of ``examine``, in words."""
-    level = level_asked(unit.edges, policy)
+    level, unit = piece.level(policy), piece.unit
     examined, rows = judge(level, unit.prefix), walked(level, unit.prefix)
     names = [
         name for name in Rows.__struct_fields__ if getattr(examined, name) != getattr(rows, name)
@@ -296,34 +367,87 @@ def unit_apart(unit: LevelUnit, policy: str, walked: Walk = walk) -> list[str]:
     return [f"unit {unit.key}: {name} of examine and of the kernel on demand" for name in names]
 
 
-def sums_apart(unit: LevelUnit, policy: str) -> tuple[list[str], int]:
+Costs: TypeAlias = Sequence[tuple[CombinatorialMap, int]]
+
+
+def extracted_apart(piece: Piece, policy: str, walked: Walk = walk) -> tuple[list[str], int]:
     """Differences from the extracted programs, world by world, and the number of worlds."""
-    rows = walk(level_asked(unit.edges, policy), unit.prefix)
-    maps = list(unit.maps(Extent(MapClass.MAPS, unit.edges)))
-    limit = [paper_bound(map_.vertex_count, unit.edges) for map_ in maps]
+    unit = piece.unit
+    maps = list(unit.maps(piece.extent))
     asked = [
-        line(**map_.to_json(), place=0, limit=most) for map_, most in zip(maps, limit, strict=True)
+        line(
+            **map_.to_json(),
+            place=number % map_.degree_at[0],
+            limit=paper_bound(map_.vertex_count, unit.edges),
+        )
+        for number, map_ in enumerate(maps)
     ]
-    sums: dict[int, list[int]] = {}
-    found = []
-    for map_, answer in zip(maps, answered_by(COQ / "runs", asked, policy), strict=True):
-        run = json.loads(answer)
-        row = sums.setdefault(map_.vertex_count, [0, 0, 0])
-        row[0] += 1
-        row[1] += len(run["steps"])
-        row[2] = max(row[2], len(run["steps"]))
-        if run["finding"] != "right":
-            found.append(f"unit {unit.key}: {run['finding']} in {map_.to_json()}")
-    counted = {c.vertices: [c.worlds, c.traversals_rooted, c.largest] for c in rows.counts}
-    if counted != sums:
+    runs = [json.loads(answer) for answer in answered_by(COQ / "runs", asked, policy)]
+    found = [
+        f"unit {unit.key}: {run['finding']} in {map_.to_json()}"
+        for map_, run in zip(maps, runs, strict=True)
+        if run["finding"] != "right"
+    ]
+    costs = [(map_, len(run["steps"])) for map_, run in zip(maps, runs, strict=True)]
+    level = piece.level(policy)
+    rows = walked(level, unit.prefix)
+    counted = {
+        c.vertices: [c.worlds, c.fingerprint, c.traversals_rooted, c.largest] for c in rows.counts
+    }
+    if counted != (sums := sums_of(costs)):
         found.append(f"unit {unit.key}: extracted {sums}, the kernel on demand {counted}")
+    if rows.broken:
+        found.append(f"unit {unit.key}: the kernel on demand finds a world broken")
+    for bounds in bounds_between(costs):
+        table = [[[bounds.get(n, 0)]] for n in range(len(level.bounds))]
+        broken = walked(replace(level, bounds=table), unit.prefix, keep=len(maps)).broken
+        if [(each.sigma, each.alpha) for each in broken] != dearer(costs, bounds):
+            found.append(f"unit {unit.key}: other worlds cost more than {bounds}")
     return found, len(maps)
+
+
+def sums_of(costs: Costs) -> dict[int, list[int]]:
+    """By vertices: how many worlds, their fingerprints, the sum of their costs, and the largest."""
+    sums: dict[int, list[int]] = {}
+    for map_, cost in costs:
+        row = sums.setdefault(map_.vertex_count, [0, 0, 0, 0])
+        row[0] += 1
+        row[1] = (row[1] + fingerprint(map_)) % FINGERPRINTS
+        row[2] += cost
+        row[3] = max(row[3], cost)
+    return sums
+
+
+def bounds_between(costs: Costs) -> Iterator[dict[int, int]]:
+    """Some bounds by vertices, from one that every world exceeds to the cost below the largest."""
+    different = {
+        n: sorted({cost for map_, cost in costs if map_.vertex_count == n})
+        for n in {map_.vertex_count for map_, _ in costs}
+    }
+    for i in range(BOUNDS):
+        yield {n: every[i * len(every) // BOUNDS] - 1 for n, every in different.items()}
+
+
+def dearer(costs: Costs, bounds: dict[int, int]) -> list[tuple[tuple[int, ...], tuple[int, ...]]]:
+    """The worlds that cost more, of those that differ by their roots the least."""
+    least: dict[Any, Any] = {}
+    for map_, cost in costs:
+        if cost > bounds[map_.vertex_count]:
+            kind, code = (
+                unrooted(map_),
+                (map_.vertex_count, *rooted_code(map_.sigma, map_.alpha, 0)),
+            )
+            least[kind] = min(code, least.get(kind, code))
+    return [(sigma, alpha) for _, sigma, alpha in sorted(least.values())]
+
+
+unrooted = cache(unrooted_code)
 
 
 # ---- All ----
 
 
-def sample_agrees(runs: int, seed: int, edges: int, policy: str) -> bool:
+def sample_agrees(runs: int, units: int, seed: int, edges: int, policy: str) -> bool:
     """Whether nothing differs in the sample."""
     start, random = time.process_time(), Random(f"{seed} {policy} {edges}")
     certified = load(f"exec:{COQ / 'explorer'} {policy} directional")
@@ -340,12 +464,10 @@ def sample_agrees(runs: int, seed: int, edges: int, policy: str) -> bool:
     said = ", ".join(f"{verdict} {count:,}" for verdict, count in sorted(verdicts.items()))
     print(f"sample, {policy}, seed {seed}: {runs:,} runs ({of_kinds})")
     print(f"  the judges on {verdicts.total():,} answers: {said}")
-    worlds, units = 0, max(1, runs // RUNS_A_UNIT)
-    for _ in range(units):
-        m = random.choice(range(min(FEWEST, edges), edges + 1))
-        unit = next(drawn_units(Extent(MapClass.MAPS, m), m, OF_A_UNIT, random))
-        found, many = sums_apart(unit, policy)
-        apart += unit_apart(unit, policy) + found
+    worlds = 0
+    for piece in islice(units_drawn(seed, policy, edges), units):
+        found, many = extracted_apart(piece, policy)
+        apart += piece_apart(piece, policy) + found
         worlds += many
     seconds = time.process_time() - start
     print(f"  {units} units with {worlds:,} worlds; {seconds:.0f} s of this process")
@@ -359,14 +481,14 @@ def compare_sample(arguments: Sequence[str]) -> int:
     """The exit code: see the head of this file."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--sample", type=int, nargs="?", const=2000, metavar="RUNS", required=True)
+    parser.add_argument("--units", type=int, default=UNITS, help="how many (%(default)s)")
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--policy", choices=POLICIES, help="this one only")
     parser.add_argument("--edges", type=int, default=MOST, help="the most")
     options = parser.parse_args(arguments)
-    if options.sample < 1 or not 1 <= options.edges <= 12:
-        parser.error("at least one run expected, and 1 to 12 edges")
+    if min(options.sample, options.units) < 1 or not 1 <= options.edges <= 12:
+        parser.error("at least one run and one unit expected, and 1 to 12 edges")
     policies = [options.policy] if options.policy else POLICIES
-    runs = -(-options.sample // len(policies))
-    return outcome(
-        *(partial(sample_agrees, runs, options.seed, options.edges, each) for each in policies)
-    )
+    runs, units = (-(-each // len(policies)) for each in (options.sample, options.units))
+    asked = runs, units, options.seed, options.edges
+    return outcome(*(partial(sample_agrees, *asked, each) for each in policies))

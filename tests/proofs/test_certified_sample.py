@@ -6,8 +6,11 @@ from random import Random
 
 import pytest
 
+from allworlds.documents.document import replace
+from allworlds.engines.units import LevelUnit
 from allworlds.explorers.loading import load
-from allworlds.maps import rooted_maps
+from allworlds.maps import MapClass, rooted_maps
+from allworlds.maps.classes import Extent
 from allworlds.world import World
 from allworlds.world.lighthouses.marked import Directional
 
@@ -15,6 +18,12 @@ from allworlds.world.lighthouses.marked import Directional
 @pytest.fixture
 def samples(checkers):
     return checkers("certified_sample")
+
+
+@pytest.fixture
+def kernels(samples, checkers):
+    """The wrong kernels, which need the sample."""
+    return checkers("kernels")
 
 
 def drawn(draw, edges, times, seed=3):
@@ -159,3 +168,109 @@ def test_of_a_program_that_is_lost_nothing_is_decided(samples, checkers, tmp_pat
     world = World(samples.uniform(5, Random(1)), Directional(0))
     with pytest.raises(lost, match="it: crash: "):
         samples.log_of("it", world, crashes, "fifo")
+
+
+DECIDED = {
+    "eight-darts-new": (5, 2, (-1,)),
+    "one-step-undecided": (6, 4, (-1, -3, -3)),
+}
+"""Edges, most vertices and prefix of a unit in which a wrong kernel decides a dart wrongly."""
+
+
+@pytest.mark.usefixtures("compiled")
+@pytest.mark.parametrize("name", DECIDED)
+def test_a_kernel_that_decides_wrongly_is_seen_in_a_unit_though_not_in_its_worlds(
+    samples, kernels, name
+):
+    edges, limit, prefix = DECIDED[name]
+    piece = samples.Piece(LevelUnit(edges, prefix), Extent(MapClass.MAPS, edges, limit))
+    (wrong,) = [each for each in kernels.WRONG_KERNELS if each.name == name]
+    assert samples.piece_apart(piece, wrong.policy, right_walk(kernels)) == []
+    assert kernels.seen_in(wrong, [piece])
+    alone = map(samples.piece_of, piece.unit.maps(piece.extent))
+    assert kernels.seen_in(wrong, alone) is None
+
+
+def right_walk(kernels):
+    return kernels.WrongKernel("right", "", "_FEW = 0xFF", "_FEW = 0xFF").walk()
+
+
+@pytest.fixture
+def a_unit(samples, kernels, monkeypatch):
+    """What differs in a unit, if the answers of the extracted programs, or rows, are changed so."""
+    piece = samples.Piece(LevelUnit(5, (-2, -3)), Extent(MapClass.MAPS, 5, 4))
+    honest_walk = right_walk(kernels)
+
+    def compared(change=lambda answers: answers, of_rows=lambda rows: rows):
+        def answered_by(program, lines, policy):
+            return change(honest(samples, program, lines, policy))
+
+        def walked(*question, **options):
+            return of_rows(honest_walk(*question, **options))
+
+        monkeypatch.setattr(samples, "answered_by", answered_by)
+        return samples.extracted_apart(piece, "fifo", walked)
+
+    return compared
+
+
+def test_in_a_unit_that_is_right_nothing_differs(a_unit):
+    apart, worlds = a_unit()
+    assert apart == []
+    assert worlds == 60
+
+
+def one_pose(answers):
+    return [answers[0].replace('"right"', '"pose"'), *answers[1:]]
+
+
+def one_step_more(answers):
+    return [answers[0].replace('"steps":[', '"steps":[[0,[1,null]],'), *answers[1:]]
+
+
+def two_exchanged(answers):
+    """The costs of two worlds of one size: the sum and the largest stay."""
+    steps = [len(json.loads(each)["steps"]) for each in answers]
+    first, *_, last = sorted(range(len(answers)), key=lambda i: steps[i])
+    changed = list(answers)
+    changed[first], changed[last] = answers[last], answers[first]
+    return changed
+
+
+def another_world(rows):
+    counts = tuple(replace(each, fingerprint=each.fingerprint ^ 1) for each in rows.counts)
+    return replace(rows, counts=counts)
+
+
+def none_broken(rows):
+    return replace(rows, broken=())
+
+
+def one_broken(rows):
+    return replace(rows, broken=rows.broken or rows.most_expensive)
+
+
+WRONG_UNITS = [
+    ({"change": one_pose}, "pose in"),
+    ({"change": one_step_more}, "extracted"),
+    ({"change": two_exchanged}, "other worlds cost more"),
+    ({"of_rows": another_world}, "extracted"),
+    ({"of_rows": none_broken}, "other worlds cost more"),
+    ({"of_rows": one_broken}, "finds a world broken"),
+]
+
+
+@pytest.mark.parametrize(("change", "said"), WRONG_UNITS)
+def test_whatever_differs_in_a_unit_is_seen(a_unit, change, said):
+    apart, _ = a_unit(**change)
+    assert any(said in each for each in apart), apart
+
+
+def test_units_are_drawn_of_all_sizes_with_worlds_in_them(samples):
+    some = [piece for piece, _ in zip(samples.units_drawn(0, "fifo", 9), range(30), strict=False)]
+    assert {piece.unit.edges for piece in some} == {5, 6, 7, 8, 9}
+    sizes = [piece.unit.weight(piece.extent) for piece in some]
+    assert all(1 <= size <= samples.LARGE for size in sizes)
+    assert max(sizes) > samples.SMALL
+    again = [piece for piece, _ in zip(samples.units_drawn(0, "fifo", 9), range(3), strict=False)]
+    assert again == some[:3]

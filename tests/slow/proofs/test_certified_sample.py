@@ -11,27 +11,21 @@ from proofs import test_certified_sample as quick
 
 PROGRAM = Path(__file__).parents[3] / "proofs" / "coq" / "certified.py"
 pytestmark = pytest.mark.usefixtures("compiled")
-samples = quick.samples
-
-
-@pytest.fixture
-def kernels(samples, checkers):
-    """The wrong kernels, which need the sample."""
-    return checkers("kernels")
+samples, kernels = quick.samples, quick.kernels
 
 
 @pytest.mark.slowest
 def test_the_interpreted_kernel_is_the_compiled_one(kernels, samples):
     right = kernels.WrongKernel("right", "", "COST = 0xFFFFF", "COST = 0xFFFFF").walk()
     for policy in samples.POLICIES:
-        for piece in islice(kernels.larger_pieces(policy), 400, 510):
-            asked = samples.level_asked(piece.edges, policy), piece.prefix
+        for piece in islice(kernels.larger_pieces(policy), 100):
+            asked = piece.level(policy), piece.unit.prefix
             assert right(*asked) == samples.walk(*asked)
 
 
 @pytest.mark.slowest
 def test_wrong_kernels_that_are_right_in_small_worlds_are_seen_in_the_sample(kernels):
-    assert len(kernels.WRONG_KERNELS) == 10
+    assert len(kernels.WRONG_KERNELS) == 12
     for wrong in kernels.WRONG_KERNELS:
         assert kernels.seen_in(wrong, kernels.small_pieces()) is None, wrong.name
         assert kernels.seen_in(wrong, kernels.larger_pieces(wrong.policy)), wrong.name
@@ -53,11 +47,11 @@ def test_the_most_expensive_worlds_of_a_level_are_found_among_all(samples):
 
 @pytest.mark.slowest
 @pytest.mark.skipif(
-    not PROGRAM.parent.joinpath("coq", "runs").exists(),
+    not PROGRAM.with_name("runs").exists(),
     reason="not built: make -C proofs/coq explorer",
 )
 def test_the_extracted_programs_agree_with_the_package_in_a_sample():
-    command = [sys.executable, str(PROGRAM), "--sample", "120", "--seed", "1"]
+    command = [sys.executable, str(PROGRAM), "--sample", "120", "--units", "9"]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stdout + run.stderr
     assert run.stdout.count("  0 differ\n") == 3
