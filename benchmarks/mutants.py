@@ -1,6 +1,7 @@
 """Random mutants of the source, and how many of them the quick tests kill.
 
     python benchmarks/mutants.py --number 200 --seed 1 [--wing judging ...] [--in DIR] [--out FILE]
+    python benchmarks/mutants.py --kernel --number 30 --seed 1 [--out FILE]
 
 A mutant is one small change of one line: another comparison, operator or constant, a bound or a
 statement less, None for a result.  Texts, annotations, declarations of classes, assertions (as
@@ -15,6 +16,11 @@ kind, the quickest first, until one fails.  A mutant that makes them take severa
 killed, too, by the deadline.  What is met before the first test, as a default, is tried in a new
 process, with the tests of the own file and of those that name what is changed.
 
+With --kernel the mutants are of what numba compiles of the two engines of Algorithm 1, which Python
+runs without numba (``tests/support/mutants/interpreted.py``): a mutant is killed if it answers
+otherwise than the compiled engines, first about worlds with at most 4 edges, as the quick tests and
+each check ask, then about the units of ``certified.py --sample``, under each policy.
+
 Exit code 1: a mutant survives that is not in the list of the equivalent ones.
 """
 
@@ -25,14 +31,17 @@ import ast
 import json
 import os
 import random
+import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
 import tomllib
 import venv
 from collections import Counter, defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from itertools import accumulate
 from pathlib import Path
@@ -163,18 +172,20 @@ def _compiled(node: ast.AST, file: str) -> bool:
     return isinstance(node, ast.FunctionDef) and "/kernel/" in file and node.returns is None
 
 
-def mutants_of(file: str, text: bytes) -> Iterator[Mutant]:
-    """Yield all mutants of a file."""
+def mutants_of(file: str, text: bytes, *, compiled: bool = False) -> Iterator[Mutant]:
+    """Yield all mutants of a file, of what Python runs or of what numba compiles."""
     lines = text.splitlines(keepends=True)
     starts = [0, *accumulate(map(len, lines))]
     equal: Counter[tuple[str, str, str, str]] = Counter()
 
-    def below(node: Any, name: str, within: str, *, early: bool) -> Iterator[Mutant]:
+    def below(
+        node: Any, name: str, within: str, *, early: bool, inside: bool = False
+    ) -> Iterator[Mutant]:
         if isinstance(node, ast.stmt) and early:
             name = next(_names(node), name)
         if isinstance(node, ast.FunctionDef | ast.ClassDef):
             within = f"{within}.{node.name}".lstrip(".")
-        for part, after in changed(node):
+        for part, after in changed(node) if inside == compiled else ():
             if early and "|" in ast.unparse(part):  # of types
                 continue
             start = starts[part.lineno - 1] + part.col_offset
@@ -186,10 +197,12 @@ def mutants_of(file: str, text: bytes) -> Iterator[Mutant]:
             where = file, part.lineno, start, end
             yield Mutant(*where, before, after, name, early, line, within, nth)
         for part in inner(node):
-            if not _compiled(part, file):
+            in_compiled = inside or _compiled(part, file)
+            if compiled or not in_compiled:
                 function = isinstance(node, ast.FunctionDef) and isinstance(part, ast.stmt)
                 outside = isinstance(node, ast.Module | ast.ClassDef)
-                yield from below(part, name, within, early=not function and (early or outside))
+                early_too = not function and (early or outside)
+                yield from below(part, name, within, early=early_too, inside=in_compiled)
 
     yield from below(ast.parse(text), "", "", early=True)
 
@@ -220,13 +233,11 @@ def with_all(text: bytes, mutants: dict[int, Mutant]) -> bytes:
     return b"".join((*pieces, text[done:]))
 
 
-def drawn(texts: dict[str, bytes], wings: Sequence[str], seed: int) -> list[Mutant]:
+def drawn(every: Iterable[Mutant], seed: int) -> list[Mutant]:
     """One mutant of each line, in an order that is drawn."""
     by_line: dict[tuple[str, int], list[Mutant]] = defaultdict(list)
-    for file, text in texts.items():
-        for mutant in mutants_of(file, text):
-            if not wings or mutant.wing in wings:
-                by_line[file, mutant.line].append(mutant)
+    for mutant in every:
+        by_line[mutant.file, mutant.line].append(mutant)
     chance = random.Random(seed)
     order = list(by_line.values())
     chance.shuffle(order)
@@ -362,6 +373,49 @@ class Copy:
             print(f"{name}: {killer or 'SURVIVES'}", flush=True)
 
 
+# ---- The kernel ----
+
+KERNEL = f"{SOURCE}/engines/kernel"
+OF_LOGS = {"_follow", "_note", "_find_map", "count"}
+"""Functions of these modules that neither engine of Algorithm 1 calls."""
+KERNEL_SECONDS = 120
+"""The time after which a mutant is killed: the right engines take some 20 seconds."""
+
+
+def of_kernel() -> Iterator[Mutant]:
+    """Yield the mutants of what numba compiles of the engines of Algorithm 1."""
+    from interpreted import MODULES
+
+    for name in MODULES:
+        file = f"{KERNEL}/{name}.py"
+        for mutant in mutants_of(file, (ROOT / file).read_bytes(), compiled=True):
+            if mutant.within not in OF_LOGS:
+                yield mutant
+
+
+def try_kernel(mutant: Mutant) -> None:
+    """Ask the engines with a mutant, in a fork, which may never end."""
+    from interpreted import seen
+
+    text = (ROOT / mutant.file).read_bytes()
+    after = mutant.after if mutant.after == "pass" else f"({mutant.after})"
+    source = b"".join((text[: mutant.start], after.encode(), text[mutant.end :])).decode()
+    reads, writes = os.pipe()
+    pid = os.fork()
+    if pid == 0:
+        resource.setrlimit(resource.RLIMIT_DATA, (2 << 30, 2 << 30))
+        signal.alarm(KERNEL_SECONDS)
+        with suppress(MemoryError, RecursionError):
+            os.write(writes, (seen({Path(mutant.file).stem: source}) or "-").encode())
+        os._exit(0)
+    os.close(writes)
+    with open(reads, "rb") as said:  # noqa: PTH123  # a descriptor
+        answer = said.read().decode()
+    os.waitpid(pid, 0)
+    mutant.killed_by = {"": "the deadline, or the limit of memory", "-": ""}.get(answer, answer)
+    print(f"{mutant.file}:{mutant.line}: {mutant.killed_by or 'SURVIVES'}", flush=True)
+
+
 def table(mutants: Sequence[Mutant], known: Sequence[dict[str, Any]]) -> str:
     """The numbers of each wing and of all."""
     text = f"{'':12}{'mutants':>9}{'killed':>9}{'survive':>9}{'equivalent':>12}\n"
@@ -375,21 +429,13 @@ def table(mutants: Sequence[Mutant], known: Sequence[dict[str, Any]]) -> str:
     return text
 
 
-def main() -> int:
-    """Draw, try and count."""
-    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
-    parser.add_argument("--number", type=int, default=60, help="how many mutants")
-    parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--wing", action="append", default=[], help="of these folders alone")
-    parser.add_argument("--in", dest="place", type=Path, help="keep the copy here")
-    parser.add_argument("--out", type=Path, help="write a JSON document here")
-    parser.add_argument("--seconds", type=float, default=60, help="tests of one mutant at most")
-    parser.add_argument("pytest", nargs="*", help="for the run without a mutant, as -- -n auto")
-    options = parser.parse_args()
-    known = tomllib.loads(EQUIVALENT.read_text())["mutant"]
+def _tested(options: argparse.Namespace) -> tuple[dict[int, Mutant], dict[int, Mutant]]:
+    """Draw mutants, and try with tests those that are met; return all and these."""
     paths = sorted((ROOT / SOURCE).rglob("*.py"))
     texts = {str(each.relative_to(ROOT)): each.read_bytes() for each in paths}
-    order = drawn(texts, options.wing, options.seed)[: options.number * 3 // 2]
+    every = (each for file, text in texts.items() for each in mutants_of(file, text))
+    asked = (each for each in every if not options.wing or each.wing in options.wing)
+    order = drawn(asked, options.seed)[: options.number * 3 // 2]
     mutants = dict(enumerate(order, start=1))
     with tempfile.TemporaryDirectory() as temporary:
         copy = Copy((options.place or Path(temporary)).resolve())
@@ -398,6 +444,30 @@ def main() -> int:
         met = [number for number, each in mutants.items() if each.tests or each.early]
         chosen = {number: mutants[number] for number in met[: options.number]}
         copy.try_all(chosen, options.seconds)
+    return mutants, chosen
+
+
+def main() -> int:
+    """Draw, try and count."""
+    parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
+    parser.add_argument("--number", type=int, default=60, help="how many mutants")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--kernel", action="store_true", help="of the compiled engines alone")
+    parser.add_argument("--wing", action="append", default=[], help="of these folders alone")
+    parser.add_argument("--in", dest="place", type=Path, help="keep the copy here")
+    parser.add_argument("--out", type=Path, help="write a JSON document here")
+    parser.add_argument("--seconds", type=float, default=60, help="tests of one mutant at most")
+    parser.add_argument("pytest", nargs="*", help="for the run without a mutant, as -- -n auto")
+    options = parser.parse_args()
+    known = tomllib.loads(EQUIVALENT.read_text())["mutant"]
+    if options.kernel:
+        sys.path[:0] = [str(ROOT / "tests/support/mutants"), str(ROOT / "proofs/coq")]
+        mutants = dict(enumerate(drawn(of_kernel(), options.seed)[: options.number], start=1))
+        chosen = mutants
+        for each in chosen.values():
+            try_kernel(each)
+    else:
+        mutants, chosen = _tested(options)
     idle = [
         each for number, each in mutants.items() if number < max(chosen) and number not in chosen
     ]

@@ -30,7 +30,12 @@ def entries(mutants):
 def places(mutants, entry):
     """The mutants of today's source that an entry names."""
     text = (ROOT / entry["file"]).read_bytes()
-    return [each for each in mutants.mutants_of(entry["file"], text) if each.among([entry])]
+    every = [
+        each
+        for compiled in (False, True)
+        for each in mutants.mutants_of(entry["file"], text, compiled=compiled)
+    ]
+    return [each for each in every if each.among([entry])]
 
 
 def test_each_entry_names_exactly_one_place(mutants, entries):
@@ -53,3 +58,15 @@ def test_equal_changes_of_equal_lines_are_told_apart(mutants):
     found = [each for each in mutants.mutants_of("a.py", text) if each.after == "1"]
     assert [(each.within, each.nth) for each in found] == [("f", 1), ("f", 2), ("C.f", 1)]
     assert [each.among([{"within": "f", "nth": 2}]) for each in found] == [False, True, False]
+
+
+def test_what_numba_compiles_is_changed_by_itself(mutants):
+    text = b"A = 1\ndef f(x):\n    return x + 2\ndef g(x: int) -> int:\n    return x + 3\n"
+    in_kernel = "src/allworlds/engines/kernel/a.py"
+    found = [
+        {each.before for each in mutants.mutants_of(in_kernel, text, compiled=compiled)}
+        for compiled in (False, True)
+    ]
+    assert found == [{"1", "x + 3", "3"}, {"x + 2", "2"}]
+    elsewhere = mutants.mutants_of("src/allworlds/a.py", text, compiled=True)
+    assert not [*elsewhere]

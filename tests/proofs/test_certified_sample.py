@@ -2,6 +2,7 @@
 
 import json
 from collections import Counter
+from itertools import islice
 from random import Random
 
 import pytest
@@ -189,6 +190,33 @@ def test_a_kernel_that_decides_wrongly_is_seen_in_a_unit_though_not_in_its_world
     assert kernels.seen_in(wrong, [piece])
     alone = map(samples.piece_of, piece.unit.maps(piece.extent))
     assert kernels.seen_in(wrong, alone) is None
+
+
+@pytest.mark.usefixtures("compiled")
+def test_the_kernel_without_numba_says_what_the_compiled_one_does(samples, checkers):
+    without = checkers("interpreted")
+    engines, told = without.interpreted(), Counter()
+    for question in islice(without.small_questions("nearest"), 0, None, 3):
+        if question.level.edges < 4:
+            about = question.level, question.prefix
+            expected = samples.judge(*about, keep=question.keep)
+            rows = question.answered(engines)
+            if question.engine == "judge":
+                assert rows == expected
+            elif question.level.budgets[-1] > 20:
+                assert rows.counts == expected.counts
+            told[question.engine] += 1
+    assert min(told["judge"], told["walk"]) > 10
+
+
+@pytest.mark.usefixtures("compiled")
+def test_a_mistake_in_the_judge_is_seen_where_a_robot_breaks_a_law(checkers):
+    without = checkers("interpreted")
+    source = without.FOLDER.joinpath("laws.py").read_text(encoding="utf-8")
+    right, wrong = "if judged.shown and t >= judged.t:", "if judged.shown and t > judged.t:"
+    assert source.count(right) == 1
+    found = without.seen({"laws": source.replace(right, wrong)}, ["fifo"])
+    assert "wrong robot" in found
 
 
 def right_walk(kernels):

@@ -1,4 +1,4 @@
-"""Wrong kernels that are right in every world with at most 4 edges, and an interpreter of kernels.
+"""Wrong kernels that are right in every world with at most 4 edges.
 
     PYTHONPATH=proofs/coq python tests/support/mutants/kernels.py
 
@@ -8,20 +8,15 @@ world with at most 4 edges, or is not seen at all.
 
 from __future__ import annotations
 
-import ast
 import sys
 from collections.abc import Iterable, Iterator
 from itertools import islice
 from pathlib import Path
 from random import Random
-from types import FunctionType, SimpleNamespace
-from typing import Any
 
-import numpy as np
 from msgspec import Struct
 
-from allworlds.engines.kernel import code, demand_driven, engine
-from allworlds.engines.kernel.records import Rows
+from allworlds.engines.kernel import demand_driven
 from allworlds.engines.units import LevelUnit
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
@@ -37,6 +32,7 @@ from certified_sample import (
     sample,
     units_drawn,
 )
+from interpreted import interpreted
 
 RIGHT_TO = 4
 RUNS = 500
@@ -63,74 +59,7 @@ class WrongKernel(Struct, frozen=True):
         """The kernel, interpreted."""
         source = Path(demand_driven.__file__).read_text(encoding="utf-8")
         assert source.count(self.before) == 1, self.name
-        return interpreted(source.replace(self.before, self.after))
-
-
-def interpreted(source: str) -> Walk:
-    """The function ``walk`` of a kernel with this source, run by Python: no compiler is needed.
-
-    Numbers have no limit here, and there is a world or two a millisecond.
-    """
-    words = {
-        **dict.fromkeys(("entry", "inner", "inlined"), lambda function: function),
-        "lowest": lambda mask: (mask & -mask).bit_length() - 1,
-        "highest": lambda mask: mask.bit_length() - 1,
-        "size": int.bit_count,
-        "copy": lambda target, other: vars(target).update(vars(other)),
-        "neighbours": _neighbours,
-    }
-    codes = _namespace(Path(code.__file__).read_text(encoding="utf-8"), words)
-    names = _namespace(source, {**words, **codes})
-    free = {
-        **engine.walk.__globals__,
-        "walks": SimpleNamespace(**names),
-        "new": _plain,
-        "array": lambda values, _type: list(map(int, values)),
-    }
-    walked = FunctionType(engine.walk.__code__, free, "walk")
-    walked.__kwdefaults__ = engine.walk.__kwdefaults__
-
-    def walk(*question: Any, **options: Any) -> Rows:
-        try:
-            return walked(*question, **options)  # type: ignore[no-any-return]  # as the kernel
-        except (ArithmeticError, LookupError, ValueError):  # compiled it would go on, somewhere
-            return Rows((), {}, (), (), ())
-
-    return walk
-
-
-def _namespace(source: str, words: dict[str, Any]) -> dict[str, Any]:
-    """The names of a module of the kernel, whose imports from beside it are these words."""
-    tree = ast.parse(source)
-    beside = {"allworlds.engines.kernel.compiling", "allworlds.engines.kernel.code"}
-    tree.body = [
-        each
-        for each in tree.body
-        if not (isinstance(each, ast.ImportFrom) and each.module in beside)
-    ]
-    names = dict(words)
-    exec(compile(tree, "kernel", "exec"), names)
-    return names
-
-
-def _neighbours(graph: Any, front: int) -> int:
-    joined = 0
-    while front:
-        joined |= graph.adjacent[(front & -front).bit_length() - 1]
-        front &= front - 1
-    return joined
-
-
-def _plain(kind: np.dtype[Any]) -> Any:
-    """A record of the kind in plain Python, all zero; arrays of two dimensions stay arrays."""
-    if kind.subdtype is not None:
-        inner, shape = kind.subdtype
-        if len(shape) == 2:
-            return np.zeros(shape, np.int64)
-        return [_plain(inner) for _ in range(shape[0])]
-    if kind.names is None:
-        return 0
-    return SimpleNamespace(**{name: _plain(kind.fields[name][0]) for name in kind.names})
+        return interpreted({"demand_driven": source.replace(self.before, self.after)}).walk
 
 
 WRONG_KERNELS = (
