@@ -111,7 +111,7 @@ def door_minimal(_: Means, *, edges: int, degrees: Sequence[int]) -> Found:
 
 
 def weakest_sensors(_: Means, *, edges: int) -> Found:
-    """Every coarsening of six kinds of darts, and the minimal ones that suffice."""
+    """Every coarsening of six kinds of darts: whether one of one bit is minimal, and numbers."""
     report = weakest(own("Features"), edges=edges)
     bits = sum(len(one.letters) == 2 for one in report.minimal)
     numbers = [report.coarsenings, report.sufficient, len(report.minimal), bits]

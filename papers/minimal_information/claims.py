@@ -59,6 +59,7 @@ from measured import (
 )
 from position import (
     cycles,
+    elsewhere,
     fig1,
     fig1_caption,
     fig1_different,

@@ -211,6 +211,12 @@ def movable_marker(means: Means, *, edges: int) -> Found:
     return of_check(report, "new-vertex", "back-link")
 
 
+def elsewhere(means: Means, *, edges: int) -> Found:
+    """Run Algorithm 1, after a search for v0, in every world and from every start."""
+    asked = {"lighthouse": "directional:start=any", "edges": edges, "workers": means.workers}
+    return of_check(check("elsewhere:algorithm1", **asked))
+
+
 def movable_marker_multigraphs(means: Means, *, edges: int) -> Found:
     """Run that explorer where loops and parallel edges are allowed."""
     report = check("dudek91", edges=edges, workers=means.workers)

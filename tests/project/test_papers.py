@@ -87,3 +87,52 @@ def test_every_paper_has_its_parts():
     for paper in sorted(path for path in PAPERS.iterdir() if path.is_dir()):
         for part in ("README.md", "ledger.toml", "claims.py", "tests"):
             assert (paper / part).exists(), f"{paper.name} has no {part}"
+
+
+THEOREMS = re.compile(r"theorems?:? ([\w, ]+?) \((\S+\.v)\)")
+NUMBERED = r"(?:Theorem|Lemma|Proposition) \d+"
+PLACES = re.compile(rf"([\w/.-]+\.md), ({NUMBERED})|({NUMBERED}|Corollary) in ([\w/.-]+\.md)")
+
+
+def unstated(paper, source):
+    """The theorems that a source names, and that its file does not state; and numbered ones."""
+    for names, file in THEOREMS.findall(source):
+        text = (ROOT / file).read_text(encoding="utf-8")
+        for name in names.split(", "):
+            if not re.search(rf"^(?:Theorem|Corollary|Lemma) {name}\b", text, re.MULTILINE):
+                yield name
+    for page, number, other, in_page in PLACES.findall(source):
+        places = (at / (page or in_page) for at in (paper, ROOT))
+        path = next(place for place in places if place.exists())
+        text = path.read_text(encoding="utf-8")
+        if not re.search(rf"^(?:\*\*|#+ ){number or other}\b", text, re.MULTILINE):
+            yield number or other
+
+
+LEDGERS = sorted(PAPERS.glob("*/ledger.toml"))
+
+
+@pytest.mark.parametrize("ledger", LEDGERS, ids=lambda file: file.parent.name)
+def test_every_theorem_that_a_ledger_names_is_stated_where_it_says(ledger):
+    sources = {
+        name: claim["source"]
+        for name, claim in tomllib.loads(ledger.read_text(encoding="utf-8")).items()
+    }
+    wrong = {name: [*unstated(ledger.parent, source)] for name, source in sources.items()}
+    assert not {name: what for name, what in wrong.items() if what}
+    pointing = [source for source in sources.values() if "theorem" in source and ".v" in source]
+    assert all(THEOREMS.search(source) for source in pointing)
+
+
+@pytest.mark.parametrize(
+    ("source", "wrong"),
+    [
+        ("Section V; theorem: variant_rises (proofs/coq/Further.v)", ["variant_rises"]),
+        ("theorems: variant_falls, cycles_with (proofs/coq/Further.v)", ["cycles_with"]),
+        ("lower-bounds.md, Theorem 99", ["Theorem 99"]),
+        ("Theorem 98 in lower-bounds.md", ["Theorem 98"]),
+        ("lower-bounds.md, Theorem 4", []),
+    ],
+)
+def test_a_theorem_that_is_not_there_is_noticed(source, wrong):
+    assert [*unstated(PAPERS / "lower_bounds", source)] == wrong

@@ -292,6 +292,8 @@ MUTANTS = (
            ((position, "pair_of_corpus", one_world_twice),)),
     Mutant("orientation-alone", "one direction points back", ((position, "_north", one_reversed),),
            {"length": 5}),
+    Mutant("elsewhere", "nobody looks for v0",
+           ((position, "check", lambda _, **asked: check("algorithm1", **asked)),), {"edges": 2}),
     Mutant("movable-marker", "the answer is mirrored",
            ((position, "check", checked(mirrored("dudek91"))),), {"edges": 6}),
     Mutant("movable-marker-multigraphs", "worlds are simple",
