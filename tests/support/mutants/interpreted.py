@@ -232,7 +232,7 @@ def _others(policy: str) -> Iterator[Question]:
     for explorer in EXPLORERS:
         for lighthouse in sorted(LIGHTHOUSES):
             simple = lighthouse in ("cluster-single", "natural")
-            for m in range(1, 5 if simple else 3):
+            for m in range(1, 5 if simple else 4 if lighthouse == "compass" else 3):
                 kind = MapClass.SIMPLE if simple else MapClass.MAPS
                 level = replace(
                     asked(m, kind, policy=policy, bound="none"),
@@ -277,6 +277,7 @@ _WITH_AN_OPEN_DART = _SHOWS_AGAIN.replace(
     "= 99, robot.alpha[0]", "= 99, robot.alpha[0]\n            robot.alpha[0] = 0"
 )
 _HERE = "= robot.darts, robot.here"
+_WITH_ONE_BEYOND = _WITH_AN_OPEN_DART.replace("robot.alpha[0] = 0", "robot.alpha[0] = 99")
 
 WRONG_ROBOTS = (
     ("    _explore(robot, goal, partner)\n", "    _explore(robot, goal, goal)\n"),
@@ -286,6 +287,7 @@ WRONG_ROBOTS = (
     (_ANSWERS, "        action.kind = names.DROP"),
     (_ANSWERS, _SHOWS_AGAIN),
     (_ANSWERS, _WITH_AN_OPEN_DART),
+    (_ANSWERS, _WITH_ONE_BEYOND),
 )
 """Changes of Algorithm 1 after which it breaks laws: what the judge says of it is compared."""
 
@@ -297,10 +299,11 @@ def _robots_apart(changed: Mapping[str, str], policy: str) -> str:
         robot = {"algorithm1": source.replace(before, after, 1)}
         right, wrong = interpreted(robot), interpreted({**changed, **robot})
         for m in range(1, 4):
-            level = replace(asked(m, policy=policy), budgets=(40,) * (m + 2))
-            for prefix in prefixes(m, depth=1):
-                if right.judge(level, prefix, keep=9) != wrong.judge(level, prefix, keep=9):
-                    return f"small judge {policy} {m}:{prefix}, wrong robot {number}"
+            every = replace(asked(m, policy=policy), budgets=(40,) * (m + 2))
+            for level in (every, replace(every, laws=("variant",))):
+                for prefix in prefixes(m, depth=1):
+                    if right.judge(level, prefix, keep=9) != wrong.judge(level, prefix, keep=9):
+                        return f"small judge {policy} {m}:{prefix}, wrong robot {number}"
     return ""
 
 
