@@ -5,7 +5,7 @@
 
 says whether FILE.v is a certificate of what is claimed of it: that what EXPLORER, a text that is
 not run, does is right in every world with at most so many edges.  Of the file the tree alone is
-read.  The rest, head, statement and end, is written anew from the claim, and every byte compared;
+read.  The rest, head, statement and end, is written anew from the claim, and compared byte by byte;
 so the tree is all that can be another one.  ``coqc`` then gets the text that has been written
 here, and what it prints must be that the theorem rests on no axiom.
 
@@ -82,7 +82,7 @@ Branches: TypeAlias = "dict[Sensed, Leaf | Node | Nothing]"
 
 # ---- The file ----
 
-# Every byte is compared, also with files that others hold: the program stays named as it was there.
+# It is compared byte by byte, also with files that others hold: so its words must stay.
 HEAD = """(* A certificate (proofs/coq/DecisionTrees.v): what {who} does
    in every world with at most {edges} edges.  Written by proofs/certified.py; coqc checks it.
    If it cannot unify true with false, it has computed that in some of these worlds the explorer
@@ -259,7 +259,7 @@ def asked_of_coq(file: Path) -> Literal["accepted", "refused"]:
 
 
 def difference(found: bytes, claimed: bytes) -> str:
-    """The first line in which a file is not what is claimed, in words; '' if every byte is."""
+    """The first line in which a file is not what is claimed, in words; '' if they are equal."""
     lines = zip_longest(found.split(b"\n"), claimed.split(b"\n"))
     for number, (said, due) in enumerate(lines, 1):
         if said != due:

@@ -15,7 +15,8 @@ the same.
     python proofs/coq/certified.py --check FILE.v (EXPLORER | --exec 'COMMAND') [--edges 4] ...
 
 has ``coqc`` judge FILE.v as the certificate of this explorer.  What ``coqc`` accepts is the theorem
-that stands in the file, whatever it says: so first every byte is compared with what is written now.
+that stands in the file, whatever it says: so first it is compared, byte by byte, with what is
+written now.
 
 Exit code 0: written, or accepted; 1: a run without an answer, no function of the percepts, another
 file than is claimed, or one that coqc refuses; 2: bad arguments, or no Coq; 3: undecided, for

@@ -1,4 +1,4 @@
-"""The list of mutants that no test can kill: each entry names one place of today's source."""
+"""The list of equivalent mutants, as far as known: each entry names one place of the source."""
 
 import importlib.util
 import sys
