@@ -36,7 +36,7 @@ def test_who_walks_round_a_face_is_told_the_edges_that_it_never_met():
     assert re.match("From step 1 on it goes round: 3 steps, [0-9]+ times, to v[0-3], dart", told[2])
     assert told[3].startswith("It never walked along the edge from v")
     assert SHOW not in told
-    assert "8 times the paper's bound, and 100 more: 8 x (" in told[4]
+    assert "8 times the paper's bound (1) + (2), and 100 more: 8 x (" in told[4]
     assert "--step-budget" not in told[4]
 
 
@@ -82,7 +82,7 @@ def test_an_endless_walk_names_its_lines(tmp_path, monkeypatch):
     assert finding.law == "budget"
     assert finding.code.busy[:2] == ("forgets.py:11", "forgets.py:12")
     (round_,) = [said for said in explain(finding).sentences if "it goes round" in said]
-    assert round_.endswith("(lines forgets.py:5).")
+    assert round_.endswith("(line forgets.py:5).")
     said = text(report, 200)
     assert "line       forgets.py:5: return (yield Move(k))" in said
     assert "ran most   forgets.py:11: for _ in range(3):; forgets.py:12: rooms += 1" in said

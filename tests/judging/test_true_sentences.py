@@ -221,7 +221,7 @@ def test_the_first_wrong_checkpoint_goes_before_what_followed():
 def test_of_an_endless_walk_it_is_told_since_when_nothing_was_new():
     # To the loop's far end, and so on: dart 2 and its edge are never taken.
     loop = told(walking(Move(0), then=Move(0)), LEAFY_LOOP, step_budget=6)
-    loop[2] = loop[2].partition(" (lines")[0]
+    loop[2] = loop[2].partition(" (line")[0]
     how = "The explorer did not end within its step budget, so the run was stopped."
     whose = "The budget is that of --step-budget: 6 traversals."
     assert loop == [
@@ -240,7 +240,7 @@ def test_of_an_endless_walk_it_is_told_since_when_nothing_was_new():
     assert both[1] == "After step 3 it had walked every edge of the world, and yet it went on."
     # Under a task that is not the map no checkpoint is asked for.
     tasked = told(walking(then=Move(0)), LEAFY_LOOP, step_budget=6, task="stop")
-    tasked[2] = tasked[2].partition(" (lines")[0]
+    tasked[2] = tasked[2].partition(" (line")[0]
     assert tasked[1:] == [
         "After step 1 it met no new edge; 1 edge it never met.",
         "From step 1 on it goes round: 2 steps, 3 times, to v0, dart 1; v0, dart 0",
@@ -265,7 +265,7 @@ def test_whose_the_budget_is_and_of_what_it_is_the_sum(world, name, new, closing
     budget = 8 * (new + closing) + 100
     assert len(finding.transcript.steps) == budget
     assert explain(finding).sentences[-1] == (
-        f"In a world with {name} the budget is {budget} traversals, 8 times the paper's bound, "
+        f"In a world with {name} the budget is {budget} traversals, 8 times the paper's bound (1) + (2), "
         f"and 100 more: 8 x ({new} + {closing}) + 100."
     )
     tried = tell_whose_budget(replace(finding, tried="--bound none"))

@@ -43,8 +43,12 @@ def test_the_curve_has_the_mean_cost_of_each_explorer_by_size(compared):
 def test_of_worlds_that_grow_a_line_is_of_a_family_with_its_intervals():
     report = compare("dudek91", family="lattice,torus", to=50, draws=3)
     (curve,) = curves(report)
-    assert [name for name, _ in curve.lines] == ["dudek91, lattice", "dudek91, torus"]
+    families = [f"dudek91, {family}" for family in ("lattice", "torus")]
+    assert [name for name, _ in curve.lines] == [
+        name for each in families for name in (each, f"bound of {each}")
+    ]
     for row in report.rows:
+        assert (row.edges, *[row.bound] * 3) in dict(curve.lines)[f"bound of dudek91, {row.family}"]
         line = dict(curve.lines)[f"dudek91, {row.family}"]
         assert (row.edges, row.mean, *(row.interval or (row.mean, row.mean))) in line
 

@@ -45,9 +45,10 @@ def test_every_key_has_words():
 
 
 # A bound is any expression, and a motion and what is answered any integer; what a claim counts may
-# fall; a lighthouse may tell any integer; a position is anywhere.
+# fall; a lighthouse may tell any integer; a position is anywhere; so is a fitted exponent.
 ANY_NUMBER = {
     *("bound", "expected", "seen", "move", "figures", "expected_figures", "told", "positions"),
+    *("exponent", "interval"),
 }
 
 

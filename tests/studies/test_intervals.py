@@ -1,12 +1,12 @@
 """Intervals: against a table of Student's distribution, and in samples whose mean is known."""
 
-from math import exp, sqrt
+from math import exp, log, sqrt
 from random import Random
 from statistics import fmean, geometric_mean, mean, quantiles
 
 import pytest
 
-from allworlds.studies.compare.intervals import lack, mean_interval, ratio_interval
+from allworlds.studies.compare.intervals import lack, mean_interval, power, ratio_interval
 
 pytest.importorskip("scipy", reason="the extra figures is not installed")
 
@@ -74,3 +74,57 @@ def test_without_scipy_there_is_no_interval_and_a_word_why(interval, monkeypatch
     monkeypatch.setattr("allworlds.inputs.checks.find_spec", lambda _: None)
     assert interval([1.0, 2.0, 3.0, 4.0, 5.0]) is None
     assert lack() == "needs scipy: in a clone of allworlds, pip install '.[figures]'"
+
+
+# ---------------------------------------------------------------- exponents
+
+SIZES = (12, 24, 50, 100, 200)
+
+
+def grown(of, scatter=0.0, seed=0):
+    """Costs by size, with a deviation of their logarithms."""
+    random = Random(seed)
+    return {m: of(m) * exp(random.gauss(0, scatter)) for m in SIZES}
+
+
+def test_an_exponent_and_its_interval_are_those_of_a_linear_regression():
+    from numpy import log as logs
+    from scipy.stats import linregress, t
+
+    costs = grown(lambda m: 3 * m**2, 0.1)
+    found = power(costs)
+    other = linregress(logs([*costs]), logs([*costs.values()]))
+    reach = t.ppf(0.975, len(costs) - 2) * other.stderr
+    assert found.exponent == pytest.approx(other.slope)
+    assert found.interval == pytest.approx((other.slope - reach, other.slope + reach))
+
+
+def test_an_interval_holds_the_exponent_as_often_as_it_says():
+    """Of those that it gives: a bend that is none is seen in one of twenty."""
+    found = [power(grown(lambda m: m**1.5, 0.1, seed)) for seed in range(400)]
+    given = [each.interval for each in found if each.interval]
+    held = sum(low <= 1.5 <= high for low, high in given)
+    assert 0.92 < held / len(given) < 0.98
+    assert 0.02 < 1 - len(given) / len(found) < 0.08
+
+
+@pytest.mark.parametrize(
+    ("of", "lack"),
+    [
+        (lambda m: exp(m / 40), "grows faster than a power"),
+        (log, "grows slower than a power"),
+        (lambda m: m**2, ""),
+        (lambda m: m - 12, "a cost of 0"),
+    ],
+)
+def test_costs_that_are_no_power_have_no_interval_and_say_why(of, lack):
+    found = power(grown(of))
+    assert found.lack == lack
+    assert (found.interval is None) == bool(lack)
+
+
+def test_few_sizes_have_no_exponent():
+    costs = grown(lambda m: m)
+    del costs[12]
+    assert power(costs).exponent is None
+    assert power(costs).lack == "fewer than 5 sizes"

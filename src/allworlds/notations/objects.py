@@ -59,7 +59,12 @@ def _end(given: Any) -> Any:
 
 
 def rotation_of(entry: Entry) -> dict[str, list[str | list[str | int]]]:
-    """The rotation of a world, by names; edges that are parallel, and loops, have keys."""
+    """The rotation of a world, by names."""
+    return {entry.labels.vertex(v): ends for v, ends in enumerate(doors_of(entry))}
+
+
+def doors_of(entry: Entry) -> list[list[str | list[str | int]]]:
+    """The neighbours of each vertex, clockwise; with a key where edges are parallel, or loops."""
     map_, at_ = entry.map, entry.map.vertex_of
     edge = {dart: number for number, darts in enumerate(map_.edges) for dart in darts}
     ends = [frozenset((at_[d], at_[e])) for d, e in map_.edges]
@@ -69,7 +74,7 @@ def rotation_of(entry: Entry) -> dict[str, list[str | list[str | int]]]:
         name = entry.labels.vertex(at_[map_.alpha[dart]])
         return name if count[ends[edge[dart]]] == 1 else [name, edge[dart]]
 
-    return {entry.labels.vertex(v): [*map(end, ds)] for v, ds in enumerate(map_.vertices)}
+    return [[*map(end, darts)] for darts in map_.vertices]
 
 
 def _fat(given: Mapping[str, Any]) -> CombinatorialMap:

@@ -21,7 +21,7 @@ from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.inputs.requests import Argument, Converted, answers
 from allworlds.maps.combinatorial import automorphisms
 from allworlds.notations.given import FileOptions
-from allworlds.notations.objects import own_of
+from allworlds.notations.objects import doors_of, own_of
 from allworlds.notations.table import Notation, entries, legal, to_write, written
 from allworlds.world.world import Entry
 
@@ -62,7 +62,10 @@ class ConvertRow(Document):
     names: Annotated[tuple[str, ...], about("of its vertices; empty: they have none")]
     doors: Annotated[
         tuple[tuple[str, ...], ...],
-        about("of each vertex, in their order clockwise, the vertices to which its edges lead"),
+        about(
+            "of each vertex, clockwise, the vertices to which its edges lead; with a number where "
+            "edges are parallel, or loops: both ends have it"
+        ),
     ]
 
 
@@ -113,7 +116,6 @@ def convert(request: ConvertRequest) -> Convert:
 
 def _row(number: int, entry: Entry) -> ConvertRow:
     map_, labels = entry.map, entry.labels
-    ends = [labels.vertex(map_.vertex_of[dart]) for dart in map_.alpha]
     return ConvertRow(
         number=number,
         name=labels.name,
@@ -123,8 +125,13 @@ def _row(number: int, entry: Entry) -> ConvertRow:
         faces=len(map_.faces),
         automorphisms=automorphisms(map_),
         names=labels.vertices,
-        doors=tuple(tuple(ends[dart] for dart in darts) for darts in map_.vertices),
+        doors=tuple(tuple(map(_told, ends)) for ends in doors_of(entry)),
     )
+
+
+def _told(end: str | list[str | int]) -> str:
+    """The room behind a door, with the key of a parallel door or a loop: both sides have it."""
+    return end if isinstance(end, str) else f"{end[0]} ({end[1]})"
 
 
 def _write(path: Path, notation: Notation, worlds: Iterable[Entry]) -> None:

@@ -134,7 +134,7 @@ def tell_whose_budget(finding: Finding) -> str:
     if value == rules.budget_of_bound(map_.vertex_count, map_.edge_count):
         origin = f"100 times the bound {rules.the_bound}, and 100 more: no run may cost so much"
     elif value == default_step_budget(new + closing):
-        origin = f"8 times the paper's bound, and 100 more: 8 x ({new} + {closing}) + 100"
+        origin = f"8 times the paper's bound (1) + (2), and 100 more: 8 x ({new} + {closing}) + 100"
     budget = f"In a world with {world} the budget is {plural(value, 'traversal')}, {origin}."
     return " ".join([budget, *_say_tried(finding)])
 

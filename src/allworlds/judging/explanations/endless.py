@@ -66,9 +66,10 @@ def tell_round(story: Story) -> list[str]:
     where = "; ".join(places[:SHOWN]) + more
     code = story.finding.code
     lines = code.steps[found.first - 1 : found.first - 1 + found.steps] if code else ()
-    named = ", ".join([line for line in dict.fromkeys(lines) if line][:SHOWN])
+    named = [line for line in dict.fromkeys(lines) if line][:SHOWN]
+    at = f" ({'lines' if len(named) > 1 else 'line'} {', '.join(named)})" if named else ""
     how = f"{plural(found.steps, 'step')}, {found.times} times, to {where}"
-    return [f"From step {found.first} on it goes round: {how}{named and f' (lines {named})'}."]
+    return [f"From step {found.first} on it goes round: {how}{at}."]
 
 
 def tell_way_back(story: Story) -> list[str]:

@@ -41,7 +41,8 @@ def _growth(report: growth.Growth) -> parts.ReportContent:
     """Explorers in worlds that grow."""
     ratios = [_ratios(report)] if report.ratios else []
     facts = parts.FactList(_growth_facts(report))
-    blocks = [*_curve(_lines_of_families(report)), _growth_table(report), *ratios, facts]
+    tables = [_growth_table(report), *ratios, *_exponents(report)]
+    blocks = [*_curve(_lines_of_families(report)), *tables, facts]
     return _content(report, blocks, lambda: _growth_rows(report), lambda: ())
 
 
@@ -85,13 +86,16 @@ def _lines_of_levels(report: comparison.Comparison) -> Lines:
 
 
 def _lines_of_families(report: growth.Growth) -> Lines:
-    """A line for each explorer and family."""
+    """A line for each explorer and family, and one for its bound."""
     lines: Lines = {}
     shown = dict(zip(report.names, _short_names(report), strict=True))
     for row in report.rows:
         low, high = row.interval or (row.mean, row.mean)
         points = lines.setdefault(f"{shown[row.explorer]}, {row.family}", [])
         points.append((row.edges, row.mean, low, high))
+        if row.bound is not None:
+            bounds = lines.setdefault(f"bound of {shown[row.explorer]}, {row.family}", [])
+            bounds.append((row.edges, row.bound, row.bound, row.bound))
     return lines
 
 
@@ -160,12 +164,29 @@ def _ratios(report: growth.Growth) -> parts.Table:
     return parts.Table(header, rows, "Ratios in the same worlds", keys=3)
 
 
+def _exponents(report: growth.Growth) -> Iterator[parts.Table]:
+    """The exponents; no table if sizes are too few for any."""
+    rows: list[list[parts.Cell]] = [
+        [
+            *(one.family, one.explorer, one.sizes),
+            None if one.exponent is None else parts.RightText(f"{one.exponent:.2f}"),
+            _ends(one.interval, ".2f") or one.lack,
+        ]
+        for one in report.exponents
+    ]
+    if any(one.exponent is not None for one in report.exponents):
+        header = ["family", "explorer", "sizes", "exponent", "interval"]
+        yield parts.Table(header, rows, "Cost like a power of the edges", keys=2)
+
+
 def _interval(found: growth.GrowRow | growth.CostRatio, form: str) -> parts.Cell:
-    if found.exact:
-        return "exact"
-    if found.interval is None:
+    return "exact" if found.exact else _ends(found.interval, form)
+
+
+def _ends(interval: Sequence[float] | None, form: str) -> parts.Cell:
+    if interval is None:
         return None
-    low, high = (format(end, form) for end in found.interval)
+    low, high = (format(end, form) for end in interval)
     return parts.RightText(f"{low}..{high}")
 
 

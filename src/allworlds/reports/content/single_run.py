@@ -267,14 +267,14 @@ def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
         return
     if place := wrong_line(finding, step):
         yield "line", code.source(place)
-    if code.busy:
-        yield "ran most", "; ".join(code.source(place) for place in code.busy[:2])
     if code.alone:
         lines = [code.source(place) for place in code.alone[:MOST_LINES]]
         if (more := len(code.alone) - MOST_LINES) > 0:
-            lines.append(words.plural(more, "other line"))
-        runs = words.plural(code.right, "right run")
-        yield "only here", f"{'; '.join(lines)} (in none of {runs})"
+            lines.append(f"{words.plural(more, 'other line')}, which --json has")
+        runs = words.plural(code.right, "run")
+        yield "only here", f"{'; '.join(lines)} (not reached in {runs} without a finding)"
+    if code.busy:
+        yield "ran most", "; ".join(code.source(place) for place in code.busy[:2])
 
 
 def _law(finding: Finding, step: int | None) -> parts.FactList:

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from math import fsum
 from random import Random
-from statistics import geometric_mean
+from statistics import fmean, geometric_mean
 from typing import Annotated, ClassVar, TypeAlias
 
 from msgspec import Struct
@@ -249,6 +249,26 @@ class CostRatio(doc.Document):
     interval: Annotated[Range, doc.about("of the ratio")]
 
 
+class Exponent(doc.Document):
+    """The power of the number of edges like which an explorer's cost grows in a family."""
+
+    family: Annotated[doc.Text, doc.about("as it was asked for")]
+    explorer: Annotated[doc.Text, doc.about("its name")]
+    sizes: Annotated[doc.Positive, doc.about("with a mean cost")]
+    exponent: Annotated[
+        float | None,
+        doc.about(
+            "by least squares of the logarithms of mean costs and edges; null: fewer than "
+            f"{intervals.LEAST_SIZES} sizes, or a cost of 0"
+        ),
+    ]
+    interval: Annotated[
+        doc.Pair[float] | None,
+        doc.about(f"of the exponent, at {intervals.LEVEL:.0%}; null: see lack"),
+    ]
+    lack: Annotated[str, doc.about("the reason why there is no interval; empty if there is one")]
+
+
 class Growth(entrants.ContestReport, kw_only=True):
     """Report of 'compare --to'.
 
@@ -265,6 +285,12 @@ class Growth(entrants.ContestReport, kw_only=True):
     def ratios(self) -> tuple[CostRatio, ...]:
         """One for each family, size and explorer but the first."""
         return tuple(_ratios(self))
+
+    @doc.computed
+    def exponents(self) -> tuple[Exponent, ...]:
+        """One for each family and explorer."""
+        keys = dict.fromkeys((row.family, row.explorer) for row in self.rows)
+        return tuple(_exponent(self, *key) for key in keys)
 
     def in_worlds(self) -> Iterator[entrants.InWorld]:
         """The runs in each world, row by row.
@@ -306,8 +332,21 @@ def _ratios(report: Growth) -> Iterator[CostRatio]:
             )
 
 
-def _rounded(interval: intervals.Interval | None) -> intervals.Interval | None:
-    return interval and (round(interval[0], 6), round(interval[1], 6))
+def _exponent(report: Growth, family: str, explorer: str) -> Exponent:
+    rows = [row for row in report.rows if (row.family, row.explorer) == (family, explorer)]
+    found = intervals.power({row.edges: fmean(row.means) for row in rows})
+    return Exponent(
+        family=family,
+        explorer=explorer,
+        sizes=len(rows),
+        exponent=None if found.exponent is None else round(found.exponent, 3),
+        interval=_rounded(found.interval, 3),
+        lack=found.lack,
+    )
+
+
+def _rounded(interval: intervals.Interval | None, digits: int = 6) -> intervals.Interval | None:
+    return interval and (round(interval[0], digits), round(interval[1], digits))
 
 
 class _Size(Struct, frozen=True):
