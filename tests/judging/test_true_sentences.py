@@ -265,8 +265,8 @@ def test_whose_the_budget_is_and_of_what_it_is_the_sum(world, name, new, closing
     budget = 8 * (new + closing) + 100
     assert len(finding.transcript.steps) == budget
     assert explain(finding).sentences[-1] == (
-        f"In a world with {name} the budget is {budget} traversals, 8 times the paper's bound (1) + (2), "
-        f"and 100 more: 8 x ({new} + {closing}) + 100."
+        f"In a world with {name} the budget is {budget} traversals, 8 times the paper's bound "
+        f"(1) + (2), and 100 more: 8 x ({new} + {closing}) + 100."
     )
     tried = tell_whose_budget(replace(finding, tried="--bound none"))
     assert tried.endswith(

@@ -3,6 +3,7 @@ import pytest
 from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps, unrooted_code
 from allworlds.studies.count import count
+from bruteforce import unrooted_maps
 
 
 @pytest.mark.parametrize(
@@ -64,3 +65,26 @@ def test_the_rows_for_programs_count_by_vertices_and_genus_rooted_and_not():
         found.setdefault((map_.vertex_count, map_.genus), set()).add(code)
     told = {(one["vertices"], one["genus"]): one["unrooted"] for one in rows if one["edges"] == 4}
     assert told == {cell: len(codes) for cell, codes in found.items()}
+
+
+@pytest.mark.parametrize("map_class", ["maps", "planar", "simple"])
+def test_maps_up_to_reflection_and_self_dual_ones_are_those_of_least_codes(map_class):
+    """The maps of another enumeration, told apart by their least codes."""
+    for row in count(edges=4, map_class=map_class).rows:
+        unrooted = unrooted_maps(row.edges, map_class)
+        codes = [(unrooted_code(m), unrooted_code(m.mirrored())) for m in unrooted]
+        assert row.unrooted == len(codes)
+        assert row.up_to_reflection == len({min(pair) for pair in codes})
+        assert row.chiral == sum(own != mirror for own, mirror in codes)
+        assert row.self_dual == sum(unrooted_code(m) == unrooted_code(m.dual()) for m in unrooted)
+
+
+def test_a_condition_of_ones_own_may_hold_of_a_map_and_not_of_its_mirror_image(tmp_path):
+    path = tmp_path / "first.py"
+    path.write_text(
+        "from allworlds.maps import unrooted_code\n"
+        "def first(map_):\n"
+        "    return unrooted_code(map_) <= unrooted_code(map_.mirrored())\n"
+    )
+    row = count(edges=4, where=f"{path}:first").rows[-1]
+    assert (row.unrooted, row.chiral, row.up_to_reflection) == (96, 11, None)

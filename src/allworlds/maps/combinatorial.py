@@ -400,9 +400,18 @@ def automorphisms(map_: CombinatorialMap) -> int:
 
     Each is fixed by the image of dart 0, so the number divides 2m.  Cost: O(m^2) at worst.
     """
-    sigma, alpha = map_.sigma, map_.alpha
-    order = numbering(sigma, alpha, 0)
-    return sum(carries(sigma, alpha, order, sigma, alpha, d) for d in map_.darts)
+    return isomorphisms(map_, map_)
+
+
+def isomorphisms(one: CombinatorialMap, other: CombinatorialMap) -> int:
+    """The number of isomorphisms between maps with as many darts (orientation preserving).
+
+    Cost: O(m^2) at worst.
+    """
+    order = numbering(one.sigma, one.alpha, 0)
+    return sum(
+        carries(one.sigma, one.alpha, order, other.sigma, other.alpha, d) for d in other.darts
+    )
 
 
 def carries(

@@ -50,6 +50,22 @@ class CountRow(doc.Document, kw_only=True):
             "maps up to orientation-preserving isomorphism; null beyond 6 edges, or of a shard"
         ),
     ]
+    up_to_reflection: Annotated[
+        doc.Natural | None,
+        doc.about(
+            "maps up to any isomorphism; null as unrooted, or under a condition of one's own"
+        ),
+    ]
+    chiral: Annotated[
+        doc.Natural | None,
+        doc.about(
+            "unrooted maps that are not their mirror image, both of a pair; null as unrooted"
+        ),
+    ]
+    self_dual: Annotated[
+        doc.Natural | None,
+        doc.about("unrooted maps that are their dual, orientation kept; null as unrooted"),
+    ]
     by_vertices: Annotated[dict[int, doc.Natural], doc.about("rooted maps by vertices")]
     by_genus: Annotated[dict[int, doc.Natural], doc.about("rooted maps by genus")]
     labelled: Annotated[
@@ -153,10 +169,14 @@ class Counted(Struct):
     Attributes:
         cells: rooted maps by vertices and genus.
         fixed: likewise the sum of their numbers of automorphisms, where these are counted.
+        mirrored: the sum of their numbers of isomorphisms onto the mirror image.
+        dual: the sum of their numbers of isomorphisms onto the dual.
     """
 
     cells: Counter[tuple[int, int]] = field(default_factory=Counter)
     fixed: Counter[tuple[int, int]] = field(default_factory=Counter)
+    mirrored: int = 0
+    dual: int = 0
 
     @property
     def worlds(self) -> int:
@@ -167,6 +187,8 @@ class Counted(Struct):
         """Add the counts of another part."""
         self.cells.update(other.cells)
         self.fixed.update(other.fixed)
+        self.mirrored += other.mirrored
+        self.dual += other.dual
 
 
 CountSweep.result = Counted
@@ -209,6 +231,8 @@ def count_one_by_one(extent: classes.Extent, unit: LevelUnit) -> Iterator[Counte
         counted.cells[cell] += 1
         if unit.edges <= UNROOTED_LIMIT:
             counted.fixed[cell] += combinatorial.automorphisms(map_)
+            counted.mirrored += combinatorial.isomorphisms(map_, map_.mirrored())
+            counted.dual += combinatorial.isomorphisms(map_, map_.dual())
         if met % TOLD_EVERY == 0:
             yield counted
             counted = Counted()
@@ -222,13 +246,19 @@ def row_of(extent: classes.Extent, edges: int, total: Counted, *, whole: bool) -
     for (vertices, genus), maps in sorted(total.cells.items()):
         by_vertices[vertices] += maps
         by_genus[genus] += maps
-    # A map has 2m / |Aut| rootings, so its rootings weigh |Aut| / 2m each.
+    # A map has 2m / |Aut| rootings, so its rootings weigh |Aut| / 2m each; and there are as many
+    # isomorphisms onto its mirror image, or its dual, as automorphisms, or none.
     known = whole and edges <= UNROOTED_LIMIT
+    both = extent.where is None or isinstance(extent.where, classes.NamedCondition)
+    unrooted, same = total.fixed.total() // (2 * edges), total.mirrored // (2 * edges)
     labelled = {n: maps * factorial(n) // (2 * edges) for n, maps in by_vertices.items()}
     return CountRow(
         edges=edges,
         rooted=total.worlds,
-        unrooted=total.fixed.total() // (2 * edges) if known else None,
+        unrooted=unrooted if known else None,
+        up_to_reflection=(unrooted + same) // 2 if known and both else None,
+        chiral=unrooted - same if known else None,
+        self_dual=total.dual // (2 * edges) if known else None,
         by_vertices=dict(by_vertices),
         by_genus=dict(sorted(by_genus.items())),
         labelled=labelled if whole and extent.map_class.simple else UNSET,

@@ -16,11 +16,15 @@ def count_content(census: Census) -> parts.ReportContent:
             row.edges,
             row.rooted,
             row.unrooted,
+            row.up_to_reflection,
+            row.chiral,
+            row.self_dual,
             " ".join(f"{n}:{count}" for n, count in row.by_vertices.items()),
         ]
         for row in census.rows
     ]
-    table = parts.Table(["edges", "rooted", "unrooted", "rooted by vertices"], rows, "Maps by size")
+    header = ["edges", "rooted", "unrooted", "up to reflection", "chiral", "self-dual"]
+    table = parts.Table([*header, "rooted by vertices"], rows, "Maps by size")
     facts = [("scope", maps_in_words(census))]
     if census.agrees:
         facts += gate_facts(census, "map", rows=bool(rows))
