@@ -29,13 +29,11 @@ CHECK = [
 
 
 def test_what_a_distribution_offers_is_used_by_its_name(installed):
-    code, out, err = installed(*CHECK, "--task", "my-word?word=here", "--workers", 1)
-    assert code == 0, err
+    code, out, err = installed(*CHECK, "--task", "my-word?word=there", "--workers", 1)
     report = json.loads(out)
     assert report["scope"]["where"] == "my-small?degree=3"
     assert report["scope"]["lighthouse"] == "my-parity?modulus=3"
-    assert report["scope"]["task"] == "my-word?word=here"
+    assert report["scope"]["task"] == "my-word?word=there"
     assert "shared_file" not in report["scope"]
-    code, out, _ = installed(*CHECK, "--task", "my-word?word=there", "--workers", 1)
-    (finding,) = json.loads(out)["findings"]
-    assert (code, finding["law"], finding["seen"]) == (1, "task", "here is said")
+    (finding,) = report["findings"]
+    assert (code, finding["law"], finding["seen"]) == (1, "task", "here is said"), err

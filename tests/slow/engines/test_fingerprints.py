@@ -15,6 +15,7 @@ from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.maps.count_source import listed
 from allworlds.studies.check.report import known_fingerprints
+from small import slowest
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -50,7 +51,7 @@ def in_hexadecimal(sums):
     return {n: f"{each:x}" for n, each in sums if each}
 
 
-@pytest.mark.parametrize("edges", [6, 7, 8])
+@pytest.mark.parametrize("edges", [6, 7, slowest(8)])
 def test_both_compiled_enumerations_have_the_worlds_of_the_corpus(edges):
     known = known_fingerprints(Extent(MapClass.MAPS, edges), edges)
     assert len(known) == edges + 1
@@ -64,7 +65,7 @@ def test_the_worlds_are_the_same_whatever_the_robot_looks_at_first(policy, edges
     assert walked(edges, policy) == known_fingerprints(Extent(MapClass.MAPS, edges), edges)
 
 
-@pytest.mark.parametrize("edges", [6, pytest.param(7, marks=pytest.mark.slowest)])
+@pytest.mark.parametrize("edges", [5, slowest(6), slowest(7)])
 def test_the_enumeration_in_python_has_the_worlds_of_the_corpus(edges):
     extent = Extent(MapClass.MAPS, edges)
     assert in_hexadecimal(listed(extent, edges).items()) == known_fingerprints(extent, edges)
