@@ -42,9 +42,9 @@ def slowest(*values):
     return pytest.param(*values, marks=pytest.mark.slowest)
 
 
-def every_eighth(values):
-    """Parameters of which all but each eighth are left to ``nox -s full``."""
-    return [value if i % 8 == 0 else slowest(value) for i, value in enumerate(values)]
+def every(step, values):
+    """Parameters of which all but each ``step``-th are left to ``nox -s full``."""
+    return [value if i % step == 0 else slowest(value) for i, value in enumerate(values)]
 
 
 def all_maps(most):
