@@ -20,7 +20,7 @@ from allworlds.maps import CombinatorialMap
 from allworlds.protocol.actions import Estimate, Move
 from proofs import test_corrupted_certificates as quick
 from proofs.test_corrupted_certificates import EDGES, NOT_CLAIMED, OTHER_TEXTS, checked, code
-from small import every
+from small import every, slowest
 
 trees = quick.trees
 
@@ -239,7 +239,7 @@ def test_there_are_a_hundred_changes_of_all_kinds(trees):
 
 
 @needs_coq
-@pytest.mark.parametrize("i", every(8, range(COUNT)))
+@pytest.mark.parametrize("i", every(20, range(COUNT)))
 def test_a_certificate_that_a_change_has_made_false_is_refused(trees, tmp_path, i):
     name, tree = false_ones(trees)[i]
     text = trees.certificate(tree, EDGES, name)
@@ -267,17 +267,17 @@ def test_a_certificate_that_a_change_has_left_true_is_accepted(trees, tmp_path):
     [
         (1, 1, "paper", "all", "accepted"),
         (1, 2, "paper", "all", "refused"),  # m raised
-        (2, 3, "paper", "all", "refused"),
+        slowest(2, 3, "paper", "all", "refused"),
         (2, 1, "paper", "all", "accepted"),  # m lowered
-        (2, 2, "2*m*n", "all", "accepted"),
-        (2, 2, "m", "all", "refused"),
+        slowest(2, 2, "2*m*n", "all", "accepted"),
+        slowest(2, 2, "m", "all", "refused"),
         (2, 2, "none", "all", "accepted"),
-        (2, 2, "2", "all", "refused"),
+        slowest(2, 2, "2", "all", "refused"),
         (2, 2, "3", "all", "refused"),
         (2, 2, "4", "all", "accepted"),
         (2, 2, "d0 + 3*m", "all", "accepted"),
         (2, 2, "paper", "simple", "accepted"),
-        (2, 2, "none", "simple", "accepted"),
+        slowest(2, 2, "none", "simple", "accepted"),
     ],
 )
 def test_the_bounds_that_are_stated_are_those_that_are_computed(
