@@ -13,6 +13,7 @@ def does_what_it_says(page, shell, tmp_path, monkeypatch):
     quick.test_every_block_of_the_page_does_what_the_page_says(page, shell, tmp_path, monkeypatch)
 
 
+@pytest.mark.early  # the longest of all
 @pytest.mark.parametrize("page", [page for page in PAGES if page in quick.SLOW])
 def test_every_block_of_the_page_does_what_the_page_says(page, shell, tmp_path, monkeypatch):
     does_what_it_says(page, shell, tmp_path, monkeypatch)
