@@ -156,6 +156,8 @@ def full(session: nox.Session) -> None:
     further = ("walked", "judged", "checked", "folded", "shielded")
     limits = [word for name in further for word in (f"--{name}-edges", "4")]
     session.run("python", "proofs/coq/certified.py", "--edges", "5", *limits)
-    session.run("python", "proofs/coq/certified.py", "--sample", "20000", "--units", "500", "--seed", "1")
+    session.run(
+        "python", "proofs/coq/certified.py", "--sample", "20000", "--units", "500", "--seed", "1"
+    )
     session.run("proofs/coq/minimality", external=True)
     session.run("python", "tests/support/mutants/matrix.py")

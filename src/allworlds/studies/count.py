@@ -232,7 +232,8 @@ def count_one_by_one(extent: classes.Extent, unit: LevelUnit) -> Iterator[Counte
         if unit.edges <= UNROOTED_LIMIT:
             counted.fixed[cell] += combinatorial.automorphisms(map_)
             counted.mirrored += combinatorial.isomorphisms(map_, map_.mirrored())
-            counted.dual += combinatorial.isomorphisms(map_, map_.dual())
+            if len(map_.faces) == map_.vertex_count:
+                counted.dual += combinatorial.isomorphisms(map_, map_.dual())
         if met % TOLD_EVERY == 0:
             yield counted
             counted = Counted()
