@@ -32,12 +32,14 @@ def refuted(explore, map_):
     )
 
 
-def test_an_error_that_begins_at_so_many_edges_is_shrunk_to_these_and_one_vertex(shrunk):
+def test_an_error_that_begins_at_so_many_edges_is_shrunk_to_these(shrunk):
+    """No change of a world merges vertices and keeps all edges, so there may be two of them."""
     _, edges, report = shrunk
     (finding,) = report.findings
     map_ = finding.world.map
     assert finding.law == "pose"
-    assert (map_.edge_count, map_.vertex_count) == (edges, 1)
+    assert map_.edge_count == edges
+    assert map_.vertex_count <= 2
     assert finding.world.start == 0
     assert finding.place == 0
     assert rooted_code(map_.sigma, map_.alpha, 0) == (map_.sigma, map_.alpha)
