@@ -358,10 +358,10 @@ def _called(
 
 
 def _accepted(name: str, explore: Callable[..., Any]) -> frozenset[str]:
-    """The keywords that a callable takes; none of one that is compiled and does not tell."""
+    """The keywords that a callable takes; none of one whose signature Python cannot tell."""
     try:
         signature = inspect.signature(explore)
-    except ValueError:
+    except (TypeError, ValueError):
         return frozenset()
     takes_all = any(p.kind is p.VAR_KEYWORD for p in signature.parameters.values())
     named = {k for k, p in signature.parameters.items() if p.kind is not p.POSITIONAL_ONLY}

@@ -33,7 +33,8 @@ def tried():
 def test_an_attack_is_made_right_as_far_as_its_process_lives(attack, function, scene):
     words = placed(attack, function, scene)
     if not function:  # a program takes long to make its many plays with a shield
-        words = [*words, "--edges", "2"]
+        at = words.index("--edges") if "--edges" in words else len(words)
+        words = [*words[:at], "--edges", "2", *words[at + 2 :]]
     kinds = {"--exec": "exec:", "--native": "native:"}
     first = [f"shield:{kinds[words[0]]}{words[1]}"] if words[0] in kinds else [f"shield:{words[0]}"]
     words = [*first, *words[2 if words[0] in kinds else 1 :]]

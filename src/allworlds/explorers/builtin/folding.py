@@ -276,7 +276,10 @@ class Shield:
 
     def __init__(self, explorer: Callable[..., Generator[Any, Any, Any]]) -> None:
         self.explorer = explorer
-        self.__signature__ = inspect.signature(explorer)
+        try:
+            self.__signature__ = inspect.signature(explorer)
+        except (TypeError, ValueError):  # Python cannot tell it: the percept is given alone
+            self.__signature__ = inspect.signature(lambda first: None)  # noqa: ARG005
 
     def __call__(self, first: Percept, **keywords: Any) -> Walk[Estimate]:
         """Explore from a directional lighthouse; return the true map for every explorer inside."""
