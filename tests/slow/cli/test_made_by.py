@@ -19,6 +19,7 @@ pytestmark = pytest.mark.slowest
 
 tmp = quick.tmp
 
+TEAMS = Path(__file__).parents[2] / "support" / "teams.py"
 PAPER = Path(__file__).parents[3] / "papers" / "minimal_information"
 
 
@@ -29,6 +30,7 @@ WORKING = {
     "fuzz": "fuzz allworlds.corpus.explorers:pose_lost --edges 8 --runs 130",
     "worst": "worst --edges 4",
     "compare": "compare algorithm1 folding --edges 3",
+    "team": f"team {TEAMS}:waits {TEAMS}:searches --model meeting:apart=false --edges 3",
     "ledger": f"ledger {PAPER} --only fig1 --only cycles",
 }
 

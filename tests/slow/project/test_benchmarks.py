@@ -32,8 +32,9 @@ def test_mutants_are_drawn_by_their_seed_and_all_fit_into_the_source(monkeypatch
     files = ROOT / "src/allworlds/judging/laws", ROOT / "src/allworlds/maps"
     paths = [path for folder in files for path in sorted(folder.rglob("*.py"))]
     texts = {str(path.relative_to(ROOT)): path.read_bytes() for path in paths}
-    drawn = mutants.drawn(texts, (), 1)
-    assert drawn == mutants.drawn(texts, (), 1) != mutants.drawn(texts, (), 2)
+    every = [one for file, text in texts.items() for one in mutants.mutants_of(file, text)]
+    drawn = mutants.drawn(every, 1)
+    assert drawn == mutants.drawn(every, 1) != mutants.drawn(every, 2)
     assert {one.wing for one in drawn} == {"judging", "maps"}
     for file, text in texts.items():
         of_file = {n: one for n, one in enumerate(drawn) if one.file == file}
