@@ -34,6 +34,7 @@ from allworlds.judging.findings.finding import Finding
 from allworlds.maps import classes, enumeration
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.notations.given import GivenOptions
+from allworlds.protocol.importing import signature_of
 from allworlds.reports import formats, plain_text
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckReport
@@ -228,7 +229,7 @@ def conformance(
     levels = levels_of({**options, "edges": edges})
     parts = [Part("known-hard-maps", partial(_known, explore, options))]
     parts += [Part(f"edges-{level}", partial(AtLevel(level, options), explore)) for level in levels]
-    if callable(explore) and "choices" in inspect.signature(explore).parameters:
+    if callable(explore) and "choices" in signature_of(explore).parameters:
         every = {**options, "edges": min(edges, 2), "schedules": "all"}
         parts.append(Part("every-schedule", partial(assert_explores, explore, **every)))
     parts.append(Part("drawn-maps", partial(_drawn, explore, drawn, drawn_edges, options)))

@@ -296,11 +296,11 @@ def test_it_takes_what_the_explorer_takes():
     assert (report.verdict.value, report.runs) == ("holds", 30)
 
 
-@pytest.mark.parametrize("prefix", ["", "shield:"])
+@pytest.mark.parametrize("prefix", ["", "shield:", "elsewhere:"])
 def test_an_explorer_whose_signature_nobody_can_tell_is_given_the_percept_alone(prefix, mine):
     mine.write_text(f'{SILENT}\nspinning.__signature__ = "none"\n')
     report = allworlds.check(f"{prefix}{mine}:spinning", edges=1)
-    assert report.verdict.value == ("holds" if prefix else "refuted")
+    assert report.verdict.value == ("holds" if prefix == "shield:" else "refuted")
 
 
 def test_a_file_with_one_explorer_is_enough(tmp_path):

@@ -226,7 +226,7 @@ class Document(Struct, frozen=True, dict=True, forbid_unknown_fields=True):
 
 
 class WrittenByFields:
-    """A dataclass whose fields are the keys of its JSON object."""
+    """A dataclass or struct whose fields are the keys of its JSON object."""
 
     __slots__ = ()
 

@@ -52,8 +52,8 @@ AHEAD = 2
 ALONE = 1.5
 """The seconds for which the lane here is the only one."""
 
-SMALL = 0.8
-"""The seconds after which nothing further is begun by the lane here: the next level has more."""
+FIRST_LEVELS = 0.8
+"""The seconds in which the lane here takes levels; a later one is begun by the others at once."""
 
 _KNOWN = (InputError, players.Unsettled, tally.EnginesDisagree, players.HarnessError)
 
@@ -191,7 +191,7 @@ class Lanes(Struct):
     def _lane_here(self, engine: tally.RunCounter) -> Lane | None:
         """One lane as long as the same is asked for; None once others have begun."""
         self._began = self._began or time.monotonic()
-        late = self.apart and time.monotonic() > self._began + SMALL
+        late = self.apart and time.monotonic() > self._began + FIRST_LEVELS
         apart = not self.here or late or bool(self._processes)
         if apart or (self._lane is not None and self._lane.counter != engine):
             self._close_lane()

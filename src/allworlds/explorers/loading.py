@@ -359,10 +359,7 @@ def _called(
 
 def _accepted(name: str, explore: Callable[..., Any]) -> frozenset[str]:
     """The keywords that a callable takes; none of one whose signature Python cannot tell."""
-    try:
-        signature = inspect.signature(explore)
-    except (TypeError, ValueError):
-        return frozenset()
+    signature = importing.signature_of(explore)
     takes_all = any(p.kind is p.VAR_KEYWORD for p in signature.parameters.values())
     named = {k for k, p in signature.parameters.items() if p.kind is not p.POSITIONAL_ONLY}
     keywords = frozenset(key for key in ("choices", "told") if takes_all or key in named)

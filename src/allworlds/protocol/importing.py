@@ -238,6 +238,18 @@ def _value(text: str) -> Argument:
     return {"true": True, "false": False}.get(text, text)
 
 
+def _percept_alone(first: object) -> None:
+    """The form of an explorer that takes nothing else."""
+
+
+def signature_of(explore: Callable[..., Any]) -> inspect.Signature:
+    """The signature of an explorer; where Python cannot tell it, that of the percept alone."""
+    try:
+        return inspect.signature(explore)
+    except (TypeError, ValueError):
+        return inspect.signature(_percept_alone)
+
+
 def called(name: str, factory: Any, arguments: Mapping[str, Argument]) -> Any:
     """The result of a factory for the arguments of a name; the object itself if there are none.
 

@@ -8,13 +8,13 @@ Cost of the search: less than 8 D^d traversals, for a distance d to v0 and a lar
 For to try all words of up to L motions costs at most T(L) = D (2 + T(L - 1)) < 4 D^L.
 """
 
-import inspect
 from collections.abc import Callable, Generator
 from itertools import count
 from typing import Any
 
 from allworlds.explorers.builtin.algorithm1 import Walk
 from allworlds.protocol.actions import Move, Percept
+from allworlds.protocol.importing import signature_of
 
 
 class FromElsewhere:
@@ -26,7 +26,7 @@ class FromElsewhere:
 
     def __init__(self, explorer: Callable[..., Generator[Any, Any, Any]]) -> None:
         self.explorer = explorer
-        self.__signature__ = inspect.signature(explorer)
+        self.__signature__ = signature_of(explorer)
 
     def __call__(self, first: Percept, **keywords: Any) -> Walk[Any]:
         """Find v0, where one mark is sensed, and explore from there."""

@@ -27,7 +27,6 @@ came, and then the way of the next: 2 (1 + 2 + ... + 2^(k-1)) before the turn wi
 and a guest that needs that turn has walked more than 2^(k-2).
 """
 
-import inspect
 from bisect import insort
 from collections.abc import Callable, Generator, Iterator, Sequence
 from itertools import count
@@ -38,6 +37,7 @@ from allworlds.inputs.checks import integer, let_users_interrupt, show
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Checkpoint, Estimate, ExplorerFault, Move, Percept
 from allworlds.protocol.choices import Choices
+from allworlds.protocol.importing import signature_of
 
 OPEN = -1
 """The other end of a dart that the robot has not gone through."""
@@ -276,10 +276,7 @@ class Shield:
 
     def __init__(self, explorer: Callable[..., Generator[Any, Any, Any]]) -> None:
         self.explorer = explorer
-        try:
-            self.__signature__ = inspect.signature(explorer)
-        except (TypeError, ValueError):  # Python cannot tell it: the percept is given alone
-            self.__signature__ = inspect.signature(lambda first: None)  # noqa: ARG005
+        self.__signature__ = signature_of(explorer)
 
     def __call__(self, first: Percept, **keywords: Any) -> Walk[Estimate]:
         """Explore from a directional lighthouse; return the true map for every explorer inside."""
