@@ -86,7 +86,7 @@ def _verb_text(verb: Verb, command: Any) -> str:
     panels: dict[str, list[Any]] = {}
     for option in command.params:
         if option.param_type_name == "option":
-            panels.setdefault(option.rich_help_panel or "Options", []).append(option)
+            panels.setdefault(option.panel or "Options", []).append(option)
     for panel, options in panels.items():
         text += f"\n| {panel.lower()} | |\n|---|---|\n"
         text += "".join(_option_row(option) for option in options)
@@ -96,12 +96,8 @@ def _verb_text(verb: Verb, command: Any) -> str:
 def _option_row(option: Any) -> str:
     value = f" {option.metavar}" if option.metavar else ""
     forms = ", ".join(f"`{_cell(form + value)}`" for form in option.opts)
-    default = ""
-    if option.required:
-        default = " Required."
-    elif option.show_default and option.default not in (None, False, ()):
-        default = f" Default: `{option.default}`."
-    return f"| {forms} | {_cell(option.help)}{default} |\n"
+    required = " Required." if option.required else ""
+    return f"| {forms} | {_cell(option.help)}{required} |\n"
 
 
 def _cell(text: str) -> str:

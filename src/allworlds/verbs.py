@@ -275,7 +275,7 @@ BY_NAME = {verb.name: verb for verb in VERBS}
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """Verbs of two words whose first word is the same."""
+    """Verbs of two words whose first word is the same, or all verbs."""
 
     example: str
     summary: str
@@ -290,3 +290,8 @@ GROUPS = {
     )
 }
 """The groups of verbs of two words, by the first."""
+
+ROOT = Group(
+    "allworlds check --edges 4", "Run an exploration algorithm on every small embedded graph.", ""
+)
+"""All verbs."""

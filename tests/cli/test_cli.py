@@ -292,33 +292,52 @@ def test_help_begins_with_an_example(cli, verb):
 
 
 @pytest.mark.parametrize(
-    ("words", "shown"),
+    ("shell", "words", "shown"),
     [
-        ("allworlds check --ed", "--edges"),
+        ("bash", "allworlds check --ed", "plain,--edges"),
+        ("bash", "allworlds ambiguity tw", "plain,twins"),
+        ("bash", "allworlds check --edges 4 -o fin", "file,fin"),
+        ("bash", "allworlds check min", "file,min"),
+        ("zsh", "allworlds check --ed", "--edges"),
+        ("fish", "allworlds check --ed", "plain,--edges"),
     ],
 )
-def test_a_shell_is_told_how_a_line_goes_on(words, shown):
-    asked = {
-        "_ALLWORLDS_COMPLETE": "complete_bash",
-        "COMP_WORDS": words,
-        "COMP_CWORD": str(len(words.split()) - 1),
-    }
+def test_a_shell_is_told_how_a_line_goes_on(shell, words, shown):
+    *before, begun = words.split()
+    number = begun if shell == "fish" else str(len(before))
+    said = told_by_shell(
+        _ALLWORLDS_COMPLETE=f"{shell}_complete", COMP_WORDS=words, COMP_CWORD=number
+    )
+    assert shown in said.split()
+
+
+def told_by_shell(*words, **env):
     done = subprocess.run(
-        [sys.executable, "-m", "allworlds"],
-        env={**os.environ, **asked},
+        [sys.executable, "-m", "allworlds", *words],
+        env={**os.environ, **env},
         capture_output=True,
         text=True,
         check=True,
     )
-    assert shown in done.stdout.split()
+    return done.stdout
+
+
+@pytest.mark.parametrize(
+    ("shell", "begins"),
+    [("bash", "_allworlds_completion()"), ("zsh", "#compdef allworlds"), ("fish", "function")],
+)
+def test_a_shell_gets_what_it_completes_by(shell, begins):
+    script = told_by_shell(_ALLWORLDS_COMPLETE=f"{shell}_source")
+    assert script.lstrip().startswith(begins)
+    assert f"_ALLWORLDS_COMPLETE={shell}_complete" in script
 
 
 def test_only_the_verb_that_is_meant_gets_its_options():
     commands = command_line("count").commands
     assert len(commands["count"].params) > 3
-    assert not commands["check"].params
+    assert [param.name for param in commands["check"].params] == ["help"]
     ambiguity = command_line("ambiguity").commands["ambiguity"]
-    assert all(each.params for each in ambiguity.commands.values())
+    assert all(len(each.params) > 3 for each in ambiguity.commands.values())
 
 
 def test_without_a_verb_the_help_is_shown(cli):

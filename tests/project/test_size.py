@@ -23,7 +23,7 @@ class Size(NamedTuple):
     lines: int
 
 
-MOST = 31_827
+MOST = 31_758
 """Lines of code of ``src/allworlds``."""
 
 MOST_OF_WING = {

@@ -2,6 +2,7 @@
 
 import inspect
 import re
+from functools import partial
 from importlib import import_module
 from operator import attrgetter
 from pathlib import Path
@@ -122,8 +123,10 @@ def test_the_help_has_at_most_sixteen_entries_each_under_a_panel_that_issues_nam
 @pytest.mark.parametrize("name", BY_NAME)
 def test_a_verb_has_its_command_its_content_and_its_document(name):
     verb = BY_NAME[name]
-    own = app._own_command(name)
-    assert bool(own) != bool(verb.help and verb.example)
+    function, parts, help_ = app._function_of(verb)
+    assert isinstance(function, partial) == bool(verb.help and verb.example)
+    assert parts
+    assert help_.count("Example: ") == 1
     named = {maker(kind).__name__ for kind in schemas.reports_of(verb) if kind is not Any}
     # The result of merge is that of another verb.
     assert (named, name) == (set(), "merge") or "plain_content" not in named

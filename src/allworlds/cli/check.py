@@ -3,27 +3,28 @@
 from typing import Annotated
 
 import allworlds
-from allworlds.cli.output import OutputGroup, answered, emit, ensure_directory
+from allworlds.cli.output import OutputGroup, respond
 from allworlds.inputs.checks import InputError, show
-from allworlds.inputs.requests import EFFORT, Option
+from allworlds.inputs.requests import EFFORT, Option, Request
 from allworlds.studies.check.report import CheckRequest
 
 
-def check(
-    request: CheckRequest,
-    *,
+class CheckWords(Request):
+    """Words that the command line has alone."""
+
     estimate: Annotated[
         bool, Option(EFFORT, "", "Only estimate the duration, from a sample of some seconds.")
-    ] = False,
-    output: OutputGroup,
-) -> int:
+    ] = False
+
+
+def check(request: CheckRequest, *, words: CheckWords, output: OutputGroup) -> int:
     """Example: allworlds check my_explorer.py:explore --edges 4
 
     Run an explorer (default: Algorithm 1 of the paper) on every start and every marker
     orientation of every map of a class.  Exit code 0: holds, 1: refuted, 3: inconclusive,
     4: vacuous.
     """
-    if estimate:
+    if words.estimate:
         written = next(iter(output.files or ()), None)
         kept = {"-o": written, "corpus": request.corpus, "run": request.run}
         for name, value in kept.items():
@@ -33,6 +34,5 @@ def check(
                 )
         from allworlds.studies.check.time_estimate import estimate as estimated
 
-        return emit(answered(estimated, request, output), output, request.workers)
-    ensure_directory(request.corpus)
-    return emit(answered(allworlds.check, request, output), output, request.workers)
+        return respond(estimated, request, output)
+    return respond(allworlds.check, request, output)

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextvars import ContextVar
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
-from functools import partial
+from functools import partial, reduce
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -17,6 +17,7 @@ from typing import Any
 from allworlds.documents.report import MadeBy, Report
 from allworlds.inputs.checks import InputError, did_you_mean, in_file, read_text, show
 from allworlds.inputs.requests import GIVEN_IN_FILE
+from allworlds.verbs import BY_NAME
 from allworlds.version import __version__, host
 
 OWN, PROJECT, TABLE = "allworlds.toml", "pyproject.toml", "tool.allworlds"
@@ -50,7 +51,7 @@ class Defaults:
         if not self.options:
             return {}
         with in_file(self.file):
-            every = dict(_commands(root))
+            every = {name: _command(root, name) for name in BY_NAME}
             known = {name for command in every.values() for name in _options(command)}
             for key, value in self.options.items():
                 if isinstance(value, dict):
@@ -65,7 +66,7 @@ class Defaults:
             if any(word.startswith(("--exec", "--native")) for word in words):
                 given.pop("explorer", None)  # another one is named
             found: dict[str, Any] = {
-                param.name: partial(self._use, key, _value(key, given[key], param))
+                param.name: partial(self._use, key, _value(key, given[key], param), param)
                 for key, param in mine.items()
                 if key in given
             }
@@ -73,9 +74,9 @@ class Defaults:
             found = {word: found}
         return found
 
-    def _use(self, key: str, value: Any) -> Any:
+    def _use(self, key: str, value: Any, param: Any) -> Any:
         self.used[key] = value
-        return value
+        return [value] if isinstance(value, str) and param.multiple else value
 
     def _keys(self) -> Iterator[str]:
         for key, value in self.options.items():
@@ -126,19 +127,15 @@ def _flat(table: Mapping[str, Any], group: str = "") -> Iterator[tuple[str, Any]
             yield group + key, value
 
 
-def _commands(root: Any) -> Iterator[tuple[str, Any]]:
-    """Every verb by its name, which may have two words."""
-    for name, command in root.commands.items():
-        below = getattr(command, "commands", {})
-        yield from ((f"{name} {each}", inner) for each, inner in below.items())
-        if not below:
-            yield name, command
+def _command(root: Any, name: str) -> Any:
+    """The command of a verb, whose name may have two words."""
+    return reduce(lambda home, word: home.commands[word], name.split(), root)
 
 
 def _options(command: Any) -> dict[str, Any]:
     """The parameters by the names that a file uses: those of the options, without dashes."""
     return {
-        max(param.opts, key=len).lstrip("-"): param
+        max(param.opts, key=len).lstrip("-").lower(): param
         for param in command.params
         if not param.is_eager and param.name != "arguments"
     }
@@ -162,11 +159,9 @@ def _value(key: str, value: object, param: Any) -> Any:
         if isinstance(value, bool):
             return value
         raise InputError(f"{key} = {show(value)} is not true or false")
-    if not param.multiple:
-        return _text(key, value)
-    if isinstance(value, list):
+    if isinstance(value, list) and param.callback.args[0].repeated:  # what its field asks for
         return [_text(f"{key}[{i}]", each) for i, each in enumerate(value)]
-    return [_text(key, value)]
+    return _text(key, value)
 
 
 def _text(key: str, value: object) -> str:

@@ -233,9 +233,8 @@ def say(text: Callable[[], str]) -> None:
     """Print a text on which no verdict depends, whether or not there is a reader to its end."""
     try:
         print(text(), flush=True)
-    except (OSError, SystemExit) as error:
-        # rich prints help itself, and makes a broken pipe the end of the process.
-        if getattr(error, "errno", errno.EPIPE) not in (errno.EPIPE, errno.EBADF):
+    except OSError as error:
+        if error.errno not in (errno.EPIPE, errno.EBADF):
             raise
         abandon_stdout()
 
@@ -255,6 +254,21 @@ def answered(function: Callable[..., Answer], request: Any, output: OutputGroup)
         return answer(function, request)
     with Progress(quiet=output.quiet) as listener, stdout_on_stderr():
         return answer(function, doc.replace(request, listener=listener))
+
+
+def respond(function: Callable[..., Any], request: Any, output: OutputGroup) -> int:
+    """Answer a request by a function of the package, and write; return the exit code.
+
+    Raises:
+        InputError: naming a corpus that cannot be written, or as :func:`answered`.
+    """
+    from allworlds.engines.limits import WorkerOptions
+    from allworlds.studies.user_corpus import CorpusOptions
+
+    if isinstance(request, CorpusOptions):
+        ensure_directory(request.corpus)
+    workers = request.workers if isinstance(request, WorkerOptions) else None
+    return emit(answered(function, request, output), output, workers)
 
 
 @contextmanager

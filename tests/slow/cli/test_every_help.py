@@ -2,14 +2,14 @@
 
 import pytest
 
-from cli import test_helping as quick
+from cli import test_parameters as quick
 
 
 @pytest.mark.slowest
 @pytest.mark.parametrize("columns", [50, 79, 80, 120])
 @pytest.mark.parametrize("name", ["", "ambiguity", *quick.NAMES])
-def test_no_help_cuts_a_word_or_gives_a_flag_a_value(name, columns, monkeypatch, capsys):
-    quick.test_no_help_cuts_a_word_or_gives_a_flag_a_value(name, columns, monkeypatch, capsys)
+def test_no_help_cuts_a_word_or_gives_a_flag_a_value(name, columns, monkeypatch):
+    quick.test_no_help_cuts_a_word_or_gives_a_flag_a_value(name, columns, monkeypatch)
 
 
 @pytest.mark.parametrize("name", quick.NAMES)
