@@ -25,9 +25,9 @@ CHOSEN = bytes((CHOICE, 1, 2))
 PLAIN = bytes((0,)) + EDGE + ANSWER
 
 
-def judged(log):
+def judged(log, laws=("map", "pose")):
     """The judge of the one run, its rows, and whether the log could be judged."""
-    rules = Rules(step_budget=9, laws=("map", "pose"), bound="none")
+    rules = Rules(step_budget=9, laws=laws, bound="none")
     level = level_of("", rules, Extent(MapClass.MAPS, 1), 1)
     first, second = (Stretch.of(level.edges) for _ in range(2))
     judge = UnitJudge(level, (-1,), 1, first, second)
@@ -70,3 +70,13 @@ def test_a_code_that_means_nothing_is_strange(code):
 
 def test_a_choice_that_is_cut_off_is_strange():
     assert not judged(CHOSEN[:2])[3]
+
+
+def test_an_edge_that_is_open_on_one_side_counts_as_explored():
+    alone, half_open = entry(SHOWN, (0,), (0,), 0), entry(SHOWN, (0, 1), (0, 0), 1)
+    log = alone + bytes((0,)) + half_open + ANSWER
+    assert judged(log, ("variant",))[2].broken == ()
+    (broken,) = judged(log, ("variant", "invariant-2"))[2].broken
+    assert broken.law == "invariant-2"
+    (again,) = judged(half_open + log, ("variant",))[2].broken
+    assert again.law == "variant"

@@ -277,12 +277,18 @@ _WITH_AN_OPEN_DART = _SHOWS_AGAIN.replace(
     "= 99, robot.alpha[0]", "= 99, robot.alpha[0]\n            robot.alpha[0] = 0"
 )
 _HERE = "= robot.darts, robot.here"
+_HALF_OPEN_AT_LAST = """
+    if robot.known == 0:
+        other = robot.alpha[robot.goal]
+        robot.alpha[other] = robot.goal if robot.tried == 99 else other
+        robot.tried = 99"""
 _WITH_ONE_BEYOND = _WITH_AN_OPEN_DART.replace("robot.alpha[0] = 0", "robot.alpha[0] = 99")
 
 WRONG_ROBOTS = (
     ("    _explore(robot, goal, partner)\n", "    _explore(robot, goal, goal)\n"),
     (_HERE, "= robot.darts, (robot.here + 1) % robot.darts"),
     (_HERE, "= robot.darts - 2, robot.here"),
+    (_HERE, f"{_HERE}{_HALF_OPEN_AT_LAST}"),
     ("robot.turned = -robot.motions[robot.done]", "robot.turned = robot.motions[robot.done]"),
     (_ANSWERS, "        action.kind = names.DROP"),
     (_ANSWERS, _SHOWS_AGAIN),
