@@ -2,9 +2,11 @@
 
 import marshal
 import os
+import select
 import signal
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -347,3 +349,11 @@ def test_it_is_told_whether_one_of_the_others_is_ready():
     finally:
         os.close(there)
         os.close(here)
+
+
+def test_it_waits_for_whatever_its_players_may_say(monkeypatch):
+    asked = []
+    poll = SimpleNamespace(register=lambda *each: asked.append(each), poll=lambda _time: [])
+    monkeypatch.setattr(select, "poll", lambda: poll)
+    players.wait([SimpleNamespace(files=[7, 8])], 0)
+    assert asked == [(7, select.POLLIN), (8, select.POLLIN)]

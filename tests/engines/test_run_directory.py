@@ -1,7 +1,7 @@
 """A run directory is believed where it is whole, and refused in one line where it is not."""
 
 import sqlite3
-from contextlib import closing
+from contextlib import ExitStack, closing
 
 import pytest
 from msgspec import Struct
@@ -123,6 +123,13 @@ def test_a_directory_in_use_is_refused(finished, monkeypatch):
     assert len(opened(finished)) == 10
 
 
+def test_a_directory_in_use_is_asked_for_again_a_little_later(finished, monkeypatch):
+    other = ExitStack()
+    other.enter_context(records_in(finished, lambda: JOB, nothing))
+    monkeypatch.setattr("time.sleep", lambda _seconds: other.close())
+    assert len(opened(finished)) == 10
+
+
 def test_a_creation_that_was_ended_is_begun_anew(tmp_path):
     (tmp_path / run_directory.DRAFT).write_bytes(b"SQLite format 3\0, and no more")
     assert opened(tmp_path) == [None] * 10
@@ -208,12 +215,22 @@ def test_a_file_that_cannot_be_read_is_left_closed(finished, monkeypatch):
         connection.execute("SELECT 1")
 
 
-def test_a_directory_that_cannot_be_written_can_be_read(finished, monkeypatch):
+class NotWritable(sqlite3.Connection):
+    """Opened where nothing may be written: the log of the last additions is out of reach."""
+
+    def execute(self, *_):
+        raise sqlite3.OperationalError("unable to open database file")
+
+
+@pytest.mark.parametrize("opens", [False, True])
+def test_a_directory_that_cannot_be_written_can_be_read(finished, monkeypatch, opens):
     real, refused = sqlite3.connect, []
 
     def read_only(address, *more, **options):
         if "mode=ro" in address and not refused:
             refused.append(address)
+            if opens:
+                return real(address, *more, factory=NotWritable, **options)
             raise sqlite3.OperationalError("unable to open database file")
         return real(address, *more, **options)
 

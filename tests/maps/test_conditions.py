@@ -178,3 +178,8 @@ def test_a_number_that_is_missing_or_none_is_refused(name, said):
 def test_an_extent_includes_what_its_condition_admits():
     extent = Extent(MapClass.MAPS, 3, None, condition_named("trees"))
     assert sum(map(extent.include, all_maps(3))) == 1 + 2 + 5
+
+
+@pytest.mark.parametrize(("edges", "pieces"), [(1, 0), (2, 1), (3, 6)])
+def test_nothing_is_begun_that_has_no_room_for_the_handles(edges, pieces):
+    assert len([*prefixes(edges, depth=1, where=condition_named("genus:1"))]) == pieces

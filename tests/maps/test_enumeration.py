@@ -126,3 +126,12 @@ def test_each_class_has_the_worlds_that_all_maps_list(map_class, condition):
             sums[map_.vertex_count] += fingerprint(map_)
         found = {n: each % FINGERPRINTS for n, each in sums.items()}
         assert found == listed(Extent(map_class, edges, where=where), edges)
+
+
+@pytest.mark.parametrize("vertices", [2, 3, 4, 5])
+@pytest.mark.parametrize("edges", [2, 4, 5])
+def test_no_piece_of_a_simple_class_begins_with_more_darts_than_there_are_neighbours(
+    edges, vertices
+):
+    begun = {-degree for (degree,) in prefixes(edges, MapClass.SIMPLE, vertices, depth=1)}
+    assert begun == {*range(1, min(edges, vertices - 1) + 1)}

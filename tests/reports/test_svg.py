@@ -12,7 +12,7 @@ import pytest
 from allworlds import worlds
 from allworlds.maps import CombinatorialMap, family, named_map
 from allworlds.reports.drawing.planar import planar
-from allworlds.reports.drawing.svg import in_words, picture
+from allworlds.reports.drawing.svg import drawing, in_words, picture
 from allworlds.reports.parts import Scene
 from curves import flat, points
 
@@ -283,3 +283,8 @@ def test_letters_names_and_a_ring_are_drawn_and_told():
     assert "Clockwise round there its darts lead: y to dart x of here." in in_words(scene)
     assert "Ringed is dart y." in in_words(scene)
     assert "x a, y b" in in_words(scene)
+
+
+def test_by_itself_a_picture_has_its_style_before_all_that_is_drawn():
+    root = ET.fromstring(drawing(Scene(named_map("theta-torus"), 0, 0), "a map").svg)
+    assert [element.tag.rpartition("}")[2] for element in root[:3]] == ["title", "desc", "style"]

@@ -1,8 +1,10 @@
 import pytest
 
+from allworlds.engines.units import LevelUnit
 from allworlds.inputs.checks import InputError
-from allworlds.maps import rooted_maps, unrooted_code
-from allworlds.studies.count import count
+from allworlds.maps import MapClass, rooted_maps, unrooted_code
+from allworlds.maps.classes import Extent
+from allworlds.studies.count import count, count_one_by_one
 from bruteforce import unrooted_maps
 
 
@@ -88,3 +90,9 @@ def test_a_condition_of_ones_own_may_hold_of_a_map_and_not_of_its_mirror_image(t
     )
     row = count(edges=4, where=f"{path}:first").rows[-1]
     assert (row.unrooted, row.chiral, row.up_to_reflection) == (96, 11, None)
+
+
+def test_a_long_count_is_told_from_time_to_time(monkeypatch):
+    monkeypatch.setattr("allworlds.studies.count.TOLD_EVERY", 4)
+    told = count_one_by_one(Extent(MapClass.MAPS, 2), LevelUnit(2, ()))
+    assert [sum(each.cells.values()) for each in told] == [4, 4, 2]

@@ -150,3 +150,59 @@ def test_a_world_fits_what_was_asked_or_does_not(asked, fits):
 def test_of_other_vertices_every_degree_counts():
     middle = World(named_map("path-3"), Position(1), 1)
     assert _fits(middle, question("position", "maps", 3, 2, degree_others=1))
+
+
+SECTIONS = {
+    ("directional", "planar-simple", 4, 3): (
+        "sigma is a permutation, alpha an involution without fixed points",
+        "an answer is a number that has been given, or the next free one",
+        "a dart has its number before it is asked: the map is connected",
+        "sigma stays at the vertex",
+        "vertex2 is numbered in the order of first darts",
+        "at least 2 vertices",
+        "places count from the first dart, so each vertex is one cycle of sigma",
+        "the degree is one more than the place of the last dart",
+        "no loop",
+        "no two edges with the same ends",
+        "phi = sigma . alpha stays at the face",
+        "face1 is numbered in the order of first darts",
+        "Euler's formula of the sphere: with n vertices there are m + 2 - n faces",
+        "world 2 has its reference darts",
+        "turning is free: the starts are reference darts",
+        "the starts are related, and what is related stays so under sigma and alpha",
+        "related darts sense the same",
+        "the codes differ, and the first is the smaller one",
+        "started at dart 1, world 2 is not world 1",
+    ),
+    ("position", "maps", 2, 2): (
+        "turning is free: no dart of v0 leads to a larger degree than the start",
+    ),
+    ("door", "maps", 2, 2): ("world 1 has its letters",),
+}
+
+
+@pytest.mark.parametrize("asked", SECTIONS, ids=lambda asked: asked[0])
+def test_no_section_of_clauses_is_without_its_words(asked, tmp_path):
+    of = question(*asked)
+    formula, pair = pair_formula(of, next(of.sizes()))
+    forbid_other_start(formula, pair, 1)
+    formula.write(tmp_path / "f.cnf")
+    lines = (tmp_path / "f.cnf").read_text().splitlines()
+    told = {line.partition(": ")[2] for line in lines if line.startswith("c clauses")}
+    assert not {*SECTIONS[asked]} - told
+
+
+def test_degrees_and_a_walk_that_are_asked_for_have_sections(tmp_path):
+    asked = question("position", "maps", 3, 3, degree_marked=2, motions=(0,), percepts=("1A",))
+    formula, _ = pair_formula(asked, next(asked.sizes()))
+    formula.write(tmp_path / "f.cnf")
+    text = (tmp_path / "f.cnf").read_text()
+    assert ": the degrees that were asked for\n" in text
+    assert ": the walk and what it senses\n" in text
+
+
+@pytest.mark.parametrize(("edges", "vertices", "most"), [(3, 3, 2), (6, 4, 3), (2, 4, 2)])
+def test_in_a_simple_world_no_degree_is_asked_for_that_none_has(edges, vertices, most):
+    asked = question("directional", "simple", vertices, edges)
+    world = one_world(Formula([]), "1", Size(edges, vertices, vertices), asked)
+    assert world.degree.shape == (2 * edges, most + 1)

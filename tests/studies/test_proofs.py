@@ -85,3 +85,11 @@ def test_the_child_process_prints_its_verdict_as_solvers_do(tmp_path, capsys):
     solve_here(str(formula), str(proof))
     assert capsys.readouterr().out == "s UNSATISFIABLE\n"
     assert "0" in proof.read_text().splitlines()
+
+
+def test_every_lemma_is_new_and_has_the_next_number():
+    clauses = [(1,), (-1, 2), (-2, 3, 4), (-3,)]
+    checker = RupChecker(4, clauses)
+    checker.add((4,))
+    assert [*checker.lemmas] == [5, 6, 7]
+    assert [clause for clause, _ in checker.lemmas.values()] == [(2,), (4,), (4,)]

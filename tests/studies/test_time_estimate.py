@@ -1,6 +1,8 @@
 """How long a check will take is guessed from its last level."""
 
 import random
+import time
+from types import SimpleNamespace
 
 import pytest
 
@@ -62,3 +64,12 @@ def test_pieces_are_tried_until_the_time_for_a_sample_is_over(monkeypatch):
         sampled.append(estimate(edges=3, engine="python").sampled)
     assert 0 < sampled[0] < sampled[1]
     assert drawn == [3, 4, 3, 4]  # and what one edge more would take
+
+
+def test_of_a_clock_that_stands_still_there_is_no_rate(monkeypatch):
+    now = time.monotonic()
+    clock = SimpleNamespace(monotonic=lambda: now)
+    monkeypatch.setattr("allworlds.studies.check.time_estimate.time", clock)
+    said = estimate(edges=3, engine="python")
+    assert said.sampled > 0
+    assert said.rate is None

@@ -64,8 +64,7 @@ class Seeded:
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
         """Return a uniformly drawn index."""
-        count = len(options)
-        return self._random.randrange(count) if count else 0
+        return self._random.randrange(max(len(options), 1))
 
 
 POLICIES: dict[str, type[Fifo | Lifo | Nearest]] = {"fifo": Fifo, "lifo": Lifo, "nearest": Nearest}

@@ -4,6 +4,7 @@ A slip is the one difference between a wrong answer and the world, where there i
 """
 
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from typing import TypeAlias
 
 from msgspec import Struct
@@ -269,10 +270,8 @@ def _reglued(
                 alpha = [*map_.alpha]
                 for x, y in pairs:
                     alpha[x], alpha[y] = y, x
-                try:
+                with suppress(InvalidMap):  # it falls apart
                     yield CombinatorialMap(map_.sigma, alpha), ((a, b), (c, d))
-                except InvalidMap:  # it falls apart
-                    continue
 
 
 def _say_crosswise(belief: Belief, wrong: list[tuple[Dart, Dart]]) -> str:

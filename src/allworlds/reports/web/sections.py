@@ -286,7 +286,7 @@ def _block(block: Block, name: str) -> Iterator[ET.Element]:
         case Curve():
             yield tag("figure", tag("figcaption", tag("b", block.title)), plot(block))
         case MapPictures():
-            entries = enumerate(block.entries, 1)
+            entries = enumerate(block.entries)
             drawn = (figure(title, scene, f"{name}-{i}", "") for i, (title, scene) in entries)
             yield tag("div", *drawn, class_="pictures")
         case ShownWalk():

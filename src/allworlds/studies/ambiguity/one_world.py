@@ -135,7 +135,7 @@ def _vertices(formula: Formula, world: OneWorld) -> None:
 def _constant(formula: Formula, step: Block, here: Block, there: Block) -> None:
     """Require that ``step`` takes a dart with a label in ``here`` to one with it in ``there``."""
     labels = range(here.shape[1])
-    for x, y in product(range(step.shape[0]), repeat=2):
+    for x, y in product(*map(range, step.shape)):
         formula.clauses += [(-step[x, y], -here[x, v], there[y, v]) for v in labels]
 
 
