@@ -19,7 +19,7 @@ from msgspec import Struct, field
 from allworlds.documents.document import replace
 from allworlds.engines import linux
 from allworlds.engines.engine_table import WALKED_FROM, Job, kind_of, walks
-from allworlds.engines.kernel import capabilities, engine, engine as kernel, library_player, records
+from allworlds.engines.kernel import capabilities, engine as kernel, library_player, records
 from allworlds.engines.kernel.compiling import is_compiled, uncollected
 from allworlds.engines.kernel.runs import UNDEFINED, examine
 from allworlds.engines.tally import AtRun, EnginesDisagree, Row, RunCounter, Tally
@@ -292,7 +292,7 @@ def load_native() -> None:
     level = level_of("", Rules(), classes.Extent(classes.MapClass.MAPS, 1), 1)
     with uncollected():
         stretch = records.Stretch.of(level.edges)
-        unit = engine.UnitJudge(level, (-1,), 1, stretch, stretch)
+        unit = kernel.UnitJudge(level, (-1,), 1, stretch, stretch)
         unit.judge(unit.lay_out(0), 0)
         library_player.load_player()
 

@@ -143,7 +143,9 @@ class Lanes(Struct):
             process.end()
         self._processes.clear()
 
-    def map(self, engine: tally.RunCounter, units: Iterable[UnitOfRuns]) -> Iterator[PartialResult]:
+    def map(
+        self, counter: tally.RunCounter, units: Iterable[UnitOfRuns]
+    ) -> Iterator[PartialResult]:
         """Yield the parts of all units, as they come.
 
         Raises:
@@ -152,7 +154,7 @@ class Lanes(Struct):
             Unsettled: if processes are lost again and again.
         """
         waiting = in_any_order(units) if self.subject.from_user else iter(units)
-        unit, again, first = next(waiting, None), list[UnitOfRuns](), self._lane_here(engine)
+        unit, again, first = next(waiting, None), list[UnitOfRuns](), self._lane_here(counter)
         last = unit
         while True:
             alone = first is not None and (not self.apart or time.monotonic() < self._began + ALONE)
@@ -164,7 +166,7 @@ class Lanes(Struct):
                     again, unit = [unit], next(waiting, None)
                 process.units.append(again.pop())
                 with suppress(OSError):  # it is lost, and that is seen below
-                    process.link.send((engine, process.units[-1]))
+                    process.link.send((counter, process.units[-1]))
             at_work = [process for process in self._processes if process.units]
             busy = first is not None and first.busy
             if first and busy:
@@ -177,7 +179,7 @@ class Lanes(Struct):
                 except (EOFError, OSError):
                     for left in self._replace(process):
                         again.append(left)
-                        yield PartialResult(left, engine.tally(), last=False, anew=True)
+                        yield PartialResult(left, counter.tally(), last=False, anew=True)
                     continue
                 if isinstance(part, _KNOWN):
                     raise part
@@ -188,17 +190,17 @@ class Lanes(Struct):
         if first and first.keeps and last:
             yield PartialResult(last, first.end(), last=False)
 
-    def _lane_here(self, engine: tally.RunCounter) -> Lane | None:
+    def _lane_here(self, counter: tally.RunCounter) -> Lane | None:
         """One lane as long as the same is asked for; None once others have begun."""
         self._began = self._began or time.monotonic()
         late = self.apart and time.monotonic() > self._began + FIRST_LEVELS
         apart = not self.here or late or bool(self._processes)
-        if apart or (self._lane is not None and self._lane.counter != engine):
+        if apart or (self._lane is not None and self._lane.counter != counter):
             self._close_lane()
         if apart:
             return None
         if self._lane is None:
-            self._lane = self.make(self.subject, engine, self.limits, deadline=self.deadline)
+            self._lane = self.make(self.subject, counter, self.limits, deadline=self.deadline)
         return self._lane
 
     def _close_lane(self) -> None:
@@ -255,8 +257,8 @@ def _serve(link: Connection, lanes: Lanes, *, first_lane: bool) -> NoReturn:
 
 
 def _lane_of(link: Connection, lanes: Lanes, *, first_lane: bool) -> None:
-    engine, unit = link.recv()
-    lane = lanes.make(lanes.subject, engine, lanes.limits, first_lane=first_lane)
+    counter, unit = link.recv()
+    lane = lanes.make(lanes.subject, counter, lanes.limits, first_lane=first_lane)
     try:
         lane.offer(unit)
         while True:

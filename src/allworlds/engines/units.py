@@ -81,7 +81,7 @@ class Transport(Protocol):
 
     def __exit__(self, *_: object) -> None: ...
 
-    def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult]:
+    def map(self, engine: Any, units: Iterable[Any], /) -> Iterator[PartialResult]:
         """Yield the parts of all units, as they come.
 
         Raises:

@@ -267,12 +267,12 @@ class SideBySide:
         self._stack.__exit__(*raised)
 
     def map(
-        self, engine: Sequence[CostEngine], given: Iterable[UnitOfOne]
+        self, engines: Sequence[CostEngine], given: Iterable[UnitOfOne]
     ) -> Iterator[units.PartialResult]:
         """Yield the parts of all units as they come. The units of an entrant stand together."""
         for number, own in groupby(given, key=lambda unit: unit.number):
             transport = self._transports[number]
-            for part in transport.map(engine[number], (each.unit for each in own)):
+            for part in transport.map(engines[number], (each.unit for each in own)):
                 result = CostsOfAll({number: part.result})
                 unit = UnitOfOne(number, part.unit)
                 yield units.PartialResult(unit, result, part.last, part.anew)
