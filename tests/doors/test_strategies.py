@@ -12,7 +12,7 @@ from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import Answered, play
 from allworlds.judging.laws.bounds import paper_bound
-from allworlds.judging.laws.law_table import LAWS, Case, judge
+from allworlds.judging.laws.law_table import LAWS, Case, first_broken
 from allworlds.maps import MapClass
 from allworlds.world import Directional, World
 from bruteforce import rooted_maps_by_permutations as all_rooted_maps
@@ -158,7 +158,7 @@ def violation(world, choices, kind=Algorithm1):
     if not isinstance(episode.ending, Answered):
         return episode.ending.law
     case = Case(episode.walk, episode.checkpoints, episode.ending.answer, bound)
-    return getattr(judge(case, [law.check for law in LAWS.values()]), "law", None)
+    return getattr(first_broken(case, [law.check for law in LAWS.values()]), "law", None)
 
 
 @given(strategies.worlds(strategies.maps(max_edges=10)), strategies.choices())

@@ -6,8 +6,8 @@ from allworlds.judging.laws.law_table import (
     Case,
     Violation,
     bound_law,
+    first_broken,
     folding_law,
-    judge,
     map_law,
     pose_law,
 )
@@ -132,15 +132,15 @@ def checks(*names):
 def test_the_judge_reports_the_first_broken_law_of_those_it_is_given():
     world = World(LOLLIPOP, Directional(0))
     case = Case(walked(world, 0), (), Estimate(EDGE, 0), 0)
-    assert judge(case, checks()).law == "map"
+    assert first_broken(case, checks()).law == "map"
     without = checks(*(name for name in LAWS if name != "map"))
-    assert judge(case, without).law == "folding"
-    assert judge(case, [bound_law, folding_law]).law == "bound"
-    assert judge(case, []) is None
+    assert first_broken(case, without).law == "folding"
+    assert first_broken(case, [bound_law, folding_law]).law == "bound"
+    assert first_broken(case, []) is None
 
 
 def test_every_run_of_algorithm_1_keeps_every_law():
     for m in (1, 2, 3, 4):
         for map_ in rooted_maps(m):
             for place in Directional.places(map_, 0):
-                assert judge(finished(World(map_, place)), checks()) is None
+                assert first_broken(finished(World(map_, place)), checks()) is None

@@ -82,12 +82,12 @@ class CompiledJudge:
         if edges not in self._memories:
             self._memories[edges] = records.Stretch.of(edges), records.Stretch.of(edges)
         level = level_of(self.python.referee.explorer, scope.rules, scope.extent, edges)
-        judge = UnitJudge(level, unit.prefix, self.counter.keep, *self._memories[edges])
+        unit_judge = UnitJudge(level, unit.prefix, self.counter.keep, *self._memories[edges])
         last = False
         while not last:
-            laid = judge.lay_out(size() * (LIBRARIES if self.native else 1))
+            laid = unit_judge.lay_out(size() * (LIBRARIES if self.native else 1))
             last = laid.last
-            batch = CompiledBatch(self, work, judge, laid)
+            batch = CompiledBatch(self, work, unit_judge, laid)
             if laid.runs:
                 yield batch
             elif laid.until > laid.first:  # worlds without a place
@@ -132,12 +132,12 @@ class CompiledJudge:
         in_order = given if not isinstance(given, dict) else [given[row] for row in sorted(given)]
         logs = Logs.of(in_order)
         size = stretch.put(logs)
-        judge = batch.unit_judge
-        judge.heads = batch.heads
-        rows, good = judge.judge(batch.laid, max(0, size))
+        unit_judge = batch.unit_judge
+        unit_judge.heads = batch.heads
+        rows, good = unit_judge.judge(batch.laid, max(0, size))
         count = len(logs)
-        starts = [*replay.starts[:count].tolist(), judge.noted]
-        batch.percepts = replay.percepts[: judge.noted].tobytes()
+        starts = [*replay.starts[:count].tolist(), unit_judge.noted]
+        batch.percepts = replay.percepts[: unit_judge.noted].tobytes()
         batch.starts, batch.motioned = array("i", starts), replay.heads[:count].copy()
         return rows, good and size >= 0
 

@@ -16,7 +16,7 @@ from allworlds.judging.findings.finding import (
     canonical_world,
     place_of,
 )
-from allworlds.judging.laws.law_table import LAWS, Case, Violation, first_wrong, judge
+from allworlds.judging.laws.law_table import LAWS, Case, Violation, first_broken, first_wrong
 from allworlds.judging.rules import Rules
 from allworlds.judging.walk import Walk
 from allworlds.maps.combinatorial import rooted_code
@@ -96,7 +96,7 @@ class Referee:
         if not task.is_map and (wrong := task.flaw(walk, ending)) is not None:
             return Violation("task", task.asks, wrong)
         estimate = answer if task.is_map else None
-        return judge(Case(walk, episode.checkpoints, estimate, bound), self._checks)
+        return first_broken(Case(walk, episode.checkpoints, estimate, bound), self._checks)
 
     def finding(self, world: World, place: int, outcome: Outcome) -> Finding:
         """The finding of a refuting outcome, in canonical numbering."""

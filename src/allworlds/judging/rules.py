@@ -107,7 +107,7 @@ class RuleOptions(Request):
     """
 
     task: Annotated[
-        Converted[str | tasks.Judge | tasks.Task, tasks.Task],
+        Converted[str | tasks.Complaint | tasks.Task, tasks.Task],
         Option(
             RULES,
             "TASK",

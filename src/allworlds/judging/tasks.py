@@ -1,8 +1,8 @@
-"""Tasks: what counts as done, a value like a law.  **The** table of those that come with us.
+"""Tasks: what counts as done, a value like a law.  **The** table of the tasks of this program.
 
-Each is a judge, a function of the world, the transcript and the answer that returns what is wrong,
-or None; one of the user's is the same.  The task ``map`` has no judge of its own: the laws ``map``
-and ``pose`` are its judges.
+Each task has a *complaint*: a function of the world, the transcript and the answer that returns the
+fault of the run, or None.  A user's task is such a function, too.  The task ``map`` has none: the
+laws ``map`` and ``pose`` find its faults.
 """
 
 from collections.abc import Callable
@@ -17,9 +17,9 @@ from allworlds.protocol.importing import attempted
 from allworlds.protocol.user_code import Role, UserCode
 from allworlds.world.world import World
 
-Judge: TypeAlias = Callable[[World, Walk, Any], str | None]
-"""A judge: the fault of a finished run, or None.  One of the user's that ends runs has an attribute
-``over``, a function of the world and the walk."""
+Complaint: TypeAlias = Callable[[World, Walk, Any], str | None]
+"""A function that returns the fault of a finished run, or None.  A function of the user's that ends
+runs has an attribute ``over``, a function of the world and the walk."""
 
 MAP = "map"
 
@@ -29,12 +29,12 @@ class TaskKind(Struct, frozen=True):
 
     Attributes:
         asks: what it asks for, in a sentence.
-        judge: what is wrong with a run; None of the task ``map``.
+        complaint: the function that tells the fault of a run; None for the task ``map``.
         ends: whether the run ends as soon as nothing is wrong.
     """
 
     asks: str
-    judge: Judge | None
+    complaint: Complaint | None
     ends: bool = False
 
 
@@ -55,16 +55,16 @@ def comes_home(world: World, walk: Walk, answer: object) -> str | None:
     return visits_everything(world, walk, answer)
 
 
-def counts(what: str, number: Callable[[World], int]) -> Judge:
-    """The judge of an answer that is to be this number of the world."""
+def counts(what: str, number: Callable[[World], int]) -> Complaint:
+    """The complaint about an answer that is not this number of the world."""
 
-    def judge(world: World, _walk: Walk, answer: object) -> str | None:
+    def complaint(world: World, _walk: Walk, answer: object) -> str | None:
         right = number(world)
         if type(answer) is int and answer == right:
             return None
         return f"the answer {show(answer)}, and {what} is {right}"
 
-    return judge
+    return complaint
 
 
 def _face(world: World) -> int:
@@ -95,7 +95,7 @@ TASKS: dict[str, TaskKind] = {
 """Every task that comes with this program, by its name."""
 
 
-JUDGE = Role(
+TASK_ROLE = Role(
     "task",
     "allworlds.tasks",
     "def judge(world, transcript, answer), which returns None or what is wrong",
@@ -133,13 +133,13 @@ class Task(Struct, frozen=True):
         return TASKS[self.name].asks if self.code is None else f"what {self.name} demands"
 
     @property
-    def _judge(self) -> Any:
-        return TASKS[self.name].judge if self.code is None else self.code.function
+    def _complaint(self) -> Any:
+        return TASKS[self.name].complaint if self.code is None else self.code.function
 
     @property
     def ends_runs(self) -> bool:
         """Whether the judge ends runs, too."""
-        return TASKS[self.name].ends if self.code is None else hasattr(self._judge, "over")
+        return TASKS[self.name].ends if self.code is None else hasattr(self._complaint, "over")
 
     @property
     def over(self) -> Callable[[Walk], bool] | None:
@@ -156,8 +156,8 @@ class Task(Struct, frozen=True):
         if not self.ends_runs:
             return False
         if self.code is None:
-            return self._judge(walk.world, walk, None) is None
-        over = self._asked("over of ", self._judge.over, walk.world, walk)
+            return self._complaint(walk.world, walk, None) is None
+        over = self._asked("over of ", self._complaint.over, walk.world, walk)
         if type(over) is not bool:
             raise InputError(f"over of task {show(self.name)} returns {show(over)}, no boolean")
         return over
@@ -170,7 +170,7 @@ class Task(Struct, frozen=True):
                 is not the same twice.
         """
         answer = ending.answer if isinstance(ending, Answered) else None
-        wrong = self._asked("", self._judge, walk.world, walk, answer)
+        wrong = self._asked("", self._complaint, walk.world, walk, answer)
         if wrong is not None and not isinstance(wrong, str):
             raise InputError(f"task {show(self.name)} returns {show(wrong)}, no text and not None")
         return wrong
@@ -202,12 +202,12 @@ def task_named(given: object) -> Task:
     if isinstance(given, Task):
         return given
     if callable(given):
-        code = JUDGE.of(given)
+        code = TASK_ROLE.of(given)
     else:
         name = a_text("task", given)
         if name in TASKS:
             return Task(name)
-        code = JUDGE.find(name)
+        code = TASK_ROLE.find(name)
     if not code.recorded:
         code.function  # noqa: B018  # it is refused here, and not where it is used
     return Task(code.name, code)

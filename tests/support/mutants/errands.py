@@ -8,7 +8,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from allworlds.judging.tasks import TASKS, Judge, Task
+from allworlds.judging.tasks import TASKS, Complaint, Task
 from allworlds.judging.walk import Walk
 from allworlds.protocol.actions import Move, Percept, Told
 from allworlds.world import World
@@ -79,19 +79,19 @@ WRONG_ERRANDS = (
 
 def home_is_enough(world: World, walk: Walk, answer: object) -> str | None:
     """Only the end of the walk is looked at, and not what was visited."""
-    told = _judge("home")(world, walk, answer)
+    told = _complaint("home")(world, walk, answer)
     return told if told and "where it began" in told else None
 
 
 def visits_are_enough(world: World, walk: Walk, answer: object) -> str | None:
     """Only what was visited is looked at, and not where the walk ended."""
-    return _judge("stop")(world, walk, answer)
+    return _complaint("stop")(world, walk, answer)
 
 
-def _judge(task: str) -> Judge:
-    judge = TASKS[task].judge
-    assert judge is not None
-    return judge
+def _complaint(task: str) -> Complaint:
+    complaint = TASKS[task].complaint
+    assert complaint is not None
+    return complaint
 
 
 class WeakTaskJudge(Struct, frozen=True):
@@ -106,7 +106,7 @@ class WeakTaskJudge(Struct, frozen=True):
 
     name: str
     breaks: str
-    softer: Judge | None = None
+    softer: Complaint | None = None
     task: str = ""
 
     law = "task"

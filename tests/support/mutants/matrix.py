@@ -27,7 +27,7 @@ from allworlds.explorers.loading import in_process_subject
 from allworlds.judging.episode import Answered, play
 from allworlds.judging.findings.finding import canonical_world
 from allworlds.judging.laws.bounds import default_step_budget, paper_bound
-from allworlds.judging.laws.law_table import LAWS, Case, judge
+from allworlds.judging.laws.law_table import LAWS, Case, first_broken
 from allworlds.judging.rules import Rules
 from allworlds.judging.tasks import task_named
 from allworlds.maps import CombinatorialMap, rooted_code, rooted_maps
@@ -185,7 +185,7 @@ def _refused(level: int, explorers: Collection[str]) -> Iterator[_Refused]:
                 case Answered(answer):
                     least = bound if "bound" in laws else None
                     case = Case(episode.walk, episode.checkpoints, answer, least)
-                    if judge(case, laws.values()):
+                    if first_broken(case, laws.values()):
                         yield (case, laws), world, name
 
 

@@ -407,7 +407,7 @@ def checked_laws(laws: Iterable[str], runs: int, checkpoints: int) -> tuple[str,
     return tuple(law for law in laws if checkpoints or law not in OF_CHECKPOINTS)
 
 
-def judge(case: Case, laws: Iterable[Check]) -> Violation | None:
+def first_broken(case: Case, laws: Iterable[Check]) -> Violation | None:
     """The first broken law, or None if all hold.
 
     An answer that names no map is always held to the law ``ambiguity``: no law that can be
