@@ -29,8 +29,8 @@ from allworlds.engines.batch import Work
 from allworlds.engines.compiled_engine import load_native
 from allworlds.engines.compiled_judge import CompiledBatch, CompiledJudge
 from allworlds.engines.judge import PythonJudge
+from allworlds.engines.kernel.arrays import LONGEST_STRETCH, RUN_TOLD
 from allworlds.engines.kernel.library_player import LibraryPlayer
-from allworlds.engines.kernel.records import LONGEST_STRETCH, RUN_TOLD
 from allworlds.engines.players import Logs
 from allworlds.engines.tally import RunCounter
 from allworlds.engines.units import Scope, units_of_level
@@ -118,7 +118,7 @@ class Measured:
             batch.logs[0] = first
             good = timed("judged", lambda b=batch: self.judge.judge(b))
             second = timed(
-                "second play", lambda b=batch, r=rows: self.played(1, b.by.records(b, r, r))
+                "second play", lambda b=batch, r=rows: self.played(1, b.by.percepts(b, r, r))
             )
             if not good or batch.broken or first.message != second.message:
                 raise SystemExit("a law is broken: this measures nothing")

@@ -23,7 +23,7 @@ from typing import Any
 from unittest.mock import patch
 
 from allworlds import check
-from allworlds.engines import run_directory as records
+from allworlds.engines import run_directory
 
 
 @dataclass(slots=True)
@@ -71,11 +71,11 @@ class Meters:
 @contextmanager
 def measured() -> Iterator[Meters]:
     """The meters of what happens in this context."""
-    meters, kept = Meters(), records.RunDirectory
+    meters, kept = Meters(), run_directory.RunDirectory
     with (
         patch.object(kept, "result", meters.asked.around(kept.result)),
         patch.object(kept, "keep", meters.kept.around(kept.keep)),
-        patch.object(records, "_of_job", meters.opened.around(records._of_job)),  # noqa: SLF001  # looked at from inside
+        patch.object(run_directory, "_of_job", meters.opened.around(run_directory._of_job)),  # noqa: SLF001  # looked at from inside
     ):
         yield meters
 

@@ -21,8 +21,8 @@ from allworlds.corpus.explorers import (
     WRONG_EXPLORERS,
     WrongExplorer,
 )
+from allworlds.engines.kernel.arrays import FOLD, LOG, WORLD
 from allworlds.engines.kernel.laws import folds
-from allworlds.engines.kernel.records import FOLD, LOG, WORLD
 from allworlds.explorers.builtin.algorithm1 import Algorithm1
 from allworlds.explorers.loading import in_process_subject, load
 from allworlds.judging.episode import play

@@ -69,7 +69,7 @@ def logs_along(
     left = iter(every)
     with closing(started(Setup(subject, limits), seed=0)) as player:
         while some := list(islice(left, AT_A_TIME)):
-            message = judge.records_message([Recorded(percepts, nowhere) for percepts in some])
+            message = judge.percepts_message([Recorded(percepts, nowhere) for percepts in some])
             for log in map(Log, _logs(player, message)):
                 _seen(fault_of(log, budget))
                 yield log

@@ -45,8 +45,8 @@ from msgspec import Struct
 
 from allworlds.documents.document import replace
 from allworlds.engines.compiled_engine import level_of
+from allworlds.engines.kernel.arrays import Level, Rows
 from allworlds.engines.kernel.engine import judge, walk
-from allworlds.engines.kernel.records import Level, Rows
 from allworlds.engines.units import LevelUnit, drawn_units
 from allworlds.explorers.loading import load
 from allworlds.judging.episode import Answered, Episode, play

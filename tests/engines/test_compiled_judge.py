@@ -9,8 +9,8 @@ from allworlds.engines import compiled_judge
 from allworlds.engines.batch import Due, Work
 from allworlds.engines.compiled_judge import CompiledBatch, CompiledJudge
 from allworlds.engines.judge import PythonJudge
+from allworlds.engines.kernel.arrays import RUN_MOTIONS, RUN_NUMBER, RUN_PLACE
 from allworlds.engines.kernel.capabilities import LIGHTHOUSES
-from allworlds.engines.kernel.records import RUN_MOTIONS, RUN_NUMBER, RUN_PLACE
 from allworlds.engines.more_seeds import MoreSeeds
 from allworlds.engines.tally import EnginesDisagree, RunCounter
 from allworlds.engines.units import Scope, units_of_level
@@ -42,20 +42,20 @@ def batch(monkeypatch):
 
 
 def test_a_library_replays_all_runs_of_a_batch_in_compiled_code(batch):
-    message = batch.by.records(batch, [0, 1])
+    message = batch.by.percepts(batch, [0, 1])
     assert (message["kind"], message["runs"], message["again"]) == ("native", 2, True)
     assert (message["percepts"], message["heads"]) == (b"abcd", "heads of both")
 
 
 @pytest.mark.parametrize(("row", "percepts"), [(0, b"abc"), (1, b"d")])
 def test_of_a_part_of_the_runs_it_replays_their_own_percepts(batch, row, percepts):
-    message = batch.by.records(batch, [row], [0])
+    message = batch.by.percepts(batch, [row], [0])
     assert message == {"kind": "record", "rows": [(row, percepts)], "order": [0]}
 
 
 def test_what_python_plays_is_replayed_by_python(batch):
     batch.plain = True
-    message = batch.by.records(batch, [0, 1])
+    message = batch.by.percepts(batch, [0, 1])
     assert message["rows"] == [(0, b"abc"), (1, b"d")]
 
 

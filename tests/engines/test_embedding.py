@@ -3,12 +3,12 @@
 import numpy as np
 from numba import njit
 
+from allworlds.engines.kernel.arrays import ANSWER, JUDGED, WORLD, new
 from allworlds.engines.kernel.laws import (
     INVARIANT_1,
     INVARIANT_2,
     look_at,
 )
-from allworlds.engines.kernel.records import ANSWER, JUDGED, WORLD, new
 from allworlds.judging.laws.law_table import LAWS, Case
 from allworlds.judging.walk import Walk
 from allworlds.maps import rooted_maps

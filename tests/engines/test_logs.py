@@ -3,8 +3,8 @@
 import pytest
 
 from allworlds.engines.compiled_engine import level_of
+from allworlds.engines.kernel.arrays import Stretch
 from allworlds.engines.kernel.engine import UnitJudge
-from allworlds.engines.kernel.records import Stretch
 from allworlds.engines.players import Logs
 from allworlds.judging.differences import difference_of
 from allworlds.judging.rules import Rules

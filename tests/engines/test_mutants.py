@@ -8,9 +8,9 @@ from allworlds import check
 from allworlds.documents.document import replace
 from allworlds.engines import compiled_engine as compiled
 from allworlds.engines.compiled_engine import AGREED, UNBOUNDED, bounds_of
+from allworlds.engines.kernel.arrays import Counts
 from allworlds.engines.kernel.capabilities import POLICIES
 from allworlds.engines.kernel.engine import judge, walk
-from allworlds.engines.kernel.records import Counts
 from allworlds.engines.kernel.runs import UNDEFINED
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass

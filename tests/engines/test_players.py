@@ -109,7 +109,7 @@ def test_a_player_plays_a_batch_in_worlds_and_against_records(module):
         assert Log(first).actions == [0]
         judged = judge().judged(Due(0, 0, WORLD), first)
         assert judged.outcome.violation is None
-        batch_of_records = judge().records_message([judge_record(judged)], [0])
+        batch_of_records = judge().percepts_message([judge_record(judged)], [0])
         assert [*answered(one, batch_of_records)] == [first]
     finally:
         one.close()

@@ -8,8 +8,8 @@ from msgspec import Struct
 
 from allworlds.documents.document import replace
 from allworlds.engines import run_directory
-from allworlds.engines.job_records import Identity
-from allworlds.engines.run_directory import FILE, SCHEMA, checksum, reading, records_in
+from allworlds.engines.kept_units import Identity
+from allworlds.engines.run_directory import FILE, SCHEMA, checksum, kept_in, reading
 from allworlds.inputs.checks import InputError
 
 JOB = Identity(
@@ -37,7 +37,7 @@ def nothing(text):
 @pytest.fixture
 def finished(tmp_path):
     """A run directory with some units in it."""
-    with records_in(tmp_path / "run", lambda: JOB, nothing) as records:
+    with kept_in(tmp_path / "run", lambda: JOB, nothing) as records:
         for number in range(9):
             records.keep(f"2:-{number}", Rows([number] * 9))
         records.note("ended", "complete")
@@ -45,7 +45,7 @@ def finished(tmp_path):
 
 
 def opened(run, job=JOB):
-    with records_in(run, lambda: job, nothing) as records:
+    with kept_in(run, lambda: job, nothing) as records:
         return [records.result(f"2:-{number}") for number in range(10)]
 
 
@@ -116,7 +116,7 @@ def test_a_directory_that_nobody_can_write_is_refused():
 def test_a_directory_in_use_is_refused(finished, monkeypatch):
     monkeypatch.setattr("allworlds.engines.run_directory.PATIENCE", 0.1)
     with (
-        records_in(finished, lambda: JOB, nothing),
+        kept_in(finished, lambda: JOB, nothing),
         pytest.raises(InputError, match="is in use by another command"),
     ):
         opened(finished)
@@ -167,7 +167,7 @@ def test_a_file_that_was_changed_is_refused(finished, statement, said):
 
 def test_rows_of_another_directory_are_refused(finished, tmp_path):
     other = replace(JOB, parameters={"edges": 3})
-    with records_in(tmp_path / "other", lambda: other, nothing) as records:
+    with kept_in(tmp_path / "other", lambda: other, nothing) as records:
         records.keep("2:-1", Rows([]))
     for name in ("run", "other"):
         with closing(sqlite3.connect(tmp_path / name / FILE)) as connection, connection:

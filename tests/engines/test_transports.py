@@ -11,7 +11,7 @@ import pytest
 
 from allworlds.engines import dask, engine_table
 from allworlds.engines.engine_table import ThisThread, Threads
-from allworlds.engines.job_records import NO_RECORDS, Records
+from allworlds.engines.kept_units import NOTHING_KEPT, KeptUnits
 from allworlds.engines.limits import TimeIsUp
 from allworlds.engines.listeners import NOBODY
 from allworlds.engines.sweep import gather
@@ -139,25 +139,25 @@ class Ending:
 
 
 @pytest.mark.parametrize(
-    ("records", "kept", "digits", "said"),
+    ("kept", "added", "digits", "said"),
     [
         (
-            Records(),
+            KeptUnits(),
             0,
             2,
             "no unit was finished, .* comes no further: a unit takes about [0-9]+ s$",
         ),
-        (Records(), 0, 0, "no unit was finished, so that the same again comes no further$"),
-        (Records(), 1, 2, "^$"),
-        (NO_RECORDS, 0, 2, "^$"),
+        (KeptUnits(), 0, 0, "no unit was finished, so that the same again comes no further$"),
+        (KeptUnits(), 1, 2, "^$"),
+        (NOTHING_KEPT, 0, 2, "^$"),
     ],
 )
-def test_a_time_limit_in_which_no_unit_can_be_kept_is_told(records, kept, digits, said):
+def test_a_time_limit_in_which_no_unit_can_be_kept_is_told(kept, added, digits, said):
     if kept:
-        records.kept = kept
+        kept.added = added
     extent = Extent(MapClass.MAPS, 3)
     with pytest.raises(TimeIsUp) as up:
-        gather(Ending(digits), Digits(), [Slow(3456)], Some(), NOBODY, records, extent)
+        gather(Ending(digits), Digits(), [Slow(3456)], Some(), NOBODY, kept, extent)
     assert re.search(said, str(up.value))
 
 

@@ -118,7 +118,7 @@ COMPARED = [
         {
             *("engines.kernel.compiling", "engines.kernel.capabilities"),
             "engines.kernel.code",
-            *("engines.kernel.compiling", "engines.kernel.records"),
+            *("engines.kernel.compiling", "engines.kernel.arrays"),
         },
     ),
 ]

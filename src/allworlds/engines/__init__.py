@@ -33,7 +33,7 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
 ``losses``, ``hash_seeds``
     the meanings of the loss of a player, and of plays under other hash seeds: tables;
 ``settling``, ``more_seeds``
-    what is wrong with a batch; records that are played under six seeds more;
+    the faults of a batch; runs that are played again under six further seeds;
 ``across``
     all runs of small levels in both orders, and which earlier run makes a later one another;
 ``players``, ``player``
@@ -46,7 +46,7 @@ The pieces, in the order of the way; ``protocol.playing`` and ``log`` make and r
 ``compiled_engine``, ``kernel``
     the engine in compiled code, for built-in explorers, and what it is asked; the code itself, the
     only importer of numba;
-``job_records``, ``run_directory``
+``kept_units``, ``run_directory``
     the identity of a job, and its results as JSON; its finished units, kept on disk;
 ``engine_table``
     **the** table of the engines, what the compiled one cannot do, and the job that they get; two

@@ -187,5 +187,5 @@ class Judge(Protocol):
     def worlds(self, batch: RunBatch, rows: Sequence[int]) -> Message:
         """The message to a player that plays these runs in their worlds."""
 
-    def records(self, batch: RunBatch, rows: Sequence[int], order: Sequence[int] = ()) -> Message:
+    def percepts(self, batch: RunBatch, rows: Sequence[int], order: Sequence[int] = ()) -> Message:
         """The message to a player that plays recorded percepts; nothing of a world."""

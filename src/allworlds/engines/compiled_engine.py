@@ -19,7 +19,7 @@ from msgspec import Struct, field
 from allworlds.documents.document import replace
 from allworlds.engines import linux
 from allworlds.engines.engine_table import WALKED_FROM, Job, kind_of, walks
-from allworlds.engines.kernel import capabilities, engine as kernel, library_player, records
+from allworlds.engines.kernel import arrays, capabilities, engine as kernel, library_player
 from allworlds.engines.kernel.compiling import is_compiled, uncollected
 from allworlds.engines.kernel.runs import UNDEFINED, examine
 from allworlds.engines.tally import AtRun, EnginesDisagree, Row, RunCounter, Tally
@@ -38,9 +38,9 @@ UNBOUNDED = 1 << 40
 
 
 @cache
-def level_of(explorer: str, rules: Rules, extent: classes.Extent, edges: int) -> records.Level:
+def level_of(explorer: str, rules: Rules, extent: classes.Extent, edges: int) -> arrays.Level:
     """The kernel's question for a level."""
-    return records.Level(
+    return arrays.Level(
         edges,
         extent.vertex_limit(edges),
         extent.map_class.simple,
@@ -72,7 +72,7 @@ def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
     return [[[value(n, d0, d) for d in of_all] for d0 in of_v0] for n in range(edges + 2)]
 
 
-def tally_of(rows: records.Rows, unit: LevelUnit, scope: Scope, tally: Tally) -> Tally:
+def tally_of(rows: arrays.Rows, unit: LevelUnit, scope: Scope, tally: Tally) -> Tally:
     """The empty tally with the kernel's counts, without the events and the findings."""
     most_expensive = {
         n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in rows.most_expensive
@@ -176,7 +176,7 @@ def played_tally(scope: Scope, subject: Subject, unit: UnitOfRuns) -> Tally:
     return tally
 
 
-def compare(kernels: Tally, rows: records.Rows, pythons: Tally, unit: LevelUnit) -> None:
+def compare(kernels: Tally, rows: arrays.Rows, pythons: Tally, unit: LevelUnit) -> None:
     """Raise EnginesDisagree unless both engines have counted the same."""
     if _counts_of(kernels) != _counts_of(pythons):
         raise EnginesDisagree(
@@ -260,7 +260,7 @@ class CompiledEngine(Struct, frozen=True):
             self._blame(broken, tally)
         yield tally
 
-    def _blame(self, broken: records.BrokenRun, tally: Tally) -> None:
+    def _blame(self, broken: arrays.BrokenRun, tally: Tally) -> None:
         """Find the runs by the general engine in which the kernel finds a law broken.
 
         Raises:
@@ -291,7 +291,7 @@ def load_native() -> None:
     """Load or compile the code that judges, and that libraries need, but for the lighthouses."""
     level = level_of("", Rules(), classes.Extent(classes.MapClass.MAPS, 1), 1)
     with uncollected():
-        stretch = records.Stretch.of(level.edges)
+        stretch = arrays.Stretch.of(level.edges)
         unit = kernel.UnitJudge(level, (-1,), 1, stretch, stretch)
         unit.judge(unit.lay_out(0), 0)
         library_player.load_player()

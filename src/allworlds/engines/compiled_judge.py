@@ -13,7 +13,7 @@ from typing import Any
 from allworlds.engines.batch import Due, Judged, Message, RunBatch, Work
 from allworlds.engines.compiled_engine import compare, level_of, tally_of
 from allworlds.engines.judge import PythonJudge
-from allworlds.engines.kernel import records
+from allworlds.engines.kernel import arrays
 from allworlds.engines.kernel.engine import LaidOutRuns, UnitJudge
 from allworlds.engines.players import Logs
 from allworlds.engines.tally import EnginesDisagree, Tally
@@ -49,10 +49,10 @@ class CompiledBatch(RunBatch):
 
     def due(self, row: int) -> Due:
         """A run, as Python has it: the map that was laid out, with the lighthouse of Python."""
-        table = self.tables[row].reshape(-1, records.WIDE).tolist()
+        table = self.tables[row].reshape(-1, arrays.WIDE).tolist()
         sigma = [first + (d + 1 - first) % deg for d, (first, _, deg, *_) in enumerate(table)]
-        map_ = CombinatorialMap(sigma, [dart[records.PARTNER] for dart in table])
-        number, place = self.heads[row, [records.RUN_NUMBER, records.RUN_PLACE]].tolist()
+        map_ = CombinatorialMap(sigma, [dart[arrays.PARTNER] for dart in table])
+        number, place = self.heads[row, [arrays.RUN_NUMBER, arrays.RUN_PLACE]].tolist()
         lighthouse = [*self.by.counter.scope.rules.kind.places(map_, 0)][place]
         return Due(number, place, World(map_, lighthouse, 0))
 
@@ -71,7 +71,7 @@ class CompiledJudge:
     def __init__(self, python: PythonJudge, seed: Callable[[], int], *, native: bool) -> None:
         self.python, self.counter, self.rules = python, python.counter, python.rules
         self.seed, self.native = seed, native
-        self._memories: dict[int, tuple[records.Stretch, records.Stretch]] = {}
+        self._memories: dict[int, tuple[arrays.Stretch, arrays.Stretch]] = {}
         self.judged, self._compared = python.judged, False
 
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[CompiledBatch]:
@@ -80,7 +80,7 @@ class CompiledJudge:
         assert isinstance(unit, LevelUnit)
         scope, edges = self.counter.scope, unit.edges
         if edges not in self._memories:
-            self._memories[edges] = records.Stretch.of(edges), records.Stretch.of(edges)
+            self._memories[edges] = arrays.Stretch.of(edges), arrays.Stretch.of(edges)
         level = level_of(self.python.referee.explorer, scope.rules, scope.extent, edges)
         unit_judge = UnitJudge(level, unit.prefix, self.counter.keep, *self._memories[edges])
         last = False
@@ -125,7 +125,7 @@ class CompiledJudge:
                 )
         return True
 
-    def _rows(self, batch: CompiledBatch) -> tuple[records.Rows, bool]:
+    def _rows(self, batch: CompiledBatch) -> tuple[arrays.Rows, bool]:
         """The rows of a batch, and whether all logs could be judged."""
         stretch, replay = self._memories[batch.unit.edges]
         given = batch.logs[0]
@@ -163,7 +163,7 @@ class CompiledJudge:
     def _row(self, batch: CompiledBatch, code: Code, place: int | None) -> int:
         """The row of a run."""
         for row, head in enumerate(batch.heads.tolist()):
-            if head[records.RUN_PLACE] == place:
+            if head[arrays.RUN_PLACE] == place:
                 map_ = batch.due(row).world.map
                 if rooted_code(map_.sigma, map_.alpha, 0) == code:
                     return row
@@ -182,14 +182,14 @@ class CompiledJudge:
         places = (batch.tables[row].tobytes() for row in rows)
         return self.python.message("table", _rows_of(batch, rows, places))
 
-    def records(self, batch: RunBatch, rows: Sequence[int], order: Sequence[int] = ()) -> Message:
+    def percepts(self, batch: RunBatch, rows: Sequence[int], order: Sequence[int] = ()) -> Message:
         """The message to a player that plays recorded percepts; a library's draws the order."""
         assert isinstance(batch, CompiledBatch)
         if len(rows) == len(batch) and not batch.plain:
             again = {"again": True, "percepts": batch.percepts, "starts": batch.starts}
             return self._native(batch, rows, batch.motioned) | again
         if not batch.percepts:  # Python has judged them
-            return self.python.records(batch, rows, order)
+            return self.python.percepts(batch, rows, order)
         sensed = (batch.percepts[batch.starts[row] : batch.starts[row + 1]] for row in rows)
         return self.python.message("record", _rows_of(batch, rows, sensed), order)
 
@@ -219,7 +219,7 @@ class CompiledJudge:
         for work, known in units.values():
             whole = Work(work.unit, self.counter.tally())
             for batch in self.batches(whole, lambda: 1 << 10):
-                numbers = batch.heads[:, records.RUN_NUMBER].tolist()
+                numbers = batch.heads[:, arrays.RUN_NUMBER].tolist()
                 if not all(number in known for number in numbers):
                     break
                 batch.logs[0] = [known[number][0] for number in numbers]
@@ -232,8 +232,8 @@ class CompiledJudge:
 def _rows_of(
     batch: CompiledBatch, rows: Sequence[int], places: Iterable[bytes]
 ) -> list[tuple[Any, ...]]:
-    """Rows of a message: worlds or records, and what is said of each run."""
-    said = batch.heads[[*rows]][:, [records.RUN_BUDGET, records.RUN_TOLD]].tolist()
+    """The entries of a message: a world or percepts, and the numbers of each run."""
+    said = batch.heads[[*rows]][:, [arrays.RUN_BUDGET, arrays.RUN_TOLD]].tolist()
     return [
         (place, None if number < 0 else number, False, budget, "", ())
         for place, (budget, number) in zip(places, said, strict=True)

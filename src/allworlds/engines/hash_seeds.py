@@ -24,7 +24,7 @@ OTHER_SEED = 2
 """The hash seed of all runs in the other order, which no other play of a check has."""
 
 SIX_MORE = (OTHER_SEED, 3, 4, 5, 6, 7)
-"""Other seeds under which some records of larger worlds are played."""
+"""Further seeds under which some runs of larger worlds are played again."""
 
 GOES_BY_HASHES = "the explorer goes by hashes: where PYTHONHASHSEED is another one, so is its walk"
 """The remark on an explorer whose plays with one seed are always the same."""
@@ -39,7 +39,7 @@ def seeds_of(subject: Subject, wanted: Seeds = (FIRST, SECOND)) -> Seeds:
 
 
 def are_more_tried(subject: Subject, seeds: Seeds) -> bool:
-    """Whether records are played under other seeds, too: a program has those of its own."""
+    """Whether some runs are played under further seeds; a program has seeds of its own."""
     return subject.from_user and seeds == (FIRST, SECOND) and not is_program(subject.name)
 
 

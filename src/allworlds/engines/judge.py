@@ -105,9 +105,9 @@ class PythonJudge:
         """The message to a player that plays these runs in their worlds."""
         return self.worlds_message([batch.due(row) for row in rows])
 
-    def records(self, batch: RunBatch, rows: Sequence[int], order: Sequence[int] = ()) -> Message:
+    def percepts(self, batch: RunBatch, rows: Sequence[int], order: Sequence[int] = ()) -> Message:
         """The message to a player that plays recorded percepts; nothing of a world."""
-        return self.records_message([batch.record(row) for row in rows], order)
+        return self.percepts_message([batch.record(row) for row in rows], order)
 
     def worlds_message(self, runs: Sequence[Due]) -> Message:
         """The message to a player that plays these runs in their worlds."""
@@ -120,7 +120,7 @@ class PythonJudge:
         rows = [self._row(due, world) for due, world in zip(runs, worlds, strict=True)]
         return self.message(kind, rows)
 
-    def records_message(self, runs: Sequence[Recorded], order: Sequence[int] = ()) -> Message:
+    def percepts_message(self, runs: Sequence[Recorded], order: Sequence[int] = ()) -> Message:
         """The message to a player that plays these runs against recorded percepts."""
         rows = [self._row(each, playing.numbers_of(each.percepts), over=each.over) for each in runs]
         return self.message("record", rows, order)

@@ -1,4 +1,4 @@
-"""Records of large worlds that are played under six hash seeds more, at the end."""
+"""Runs of large worlds that are played again at the end, under six further hash seeds."""
 
 from random import Random
 
@@ -10,11 +10,11 @@ from allworlds.engines.tally import Tally
 from allworlds.log import Log
 
 KEPT = 64
-"""The number of records of larger worlds that are played under six seeds more."""
+"""The number of runs of larger worlds that are played under six further seeds."""
 
 
 class MoreSeeds:
-    """The runs whose records are kept, and their plays under other seeds.
+    """The runs whose percepts are kept, and their plays under further seeds.
 
     Args:
         settler: of the lane.
@@ -30,7 +30,7 @@ class MoreSeeds:
         return bool(self._kept)
 
     def keep(self, batch: RunBatch) -> None:
-        """Keep some records, if they are of large worlds."""
+        """Keep the percepts of some runs, if their worlds are large."""
         levels = self._settler.judge.counter.scope.extent.levels
         wanted = self._wanted and len(self._kept) < KEPT
         edges = batch.due(0).world.map.edge_count if wanted else 0
@@ -45,7 +45,7 @@ class MoreSeeds:
         runs = [batch.record(row) for batch, row in kept]
         for seed in SIX_MORE:
             order = self._random.sample(range(len(runs)), len(runs))
-            logs, lost = self._settler.plays.anew(seed, judge.records_message(runs, order))
+            logs, lost = self._settler.plays.anew(seed, judge.percepts_message(runs, order))
             # What is lost is tried in the other players, too.
             for (batch, row), log in () if lost else zip(kept, logs, strict=True):
                 if self._settler.differ(batch.outcome(row).log, Log(log)):

@@ -84,11 +84,11 @@ class BothPlays:
         if which == FIRST:
             return batch.by.worlds(batch, rows)
         if not batch.plain and len(rows) == len(batch):  # compiled code draws the order
-            return batch.by.records(batch, rows)
+            return batch.by.percepts(batch, rows)
         order = self._random.sample(range(len(rows)), len(rows))
         if self._random.getrandbits(1):  # who counts runs does not know which comes
             order.insert(self._random.randrange(len(order)), self._random.choice(order))
-        return batch.by.records(batch, rows, order)
+        return batch.by.percepts(batch, rows, order)
 
     def _notice(self, event: str) -> None:
         """Count an event of a built-in explorer, in the batch that is being played."""
@@ -148,12 +148,12 @@ class BothPlays:
 
     def alone(self, which: int, batch: RunBatch, row: int) -> Attempt:
         """The log of a run as one of the plays, by a fresh player, and perhaps its loss."""
-        message = batch.by.worlds if which == FIRST else batch.by.records
+        message = batch.by.worlds if which == FIRST else batch.by.percepts
         return self.anew(self.seeds[which], message(batch, [row]))
 
     def again(self, which: int, seed: int, batch: RunBatch, rows: Rows) -> dict[int, Log]:
         """The logs of these runs as one of the plays, by a fresh player under a seed."""
-        message = batch.by.worlds if which == FIRST else batch.by.records
+        message = batch.by.worlds if which == FIRST else batch.by.percepts
         return self.fresh(seed, partial(message, batch), rows)
 
     def fresh(self, seed: int, message: Callable[[Rows], Message], rows: Rows) -> dict[int, Log]:

@@ -22,7 +22,7 @@ from typing import Any
 from typing_extensions import override
 
 from allworlds import outcome, words
-from allworlds.engines.job_records import ENDED, FORMAT, Identity, Records, to_kept
+from allworlds.engines.kept_units import ENDED, FORMAT, Identity, KeptUnits, to_kept
 from allworlds.engines.units import Sum
 from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.version import __version__
@@ -279,8 +279,8 @@ class Gap(outcome.NoResult):
 
 
 @dataclass(slots=True)
-class RunDirectory(Records):
-    """The records of a job that goes on after an interruption.
+class RunDirectory(KeptUnits):
+    """The finished units of a job that goes on after an interruption.
 
     If there is no room for a unit, or the directory was removed, it is lost with a notice; the job
     goes on.
@@ -292,7 +292,7 @@ class RunDirectory(Records):
 
     database: Database
     notice: Callable[[str], None]
-    kept: int = 0
+    added: int = 0
     _full: bool = False
 
     @override
@@ -303,7 +303,7 @@ class RunDirectory(Records):
     def keep(self, key: str, result: Sum) -> None:
         kept = to_kept(result)
         self._write(lambda: self.database.keep(key, result.worlds, time.time(), kept))
-        self.kept += 1
+        self.added += 1
 
     @override
     def recall(self, name: str) -> Any:
@@ -332,8 +332,8 @@ class RunDirectory(Records):
 
 
 @dataclass(frozen=True, slots=True)
-class Merged(Records):
-    """The records of several run directories as those of one job, to which nothing is added."""
+class Merged(KeptUnits):
+    """The finished units of several run directories as those of one job; none is added."""
 
     directories: Sequence[Database]
 
@@ -373,10 +373,10 @@ class Merged(Records):
 
 
 @contextmanager
-def records_in(
+def kept_in(
     run: str | Path, identity: Callable[[], Identity], notice: Callable[[str], None]
-) -> Iterator[Records]:
-    """The records of a job in a directory, which is made where it is missing.
+) -> Iterator[KeptUnits]:
+    """The finished units of a job in a directory, which is made if it is missing.
 
     Args:
         run: the directory.

@@ -138,7 +138,7 @@ class Settler:
         due, one = batch.due(row), batch.outcome(row).log
         log = self.plays.again(FIRST, seeds[FIRST], batch, [row])[row]
         anew = self._anew(due, log)
-        message = self.judge.records_message([Recorded.of(due, anew.episode)])
+        message = self.judge.percepts_message([Recorded.of(due, anew.episode)])
         again = self.plays.fresh(seeds[SECOND], lambda _: message, [row])
         if self.differ(log, again[row]):
             return None

@@ -285,7 +285,7 @@ class Plays:
         """The logs of plays of the record of these actions, and the prints."""
         walk = Walk.of(self._world, actions)
         record = Recorded(walk.percepts, self._world, script, self._rules.task.is_over(walk))
-        return self._played(self.judge.records_message([record] * times), seed)
+        return self._played(self.judge.percepts_message([record] * times), seed)
 
     def traced(self, runs: Sequence[Due]) -> Sequence[bytes]:
         """The logs of these runs, and behind them the lines of code through which they went."""

@@ -24,7 +24,7 @@ from allworlds.documents import document as doc
 from allworlds.engines import limits, linux, players, tally, units
 from allworlds.engines.asked_again import DRAWN, SMALL, ensure_same_worlds
 from allworlds.engines.engine_table import ReadyEngine, ThisThread
-from allworlds.engines.job_records import ENDED, NO_RECORDS, Identity, Records, from_kept
+from allworlds.engines.kept_units import ENDED, NOTHING_KEPT, Identity, KeptUnits, from_kept
 from allworlds.engines.listeners import NOBODY, Listener
 from allworlds.inputs import checks, requests
 from allworlds.maps import classes
@@ -43,12 +43,12 @@ def gather(
     undone: Iterable[units.Unit],
     total: units.Sum,
     listener: Listener,
-    records: Records = NO_RECORDS,
+    kept: KeptUnits = NOTHING_KEPT,
     extent: classes.Extent | None = None,
 ) -> None:
     """Add the results of all units to ``total``; the listener is told of each part.
 
-    The records keep each unit when it is whole.
+    A unit that is whole is added to ``kept``.
 
     Raises:
         TimeIsUp: when the time limit has been reached; ``total`` holds the results till then.  If
@@ -69,9 +69,9 @@ def gather(
                 listener.walk(*part.walk)
             if part.last:
                 total.add(begun.pop(unit.key))
-                records.keep(unit.key, whole)
+                kept.keep(unit.key, whole)
     except limits.TimeIsUp:
-        if records is NO_RECORDS or records.kept:
+        if kept is NOTHING_KEPT or kept.added:
             raise
         said = "; no unit was finished, so that the same again comes no further"
         if unit and extent and hasattr(unit, "weight") and (done := begun[unit.key].worlds):
@@ -100,14 +100,14 @@ class Sweep(ABC, Generic[Total, Answer]):
         portion: the part of the units that is done.
         seconds: those that each finished level took.
         deadline: on the monotonic clock, or None.
-        records: of the job, while it goes on.
+        kept: the finished units of the job, while it goes on.
     """
 
     verb: ClassVar[str]
     asked: ClassVar[Any]
     result: ClassVar[Any]
     finer: ClassVar[int] = 0
-    records: Records
+    kept: KeptUnits
 
     def __init__(self, request: Any, extent: classes.Extent | None = None) -> None:
         self.request, self.extent = request, extent
@@ -218,25 +218,25 @@ class Sweep(ABC, Generic[Total, Answer]):
                 "without --run DIR the report of this shard cannot be merged with others"
             )
         if run is None:
-            return self._answered(NO_RECORDS, self._from_the_beginning)
-        from allworlds.engines.run_directory import records_in
+            return self._answered(NOTHING_KEPT, self._from_the_beginning)
+        from allworlds.engines.run_directory import kept_in
 
-        with records_in(run, self.identity, self.listener.notice) as records:
-            return self._answered(records, self._from_the_beginning)
+        with kept_in(run, self.identity, self.listener.notice) as kept:
+            return self._answered(kept, self._from_the_beginning)
 
-    def merged(self, records: Records) -> Answer:
+    def merged(self, kept: KeptUnits) -> Answer:
         """Return the report of the kept units, which must be all.
 
         Raises:
             Gap: if a unit is missing.
         """
         no_engine = ReadyEngine(ThisThread(), None)
-        return self._answered(records, lambda: self._swept(lambda: no_engine))
+        return self._answered(kept, lambda: self._swept(lambda: no_engine))
 
-    def _answered(self, records: Records, swept: Callable[[], outcome.Ending]) -> Answer:
-        self.records = records
+    def _answered(self, kept: KeptUnits, swept: Callable[[], outcome.Ending]) -> Answer:
+        self.kept = kept
         ending = outcome.ended(swept)
-        records.note("ended", ENDED if ending.final else ending.reason)
+        kept.note("ended", ENDED if ending.final else ending.reason)
         return self.report(ending)
 
     def _from_the_beginning(self) -> outcome.Ending:
@@ -275,9 +275,7 @@ class Sweep(ABC, Generic[Total, Answer]):
                 total, began = self.empty(), time.monotonic()
                 try:
                     undone = self._undone(level, total, drawn)
-                    gather(
-                        there, made.engine, undone, total, self.listener, self.records, self.extent
-                    )
+                    gather(there, made.engine, undone, total, self.listener, self.kept, self.extent)
                     if level.edges >= SMALL:
                         ensure_same_worlds(narrowed, drawn, self.deadline)
                         drawn.clear()
@@ -305,10 +303,10 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     def _is_kept(self, unit: units.Unit, total: Total) -> bool:
         """Return whether a unit was finished before; then its result is added to the total."""
-        kept = self.records.result(unit.key)
-        if kept is None:
+        result = self.kept.result(unit.key)
+        if result is None:
             return False
-        result = self.read(kept)
+        result = self.read(result)
         total.add(result)
         self.listener.progress(result.worlds)
         return True

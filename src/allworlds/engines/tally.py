@@ -13,7 +13,7 @@ from typing import Annotated, Any, NamedTuple, Self
 from msgspec import Struct
 
 from allworlds.documents.document import replace
-from allworlds.engines import job_records, units
+from allworlds.engines import kept_units, units
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.referee import Outcome, Referee
 from allworlds.judging.rules import Rules
@@ -126,7 +126,7 @@ class Tally:
     witnesses: Counter[str] = field(default_factory=Counter)
     left_out: int = 0
     checkpoints: int = 0
-    findings: list[Annotated[Finding, job_records.Form(finding_to_record, finding_from_record)]] = (
+    findings: list[Annotated[Finding, kept_units.Form(finding_to_record, finding_from_record)]] = (
         field(default_factory=list)
     )
     remarks: Counter[str] = field(default_factory=Counter)

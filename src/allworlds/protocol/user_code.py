@@ -273,13 +273,13 @@ _RECORDED: ContextVar[Mapping[str, str]] = ContextVar("recorded", default=Mappin
 
 
 @contextmanager
-def as_recorded(records: Mapping[str, str]) -> Iterator[None]:
-    """Find code of these names as it was recorded, whatever has become of its file.
+def as_recorded(texts: Mapping[str, str]) -> Iterator[None]:
+    """Find the code of these names as it was recorded, whatever has become of its file.
 
     Args:
-        records: by names without arguments, :attr:`UserCode.record`.
+        texts: :attr:`UserCode.record` of the code, by its name without arguments.
     """
-    token = _RECORDED.set(records)
+    token = _RECORDED.set(texts)
     try:
         yield
     finally:

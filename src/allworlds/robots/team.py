@@ -10,7 +10,7 @@ from typing import Annotated, Any
 
 from msgspec import Struct
 
-from allworlds.engines.job_records import Form
+from allworlds.engines.kept_units import Form
 from allworlds.engines.units import LevelUnit
 from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import content_digest, not_alike, with_content

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal, TypeAlias
 
 from allworlds.documents import document as doc
 from allworlds.documents.report import Report
-from allworlds.engines import job_records, run_directory, sweep
+from allworlds.engines import kept_units, run_directory, sweep
 from allworlds.engines.listeners import NOBODY, Listener
 from allworlds.engines.units import WHOLE, is_counted
 from allworlds.inputs.checks import InputError, a_path, show
@@ -48,8 +48,8 @@ def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
 @contextmanager
 def shards_of(
     runs: Sequence[str | Path],
-) -> Iterator[tuple[job_records.Identity, run_directory.Merged]]:
-    """The records of all shards of one job, and the job's identity.
+) -> Iterator[tuple[kept_units.Identity, run_directory.Merged]]:
+    """The identity of one job, and the finished units of all its shards.
 
     Raises:
         InputError: if they are not of one job, or overlap.
@@ -84,7 +84,7 @@ def shards_of(
 
 def _merged(request: MergeRequest) -> Any:
     runs = request.runs
-    with shards_of(runs) as (identity, records):
+    with shards_of(runs) as (identity, kept):
         if identity.version != __version__:
             raise InputError(
                 f"run directory {show(str(runs[0]))} is of version {show(identity.version)}, not "
@@ -95,7 +95,7 @@ def _merged(request: MergeRequest) -> Any:
             sweep = kind.known(identity, WHOLE, request.listener)
             if request.by is not None:
                 sweep.list_by(request.by)
-            return sweep.merged(records)
+            return sweep.merged(kept)
 
 
 @takes_fields(MergeRequest, several="runs", answered=_merged)
@@ -193,7 +193,7 @@ def status(request: StatusRequest) -> Standing:
     with run_directory.reading(path) as database, as_recorded(database.identity.code):
         identity = database.identity
         sweep = sweep_of(identity.verb).known(identity, identity.portion, NOBODY)
-        ended = database.recall("ended") == job_records.ENDED
+        ended = database.recall("ended") == kept_units.ENDED
         began = database.last_session()
         units = worlds = recent = findings = 0
         last = began

@@ -5,8 +5,8 @@ from random import Random
 import pytest
 from numba import njit
 
+from allworlds.engines.kernel.arrays import JUDGED, WORLD, new
 from allworlds.engines.kernel.laws import INVARIANT_1, INVARIANT_2, VARIANT, answer_law
-from allworlds.engines.kernel.records import JUDGED, WORLD, new
 from allworlds.maps import random_map
 from engines.test_embedding import look, published_as
 

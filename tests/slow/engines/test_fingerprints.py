@@ -4,10 +4,10 @@ import pytest
 from numpy import array, int64, zeros
 
 from allworlds.engines.compiled_engine import level_of
+from allworlds.engines.kernel.arrays import GLUING, WORLD, new
 from allworlds.engines.kernel.code import LESS, fingerprint
 from allworlds.engines.kernel.compiling import entry
 from allworlds.engines.kernel.engine import walk
-from allworlds.engines.kernel.records import GLUING, WORLD, new
 from allworlds.engines.kernel.worlds import advance, gluing_rule, settle
 from allworlds.engines.units import units_of_level
 from allworlds.judging.rules import Rules

@@ -9,10 +9,10 @@ from allworlds import CombinatorialMap, Estimate, Move
 from allworlds.documents.document import replace
 from allworlds.engines.compiled_engine import level_of, played_tally
 from allworlds.engines.kernel.algorithm1 import explorer_addresses
+from allworlds.engines.kernel.arrays import ACTION, ANSWER, PERCEPT, ROBOT
 from allworlds.engines.kernel.capabilities import ANSWER_READY, CHECKPOINT, MOVE
 from allworlds.engines.kernel.compiling import address_of
 from allworlds.engines.kernel.engine import judge
-from allworlds.engines.kernel.records import ACTION, ANSWER, PERCEPT, ROBOT
 from allworlds.engines.units import LevelUnit, Scope
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.loading import in_process_subject

@@ -40,9 +40,9 @@ def without_choices():
 @pytest.mark.usefixtures("compiled")
 def test_a_library_that_plays_tells_which_run_of_the_batch_it_is_in():
     from allworlds.engines.compiled_engine import level_of
+    from allworlds.engines.kernel.arrays import Stretch
     from allworlds.engines.kernel.engine import UnitJudge
     from allworlds.engines.kernel.library_player import LibraryPlayer
-    from allworlds.engines.kernel.records import Stretch
 
     memory = Stretch.of(2)
     beat = array("q", [0, 0])

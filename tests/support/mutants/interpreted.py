@@ -18,8 +18,8 @@ import numpy as np
 from allworlds.documents.document import replace
 from allworlds.engines.compiled_engine import level_of
 from allworlds.engines.kernel import compiling, engine
+from allworlds.engines.kernel.arrays import JOB, ROBOT, Level, Rows
 from allworlds.engines.kernel.capabilities import EXPLORERS, LIGHTHOUSES, POLICIES
-from allworlds.engines.kernel.records import JOB, ROBOT, Level, Rows
 from allworlds.engines.kernel.runs import UnitArrays
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass

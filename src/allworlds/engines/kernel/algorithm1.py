@@ -16,8 +16,8 @@ from numba import types
 from numpy import int64
 
 from allworlds.engines.kernel import capabilities as names
+from allworlds.engines.kernel.arrays import ACTION, ANSWER, NONE, PERCEPT, ROBOT
 from allworlds.engines.kernel.compiling import RECORD, address_of, callback, inlined, inner
-from allworlds.engines.kernel.records import ACTION, ANSWER, NONE, PERCEPT, ROBOT
 
 PASSING, FOLLOWING, CROSSING, TESTING, RETRACING, MATCHED = range(6)
 """Between two passes; on the way through S; on the dart e; on a path that tests a hypothesis;

@@ -1,7 +1,7 @@
 """Canonical codes and fingerprints of rooted maps, and lists of the least of them."""
 
+from allworlds.engines.kernel.arrays import NONE
 from allworlds.engines.kernel.compiling import inlined, inner
-from allworlds.engines.kernel.records import NONE
 
 FACTOR, LESS = 0x1E3779B97F4A7C15, (1 << 62) - 1
 """Those of :mod:`allworlds.maps.enumeration`, so that sums of two stay below 2^63."""

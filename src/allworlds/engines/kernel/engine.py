@@ -18,12 +18,9 @@ from typing import Any
 from msgspec import Struct
 from numpy import argwhere, array, asarray, int8, int64, zeros
 
-from allworlds.engines.kernel import demand_driven as walks, records as layout, runs
+from allworlds.engines.kernel import arrays as layout, demand_driven as walks, runs
 from allworlds.engines.kernel.algorithm1 import explorer_addresses
-from allworlds.engines.kernel.capabilities import EVENTS, EXPLORERS, POLICIES
-from allworlds.engines.kernel.compiling import call, entry
-from allworlds.engines.kernel.laws import LAWS
-from allworlds.engines.kernel.records import (
+from allworlds.engines.kernel.arrays import (
     JOB,
     LOG_BYTES,
     NONE,
@@ -39,6 +36,9 @@ from allworlds.engines.kernel.records import (
     Stretch,
     new,
 )
+from allworlds.engines.kernel.capabilities import EVENTS, EXPLORERS, POLICIES
+from allworlds.engines.kernel.compiling import call, entry
+from allworlds.engines.kernel.laws import LAWS
 from allworlds.engines.kernel.worlds import (
     advance,
     gluing_rule,
@@ -213,21 +213,21 @@ class UnitJudge:
     Args:
         level, prefix: as for :func:`judge`.
         keep: the number of broken runs that are kept of each batch.
-        stretch: the memory for the first play.
-        records: for the second.
+        stretch: the memory of the first play.
+        replay: the memory of the second play.
     """
 
     def __init__(
-        self, level: Level, prefix: Sequence[int], keep: int, stretch: Stretch, records: Stretch
+        self, level: Level, prefix: Sequence[int], keep: int, stretch: Stretch, replay: Stretch
     ) -> None:
-        self._stretch, self._records, self.worlds, self.noted = stretch, records, stretch.worlds, 0
+        self._stretch, self._replay, self.worlds, self.noted = stretch, replay, stretch.worlds, 0
         self._ahead, self._job, self._robot = new(JOB), new(JOB), new(ROBOT)
         for job in (self._ahead, self._job):
             set_up(job, self._robot, level)
         self._unit = unit_of(level, prefix, keep)
         self._reader = reader = new(READER)
         reader.logs, reader.begins = stretch.logs.ctypes.data, stretch.begins.ctypes.data
-        reader.percepts, reader.starts = records.percepts.ctypes.data, records.starts.ctypes.data
+        reader.percepts, reader.starts = replay.percepts.ctypes.data, replay.starts.ctypes.data
 
     def lay_out(self, most: int) -> LaidOutRuns:
         """Write the next batch, of about that many runs, to the memory; return its bounds."""
@@ -254,7 +254,7 @@ class UnitJudge:
         for results in (unit.met, unit.counts, unit.kept.most_expensive, unit.kept.least):
             results[:] = 0
         runs.examine(job, reader, unit, flag())
-        starts, heads = self._records.starts, self._records.heads[:count]
+        starts, heads = self._replay.starts, self._replay.heads[:count]
         starts[count] = self.noted = int(reader.noted)
         self.heads[:, layout.RUN_MOTIONS] = (starts[1 : count + 1] - starts[:count]) // 3 - 1
         heads[:] = self.heads

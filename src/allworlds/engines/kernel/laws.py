@@ -14,9 +14,9 @@ The twins are :mod:`allworlds.judging.laws` and
 
 from numpy import int64
 
+from allworlds.engines.kernel.arrays import DARTS, NONE
 from allworlds.engines.kernel.capabilities import LONG
 from allworlds.engines.kernel.compiling import entry_of, inlined, inner, lowest, size as size_of
-from allworlds.engines.kernel.records import DARTS, NONE
 from allworlds.judging.laws.law_table import PRECEDENCE
 
 LAWS = ("", *PRECEDENCE)

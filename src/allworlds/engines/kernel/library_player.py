@@ -1,4 +1,4 @@
-"""Batches of runs played by a shared library, in worlds or against records; for players alone.
+"""Batches of runs that a shared library plays, in worlds or by percepts; for players alone.
 
 A run leaves a log (:mod:`allworlds.log`), which is judged elsewhere.  The twin is
 :mod:`allworlds.explorers.shared_library`.
@@ -13,7 +13,8 @@ from numpy import array, diff, empty, frombuffer, int32 as c_int, int64, uint8
 from numpy.random import default_rng
 
 from allworlds import log as codes
-from allworlds.engines.kernel import capabilities as names, records as layout
+from allworlds.engines.kernel import arrays as layout, capabilities as names
+from allworlds.engines.kernel.arrays import LIBRARY, NONE, Stretch, new
 from allworlds.engines.kernel.compiling import (
     RECORD,
     address_of,
@@ -26,7 +27,6 @@ from allworlds.engines.kernel.compiling import (
     inlined,
     inner,
 )
-from allworlds.engines.kernel.records import LIBRARY, NONE, Stretch, new
 from allworlds.explorers.shared_library import NativeExplorer, threads_left, threads_now
 
 LONGEST_ENTRY = 4 + 2 * codes.MOST_DARTS

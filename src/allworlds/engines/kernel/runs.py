@@ -15,6 +15,7 @@ from numpy import int64
 
 from allworlds import log as codes
 from allworlds.engines.kernel import laws
+from allworlds.engines.kernel.arrays import LOG_BYTES, NONE, READER, Kept
 from allworlds.engines.kernel.capabilities import ANSWER_READY, CHECKPOINT, MOVE
 from allworlds.engines.kernel.code import LESS, blame, fingerprint, is_less, note
 from allworlds.engines.kernel.compiling import (
@@ -29,7 +30,6 @@ from allworlds.engines.kernel.compiling import (
     put_entry,
 )
 from allworlds.engines.kernel.laws import answer_law, folds, look_at
-from allworlds.engines.kernel.records import LOG_BYTES, NONE, READER, Kept
 from allworlds.engines.kernel.worlds import advance, arrival, doubled, settle
 
 # The columns of the tally, by vertices.

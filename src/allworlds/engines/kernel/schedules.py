@@ -16,9 +16,9 @@ from typing import Any, NamedTuple
 
 from numpy import array, int64, zeros
 
+from allworlds.engines.kernel.arrays import SCHEDULES, new
 from allworlds.engines.kernel.code import encode, keep_least
 from allworlds.engines.kernel.compiling import entry, inner, lowest, neighbours
-from allworlds.engines.kernel.records import SCHEDULES, new
 from allworlds.engines.kernel.worlds import advance, gluing_rule, rule_address, settle
 
 SHORTEST, SIMPLE = range(2)

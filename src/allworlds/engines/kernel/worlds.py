@@ -17,6 +17,7 @@ from typing import Any
 from numba import types
 from numpy import array, int64, ones, zeros
 
+from allworlds.engines.kernel.arrays import GLUING, NONE, WORLD, new
 from allworlds.engines.kernel.code import number
 from allworlds.engines.kernel.compiling import (
     RECORD,
@@ -28,7 +29,6 @@ from allworlds.engines.kernel.compiling import (
     lowest,
     size,
 )
-from allworlds.engines.kernel.records import GLUING, NONE, WORLD, new
 
 
 def gluing_rule(edges: int) -> Any:

@@ -85,8 +85,8 @@ def named_model(text: object) -> NamedModel:
     return NamedModel(name, model, codes_of(name))
 
 
-def _named_again(name: str, records: dict[str, str]) -> NamedModel:
-    with user_code.as_recorded(records):
+def _named_again(name: str, texts: dict[str, str]) -> NamedModel:
+    with user_code.as_recorded(texts):
         return named_model(name)
 
 

@@ -95,10 +95,10 @@ def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
 @lru_cache(16)
 def _room(edges: int, thread: int) -> tuple[Any, ...]:  # noqa: ARG001  # each has its own
     """The memory of compiled code: a job, a robot that does not move, and the worlds."""
-    from allworlds.engines.kernel import records
+    from allworlds.engines.kernel import arrays
 
-    made = records.Stretch.of(edges)
-    return records.new(records.JOB), records.new(records.ROBOT), made.heads, made.worlds
+    made = arrays.Stretch.of(edges)
+    return arrays.new(arrays.JOB), arrays.new(arrays.ROBOT), made.heads, made.worlds
 
 
 def laid_out(
@@ -107,27 +107,27 @@ def laid_out(
     """The worlds of a unit, some at a time, with the number of maps; made by compiled code."""
     import numpy as np
 
-    from allworlds.engines.kernel import engine, records
+    from allworlds.engines.kernel import arrays, engine
 
     of, name, at = extent.map_class, compiled_name(kind, extent), np.arange(2 * unit.edges)
     asked = unit.edges, extent.vertex_limit(unit.edges), of.simple, of.planar, "", name, "fifo", ()
-    level = records.Level(*asked, [[[0]]], (0,) * (unit.edges + 2))
+    level = arrays.Level(*asked, [[[0]]], (0,) * (unit.edges + 2))
     job, robot, heads, laid = _room(unit.edges, get_ident())
     job.gluing = job.world = job.number = 0
     engine.set_up(job, robot, level)
     wanted = engine.unit_of(level, unit.prefix)
     while job.until:
         before = int(job.number)
-        job.until = before + records.LONGEST_STRETCH
+        job.until = before + arrays.LONGEST_STRETCH
         runs = engine.lay_out(job, wanted, heads, laid)
-        rows = laid[:runs].reshape(-1, len(at), records.WIDE).astype(np.int64)
+        rows = laid[:runs].reshape(-1, len(at), arrays.WIDE).astype(np.int64)
         first, alpha, degree, marks, bearing = np.moveaxis(rows, 2, 0)
         if issubclass(kind, SensedByBearing):
             words = [word_of(kind.pattern, d) + (0,) * (len(at) - d) for d in range(1, len(at) + 1)]
             back = (marks.argmax(axis=1)[:, None] - at) % degree[:, :1]
             marks = np.where(first == 0, np.array(words)[degree - 1, back], 0)
         maps = int((rows[1:, :, :2] != rows[:-1, :, :2]).any(axis=(1, 2)).sum()) + (runs > 0)
-        told = [None if each < 0 else each for each in heads[:runs, records.RUN_TOLD].tolist()]
+        told = [None if each < 0 else each for each in heads[:runs, arrays.RUN_TOLD].tolist()]
         sigma = first + (at - first + 1) % degree
         sensed = (marks << BITS | bearing) << BITS | degree
         vertices = (first == at).sum(axis=1).tolist()

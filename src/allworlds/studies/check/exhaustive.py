@@ -17,7 +17,7 @@ from allworlds.engines.engine_table import (
     engine_for,
     why_not_compiled,
 )
-from allworlds.engines.job_records import Identity
+from allworlds.engines.kept_units import Identity
 from allworlds.engines.limits import deadline_after
 from allworlds.engines.listeners import Listener
 from allworlds.inputs.checks import InputError

@@ -17,7 +17,7 @@ from allworlds import outcome
 from allworlds.documents.document import replace
 from allworlds.engines import lanes, single, sweep, tally, units
 from allworlds.engines.engine_table import Job
-from allworlds.engines.job_records import Records, canonical, from_kept
+from allworlds.engines.kept_units import KeptUnits, canonical, from_kept
 from allworlds.engines.limits import Limits, deadline_after
 from allworlds.explorers import loading, sources
 from allworlds.inputs import requests
@@ -44,14 +44,14 @@ class Confirmation(Struct, frozen=True):
     Attributes:
         subject, limits, scope: of the job.
         deadline: past it findings are left as they are.
-        records: what is on record is believed, so that a finding is the same whoever reports it.
+        kept: what is noted there is believed, so that a finding is the same whoever reports it.
     """
 
     subject: loading.Subject
     limits: Limits
     scope: units.Scope
     deadline: float | None
-    records: Records
+    kept: KeptUnits
 
     def confirmed(self, findings: Iterable[Finding]) -> list[Finding]:
         """The findings, each played again in a fresh process."""
@@ -123,7 +123,7 @@ class Confirmation(Struct, frozen=True):
         """
         plain = replace(found, minimal=False)
         digest = hashlib.sha256(canonical(tally.finding_to_record(plain)).encode()).hexdigest()
-        record: Any = self.records.recall(f"{name} {digest}")
+        record: Any = self.kept.recall(f"{name} {digest}")
         if record is None:
             if self.is_late:
                 return found
@@ -133,7 +133,7 @@ class Confirmation(Struct, frozen=True):
             else:
                 record = {"finding": tally.finding_to_record(settled)}
             if not self.is_late:  # else it may have been given up
-                self.records.note(f"{name} {digest}", record)
+                self.kept.note(f"{name} {digest}", record)
         if "remark" in record:
             return str(record["remark"])
         again = tally.finding_from_record(record["finding"])
@@ -291,4 +291,4 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
     def confirmation(self) -> Confirmation:
         """The confirmation of this sweep's findings."""
         job = self.job
-        return Confirmation(job.subject, job.limits, self.scope, self.deadline, self.records)
+        return Confirmation(job.subject, job.limits, self.scope, self.deadline, self.kept)

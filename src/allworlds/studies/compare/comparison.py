@@ -11,7 +11,7 @@ from typing_extensions import override
 
 from allworlds import outcome
 from allworlds.documents import document as doc
-from allworlds.engines import job_records, single, units
+from allworlds.engines import kept_units, single, units
 from allworlds.engines.listeners import Listener
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import takes_fields
@@ -181,7 +181,7 @@ class SameWorlds(Contest[Comparison]):
     @override
     @classmethod
     def known(
-        cls, identity: job_records.Identity, portion: units.Shard, listener: Listener
+        cls, identity: kept_units.Identity, portion: units.Shard, listener: Listener
     ) -> "SameWorlds | GrowingWorlds":
         request = cls.asked_then(identity, portion, listener)
         entrants = tuple(

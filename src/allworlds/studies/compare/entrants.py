@@ -14,7 +14,7 @@ from typing_extensions import override
 
 from allworlds import outcome
 from allworlds.documents import document as doc
-from allworlds.engines import job_records, single, sweep, units
+from allworlds.engines import kept_units, single, sweep, units
 from allworlds.engines.engine_table import Job, ReadyEngine, players_for
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.explorers import loading, sources
@@ -461,7 +461,7 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
 
     @override
     def read(self, kept: Any) -> CostsOfAll:
-        total = job_records.from_kept(kept, CostsOfAll)
+        total = kept_units.from_kept(kept, CostsOfAll)
         for number, tally in total.of.items():
             tally.under(self.entrants[number].rules)
         return total
@@ -498,7 +498,7 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
         for (_, number), tally in sorted(self._found.items()):
             one, limits = self.entrants[number], self.request.limits
             scope = one.scope(self.bounds)
-            job = one.subject, limits, scope, self.deadline, self.records
+            job = one.subject, limits, scope, self.deadline, self.kept
             found = [*map(scope.labelled, tally.findings)]
             self.findings += Confirmation(*job).confirmed(found)
         return outcome.Completed() if ending.final and self.findings else None

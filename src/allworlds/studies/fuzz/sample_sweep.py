@@ -9,7 +9,7 @@ from typing_extensions import override
 from allworlds.documents.document import Text, about
 from allworlds.engines import lanes, single
 from allworlds.engines.engine_table import ReadyEngine, players_for
-from allworlds.engines.job_records import Identity
+from allworlds.engines.kept_units import Identity
 from allworlds.engines.limits import Limits, TimeIsUp
 from allworlds.engines.listeners import Listener
 from allworlds.engines.tally import RunCounter, Tally

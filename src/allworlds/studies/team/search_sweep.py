@@ -13,7 +13,7 @@ from allworlds import outcome
 from allworlds.documents import document as doc
 from allworlds.engines import lanes, sweep, units
 from allworlds.engines.engine_table import ReadyEngine
-from allworlds.engines.job_records import Identity
+from allworlds.engines.kept_units import Identity
 from allworlds.engines.limits import Limits, TimeoutOptions
 from allworlds.engines.listeners import Listener
 from allworlds.inputs.checks import parse_json, show

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from allworlds.engines.kernel.records import JOB, new
+from allworlds.engines.kernel.arrays import JOB, new
 
 
 def resident():

@@ -1,9 +1,9 @@
-"""The requests to the engines and their results, and the records of compiled code.
+"""The requests to the engines and their results, and the structured arrays of compiled code.
 
-Requests and results are plain numbers.  The records lie in memory, field by field, beside the
-memory for a batch of runs: every record is one structured array; compiled code reaches its fields
-by name, and gets a pointer where a function takes one.  Darts of a vertex are consecutive in a map
-that has been glued, and its root is dart 0.
+Requests and results are plain numbers.  A structured array lies in memory field by field, beside
+the memory of a batch of runs.  Compiled code reaches its fields by name, and gets a pointer to it
+where a function takes one.  In a map that has been glued the darts of a vertex are consecutive, and
+the root is dart 0.
 """
 
 from __future__ import annotations
@@ -362,13 +362,13 @@ class Kept(NamedTuple):
 
 
 def new(kind: Any) -> Any:
-    """A record of the kind, all zero; of its memory only what is written to is taken."""
+    """A structured array of this kind, all zero; only the pages that are written to take memory."""
     memory = mmap(-1, kind.itemsize, MAP_PRIVATE)
     return frombuffer(memory, kind).view(recarray)[0]
 
 
-# The columns of what is said of a run besides: its budget, what is told, its number in its unit and
-# that of its place, and against records how many motions were made.
+# The columns of the head of a run: its budget, the number that is told, its number in its unit, the
+# number of its place, and of a play by percepts the number of motions.
 RUN_BUDGET, RUN_TOLD, RUN_NUMBER, RUN_PLACE, RUN_MOTIONS = range(5)
 HEAD = 5
 
@@ -393,14 +393,14 @@ LOG_BYTES = 1 << 20
 class Stretch(NamedTuple):
     """Memory for a batch of runs."""
 
-    # Of each run its budget, the number told, its number, and that of its motions.
+    # The head of each run.
     heads: Any
-    # Of each run its world, dart by dart; not for plays against records.
+    # The world of each run, dart by dart; unused in plays by percepts.
     worlds: Any
-    # The percepts, three bytes each, and where those of a run begin.
+    # The percepts, three bytes each, and the first byte of each run's.
     percepts: Any
     starts: Any
-    # The logs, and where that of each run begins.
+    # The logs, and the first byte of each run's.
     logs: Any
     begins: Any
 

@@ -7,7 +7,7 @@ import pytest
 
 from allworlds import check
 from allworlds.documents.document import replace
-from allworlds.engines.job_records import from_kept, to_kept
+from allworlds.engines.kept_units import from_kept, to_kept
 from allworlds.engines.kernel.schedules import ScheduleCosts
 from allworlds.engines.tally import AtRun, Row, Tally
 from allworlds.inputs.checks import InputError

@@ -1,4 +1,4 @@
-"""The identity of a job, its records, and the results of its finished units as JSON.
+"""The identity of a job, its finished units, and their results as JSON.
 
 The form of a result follows from the types of its fields.  A struct, or a dataclass, is kept by
 its fields; a counter, or a dictionary whose keys are no texts, as pairs; and whatever has a
@@ -116,20 +116,20 @@ ENDED = "complete"
 """The value that is noted under ``ended`` when the job is complete."""
 
 
-class Records:
-    """The records of a job; by default nothing is kept.
+class KeptUnits:
+    """The finished units of a job, and what was noted of it; this base keeps nothing.
 
     Attributes:
-        kept: how many units were taken in.
+        added: the number of units that were added.
     """
 
-    kept = 0
+    added = 0
 
     def result(self, key: str) -> Any:
         """Return the JSON value of a finished unit; None for any other."""
 
     def keep(self, key: str, result: Sum) -> None:
-        """Take in a finished unit with its whole result."""
+        """Add a finished unit with its whole result."""
 
     def recall(self, name: str) -> Any:
         """Return the value that was noted under a name; None if there is none."""
@@ -138,7 +138,7 @@ class Records:
         """Note a JSON value under a name."""
 
 
-NO_RECORDS = Records()
+NOTHING_KEPT = KeptUnits()
 
 
 T = TypeVar("T")
