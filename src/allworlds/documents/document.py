@@ -217,10 +217,10 @@ class Document(Struct, frozen=True, dict=True, forbid_unknown_fields=True):
 
     def to_json(self) -> dict[str, Any]:
         """The JSON object of this document, in plain dictionaries and lists."""
-        told = ((key, getattr(self, key.attribute)) for key in keys_of(type(self)))
+        values = ((key, getattr(self, key.attribute)) for key in keys_of(type(self)))
         return {
             key.name: plain(value)
-            for key, value in told
+            for key, value in values
             if value is not UNSET and not (key.if_any and value in NOTHING)
         }
 
@@ -239,8 +239,8 @@ class WrittenByFields:
 @cache
 def names_of(kind: Any) -> tuple[str, ...]:
     """The names of the fields of a struct, or of a dataclass."""
-    told = fields(kind) if issubclass(kind, Struct) else fields_of_dataclass(kind)
-    return tuple(field.name for field in told)
+    every = fields(kind) if issubclass(kind, Struct) else fields_of_dataclass(kind)
+    return tuple(field.name for field in every)
 
 
 @cache
@@ -249,8 +249,8 @@ def _read_by_itself(kind: type[Document]) -> tuple[tuple[str, ReadBy], ...]:
     notes = ((name, getattr(hints[name], "__metadata__", ())) for name in kind.__struct_fields__)
     return tuple(
         (name, note.extra["read"])
-        for name, told in notes
-        for note in told
+        for name, metadata in notes
+        for note in metadata
         if isinstance(note, Meta) and note.extra and note.extra.get("read")
     )
 

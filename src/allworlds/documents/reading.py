@@ -69,8 +69,8 @@ def _legal(kind: inspect.Type, steps: Sequence[str]) -> Iterator[object]:
             yield from values
         case inspect.EnumType(cls=values) if not steps:
             yield from (each.value for each in values)
-        case inspect.StructType(fields=told) if steps:
-            for part in told:
+        case inspect.StructType(fields=parts) if steps:
+            for part in parts:
                 if part.encode_name == steps[0]:
                     yield from _legal(part.type, steps[1:])
         case inspect.DictType(value_type=one) | inspect.CollectionType(item_type=one) if steps:

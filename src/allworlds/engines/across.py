@@ -265,8 +265,8 @@ class Across:
         if not self._differ(alone, after) or self._differ(after, again):
             return None
         outcome = self._judge.judged(self.batch.runs[row], alone).outcome
-        told = overruled(outcome, Log(alone), Log(after), choices=self._judge.every)
-        return after_worlds(told, [canonical_world(self.batch.runs[each].world) for each in needed])
+        wrong = overruled(outcome, Log(alone), Log(after), choices=self._judge.every)
+        return after_worlds(wrong, [canonical_world(self.batch.runs[i].world) for i in needed])
 
     def _needed(self, alone: bytes, row: int, earlier: Sequence[int]) -> list[int]:
         """The fewest of the earlier runs after which a run has another log than by itself.

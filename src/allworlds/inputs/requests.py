@@ -146,11 +146,11 @@ class Request:
 
     def __init_subclass__(cls, *, kw_only: bool = True) -> None:
         dataclass(frozen=True, kw_only=kw_only)(cls)
-        for told in fields(cls):
+        for each in fields(cls):
             for part in cls.__mro__:
-                if isinstance(vars(part).get(told.name), property | cached_property):
+                if isinstance(vars(part).get(each.name), property | cached_property):
                     raise TypeError(
-                        f"the field {told.name} of {cls.__name__} has the name of a property of "
+                        f"the field {each.name} of {cls.__name__} has the name of a property of "
                         f"{part.__name__}: give one of them another name"
                     )
 
@@ -186,17 +186,17 @@ class Field(NamedTuple):
 def fields_of(request: type[Any]) -> Iterator[Field]:
     """The fields of a class of requests, in the order of the constructor."""
     hints = get_type_hints(request, include_extras=True)
-    for told in fields(request):
-        kind, asked = hints[told.name], None
+    for each in fields(request):
+        kind, asked = hints[each.name], None
         if get_origin(kind) is Annotated:
             kind, asked = get_args(kind)
         given, held = get_args(kind) if get_origin(kind) is Converted else (kind, kind)
-        yield Field(told.name, given, held, asked, told.default)
+        yield Field(each.name, given, held, asked, each.default)
 
 
 def values_of(part: type[Request], request: object) -> dict[str, Any]:
     """The fields that a request shares with a part of it, as keywords."""
-    return {told.name: getattr(request, told.name) for told in fields(part)}
+    return {each.name: getattr(request, each.name) for each in fields(part)}
 
 
 def answers(
@@ -251,8 +251,8 @@ def takes_fields(
         checked.__wrapped__ = answered or function  # type: ignore[assignment]  # for answer()
         checked.__signature__ = signature  # type: ignore[attr-defined]  # for those who ask
         checked.request = request  # type: ignore[attr-defined]  # for the command line
-        told = inspect.cleandoc(function.__doc__ or "")
-        checked.__doc__ = _with_arguments(told, [of[each.name] for each in taken])
+        text = inspect.cleandoc(function.__doc__ or "")
+        checked.__doc__ = _with_arguments(text, [of[each.name] for each in taken])
         return checked
 
     return made
@@ -278,10 +278,10 @@ def answer(function: Callable[..., Answer], request: object) -> Answer:
     return answered
 
 
-def _with_arguments(text: str, told: Iterable[Field]) -> str:
+def _with_arguments(text: str, fields_: Iterable[Field]) -> str:
     """The docstring, with some lines for each field."""
     lines = ["Args:"]
-    for each in told:
+    for each in fields_:
         about = each.asked if isinstance(each.asked, str) else getattr(each.asked, "help", "")
         lines.append(fill(f"    {each.name}: {about}", 96, subsequent_indent=" " * 8))
     head, raises, rest = text.partition("\n\nRaises:\n")
@@ -297,11 +297,11 @@ def meant(request: object) -> dict[str, Any]:
     values = [getattr(request, each.name) for each in _meant(type(request))]
     values.append(getattr(request, "given", None))
     codes = [code for value in values for code in getattr(value, "codes", ())]
-    found = told_by(type(request), request)
+    found = meant_by(type(request), request)
     return {**found, "code": {code.plain: code.record for code in codes}} if codes else found
 
 
-def told_by(part: type[Any], request: object) -> dict[str, Any]:
+def meant_by(part: type[Any], request: object) -> dict[str, Any]:
     """The options of a part of a request on which the answer depends, as JSON has them."""
     return {each.option: as_json(getattr(request, each.name)) for each in _meant(part)}
 
@@ -330,9 +330,9 @@ def given_again(part: type[Any], request: object, but: Iterable[str] = ()) -> li
     return words
 
 
-def remembered(request: type, told: Mapping[str, Any]) -> dict[str, Any]:
+def remembered(request: type, options: Mapping[str, Any]) -> dict[str, Any]:
     """The constructor's keywords for the request that :func:`meant` described."""
-    return {each.name: told[each.option] for each in _meant(request)}
+    return {each.name: options[each.option] for each in _meant(request)}
 
 
 def without_effort(request: T) -> T:

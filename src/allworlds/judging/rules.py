@@ -26,7 +26,7 @@ from allworlds.inputs.requests import (
     as_json,
     fields_of,
     given_again,
-    told_by,
+    meant_by,
     values_of,
 )
 from allworlds.judging import tasks
@@ -368,7 +368,7 @@ class Rules(RuleOptions, kw_only=False):
             "laws": self.judged,
             "lighthouse": self.lighthouse,
         }
-        return told_by(RuleOptions, self) | {key: as_json(each) for key, each in effective.items()}
+        return meant_by(RuleOptions, self) | {key: as_json(each) for key, each in effective.items()}
 
     @cached_property
     def recorded(self) -> "RecordedRules":

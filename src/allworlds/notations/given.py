@@ -266,8 +266,8 @@ def _worlds(given: object) -> tuple[Any, ...] | None:
 
 
 def _said(meaning: str) -> Any:
-    told = about(f"{meaning}; left out: it was not said")
-    return Annotated[IfAny[Text | None], told]  # type: ignore[misc]  # a value here
+    note = about(f"{meaning}; left out: it was not said")
+    return Annotated[IfAny[Text | None], note]  # type: ignore[misc]  # a value here
 
 
 class FileOptions(Request):

@@ -133,10 +133,10 @@ def of_yed(content: bytes) -> nx.Graph:
     graph = nx.MultiGraph()
     for node in root.iter(f"{PLAIN}node"):
         name = node.get("id")
-        told = {**read.nodes[name], "label": _label_in_yed(node)}
+        attributes = {**read.nodes[name], "label": _label_in_yed(node)}
         if (box := node.find(f".//{YED}Geometry")) is not None:
-            told["graphics"] = _box_in_yed(box)
-        graph.add_node(name, **told)
+            attributes["graphics"] = _box_in_yed(box)
+        graph.add_node(name, **attributes)
     for edge in root.iter(f"{PLAIN}edge"):
         ends = edge.get("source"), edge.get("target")
         v, w = (show(_label(graph.nodes[end]) or end) for end in ends)
@@ -292,10 +292,10 @@ def _entry(graph: nx.Graph) -> Entry:
 def _box(name: str, data: dict[str, Any]) -> Box:
     """The middle of the box of a node, wherever it stands, and half its width and height."""
     graphics = data.get("graphics")
-    told = graphics if isinstance(graphics, dict) else data
-    pos = data.get("pos") or [told.get("x"), told.get("y")]
+    drawn = graphics if isinstance(graphics, dict) else data
+    pos = data.get("pos") or [drawn.get("x"), drawn.get("y")]
     pos = re.split(r"[\s,]+", pos.strip("()[]! ")) if isinstance(pos, str) else pos
-    size = [told.get(key, 0) if told is graphics else 0 for key in "wh"]
+    size = [drawn.get(key, 0) if drawn is graphics else 0 for key in "wh"]
     try:
         width, height = _point(size)
         return _point(pos), (width / 2, height / 2)

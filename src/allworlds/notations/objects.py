@@ -110,5 +110,5 @@ def own_of(entry: Entry) -> dict[str, Any]:
     labels, map_ = entry.labels, entry.map
     fixed = map_.sigma, map_.alpha, entry.start, entry.lighthouse
     values = *fixed, labels.name, labels.vertices, labels.positions
-    told = zip(WorldDocument.__struct_fields__, values, strict=True)
-    return {key: value for key, value in told if value not in ("", None, ())}
+    named = zip(WorldDocument.__struct_fields__, values, strict=True)
+    return {key: value for key, value in named if value not in ("", None, ())}

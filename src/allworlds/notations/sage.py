@@ -38,8 +38,8 @@ def _fat_graph(text: str) -> dict[str, list[list[int]]] | None:
     if not found:
         return None
     parts = zip(("vertices", "edges", "faces"), found.groups(), strict=True)
-    told = {key: re.findall(r"\(([^)]+)\)", cycles) for key, cycles in parts if cycles is not None}
-    return {key: [[*map(int, one.split(","))] for one in cycles] for key, cycles in told.items()}
+    texts = {key: re.findall(r"\(([^)]+)\)", cycles) for key, cycles in parts if cycles is not None}
+    return {key: [[*map(int, one.split(","))] for one in cycles] for key, cycles in texts.items()}
 
 
 def literal(text: str) -> Any:

@@ -48,8 +48,8 @@ def read_lines(
                 text, first, begin = "", number, offset
             offset += len(line)
             with at(f"line {number}" + (f" from byte {start} on" if start else "")):
-                told = text_of(line)
-            text, depth = text + told, depth + opens(told)
+                more = text_of(line)
+            text, depth = text + more, depth + opens(more)
             if depth <= 0 and text.strip():
                 yield begin, _entry(parse, text, first, start)
                 text, depth = "", 0

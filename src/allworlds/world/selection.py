@@ -214,9 +214,9 @@ def _flaws_at(world: World, other: Sequence[int]) -> Iterator[str]:
     for dart in world.map.darts:
         if (there := renamed.percepts[other[dart]]) != sensed[dart]:
             yield f"{place} senses '{sensed[dart]}' at dart {dart}, and '{there}' {named}"
-    told = [world.told, world.told, renamed.told]
-    if told.count(told[0]) < len(told):
-        yield f"{place} tells {told[0]}, asked again {told[1]}, and {told[2]} {named}"
+    answers = [world.told, world.told, renamed.told]
+    if answers.count(answers[0]) < len(answers):
+        yield f"{place} tells {answers[0]}, asked again {answers[1]}, and {answers[2]} {named}"
     if not place.as_kind.gives_marks and any(percept.marks for percept in sensed):
         yield f"{place} gives marks, but gives_marks is False"
     if not place.as_kind.gives_bearings and any(percept.bearing is not None for percept in sensed):

@@ -232,14 +232,14 @@ class World(Pictured):
         Raises:
             InvalidMap, InvalidWorld: naming the offending value and what would be legal.
         """
-        map_, told = from_networkx(graph, order), graph.graph
-        begin = a_start(told.get("start", start), map_)
-        if "lighthouse" in told:
-            lighthouse = lighthouse_from_json(told["lighthouse"], map_, begin)
+        map_, attributes = from_networkx(graph, order), graph.graph
+        begin = a_start(attributes.get("start", start), map_)
+        if "lighthouse" in attributes:
+            lighthouse = lighthouse_from_json(attributes["lighthouse"], map_, begin)
         nodes = [*graph.nodes(data=True)]
         if order is None and "darts" in nodes[0][1]:
             nodes.sort(key=lambda node: map_.vertex_of[node[1]["darts"][0]])
-        labels = labels_of_nodes(told.get("name", ""), nodes, map_)
+        labels = labels_of_nodes(attributes.get("name", ""), nodes, map_)
         return cls(map_, lighthouse, begin, labels=labels)
 
     def to_json(self) -> dict[str, Any]:

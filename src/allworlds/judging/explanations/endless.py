@@ -80,7 +80,7 @@ def tell_way_back(story: Story) -> list[str]:
     led to a walked one, and never the other way round.
     """
     map_, darts = story.map, story.walk.darts
-    came, left, walked, told = dict[int, Dart](), dict[int, Dart](), set[Dart](), list[str]()
+    came, left, walked, remarks = dict[int, Dart](), dict[int, Dart](), set[Dart](), list[str]()
     for step, action in enumerate(story.walk.actions, 1):
         if type(action) is not Move:
             continue
@@ -93,8 +93,8 @@ def tell_way_back(story: Story) -> list[str]:
         meant = map_.turn(came[vertex], action.k)
         if (out in walked) < (meant in walked):
             return []
-        if back and (out in walked) > (meant in walked) and not told:
-            told.append(
+        if back and (out in walked) > (meant in walked) and not remarks:
+            remarks.append(
                 f"Before step {step} it was back at {story.vertex(here)} and faced dart {here}, by "
                 f"which it had gone out; {action} led along dart {out}, which was walked before. "
                 f"Counted from dart {came[vertex]}, by which it had come first, it would have led "
@@ -103,7 +103,7 @@ def tell_way_back(story: Story) -> list[str]:
         walked |= {out, darts[step]}
         if not (by_loop and out == here):  # back through the loop, which it is about to end
             left[vertex] = out
-    return told
+    return remarks
 
 
 def tell_open(story: Story) -> list[str]:

@@ -190,8 +190,8 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
         module, _, name = self.explorer.partition(":")
         if "<" not in name and module != "__main__":
             return self.command
-        told = [repr(self._world_text), *self.rules.keywords(self.choices)]
-        return f"allworlds.run({name.rpartition('.')[2].strip('<>')}, {', '.join(told)})"
+        arguments = [repr(self._world_text), *self.rules.keywords(self.choices)]
+        return f"allworlds.run({name.rpartition('.')[2].strip('<>')}, {', '.join(arguments)})"
 
     @cached_property
     def rules(self) -> Rules:

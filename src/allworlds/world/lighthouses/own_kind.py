@@ -45,11 +45,11 @@ def _kind(code: user_code.UserCode) -> type[Lighthouse]:
     if kind.refusal is not Lighthouse.refusal and not kind.leaves_marks:
         raise InvalidWorld(f"{show(code.name)} has a method refusal, but leaves_marks is False")
     for each in fields(kind):  # type: ignore[arg-type]  # it is a dataclass
-        told = vars(kind).get(each.name, each.default)
-        if each.default is not MISSING and told != each.default and not hasattr(told, "__get__"):
+        value = vars(kind).get(each.name, each.default)
+        if each.default is not MISSING and value != each.default and not hasattr(value, "__get__"):
             raise InvalidWorld(
-                f"{show(code.name)} sets {each.name} = {show(told)} without a type, and so the "
-                f"field keeps {show(each.default)}; write {each.name}: {type(told).__name__} = ..."
+                f"{show(code.name)} sets {each.name} = {show(value)} without a type, and so the "
+                f"field keeps {show(each.default)}; write {each.name}: {type(value).__name__} = ..."
             )
     _check_methods(kind, code)
     copyreg.pickle(kind, _reduced)
