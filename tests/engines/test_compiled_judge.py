@@ -33,11 +33,11 @@ def batch(monkeypatch):
         judged=None,
         counter=None,
         rules=SimpleNamespace(policy="fifo"),
-        message=lambda kind, rows, order: {"kind": kind, "rows": [*rows], "order": order},
+        message=lambda kind, content, order: {"kind": kind, "content": [*content], "order": order},
     )
     made.by = CompiledJudge(python, lambda: 7, native=True)
-    paired = staticmethod(lambda batch, rows, places: zip(rows, places, strict=True))
-    monkeypatch.setattr(compiled_judge, "_rows_of", paired)
+    paired = staticmethod(lambda batch, indices, around: zip(indices, around, strict=True))
+    monkeypatch.setattr(compiled_judge, "_entries", paired)
     return made
 
 
@@ -50,13 +50,13 @@ def test_a_library_replays_all_runs_of_a_batch_in_compiled_code(batch):
 @pytest.mark.parametrize(("row", "percepts"), [(0, b"abc"), (1, b"d")])
 def test_of_a_part_of_the_runs_it_replays_their_own_percepts(batch, row, percepts):
     message = batch.by.percepts(batch, [row], [0])
-    assert message == {"kind": "record", "rows": [(row, percepts)], "order": [0]}
+    assert message == {"kind": "record", "content": [(row, percepts)], "order": [0]}
 
 
 def test_what_python_plays_is_replayed_by_python(batch):
     batch.plain = True
     message = batch.by.percepts(batch, [0, 1])
-    assert message["rows"] == [(0, b"abc"), (1, b"d")]
+    assert message["content"] == [(0, b"abc"), (1, b"d")]
 
 
 KINDS = [*sorted(LIGHTHOUSES - {"cluster-single"}), "cluster:single=true"]
@@ -90,9 +90,9 @@ def test_a_run_is_found_by_its_world_and_its_place():
     for batch, every in laid_out("directional"):
         for row, due in enumerate(every):
             code = rooted_code(due.world.map.sigma, due.world.map.alpha, 0)
-            assert batch.by._row(batch, code, due.place) == row
+            assert batch.by._index_of(batch, code, due.place) == row
         with pytest.raises(EnginesDisagree, match="a world that is none"):
-            batch.by._row(batch, ((0,), (0,)), 0)
+            batch.by._index_of(batch, ((0,), (0,)), 0)
 
 
 @pytest.mark.usefixtures("compiled")
@@ -101,7 +101,7 @@ def test_the_second_player_is_told_neither_the_number_nor_the_place_of_a_run():
     assert batch.heads[:, RUN_NUMBER].any()
     assert batch.heads[:, RUN_PLACE].any()
     batch.logs[0] = [b""] * len(batch)
-    batch.by._rows(batch)
+    batch.by._sums(batch)
     assert not batch.motioned[:, RUN_NUMBER:RUN_MOTIONS].any()
 
 

@@ -53,7 +53,7 @@ def test_what_is_kept_is_there_again(finished):
     assert opened(finished) == [{"rows": [number] * 9} for number in range(9)] + [None]
     with reading(finished) as read:
         assert read.identity == JOB
-        assert {key: (worlds, result) for key, worlds, _, result in read.rows()} == {
+        assert {key: (worlds, result) for key, worlds, _, result in read.units()} == {
             f"2:-{number}": (number, {"rows": [number] * 9}) for number in range(9)
         }
         assert read.recall("ended") == "complete"
@@ -159,7 +159,7 @@ def test_a_file_that_was_changed_is_refused(finished, statement, said):
             pytest.raises(InputError, match="unit 2:-99 is not what was written"),
             reading(finished) as read,
         ):
-            list(read.rows())
+            list(read.units())
         return
     with pytest.raises(InputError, match=said):
         opened(finished)
@@ -236,7 +236,7 @@ def test_a_directory_that_cannot_be_written_can_be_read(finished, monkeypatch, o
 
     monkeypatch.setattr(sqlite3, "connect", read_only)
     with reading(finished) as read:
-        assert len([*read.rows()]) == 9
+        assert len([*read.units()]) == 9
     assert refused
 
 

@@ -54,9 +54,9 @@ def remember(batch: RunBatch, known: dict[At, FirstLog]) -> None:
     unit, logs, broken = batch.work.unit, batch.logs[FIRST], {*batch.broken}
     small = isinstance(unit, LevelUnit | GivenUnit) and unit.edges <= ACROSS
     if small and batch.plain:  # a library draws the order
-        for row in range(len(batch)):
-            due = batch.due(row)
-            one = FirstLog(due, logs[row], right=row not in broken)
+        for index in range(len(batch)):
+            due = batch.due(index)
+            one = FirstLog(due, logs[index], right=index not in broken)
             known.setdefault((due.world.map, due.place), one)
 
 
@@ -65,7 +65,7 @@ class _Play:
 
     Attributes:
         seed: the hash seed.
-        order: the rows of the runs; some may be there twice.
+        order: the indices of the runs; some may be there twice.
         logs: in this order, once it is whole.
         player: at work; None if the logs are known.
     """
@@ -94,7 +94,7 @@ class Across:
     Attributes:
         batch: all runs.
         begun: whether the plays are.
-        found: the outcomes of runs that refute, by their rows.
+        found: the outcomes of the runs that refute, by their indices.
         odd: runs whose logs differ, with the second ones, if no earlier run explains it.
     """
 
@@ -138,12 +138,12 @@ class Across:
         second.order = first.order[::-1] + (first.order if self.work.unit.edges <= TWICE else [])
         for play in self._plays:
             if play.player:
-                play.player.give(None, self._rows(play.order))
+                play.player.give(None, self._in_order(play.order))
 
-    def _rows(self, order: Sequence[int]) -> dict[str, Any]:
+    def _in_order(self, order: Sequence[int]) -> dict[str, Any]:
         """The message to a player that plays these runs in this order."""
-        rows = self._message["rows"]
-        return self._judge.message(self._message["kind"], [rows[row] for row in order])
+        content = self._message["content"]
+        return self._judge.message(self._message["kind"], [content[index] for index in order])
 
     # ---------------------------------------------------------------- plays
 
@@ -183,22 +183,22 @@ class Across:
         position = player.beat[0]
         if player.description is None or not 0 <= position < len(play.order):
             return False
-        row = play.order[position]
-        if named := self._named(row, play.order[:position]):
-            self.found[row] = named
+        index = play.order[position]
+        if named := self._named(index, play.order[:position]):
+            self.found[index] = named
             return True
-        return not self._differ(self._after(play.seed, [], row), lost_log(b"", lost))
+        return not self._differ(self._after(play.seed, [], index), lost_log(b"", lost))
 
-    def _after(self, seed: int, earlier: Sequence[int], row: int) -> bytes:
+    def _after(self, seed: int, earlier: Sequence[int], index: int) -> bytes:
         """The log of a run after others, by a fresh player; empty if that is lost in another."""
-        logs = self._fresh(seed, [*earlier, row])
+        logs = self._fresh(seed, [*earlier, index])
         return logs[-1] if len(logs) > len(earlier) else b""
 
     def _fresh(self, seed: int, order: Sequence[int]) -> list[bytes]:
         """The logs of a fresh player; if it is lost, that of this run last, and empty ones."""
         player = started(self._setup, seed)
         try:
-            return [*answered(player, self._rows(order))]
+            return [*answered(player, self._in_order(order))]
         except Lost as lost:
             return [b""] * player.beat[0] + [lost_log(b"", lost)]
         finally:
@@ -221,61 +221,61 @@ class Across:
         odd = by_order = self._unlike(forwards)
         if odd and first.seed != second.seed:
             by_order = self._unlike(self._fresh(second.seed, first.order))
-        self.odd = [(row, Log(second.logs[position])) for row, position in (odd | by_order).items()]
-        for row in sorted({*by_order, *self._broken()}, key=self._size)[:FEW]:
-            if row not in by_order and self._after(first.seed, [], row) == forwards[row]:
-                self.found[row] = self.batch.outcome(row).outcome  # by itself
+        self.odd = [(i, Log(second.logs[position])) for i, position in (odd | by_order).items()]
+        for index in sorted({*by_order, *self._broken()}, key=self._size)[:FEW]:
+            if index not in by_order and self._after(first.seed, [], index) == forwards[index]:
+                self.found[index] = self.batch.outcome(index).outcome  # by itself
                 return
             every = sorted(first.order, key=self._size)  # whatever the order was in these plays
-            for earlier in (every, first.order[:row], second.order[: by_order.get(row, 0)]):
-                if named := self._named(row, earlier):
-                    self.found, self.odd = {row: named}, []
+            for earlier in (every, first.order[:index], second.order[: by_order.get(index, 0)]):
+                if named := self._named(index, earlier):
+                    self.found, self.odd = {index: named}, []
                     return
 
     def _unlike(self, forwards: Sequence[bytes]) -> dict[int, int]:
         """The runs whose logs in the second play are others than these, with their places there."""
         second, found = self._plays[1], dict[int, int]()
         assert second.logs is not None
-        for position, (row, log) in enumerate(zip(second.order, second.logs, strict=True)):
-            if row < len(forwards) and self._differ(forwards[row], log):
-                found.setdefault(row, position)
+        for position, (index, log) in enumerate(zip(second.order, second.logs, strict=True)):
+            if index < len(forwards) and self._differ(forwards[index], log):
+                found.setdefault(index, position)
         return found
 
     def _broken(self) -> list[int]:
         """The runs that break a law in the first play."""
         return [
-            row
-            for row, (due, log) in enumerate(zip(self.batch.runs, self.batch.logs[0], strict=True))
+            i
+            for i, (due, log) in enumerate(zip(self.batch.runs, self.batch.logs[0], strict=True))
             if (due.world.map, due.place, log) not in self._right
-            and self.batch.outcome(row).outcome.violation
+            and self.batch.outcome(i).outcome.violation
         ]
 
-    def _size(self, row: int) -> tuple[Any, ...]:
+    def _size(self, index: int) -> tuple[Any, ...]:
         """The order of findings in these runs."""
-        _, place, world, _ = self.batch.runs[row]
+        _, place, world, _ = self.batch.runs[index]
         map_ = world.map
         code = rooted_code(map_.sigma, map_.alpha, world.start)
         return map_.edge_count, map_.vertex_count, code, place
 
-    def _named(self, row: int, earlier: Sequence[int]) -> Outcome | None:
+    def _named(self, index: int, earlier: Sequence[int]) -> Outcome | None:
         """The outcome of a run that is another one after earlier runs; None if it is the same."""
-        alone = self._after(self._seed, [], row)
-        needed = self._needed(alone, row, earlier)
-        after, again = (self._after(self._seed, needed, row) for _ in range(2))
+        alone = self._after(self._seed, [], index)
+        needed = self._needed(alone, index, earlier)
+        after, again = (self._after(self._seed, needed, index) for _ in range(2))
         if not self._differ(alone, after) or self._differ(after, again):
             return None
-        outcome = self._judge.judged(self.batch.runs[row], alone).outcome
+        outcome = self._judge.judged(self.batch.runs[index], alone).outcome
         wrong = overruled(outcome, Log(alone), Log(after), choices=self._judge.every)
         return after_worlds(wrong, [canonical_world(self.batch.runs[i].world) for i in needed])
 
-    def _needed(self, alone: bytes, row: int, earlier: Sequence[int]) -> list[int]:
+    def _needed(self, alone: bytes, index: int, earlier: Sequence[int]) -> list[int]:
         """The fewest of the earlier runs after which a run has another log than by itself.
 
         Empty if it has the same, or not always the same by itself, or if they are too many.
         """
 
-        def shows(rows: Sequence[int]) -> bool:
-            return self._differ(alone, self._after(self._seed, rows, row))
+        def shows(indices: Sequence[int]) -> bool:
+            return self._differ(alone, self._after(self._seed, indices, index))
 
         needed, rest = list[int](), [*earlier]
         if shows([]) or not shows(rest):

@@ -61,7 +61,7 @@ def ensure_same_senses(finding: Finding) -> None:
 
 
 def _asked_in_processes(
-    kind: str, rows: Any, number: int, said: str, deadline: float | None
+    kind: str, content: Any, number: int, said: str, deadline: float | None
 ) -> list[Any]:
     """The answers of fresh processes to a message of this kind, each in an order of its own.
 
@@ -76,7 +76,7 @@ def _asked_in_processes(
     try:
         for other in others:
             order = sample(range(number), number)
-            other.give(None, {"kind": kind, "rows": rows, "runs": number, "order": order})
+            other.give(None, {"kind": kind, "content": content, "runs": number, "order": order})
         while len(answers) < len(others):
             players.wait(others, limits.POLL)
             answers += [logs for other in others for _, logs in other.heard()]

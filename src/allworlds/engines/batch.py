@@ -24,8 +24,11 @@ FIRST, SECOND = 0, 1
 Message: TypeAlias = dict[str, Any]
 """A message to a player."""
 
-LogOfRow: TypeAlias = dict[int, bytes] | Sequence[bytes]
-"""Logs by the numbers of their runs in a batch; a sequence if all came at once."""
+Indices: TypeAlias = Sequence[int]
+"""The indices of some runs in their batch."""
+
+LogsByIndex: TypeAlias = dict[int, bytes] | Sequence[bytes]
+"""Logs by the indices of their runs in a batch; a sequence if all came at once."""
 
 
 class Due(NamedTuple):
@@ -112,7 +115,7 @@ class RunBatch:
     def __init__(self, by: "Judge", work: Work, runs: Iterable[Due]) -> None:
         self.by, self.work, self._runs = by, work, [*runs]
         self.tally = by.counter.tally()
-        self.logs: list[LogOfRow] = [{}, {}]
+        self.logs: list[LogsByIndex] = [{}, {}]
         self.plain = True
         self.broken: list[int] = []
         self.lost: set[int] = set()
@@ -123,14 +126,14 @@ class RunBatch:
         """The runs that are due."""
         return self._runs
 
-    def due(self, row: int) -> Due:
+    def due(self, index: int) -> Due:
         """A run."""
-        return self._runs[row]
+        return self._runs[index]
 
     def __len__(self) -> int:
         return len(self.runs)
 
-    def take(self, which: int, rows: Sequence[int], logs: Sequence[bytes]) -> None:
+    def take(self, which: int, indices: Indices, logs: Sequence[bytes]) -> None:
         """Take the logs of these runs, by one of the plays."""
         if isinstance(logs, Logs) and len(logs) == len(self):
             self.logs[which] = logs
@@ -138,28 +141,28 @@ class RunBatch:
         known = self.logs[which]
         if not isinstance(known, dict):
             known = self.logs[which] = dict(enumerate(known))
-        known.update(zip(rows, logs, strict=True))
+        known.update(zip(indices, logs, strict=True))
 
-    def unplayed(self, which: int, rows: Sequence[int]) -> list[int]:
+    def unplayed(self, which: int, indices: Indices) -> list[int]:
         """Those of these runs of which a play is not known."""
         known = self.logs[which]
-        return [row for row in rows if row not in known] if isinstance(known, dict) else []
+        return [index for index in indices if index not in known] if isinstance(known, dict) else []
 
-    def outcome(self, row: int) -> Judged:
+    def outcome(self, index: int) -> Judged:
         """A run, judged by the Python judge."""
-        if row not in self.judged:
-            self.judged[row] = self.by.judged(self.due(row), self.logs[FIRST][row])
-        return self.judged[row]
+        if index not in self.judged:
+            self.judged[index] = self.by.judged(self.due(index), self.logs[FIRST][index])
+        return self.judged[index]
 
-    def record(self, row: int) -> Recorded:
+    def record(self, index: int) -> Recorded:
         """Return the record of a run: all that the second player gets of it."""
-        return Recorded.of(self.due(row), self.outcome(row).outcome.episode)
+        return Recorded.of(self.due(index), self.outcome(index).outcome.episode)
 
     def follow_ups(self) -> list[Due]:
         """The runs with the next schedules, where every schedule is due."""
         if not self.by.every:
             return []
-        logs = ((due, self.outcome(row).log) for row, due in enumerate(self.runs))
+        logs = ((due, self.outcome(index).log) for index, due in enumerate(self.runs))
         scripts = ((due, next_script(due.script, log.choices, log.widths)) for due, log in logs)
         return [due._replace(script=script) for due, script in scripts if script is not None]
 
@@ -184,8 +187,8 @@ class Judge(Protocol):
     def judged(self, due: Due, log: bytes) -> Judged:
         """One run with its log, judged by the judge in Python."""
 
-    def worlds(self, batch: RunBatch, rows: Sequence[int]) -> Message:
+    def worlds(self, batch: RunBatch, indices: Indices) -> Message:
         """The message to a player that plays these runs in their worlds."""
 
-    def percepts(self, batch: RunBatch, rows: Sequence[int], order: Sequence[int] = ()) -> Message:
+    def percepts(self, batch: RunBatch, indices: Indices, order: Indices = ()) -> Message:
         """The message to a player that plays recorded percepts; nothing of a world."""

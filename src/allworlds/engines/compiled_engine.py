@@ -72,12 +72,12 @@ def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
     return [[[value(n, d0, d) for d in of_all] for d0 in of_v0] for n in range(edges + 2)]
 
 
-def tally_of(rows: arrays.Rows, unit: LevelUnit, scope: Scope, tally: Tally) -> Tally:
+def tally_of(sums: arrays.Sums, unit: LevelUnit, scope: Scope, tally: Tally) -> Tally:
     """The empty tally with the kernel's counts, without the events and the findings."""
     most_expensive = {
-        n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in rows.most_expensive
+        n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in sums.most_expensive
     }
-    for counts in rows.counts:
+    for counts in sums.counts:
         row = tally.row(unit.edges, counts.vertices)
         row.add(
             Row(
@@ -95,7 +95,7 @@ def tally_of(rows: arrays.Rows, unit: LevelUnit, scope: Scope, tally: Tally) -> 
         tally.left_out += counts.left_out
         tally.witnesses["loop-edge"] += counts.loops
         tally.witnesses["parallel-edge"] += counts.parallels
-    for n, d0, largest in rows.met:
+    for n, d0, largest in sums.met:
         # Where a run has a bound without a value, this says so.
         bound = scope.rules.the_bound.value(n, unit.edges, d0, largest, 0, 0)
         tally.row(unit.edges, n).bound_of(bound)
@@ -148,13 +148,13 @@ def _compare_in(
     world: LevelUnit, python: Tally, scope: Scope, subject: Subject, *, walked: bool
 ) -> None:
     level = level_of(subject.name, scope.rules, scope.extent, world.edges)
-    rows = kernel.judge(level, world.prefix, keep=len(LAWS))
-    compare(tally_of(rows, world, scope, Tally(1)), rows, python, world)
-    broken, laws = {one.law for one in rows.broken}, {one.law for one in python.findings}
+    sums = kernel.judge(level, world.prefix, keep=len(LAWS))
+    compare(tally_of(sums, world, scope, Tally(1)), sums, python, world)
+    broken, laws = {one.law for one in sums.broken}, {one.law for one in python.findings}
     if broken != laws:
         said = f"that {broken or 'no law'} is broken, the python engine {laws or 'none'}"
-    elif walked and kernel.walk(level, world.prefix).counts != rows.counts:
-        said = f"one walk for every bearing, {rows.counts} run by run"
+    elif walked and kernel.walk(level, world.prefix).counts != sums.counts:
+        said = f"one walk for every bearing, {sums.counts} run by run"
     else:
         return
     (map_,) = world.maps(scope.extent)
@@ -176,12 +176,12 @@ def played_tally(scope: Scope, subject: Subject, unit: UnitOfRuns) -> Tally:
     return tally
 
 
-def compare(kernels: Tally, rows: arrays.Rows, pythons: Tally, unit: LevelUnit) -> None:
+def compare(kernels: Tally, sums: arrays.Sums, pythons: Tally, unit: LevelUnit) -> None:
     """Raise EnginesDisagree unless both engines have counted the same."""
     if _counts_of(kernels) != _counts_of(pythons):
         raise EnginesDisagree(
             f"the kernel and the python engine count differently in the unit {unit.key}: "
-            f"{_counts_of(kernels)} and {_counts_of(pythons)}; broken: {rows.broken}"
+            f"{_counts_of(kernels)} and {_counts_of(pythons)}; broken: {sums.broken}"
         )
 
 
@@ -252,11 +252,11 @@ class CompiledEngine(Struct, frozen=True):
         scope = self.scope
         level = level_of(self.subject.name, scope.rules, scope.extent, unit.edges)
         does = kernel.walk if walks(scope, self.subject, unit.edges) else kernel.judge
-        rows = does(level, unit.prefix, keep=self.keep, halt=self.flag)
-        tally = tally_of(rows, unit, scope, Tally(self.keep))
-        tally.witnesses.update(rows.events)
+        sums = does(level, unit.prefix, keep=self.keep, halt=self.flag)
+        tally = tally_of(sums, unit, scope, Tally(self.keep))
+        tally.witnesses.update(sums.events)
         tally.witnesses = +tally.witnesses
-        for broken in rows.broken:
+        for broken in sums.broken:
             self._blame(broken, tally)
         yield tally
 

@@ -6,11 +6,11 @@ judged by the other one from the same bytes, and that alone makes the finding.
 """
 
 from array import array
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator
 from itertools import islice
 from typing import Any
 
-from allworlds.engines.batch import Due, Judged, Message, RunBatch, Work
+from allworlds.engines.batch import Due, Indices, Judged, Message, RunBatch, Work
 from allworlds.engines.compiled_engine import compare, level_of, tally_of
 from allworlds.engines.judge import PythonJudge
 from allworlds.engines.kernel import arrays
@@ -47,12 +47,12 @@ class CompiledBatch(RunBatch):
     def __len__(self) -> int:
         return self.laid.runs
 
-    def due(self, row: int) -> Due:
+    def due(self, index: int) -> Due:
         """A run, as Python has it: the map that was laid out, with the lighthouse of Python."""
-        table = self.tables[row].reshape(-1, arrays.WIDE).tolist()
+        table = self.tables[index].reshape(-1, arrays.WIDE).tolist()
         sigma = [first + (d + 1 - first) % deg for d, (first, _, deg, *_) in enumerate(table)]
         map_ = CombinatorialMap(sigma, [dart[arrays.PARTNER] for dart in table])
-        number, place = self.heads[row, [arrays.RUN_NUMBER, arrays.RUN_PLACE]].tolist()
+        number, place = self.heads[index, [arrays.RUN_NUMBER, arrays.RUN_PLACE]].tolist()
         lighthouse = [*self.by.counter.scope.rules.kind.places(map_, 0)][place]
         return Due(number, place, World(map_, lighthouse, 0))
 
@@ -103,18 +103,18 @@ class CompiledJudge:
         if self.native and batch.plain:
             self._by_python(batch)
             return True
-        rows, good = self._rows(batch)
+        sums, good = self._sums(batch)
         if not good:
             if not self.native:
                 self._by_python(batch)
             return not self.native
-        tally = tally_of(rows, batch.unit, self.counter.scope, self.counter.tally())
+        tally = tally_of(sums, batch.unit, self.counter.scope, self.counter.tally())
         if not self._compared and batch.logs[0]:
             self._compared = True
-            compare(tally, rows, self._python_tally(batch), batch.unit)
+            compare(tally, sums, self._python_tally(batch), batch.unit)
         batch.tally.add(tally)
-        for broken in rows.broken:
-            batch.broken.append(self._row(batch, (broken.sigma, broken.alpha), broken.place))
+        for broken in sums.broken:
+            batch.broken.append(self._index_of(batch, (broken.sigma, broken.alpha), broken.place))
             law = batch.outcome(batch.broken[-1]).outcome.violation
             unknown = broken.law == "illegal-action"  # of a run without an answer Python knows why
             if law is None or (law.law != broken.law and not unknown):
@@ -125,79 +125,79 @@ class CompiledJudge:
                 )
         return True
 
-    def _rows(self, batch: CompiledBatch) -> tuple[arrays.Rows, bool]:
-        """The rows of a batch, and whether all logs could be judged."""
+    def _sums(self, batch: CompiledBatch) -> tuple[arrays.Sums, bool]:
+        """The sums of a batch, and whether all its logs could be judged."""
         stretch, replay = self._memories[batch.unit.edges]
         given = batch.logs[0]
-        in_order = given if not isinstance(given, dict) else [given[row] for row in sorted(given)]
+        in_order = [given[i] for i in sorted(given)] if isinstance(given, dict) else given
         logs = Logs.of(in_order)
         size = stretch.put(logs)
         unit_judge = batch.unit_judge
         unit_judge.heads = batch.heads
-        rows, good = unit_judge.judge(batch.laid, max(0, size))
+        sums, good = unit_judge.judge(batch.laid, max(0, size))
         count = len(logs)
         starts = [*replay.starts[:count].tolist(), unit_judge.noted]
         batch.percepts = replay.percepts[: unit_judge.noted].tobytes()
         batch.starts, batch.motioned = array("i", starts), replay.heads[:count].copy()
-        return rows, good and size >= 0
+        return sums, good and size >= 0
 
     def _by_python(self, batch: CompiledBatch) -> None:
         """Count a batch by the Python judge: there is something in its logs that is new here."""
         batch.tally.add(self._python_tally(batch))
         batch.broken.extend(
-            row for row in range(len(batch)) if batch.outcome(row).outcome.violation
+            index for index in range(len(batch)) if batch.outcome(index).outcome.violation
         )
         batch.plain, batch.percepts = True, b""
 
     def _python_tally(self, batch: CompiledBatch) -> Tally:
         """Return the tally that the Python judge makes of the same logs."""
-        tally, laid, row = self.counter.tally(), batch.laid, 0
+        tally, laid, index = self.counter.tally(), batch.laid, 0
         runs = islice(self.counter.runs(batch.unit, laid.first), laid.until - laid.first)
         for run in runs:
             world = self.counter.count_run(run, tally)
             if world is not None:
-                self.counter.count_outcome(world, run.place, batch.outcome(row).outcome, tally)
-                row += 1
+                self.counter.count_outcome(world, run.place, batch.outcome(index).outcome, tally)
+                index += 1
         return tally
 
-    def _row(self, batch: CompiledBatch, code: Code, place: int | None) -> int:
-        """The row of a run."""
-        for row, head in enumerate(batch.heads.tolist()):
+    def _index_of(self, batch: CompiledBatch, code: Code, place: int | None) -> int:
+        """The index of a run in its batch."""
+        for index, head in enumerate(batch.heads.tolist()):
             if head[arrays.RUN_PLACE] == place:
-                map_ = batch.due(row).world.map
+                map_ = batch.due(index).world.map
                 if rooted_code(map_.sigma, map_.alpha, 0) == code:
-                    return row
+                    return index
         raise EnginesDisagree(f"the kernel has met a world that is none: {code}")
 
     # ---------------------------------------------------------------- messages
 
-    def worlds(self, batch: RunBatch, rows: Sequence[int]) -> Message:
+    def worlds(self, batch: RunBatch, indices: Indices) -> Message:
         """The message to a player that plays these runs in their worlds."""
         assert isinstance(batch, CompiledBatch)
         if not batch.plain:
-            whole = len(rows) == len(batch)
+            whole = len(indices) == len(batch)
             laid = batch.heads, batch.tables
-            heads, tables = (each if whole else each[[*rows]] for each in laid)
-            return self._native(batch, rows, heads) | {"again": False, "worlds": tables}
-        places = (batch.tables[row].tobytes() for row in rows)
-        return self.python.message("table", _rows_of(batch, rows, places))
+            heads, tables = (each if whole else each[[*indices]] for each in laid)
+            return self._native(batch, indices, heads) | {"again": False, "worlds": tables}
+        packed = (batch.tables[index].tobytes() for index in indices)
+        return self.python.message("table", _entries(batch, indices, packed))
 
-    def percepts(self, batch: RunBatch, rows: Sequence[int], order: Sequence[int] = ()) -> Message:
+    def percepts(self, batch: RunBatch, indices: Indices, order: Indices = ()) -> Message:
         """The message to a player that plays recorded percepts; a library's draws the order."""
         assert isinstance(batch, CompiledBatch)
-        if len(rows) == len(batch) and not batch.plain:
+        if len(indices) == len(batch) and not batch.plain:
             again = {"again": True, "percepts": batch.percepts, "starts": batch.starts}
-            return self._native(batch, rows, batch.motioned) | again
+            return self._native(batch, indices, batch.motioned) | again
         if not batch.percepts:  # Python has judged them
-            return self.python.percepts(batch, rows, order)
-        sensed = (batch.percepts[batch.starts[row] : batch.starts[row + 1]] for row in rows)
-        return self.python.message("record", _rows_of(batch, rows, sensed), order)
+            return self.python.percepts(batch, indices, order)
+        sensed = (batch.percepts[batch.starts[i] : batch.starts[i + 1]] for i in indices)
+        return self.python.message("record", _entries(batch, indices, sensed), order)
 
-    def _native(self, batch: CompiledBatch, rows: Sequence[int], heads: Any) -> Message:
+    def _native(self, batch: CompiledBatch, indices: Indices, heads: Any) -> Message:
         return {
             "kind": "native",
             "edges": batch.unit.edges,
-            "runs": len(rows),
+            "runs": len(indices),
             "seed": self.seed(),
             "policy": self.rules.policy,
             "heads": heads,
@@ -214,8 +214,8 @@ class CompiledJudge:
         units: dict[str, tuple[Work, dict[int, tuple[bytes, Judged]]]] = {}
         for batch in batches:
             _, known = units.setdefault(batch.work.unit.key, (batch.work, {}))
-            for row, due in enumerate(batch.runs):
-                known[due.number] = batch.logs[0][row], batch.outcome(row)
+            for index, due in enumerate(batch.runs):
+                known[due.number] = batch.logs[0][index], batch.outcome(index)
         for work, known in units.values():
             whole = Work(work.unit, self.counter.tally())
             for batch in self.batches(whole, lambda: 1 << 10):
@@ -223,18 +223,18 @@ class CompiledJudge:
                 if not all(number in known for number in numbers):
                     break
                 batch.logs[0] = [known[number][0] for number in numbers]
-                batch.judged = {row: known[number][1] for row, number in enumerate(numbers)}
+                batch.judged = {index: known[number][1] for index, number in enumerate(numbers)}
                 self._compared = False
                 self.judge(batch)
         self._compared = False
 
 
-def _rows_of(
-    batch: CompiledBatch, rows: Sequence[int], places: Iterable[bytes]
+def _entries(
+    batch: CompiledBatch, indices: Indices, around: Iterable[bytes]
 ) -> list[tuple[Any, ...]]:
     """The entries of a message: a world or percepts, and the numbers of each run."""
-    said = batch.heads[[*rows]][:, [arrays.RUN_BUDGET, arrays.RUN_TOLD]].tolist()
+    said = batch.heads[[*indices]][:, [arrays.RUN_BUDGET, arrays.RUN_TOLD]].tolist()
     return [
-        (place, None if number < 0 else number, False, budget, "", ())
-        for place, (budget, number) in zip(places, said, strict=True)
+        (world, None if number < 0 else number, False, budget, "", ())
+        for world, (budget, number) in zip(around, said, strict=True)
     ]

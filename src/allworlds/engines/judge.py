@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import lru_cache
 from typing import Any
 
-from allworlds.engines.batch import Due, Judged, Message, Recorded, RunBatch, Work
+from allworlds.engines.batch import Due, Indices, Judged, Message, Recorded, RunBatch, Work
 from allworlds.engines.tally import RunCounter
 from allworlds.inputs.checks import InputError, show
 from allworlds.judging.episode import Episode, Fault, Over, followed
@@ -59,10 +59,10 @@ class PythonJudge:
     def judge(self, batch: RunBatch) -> bool:
         """Judge the first logs of a batch, and count them; return True: it can read them all."""
         work = batch.work
-        for row, due in enumerate(batch.runs):
-            one = batch.outcome(row)
+        for index, due in enumerate(batch.runs):
+            one = batch.outcome(index)
             if one.outcome.violation or not one.fits:
-                batch.broken.append(row)
+                batch.broken.append(index)
             self.counter.count_outcome(due.world, due.place, one.outcome, batch.tally)
             if self.every:
                 _, least = work.best.get(due.number, (due, one.outcome.cost))
@@ -101,13 +101,13 @@ class PythonJudge:
 
     # ---------------------------------------------------------------- messages
 
-    def worlds(self, batch: RunBatch, rows: Sequence[int]) -> Message:
+    def worlds(self, batch: RunBatch, indices: Indices) -> Message:
         """The message to a player that plays these runs in their worlds."""
-        return self.worlds_message([batch.due(row) for row in rows])
+        return self.worlds_message([batch.due(index) for index in indices])
 
-    def percepts(self, batch: RunBatch, rows: Sequence[int], order: Sequence[int] = ()) -> Message:
+    def percepts(self, batch: RunBatch, indices: Indices, order: Indices = ()) -> Message:
         """The message to a player that plays recorded percepts; nothing of a world."""
-        return self.percepts_message([batch.record(row) for row in rows], order)
+        return self.percepts_message([batch.record(index) for index in indices], order)
 
     def worlds_message(self, runs: Sequence[Due]) -> Message:
         """The message to a player that plays these runs in their worlds."""
@@ -117,32 +117,33 @@ class PythonJudge:
             kind, worlds = "table", (table_of(each.world) for each in runs)
         else:
             kind, worlds = "model", ((each.world, task.over) for each in runs)
-        rows = [self._row(due, world) for due, world in zip(runs, worlds, strict=True)]
-        return self.message(kind, rows)
+        content = [self._entry(due, world) for due, world in zip(runs, worlds, strict=True)]
+        return self.message(kind, content)
 
     def percepts_message(self, runs: Sequence[Recorded], order: Sequence[int] = ()) -> Message:
         """The message to a player that plays these runs against recorded percepts."""
-        rows = [self._row(each, playing.numbers_of(each.percepts), over=each.over) for each in runs]
-        return self.message("record", rows, order)
+        sensed = [playing.numbers_of(each.percepts) for each in runs]
+        content = [self._entry(run, s, over=run.over) for run, s in zip(runs, sensed, strict=True)]
+        return self.message("record", content, order)
 
-    def _row(self, run: Due | Recorded, place: Any, *, over: bool = False) -> tuple[Any, ...]:
-        """The row of a message for a run: where it is played, and what is said of it."""
+    def _entry(self, run: Due | Recorded, around: Any, *, over: bool = False) -> tuple[Any, ...]:
+        """The entry of a run in a message: its world or percepts, and what it is played with."""
         rules, world = self.rules, run.world
         told: Any = world.told
         if not (told is None or type(told) is int):  # marshal writes no other mapping
             told = dict(told)
-        return place, told, over, rules.budget(world.map), name_run(rules, world), run.script
+        return around, told, over, rules.budget(world.map), name_run(rules, world), run.script
 
-    def message(self, kind: str, rows: Any, order: Sequence[int] = ()) -> Message:
-        """A message to a player: rows of a world or a record, and what is said of its run.
+    def message(self, kind: str, content: Any, order: Sequence[int] = ()) -> Message:
+        """A message to a player, with an entry for each run.
 
-        Without an order they are played one after the other.
+        Without an order the runs are played one after the other.
         """
         return {
             "kind": kind,
-            "rows": rows,
-            "runs": len(rows),
-            "order": [*(order or range(len(rows)))],
+            "content": content,
+            "runs": len(content),
+            "order": [*(order or range(len(content)))],
             "policy": DEFAULT_POLICY if self.every else self.rules.policy,
             "every": self.every,
             "any_answer": not self.rules.task.is_map,
@@ -159,12 +160,12 @@ def table_of(world: World) -> bytes | tuple[int, ...]:
     """
     map_, numbers = world.map, list[int]()
     first = _vertex_by_vertex(map_, world.start)
-    row = {dart: number for number, dart in enumerate(first)}
+    position = {dart: number for number, dart in enumerate(first)}
     for dart, begin in first.items():
         after, _ = world.step(State(dart), BACK)
         p = world.percepts[dart]
         bearing = 0 if p.bearing is None else p.bearing + 1
-        numbers += (begin, row[after.dart], p.degree, p.marks, bearing)
+        numbers += (begin, position[after.dart], p.degree, p.marks, bearing)
     return playing.packed(numbers)
 
 

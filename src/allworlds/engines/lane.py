@@ -164,10 +164,10 @@ class Lane:
         while self._waiting and self._plays.has_room(SECOND):
             batch = self._waiting.popleft()
             # Of a run in which a player was lost there is nothing to compare.
-            for row in batch.lost:
-                batch.take(SECOND, [row], [batch.logs[FIRST][row]])
-            if rows := batch.unplayed(SECOND, range(len(batch))):
-                self._plays.give(SECOND, batch, rows)
+            for index in batch.lost:
+                batch.take(SECOND, [index], [batch.logs[FIRST][index]])
+            if indices := batch.unplayed(SECOND, range(len(batch))):
+                self._plays.give(SECOND, batch, indices)
             else:
                 self._settle(batch)
 
@@ -230,14 +230,14 @@ class Lane:
         """Go on after the loss of a player: its run is tried once more alone."""
         if which == FIRST:
             self._first_logs.clear()  # they are of several processes
-        batch, row = self._plays.lost_in(which)
-        if batch is not None and row is None:
+        batch, index = self._plays.lost_in(which)
+        if batch is not None and index is None:
             self._losses.remark(batch.work, lost)
-        if batch is None or row is None:
+        if batch is None or index is None:
             self._plays.go_on(which)
             return
-        alone = partial(self._plays.alone, which, batch, row)
-        batch.take(which, [row], [self._losses.log_of(lost, batch, row, alone)])
+        alone = partial(self._plays.alone, which, batch, index)
+        batch.take(which, [index], [self._losses.log_of(lost, batch, index, alone)])
         timeout = self._plays.setup.limits.answer_timeout
         self.given_up = losses.given_up(self._losses.silences, timeout)
         if self.given_up:

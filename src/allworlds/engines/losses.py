@@ -70,13 +70,13 @@ class Losses:
         self.silences = self._remarks = 0
         self.repeated, self._unrepeated = set[str](), Counter[str]()
 
-    def log_of(self, lost: Lost, batch: RunBatch, row: int, alone: Callable[[], Attempt]) -> bytes:
+    def log_of(self, lost: Lost, batch: RunBatch, run: int, alone: Callable[[], Attempt]) -> bytes:
         """The log of a run in which a player was lost.
 
         Args:
             lost: how.
             batch: of the run.
-            row: the run there.
+            run: its index there.
             alone: has a fresh player play it alone; returns its log, and its loss.
         """
         self.silences += lost.law == "timeout"
@@ -90,7 +90,7 @@ class Losses:
         if means is Meaning.REMARK:
             self.remark(batch.work, lost)
             return log
-        batch.lost.add(row)
+        batch.lost.add(run)
         if means is Meaning.BROKEN_AFTER_OTHERS:
             return lost_log(b"", Lost(lost.law, lost.seen + AFTER, machine=False))
         return log

@@ -35,21 +35,21 @@ class MoreSeeds:
         wanted = self._wanted and len(self._kept) < KEPT
         edges = batch.due(0).world.map.edge_count if wanted else 0
         if edges > SMALL and edges == levels[-1]:
-            self._kept += [(batch, row) for row in range(len(batch))][: KEPT - len(self._kept)]
+            self._kept += [(batch, index) for index in range(len(batch))][: KEPT - len(self._kept)]
 
     def end(self) -> Tally:
         """The tally of what other seeds show, and of nothing else; then no more are tried."""
         judge = self._settler.judge
         kept, self._kept = self._kept, []
         work = Work(kept[0][0].work.unit, judge.counter.tally())
-        runs = [batch.record(row) for batch, row in kept]
+        runs = [batch.record(index) for batch, index in kept]
         for seed in SIX_MORE:
             order = self._random.sample(range(len(runs)), len(runs))
             logs, lost = self._settler.plays.anew(seed, judge.percepts_message(runs, order))
             # What is lost is tried in the other players, too.
-            for (batch, row), log in () if lost else zip(kept, logs, strict=True):
-                if self._settler.differ(batch.outcome(row).log, Log(log)):
+            for (batch, index), log in () if lost else zip(kept, logs, strict=True):
+                if self._settler.differ(batch.outcome(index).log, Log(log)):
                     batch.work, self._wanted = work, False
-                    self._settler.explain_under(seed, batch, [(row, Log(log))])
+                    self._settler.explain_under(seed, batch, [(index, Log(log))])
                     return work.tally
         return work.tally

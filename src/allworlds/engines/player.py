@@ -157,12 +157,12 @@ class _Server:
         if batch["kind"] in PICKLED:
             import pickle
 
-            batch["rows"] = pickle.loads(batch["rows"])  # noqa: S301  # our own process
+            batch["content"] = pickle.loads(batch["content"])  # noqa: S301  # our own process
         if batch["kind"] == "maps":
             _answer(LOGS, *logs_message(maps_made(batch)))
             return
         if batch["kind"] == "walk":
-            _answer(LOGS, *logs_message([senses(*batch["rows"])]))
+            _answer(LOGS, *logs_message([senses(*batch["content"])]))
             return
         logs = played(batch, self._player, self._beat, _sender() if batch["hear"] else None)
         for timer in TIMERS:
@@ -213,7 +213,7 @@ def played(
     if batch["lines"]:
         from allworlds.protocol.code_lines import ONCE, LinesPlay, TracedPlay, written
     for number in batch["order"]:
-        world, told, over, budget, name, script = batch["rows"][number]
+        world, told, over, budget, name, script = batch["content"][number]
         beat[0] = number
         around, choices = _around(batch["kind"], world, told, over), _choices(batch, name, script)
         if batch["lines"]:
@@ -242,8 +242,8 @@ def turns_of(subject: Subject, player: Player, beat: Any) -> Turns:
 def turns_taken(turns: Turns, batch: dict[str, Any]) -> list[bytes]:
     """The words of a program in the turns, or in the histories, of a batch."""
     if batch["kind"] == "histories":
-        return turns.plays(batch["rows"])
-    return turns.answers(batch["rows"], known=batch["known"])
+        return turns.plays(batch["content"])
+    return turns.answers(batch["content"], known=batch["known"])
 
 
 def maps_made(batch: dict[str, Any]) -> list[bytes]:
@@ -253,7 +253,7 @@ def maps_made(batch: dict[str, Any]) -> list[bytes]:
     from allworlds.world.lighthouses.composed import Nothing
 
     made: list[bytes] = [b""] * batch["runs"]
-    extent, units = batch["rows"]
+    extent, units = batch["content"]
     for number in batch["order"]:
         unit = getattr(units[number], "unit", units[number])  # perhaps of one of several explorers
         codes = [(map_.sigma, map_.alpha) for map_, _ in unit.placed(extent, Nothing)]

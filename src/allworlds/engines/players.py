@@ -112,8 +112,8 @@ class Logs(Sequence[bytes]):
         return len(self.starts) - 1
 
     @override
-    def __getitem__(self, row: Any) -> Any:
-        return bytes(self.message[self.starts[row] : self.starts[row + 1]])
+    def __getitem__(self, index: Any) -> Any:
+        return bytes(self.message[self.starts[index] : self.starts[index + 1]])
 
 
 Answer: TypeAlias = tuple[Any, Sequence[bytes] | None]
@@ -214,7 +214,7 @@ class PlayerProcess:
         if message.get("kind") in player.PICKLED:
             import pickle
 
-            message = {**message, "rows": pickle.dumps(message["rows"])}
+            message = {**message, "content": pickle.dumps(message["content"])}
         data = marshal.dumps(message)
         self._out += len(data).to_bytes(4, "little") + data
         self._write()

@@ -9,7 +9,7 @@ from functools import partial
 from random import Random
 from typing import NamedTuple, TypeAlias
 
-from allworlds.engines.batch import FIRST, Message, RunBatch
+from allworlds.engines.batch import FIRST, Indices, Message, RunBatch
 from allworlds.engines.hash_seeds import Seeds
 from allworlds.engines.players import (
     Lost,
@@ -28,15 +28,12 @@ DEPTH = 2
 Attempt: TypeAlias = tuple[Sequence[bytes], Lost | None]
 """The logs of a fresh player, and its loss, whose log is then the only one."""
 
-Rows: TypeAlias = Sequence[int]
-"""Runs of a batch, by their numbers there."""
-
 
 class RunsToPlay(NamedTuple):
     """Runs of a batch that a player is to play."""
 
     batch: RunBatch
-    rows: Rows
+    indices: Indices
 
 
 class BothPlays:
@@ -74,21 +71,21 @@ class BothPlays:
         """Whether a player would take one more batch."""
         return which not in self._players or len(self._players[which].jobs) < DEPTH
 
-    def give(self, which: int, batch: RunBatch, rows: Rows) -> None:
+    def give(self, which: int, batch: RunBatch, indices: Indices) -> None:
         """Give a player runs of a batch."""
         if which not in self._players:
             self._players[which] = started(self.setup, self.seeds[which], self._notice)
-        self._players[which].give(RunsToPlay(batch, rows), self._message(which, batch, rows))
+        self._players[which].give(RunsToPlay(batch, indices), self._message(which, batch, indices))
 
-    def _message(self, which: int, batch: RunBatch, rows: Rows) -> Message:
+    def _message(self, which: int, batch: RunBatch, indices: Indices) -> Message:
         if which == FIRST:
-            return batch.by.worlds(batch, rows)
-        if not batch.plain and len(rows) == len(batch):  # compiled code draws the order
-            return batch.by.percepts(batch, rows)
-        order = self._random.sample(range(len(rows)), len(rows))
+            return batch.by.worlds(batch, indices)
+        if not batch.plain and len(indices) == len(batch):  # compiled code draws the order
+            return batch.by.percepts(batch, indices)
+        order = self._random.sample(range(len(indices)), len(indices))
         if self._random.getrandbits(1):  # who counts runs does not know which comes
             order.insert(self._random.randrange(len(order)), self._random.choice(order))
-        return batch.by.percepts(batch, rows, order)
+        return batch.by.percepts(batch, indices, order)
 
     def _notice(self, event: str) -> None:
         """Count an event of a built-in explorer, in the batch that is being played."""
@@ -106,9 +103,9 @@ class BothPlays:
         for job, logs in self._players[which].heard() if which in self._players else ():
             if logs is None:
                 job.batch.plain = True
-                self.give(which, job.batch, job.rows)
+                self.give(which, job.batch, job.indices)
             else:
-                job.batch.take(which, job.rows, logs)
+                job.batch.take(which, job.indices, logs)
                 heard.append(job.batch)
         return heard
 
@@ -118,10 +115,10 @@ class BothPlays:
         for player in self.players:
             if not player.jobs:
                 continue
-            (batch, rows), _ = player.jobs[0]
+            (batch, indices), _ = player.jobs[0]
             number, turns = player.beat
-            if 0 <= number < len(rows):
-                rules, run = batch.by.counter.scope.rules, batch.due(rows[number])
+            if 0 <= number < len(indices):
+                rules, run = batch.by.counter.scope.rules, batch.due(indices[number])
                 walks.append((turns, rules.budget(run.world.map)))
         return max(walks, default=None)
 
@@ -130,38 +127,38 @@ class BothPlays:
         player = self._players[which]
         if not player.jobs or player.description is None:
             return None, None
-        (batch, rows), _ = player.jobs[0]
+        (batch, indices), _ = player.jobs[0]
         number = player.beat[0]
-        return batch, rows[number] if 0 <= number < len(rows) else None
+        return batch, indices[number] if 0 <= number < len(indices) else None
 
     def go_on(self, which: int) -> None:
         """Replace a player that was lost; of its first batch it plays what has no log yet."""
         player = self._players[which]
         if player.jobs:
-            (batch, rows), _ = player.jobs.popleft()
-            if rest := batch.unplayed(which, rows):
+            (batch, indices), _ = player.jobs.popleft()
+            if rest := batch.unplayed(which, indices):
                 job = RunsToPlay(batch, rest)
                 player.jobs.appendleft((job, self._message(which, batch, rest)))
         player.again()
 
     # ---------------------------------------------------------------- fresh ones
 
-    def alone(self, which: int, batch: RunBatch, row: int) -> Attempt:
+    def alone(self, which: int, batch: RunBatch, index: int) -> Attempt:
         """The log of a run as one of the plays, by a fresh player, and perhaps its loss."""
         message = batch.by.worlds if which == FIRST else batch.by.percepts
-        return self.anew(self.seeds[which], message(batch, [row]))
+        return self.anew(self.seeds[which], message(batch, [index]))
 
-    def again(self, which: int, seed: int, batch: RunBatch, rows: Rows) -> dict[int, Log]:
+    def again(self, which: int, seed: int, batch: RunBatch, indices: Indices) -> dict[int, Log]:
         """The logs of these runs as one of the plays, by a fresh player under a seed."""
         message = batch.by.worlds if which == FIRST else batch.by.percepts
-        return self.fresh(seed, partial(message, batch), rows)
+        return self.fresh(seed, partial(message, batch), indices)
 
-    def fresh(self, seed: int, message: Callable[[Rows], Message], rows: Rows) -> dict[int, Log]:
+    def fresh(self, seed: int, make: Callable[[Indices], Message], runs: Indices) -> dict[int, Log]:
         """The logs of these runs by a fresh player; each alone if it is lost over them."""
-        logs, lost = self.anew(seed, message(rows))
-        if lost and len(rows) > 1:
-            return {row: self.fresh(seed, message, [row])[row] for row in rows}
-        return dict(zip(rows, map(Log, logs), strict=True))
+        logs, lost = self.anew(seed, make(runs))
+        if lost and len(runs) > 1:
+            return {index: self.fresh(seed, make, [index])[index] for index in runs}
+        return dict(zip(runs, map(Log, logs), strict=True))
 
     def anew(self, seed: int, message: Message) -> Attempt:
         """The logs of a fresh player that answer a message, or its loss."""

@@ -104,7 +104,7 @@ class Database:
         row = self._first("SELECT * FROM units WHERE key = ?", key)
         return None if row is None else json.loads(self._sound(f"unit {key}", *row)[3])
 
-    def rows(self) -> Iterator[tuple[str, int, float, Any]]:
+    def units(self) -> Iterator[tuple[str, int, float, Any]]:
         """Of every finished unit its key, worlds, time and result, in no order."""
         with saying_where(self.path):
             for row in self._connection.execute("SELECT * FROM units"):

@@ -50,10 +50,8 @@ class Settler:
         """Find what is wrong with a batch that was played once, or twice."""
         # Compiled code writes logs without words or choices; that of a lost player has them.
         without_words = [] if batch.plain else [*batch.broken]
-        outcomes = {
-            row: self._in_words(batch, row) for row in without_words if row not in batch.lost
-        }
-        outcomes = {row: self._own(batch, row) for row in batch.broken} | outcomes
+        outcomes = {i: self._in_words(batch, i) for i in without_words if i not in batch.lost}
+        outcomes = {index: self._own(batch, index) for index in batch.broken} | outcomes
         if twice and (differing := self._differing(batch)):
             outcomes |= self._explained(batch, differing, self.plays.seeds)
         self.find(batch, outcomes)
@@ -61,17 +59,17 @@ class Settler:
     def find(self, batch: RunBatch, outcomes: dict[int, Outcome]) -> None:
         """Find the runs of a batch with outcomes that break a law."""
         counter, referee = self.judge.counter, self.judge.referee
-        for row, outcome in sorted(outcomes.items()):
-            due = batch.due(row)
+        for index, outcome in sorted(outcomes.items()):
+            due = batch.due(index)
             counter.settle(referee, due.world, due.place, outcome, batch.work.tally)
 
     def give_up(self, which: int, batch: RunBatch) -> None:
         """Find what is wrong with the runs of a batch that is not finished; nothing is counted."""
         outcomes = dict[int, Outcome]()
-        for row in batch.lost:
-            one = self.judge.judged(batch.due(row), batch.logs[FIRST][row])
-            second = Log(batch.logs[which][row])
-            outcomes[row] = overruled(one.outcome, one.log, second, choices=self.judge.every)
+        for index in batch.lost:
+            one = self.judge.judged(batch.due(index), batch.logs[FIRST][index])
+            second = Log(batch.logs[which][index])
+            outcomes[index] = overruled(one.outcome, one.log, second, choices=self.judge.every)
         self.find(batch, outcomes)
 
     def explain_under(self, seed: int, batch: RunBatch, differing: Differing) -> None:
@@ -85,25 +83,25 @@ class Settler:
         first, again = batch.logs
         if isinstance(first, Logs) and isinstance(again, Logs) and first.message == again.message:
             return found
-        for row in range(len(batch)):
-            if first[row] != again[row]:
-                second = Log(again[row])
-                if self.differ(batch.outcome(row).log, second):
-                    found.append((row, second))
+        for index in range(len(batch)):
+            if first[index] != again[index]:
+                second = Log(again[index])
+                if self.differ(batch.outcome(index).log, second):
+                    found.append((index, second))
         return found
 
-    def _own(self, batch: RunBatch, row: int) -> Outcome:
+    def _own(self, batch: RunBatch, index: int) -> Outcome:
         """The outcome of a run by its first play."""
-        one = batch.outcome(row)
+        one = batch.outcome(index)
         if not one.fits:
             return replace(one.outcome, violation=nondeterministic(OTHER_CHOICES))
         return one.outcome
 
-    def _in_words(self, batch: RunBatch, row: int) -> Outcome:
+    def _in_words(self, batch: RunBatch, index: int) -> Outcome:
         """The outcome of a run whose log compiled code has written, by a play in Python."""
-        before, batch.plain = batch.outcome(row), True
-        (log,), _ = self.plays.alone(FIRST, batch, row)
-        one = self.judge.judged(batch.due(row), log)
+        before, batch.plain = batch.outcome(index), True
+        (log,), _ = self.plays.alone(FIRST, batch, index)
+        one = self.judge.judged(batch.due(index), log)
         if _is_refused(before.log, one.log) or not self.differ(before.log, one.log):
             return one.outcome
         return replace(one.outcome, violation=nondeterministic(PLAYED_ONCE_MORE))
@@ -114,33 +112,33 @@ class Settler:
         orders = [*few], [*few][::-1]
         firsts = [plays.again(FIRST, seeds[FIRST], batch, order) for order in orders]
         seconds = [plays.again(SECOND, seeds[SECOND], batch, order) for order in orders]
-        before = {row: batch.outcome(row).log for row in few}
-        repeated = [(before[row], [play[row] for play in firsts]) for row in few]
-        repeated += [(other, [play[row] for play in seconds]) for row, other in few.items()]
+        before = {index: batch.outcome(index).log for index in few}
+        repeated = [(before[index], [play[index] for play in firsts]) for index in few]
+        repeated += [(other, [play[index] for play in seconds]) for index, other in few.items()]
         if hash_seeds.explain(seeds, repeated, self.differ):
-            return self._by_seed(batch, [row for row, _ in differing], seeds)
-        return {row: self._of_plays(batch, row, other, seeds) for row, other in few.items()}
+            return self._by_seed(batch, [index for index, _ in differing], seeds)
+        return {index: self._of_plays(batch, index, other, seeds) for index, other in few.items()}
 
-    def _of_plays(self, batch: RunBatch, row: int, other: Log, seeds: Seeds) -> Outcome:
+    def _of_plays(self, batch: RunBatch, index: int, other: Log, seeds: Seeds) -> Outcome:
         """The outcome of a run by two plays that differ, or by later ones that are alike."""
-        one, anew = batch.outcome(row), None
+        one, anew = batch.outcome(index), None
         faults = fault_of(one.log), fault_of(other)
         if any(fault and fault.machine for fault in faults):  # it may be the machine's
-            anew = self._alike(batch, row, other, seeds)
+            anew = self._alike(batch, index, other, seeds)
         return anew or overruled(one.outcome, one.log, other, choices=self.judge.every)
 
-    def _alike(self, batch: RunBatch, row: int, other: Log, seeds: Seeds) -> Outcome | None:
+    def _alike(self, batch: RunBatch, index: int, other: Log, seeds: Seeds) -> Outcome | None:
         """The outcome of a run by two later plays of it alone; None if they are not alike.
 
         What has happened once, and in no fresh process, refutes nothing.  The second play has the
         record of the later one: that of the run may be too short.
         """
-        due, one = batch.due(row), batch.outcome(row).log
-        log = self.plays.again(FIRST, seeds[FIRST], batch, [row])[row]
+        due, one = batch.due(index), batch.outcome(index).log
+        log = self.plays.again(FIRST, seeds[FIRST], batch, [index])[index]
         anew = self._anew(due, log)
         message = self.judge.percepts_message([Recorded.of(due, anew.episode)])
-        again = self.plays.fresh(seeds[SECOND], lambda _: message, [row])
-        if self.differ(log, again[row]):
+        again = self.plays.fresh(seeds[SECOND], lambda _: message, [index])
+        if self.differ(log, again[index]):
             return None
         fault = fault_of(one if self.differ(one, log) else other)
         ended = fault.seen if fault else "it ended with an answer"
@@ -151,15 +149,15 @@ class Settler:
         episode = self.judge.episode(due.world, log)
         return self.judge.referee.outcome(due.world, episode, tuple(log.choices))
 
-    def _by_seed(self, batch: RunBatch, rows: list[int], seeds: Seeds) -> dict[int, Outcome]:
+    def _by_seed(self, batch: RunBatch, indices: list[int], seeds: Seeds) -> dict[int, Outcome]:
         """The outcomes of runs of an explorer that goes by hashes, in their worlds by each seed."""
         batch.work.tally.remark(hash_seeds.GOES_BY_HASHES)
-        again = self.plays.again(FIRST, seeds[SECOND], batch, rows)
+        again = self.plays.again(FIRST, seeds[SECOND], batch, indices)
         outcomes = {
-            row: hash_seeds.by_seed(seeds, self._own(batch, row), self._anew(batch.due(row), log))
-            for row, log in again.items()
+            i: hash_seeds.by_seed(seeds, self._own(batch, i), self._anew(batch.due(i), log))
+            for i, log in again.items()
         }
-        return {row: outcome for row, outcome in outcomes.items() if outcome}
+        return {index: outcome for index, outcome in outcomes.items() if outcome}
 
 
 def _is_refused(without_words: Log, in_words: Log) -> bool:

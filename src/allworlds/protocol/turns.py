@@ -73,7 +73,7 @@ class Turns:
     Args:
         explore: the function of the program, or an automaton.
         player: the same as a player calls it.
-        beat: ``beat[0]`` is the row, ``beat[1]`` grows with every percept, and is 0 at the end.
+        beat: ``beat[0]`` is the turn, ``beat[1]`` grows with every percept, and is 0 at the end.
         keeps: whether runs are kept alive; a program behind a pipe has one at a time.
     """
 
@@ -95,21 +95,21 @@ class Turns:
         self._memories: list[Any] = []
         self._numbers: dict[Any, int] = {}
 
-    def answers(self, rows: Sequence[Row], *, known: bool = False) -> list[bytes]:
+    def answers(self, turns: Sequence[Row], *, known: bool = False) -> list[bytes]:
         """The words of the program in each turn, as bytes of :func:`said`.
 
         Args:
-            rows: the turns.
+            turns: in their order.
             known: whether nothing is asked for: these were answered before.
         """
         found = []
-        for place, row in enumerate(rows):
-            self._beat[0], self._beat[1] = place, 1
+        for index, turn in enumerate(turns):
+            self._beat[0], self._beat[1] = index, 1
             if isinstance(self._explore, Automaton):
-                found.append(self._step(*row))
+                found.append(self._step(*turn))
             else:
-                self._note(row)
-                found.append(b"" if known or row[1] == BEGIN else self._turn(row[0]))
+                self._note(turn)
+                found.append(b"" if known or turn[1] == BEGIN else self._turn(turn[0]))
         self._beat[1] = 0
         return found
 
@@ -119,17 +119,17 @@ class Turns:
         Nothing of it is kept; of an automaton the memories are numbered as they are met.
         """
         found = []
-        for place, (told, history) in enumerate(histories):
-            self._beat[0], self._beat[1] = place, 1
+        for index, (told, history) in enumerate(histories):
+            self._beat[0], self._beat[1] = index, 1
             anew = Turns(self._explore, self._player, self._beat, keeps=True)
             anew._memories, anew._numbers = self._memories, self._numbers
-            row, words = (0, BEGIN, told), list[bytes]()
+            turn, words = (0, BEGIN, told), list[bytes]()
             for number, sensed in enumerate(history, 1):
-                before = anew.answers([row])[0]
+                before = anew.answers([turn])[0]
                 words.append(before)
                 automaton = isinstance(self._explore, Automaton)
-                row = number, said(before)[0] if automaton else number - 1, sensed
-            words.append(anew.answers([row])[0])
+                turn = number, said(before)[0] if automaton else number - 1, sensed
+            words.append(anew.answers([turn])[0])
             anew.close()
             found.append(marshal.dumps(words))
         self._beat[1] = 0
@@ -165,8 +165,8 @@ class Turns:
 
     # ---------------------------------------------------------------- generators
 
-    def _note(self, row: Row) -> None:
-        number, before, sensed = row
+    def _note(self, turn: Row) -> None:
+        number, before, sensed = turn
         if before == BEGIN:
             self._told[number] = sensed
         else:

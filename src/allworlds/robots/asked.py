@@ -120,7 +120,7 @@ class Asked:
 
     def _ask(self, kind: str, rows: Sequence[Any]) -> list[bytes]:
         self._player_after_known()
-        message = {"kind": kind, "rows": [*rows], "runs": len(rows), "known": False}
+        message = {"kind": kind, "content": [*rows], "runs": len(rows), "known": False}
         return [*answered(self._player, message)]
 
     def _player_after_known(self) -> None:
@@ -131,7 +131,7 @@ class Asked:
             self._anew = False
             message = {
                 "kind": "turns",
-                "rows": self._known,
+                "content": self._known,
                 "runs": len(self._known),
                 "known": True,
                 "anew": True,

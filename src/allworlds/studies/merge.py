@@ -198,7 +198,7 @@ def status(request: StatusRequest) -> Standing:
         units = worlds = recent = findings = 0
         last = began
         costs: list[LargestCost] = []
-        for _, met, finished, kept in database.rows():
+        for _, met, finished, kept in database.units():
             units, worlds = units + 1, worlds + met
             if finished >= began:
                 recent, last = recent + met, max(last, finished)

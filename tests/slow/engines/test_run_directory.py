@@ -31,12 +31,12 @@ def test_a_full_disk_loses_nothing_that_was_finished(tmp_path, monkeypatch):
     (line,) = [text for text in said if "run directory" in text]
     assert "takes no more: database or disk is full; what it holds is kept" in line
     with reading(tmp_path) as read:
-        kept = [key for key, *_ in read.rows()]
+        kept = [key for key, *_ in read.units()]
     assert 0 < len(kept) < 20
     monkeypatch.setattr(run_directory, "_write_ahead", real)
     assert check(edges=4, engine="kernel", run=tmp_path).to_json() == whole
     with reading(tmp_path) as read:
-        assert set(kept) < {key for key, *_ in read.rows()}
+        assert set(kept) < {key for key, *_ in read.units()}
 
 
 @pytest.mark.slowest

@@ -18,7 +18,7 @@ import numpy as np
 from allworlds.documents.document import replace
 from allworlds.engines.compiled_engine import level_of
 from allworlds.engines.kernel import compiling, engine
-from allworlds.engines.kernel.arrays import JOB, ROBOT, Level, Rows
+from allworlds.engines.kernel.arrays import JOB, ROBOT, Level, Sums
 from allworlds.engines.kernel.capabilities import EXPLORERS, LIGHTHOUSES, POLICIES
 from allworlds.engines.kernel.runs import UnitArrays
 from allworlds.judging.rules import Rules
@@ -31,15 +31,15 @@ FOLDER = Path(engine.__file__).parent
 MODULES = ("code", "laws", "worlds", "algorithm1", "runs", "demand_driven")
 """The modules that are interpreted, each after those that it imports."""
 
-NOTHING = Rows((), {}, (), (), ())
+NOTHING = Sums((), {}, (), (), ())
 """What an engine says that has gone astray."""
 
 
 class Engines(NamedTuple):
     """The two engines: the walk on demand, and the judge of all runs."""
 
-    walk: Callable[..., Rows]
-    judge: Callable[..., Rows]
+    walk: Callable[..., Sums]
+    judge: Callable[..., Sums]
 
 
 class _Zeros(dict[int, int]):
@@ -92,8 +92,8 @@ def interpreted(changed: Mapping[str, str] = {}) -> Engines:
     return Engines(_safe(_walk(modules)), _safe(_judge(modules)))
 
 
-def _safe(engine_: Callable[..., Rows]) -> Callable[..., Rows]:
-    def does(*question: Any, **options: Any) -> Rows:
+def _safe(engine_: Callable[..., Sums]) -> Callable[..., Sums]:
+    def does(*question: Any, **options: Any) -> Sums:
         try:
             return engine_(*question, **options)
         except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError):
@@ -141,7 +141,7 @@ def _with(function: Any, **names: Any) -> Any:
     return again
 
 
-def _walk(modules: dict[str, dict[str, Any]]) -> Callable[..., Rows]:
+def _walk(modules: dict[str, dict[str, Any]]) -> Callable[..., Sums]:
     return _with(  # type: ignore[no-any-return]  # as the kernel
         engine.walk,
         walks=SimpleNamespace(**modules["demand_driven"]),
@@ -150,7 +150,7 @@ def _walk(modules: dict[str, dict[str, Any]]) -> Callable[..., Rows]:
     )
 
 
-def _judge(modules: dict[str, dict[str, Any]]) -> Callable[..., Rows]:
+def _judge(modules: dict[str, dict[str, Any]]) -> Callable[..., Sums]:
     worlds, robots = modules["worlds"], modules["algorithm1"]
 
     def explorer(name: str) -> tuple[Any, Any, Any]:
@@ -165,7 +165,7 @@ def _judge(modules: dict[str, dict[str, Any]]) -> Callable[..., Rows]:
         asarray=lambda robot: SimpleNamespace(ctypes=SimpleNamespace(data=robot)),
     )
 
-    def judge(level: Level, prefix: Sequence[int], *, keep: int = 1) -> Rows:
+    def judge(level: Level, prefix: Sequence[int], *, keep: int = 1) -> Sums:
         job, robot = plain(JOB), plain(ROBOT)
         set_up(job, robot, level)
         arrays = engine.unit_of(level, prefix, keep)
@@ -173,7 +173,7 @@ def _judge(modules: dict[str, dict[str, Any]]) -> Callable[..., Rows]:
         unit = UnitArrays(**{**arrays._asdict(), **own})
         modules["runs"]["examine"](job, job.explorer, unit, [0])
         robot.events = np.array(robot.events)
-        return engine.rows_of(unit, job, robot)
+        return engine.sums_of(unit, job, robot)
 
     return judge
 
@@ -189,9 +189,9 @@ class Question(NamedTuple):
     prefix: tuple[int, ...]
     keep: int = 1
 
-    def answered(self, engines: Engines) -> Rows:
+    def answered(self, engines: Engines) -> Sums:
         """The rows."""
-        does: Callable[..., Rows] = getattr(engines, self.engine)
+        does: Callable[..., Sums] = getattr(engines, self.engine)
         return does(self.level, self.prefix, keep=self.keep)
 
 

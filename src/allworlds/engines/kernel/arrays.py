@@ -108,7 +108,7 @@ class BrokenRun(Struct, frozen=True):
     law: str
 
 
-class Rows(Struct, frozen=True):
+class Sums(Struct, frozen=True):
     """The outcome of a piece of work.
 
     Attributes:
@@ -383,7 +383,7 @@ MOST_PLACES = 64
 LONGEST_STRETCH = 2048
 """The largest number of runs in a batch, but for those of its last world."""
 
-ROWS = LONGEST_STRETCH + MOST_PLACES
+MOST_RUNS = LONGEST_STRETCH + MOST_PLACES
 """Room for the runs of a batch, and of its last world."""
 
 LOG_BYTES = 1 << 20
@@ -407,9 +407,9 @@ class Stretch(NamedTuple):
     @classmethod
     def of(cls, edges: int) -> Stretch:
         """Memory for worlds with so many edges."""
-        heads, worlds = zeros((ROWS, HEAD), int32), zeros((ROWS, WIDE * 2 * edges), uint8)
+        heads, worlds = zeros((MOST_RUNS, HEAD), int32), zeros((MOST_RUNS, WIDE * 2 * edges), uint8)
         percepts, logs = (zeros(LOG_BYTES, uint8) for _ in range(2))
-        starts, begins = (zeros(ROWS + 1, int32) for _ in range(2))
+        starts, begins = (zeros(MOST_RUNS + 1, int32) for _ in range(2))
         return cls(heads, worlds, percepts, starts, logs, begins)
 
     def put(self, logs: Logs) -> int:

@@ -115,12 +115,12 @@ def blame(world, law, least, row):
 
 
 @inner
-def is_less(world, rows, place):
+def is_less(world, kept, place):
     """Whether the canonical code of the world is less than that of a row, or that is empty.
 
     The code is not written: the first difference, which is early in most cases, decides.
     """
-    if rows[place, 0] == 0:
+    if kept[place, 0] == 0:
         return True
     number, order = world.number, world.order
     number[0] = order[0] = 0
@@ -133,12 +133,12 @@ def is_less(world, rows, place):
                 number[y], order[known] = known, y
                 known += 1
         y = number[world.sigma[x]]
-        if y != rows[place, 1 + i]:
-            return y < rows[place, 1 + i]
+        if y != kept[place, 1 + i]:
+            return y < kept[place, 1 + i]
     for i in range(world.darts):
         y = number[world.alpha[order[i]]]
-        if y != rows[place, 1 + world.darts + i]:
-            return y < rows[place, 1 + world.darts + i]
+        if y != kept[place, 1 + world.darts + i]:
+            return y < kept[place, 1 + world.darts + i]
     return False
 
 

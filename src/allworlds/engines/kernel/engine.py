@@ -1,4 +1,4 @@
-"""A piece of a level, done by one of the compiled engines: plain numbers in, plain rows out.
+"""A piece of a level, done by one of the compiled engines: plain numbers in, plain sums out.
 
 :func:`judge` plays and judges every run; :func:`walk` walks Algorithm 1 once in each rooted map
 and counts the walk for every bearing of the lighthouse.
@@ -32,8 +32,8 @@ from allworlds.engines.kernel.arrays import (
     Counts,
     Kept,
     Level,
-    Rows,
     Stretch,
+    Sums,
     new,
 )
 from allworlds.engines.kernel.capabilities import EVENTS, EXPLORERS, POLICIES
@@ -49,7 +49,7 @@ from allworlds.engines.kernel.worlds import (
 from allworlds.engines.linux import COMPILER
 
 
-def judge(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Rows:
+def judge(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Sums:
     """Play and judge every run of the maps whose gluing begins with ``prefix``.
 
     Args:
@@ -64,15 +64,15 @@ def judge(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = Non
     set_up(job, robot, level)
     unit = unit_of(level, prefix, keep)
     runs.examine(job, job.explorer, unit, flag() if halt is None else halt)
-    return rows_of(unit, job, robot)
+    return sums_of(unit, job, robot)
 
 
-def rows_of(unit: runs.UnitArrays, job: Any, robot: Any) -> Rows:
-    """The rows of the judge's results."""
+def sums_of(unit: runs.UnitArrays, job: Any, robot: Any) -> Sums:
+    """The sums of the judge's results."""
     darts, kept = 2 * int(job.gluing.edges), unit.kept
-    rows = enumerate(unit.counts.tolist())
-    return Rows(
-        tuple(Counts(n, *row) for n, row in rows if row[runs.WORLDS]),
+    table = enumerate(unit.counts.tolist())
+    return Sums(
+        tuple(Counts(n, *row) for n, row in table if row[runs.WORLDS]),
         dict(zip(EVENTS, robot.events.tolist(), strict=False)),
         tuple((n, d0, largest) for n, d0, largest in argwhere(unit.met).tolist()),
         tuple(_at(row, darts) for row in kept.most_expensive.tolist() if row[0]),
@@ -143,7 +143,7 @@ def _at(row: list[int], darts: int) -> At:
     return At(n, tuple(code[:darts]), tuple(code[darts : 2 * darts]), code[2 * darts])
 
 
-def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Rows:
+def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Sums:
     """Walk Algorithm 1 once in every map whose gluing begins with ``prefix``.
 
     The class is ``maps``, the lighthouse directional, all laws are checked together, and the
@@ -161,11 +161,11 @@ def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None
     w.bound[: len(level.bounds)] = [bound for ((bound, *_), *_) in level.bounds]
     w.viable[: len(viable), : viable.shape[1]] = viable
     walks.explore(w, array(prefix, int64), kept, flag() if halt is None else halt)
-    rows = w.counts[: edges + 2].tolist()
-    return Rows(
-        tuple(_walked_counts(n, row, edges, places) for n, row in enumerate(rows) if row[0]),
-        _walked_events(rows, edges, places),
-        tuple((n, 0, 0) for n, row in enumerate(rows) if row[0]),
+    table = w.counts[: edges + 2].tolist()
+    return Sums(
+        tuple(_walked_counts(n, row, edges, places) for n, row in enumerate(table) if row[0]),
+        _walked_events(table, edges, places),
+        tuple((n, 0, 0) for n, row in enumerate(table) if row[0]),
         tuple(_at(row, darts) for row in kept.most_expensive.tolist() if row[0]),
         tuple(BrokenRun(*_at(row, darts)[:3], None, "") for row in kept.least.tolist() if row[0]),
     )
@@ -177,10 +177,10 @@ def _walked_counts(n: int, row: list[int], edges: int, places: int) -> Counts:
     return Counts(n, worlds, *of_runs, *row[walks.LOOP_EDGE : walks.FAILURES])
 
 
-def _walked_events(rows: list[list[int]], edges: int, places: int) -> dict[str, int]:
+def _walked_events(table: list[list[int]], edges: int, places: int) -> dict[str, int]:
     counted = [walks.CASES_1, walks.CASES_2, walks.TESTS_AT_V0, walks.EMPTY_HS]
-    case_1, case_2, at_v0, empty = (sum(row[column] for row in rows) for column in counted)
-    ended = [row[walks.WORLDS] - row[walks.FAILURES] for row in rows]
+    case_1, case_2, at_v0, empty = (sum(row[column] for row in table) for column in counted)
+    ended = [row[walks.WORLDS] - row[walks.FAILURES] for row in table]
     loops = sum((edges - n + 1) * times for n, times in enumerate(ended))
     others = sum((n - 1) * times for n, times in enumerate(ended))
     events = case_1, case_2, loops, at_v0, empty, loops, others
@@ -238,8 +238,8 @@ class UnitJudge:
         self.heads = stretch.heads[:placed].copy()
         return LaidOutRuns(placed, first, int(ahead.number), int(ahead.until) == 0)
 
-    def judge(self, batch: LaidOutRuns, size: int) -> tuple[Rows, bool]:
-        """Judge the logs in the memory; return the rows, and whether all logs could be judged.
+    def judge(self, batch: LaidOutRuns, size: int) -> tuple[Sums, bool]:
+        """Judge the logs in the memory; return the sums, and whether all logs could be judged.
 
         The percepts for the second play are written to its memory.
 
@@ -261,8 +261,8 @@ class UnitJudge:
         # Who plays again is not to know which runs these are.
         heads[:, layout.RUN_NUMBER : layout.RUN_MOTIONS] = 0
         good = reader.run == count and reader.strange == 0 and job.undefined == 0
-        rows = rows_of(unit, job, self._robot)
-        return rows, good
+        sums = sums_of(unit, job, self._robot)
+        return sums, good
 
 
 @entry

@@ -43,7 +43,7 @@ class Rooms(NamedTuple):
     counts: Any
     # By vertices: their number (0: none yet), then the least code of a world that attains the worst
     # cost; room for two such rows.
-    rows: Any
+    least: Any
     row: Any
     other: Any
 
@@ -81,16 +81,16 @@ def _is_least(world, row, other):
 @inner
 def _keep(job, rooms):
     """Add the outcome of a world to the counts."""
-    n, counts, rows, worst = job.world.vertices, rooms.counts, rooms.rows, rooms.worst[0, 0]
+    n, counts, least, worst = job.world.vertices, rooms.counts, rooms.least, rooms.worst[0, 0]
     counts[n, TESTS] += job.tests
     counts[n, WRONG] += job.wrong
     counts[n, BEST] = max(counts[n, BEST], rooms.best[0, 0])
-    if worst > counts[n, WORST] or rows[n, 0] == 0:
+    if worst > counts[n, WORST] or least[n, 0] == 0:
         counts[n, WORST] = worst
-        rows[n, 0] = 0
+        least[n, 0] = 0
     elif worst < counts[n, WORST]:
         return
-    keep_least(rows[n : n + 1], rooms.row)
+    keep_least(least[n : n + 1], rooms.row)
 
 
 @inner
@@ -347,11 +347,11 @@ def schedule_costs_of_unit(
     gluing.edges, gluing.limit, gluing.simple, gluing.planar = edges, limit, simple, planar
     gluing.rule = rule_address() if simple or planar else 0
     sets, width = 1 << edges, 1 + 4 * edges
-    costs, counts, rows = (sets, edges + 1), (edges + 2, COLUMNS), (edges + 2, width)
-    shapes: tuple[Any, ...] = (costs, costs, sets, counts, rows, width, width)
+    costs, counts, least = (sets, edges + 1), (edges + 2, COLUMNS), (edges + 2, width)
+    shapes: tuple[Any, ...] = (costs, costs, sets, counts, least, width, width)
     rooms = Rooms(*(zeros(shape, int64) for shape in shapes))
     search(job, array(prefix, int64), gluing_rule(edges), rooms, halt)
-    codes = (code if known else () for known, *code in rooms.rows.tolist())
+    codes = (code if known else () for known, *code in rooms.least.tolist())
     return [
         ScheduleCosts._make((n, *counted, tuple(code[: 2 * edges]), tuple(code[2 * edges :])))
         for n, (counted, code) in enumerate(zip(rooms.counts.tolist(), codes, strict=True))

@@ -51,8 +51,8 @@ def by_vertices_and_faces(
         gluing = new(GLUING)
         gluing.edges, gluing.limit = edges, limit
         count(gluing, array(begun, int64), gluing_rule(edges), counts)
-    rows = counts.tolist()
-    return {(n, f): times for n, row in enumerate(rows) for f, times in enumerate(row) if times}
+    table = counts.tolist()
+    return {(n, f): times for n, row in enumerate(table) for f, times in enumerate(row) if times}
 
 
 @entry
