@@ -260,7 +260,7 @@ def local_cluster(workers: int) -> Iterator[str]:
     All are children of one process, so that no answer is waited for.
     """
     start = f"import sys; sys.path[:] = {sys.path}; from {__name__} import serve; serve({workers})"
-    with TemporaryDirectory(ignore_cleanup_errors=True) as place:
+    with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         process: Any = subprocess.Popen(  # noqa: S603  # our own module
             [sys.executable, "-P", "-W", "ignore", "-c", start],
             stdin=subprocess.PIPE,
@@ -268,7 +268,7 @@ def local_cluster(workers: int) -> Iterator[str]:
             # By default Dask samples each worker a hundred times a second.
             env=os.environ
             | {"DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False"}
-            | {"DASK_TEMPORARY_DIRECTORY": place},
+            | {"DASK_TEMPORARY_DIRECTORY": folder},
             start_new_session=True,  # a Ctrl-C is for the owner
         )
         try:

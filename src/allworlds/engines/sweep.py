@@ -296,8 +296,8 @@ class Sweep(ABC, Generic[Total, Answer]):
         for number, unit in enumerate(level.units):
             if level.edges <= SMALL or number < DRAWN:
                 drawn.append(unit)
-            elif (place := randrange(number + 1)) < DRAWN:  # noqa: S311  # any of them
-                drawn[place] = unit
+            elif (spot := randrange(number + 1)) < DRAWN:  # noqa: S311  # any of them
+                drawn[spot] = unit
             if not self._is_kept(unit, total):
                 yield unit
 

@@ -146,11 +146,11 @@ class Tally:
         """Keep the finding if it is the smallest of its kind, and that is among the smallest."""
         if len(self.findings) >= self.keep and finding.rank >= self.findings[-1].rank:
             return
-        for place, kept in enumerate(self.findings):
+        for at, kept in enumerate(self.findings):
             if kept.kind == finding.kind:
                 if kept.rank <= finding.rank:
                     return
-                del self.findings[place]
+                del self.findings[at]
                 break
         insort(self.findings, finding, key=lambda kept: kept.rank)
         del self.findings[self.keep :]

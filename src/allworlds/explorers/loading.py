@@ -389,7 +389,7 @@ def source_of(name: str) -> importing.SourceText | None:
         raise InputError(f"the built-in explorer {plain} takes no arguments, not {show(name)}")
     if entry_of(plain) or entry_point(plain):
         return None
-    place, colon, attribute = plain.rpartition(":")
+    where, colon, attribute = plain.rpartition(":")
     if not colon:
         from allworlds.explorers.builtin.explorer_table import BUILT_IN
         from allworlds.explorers.sources import no_explorer
@@ -397,12 +397,12 @@ def source_of(name: str) -> importing.SourceText | None:
         raise InputError(
             no_explorer(name, plain, sorted({*BUILT_IN, *importing.points_of(ENTRY_POINTS)}))
         )
-    if not place or not attribute:
+    if not where or not attribute:
         raise InputError(
             f"explorer {show(name)} is incomplete; legal are module:attribute and "
             "path/to/file.py:attribute"
         )
-    return importing.text_of(place)
+    return importing.text_of(where)
 
 
 def load(
@@ -453,14 +453,14 @@ def _function_named(plain: str, source: importing.SourceText | None) -> Any:
     Raises:
         InputError: if there is none, or it does not import.
     """
-    place, _, attribute = plain.rpartition(":")
-    module = importing.module_of_text(place, source) if source else importing.module_named(place)
+    where, _, attribute = plain.rpartition(":")
+    module = importing.module_of_text(where, source) if source else importing.module_named(where)
     try:
-        return importing.attribute_of(module, attribute, place)
+        return importing.attribute_of(module, attribute, where)
     except InputError as error:
         names = [n for n, v in vars(module).items() if inspect.isgeneratorfunction(v)]
         if not names and attribute == "explore":
-            raise InputError(f"{show(place)} has no generator function: {EXPLORER}") from None
+            raise InputError(f"{show(where)} has no generator function: {EXPLORER}") from None
         raise InputError(
             f"{error}; its generator functions are: {', '.join(names) or 'none'}"
         ) from None

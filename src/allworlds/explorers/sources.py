@@ -148,9 +148,9 @@ def _ends(name: str) -> Iterator[str]:
     if is_program(name):
         yield name[:MOST_OF_A_COMMAND]
     elif ":" in name:
-        place, _, attribute = name.rpartition(":")
+        where, _, attribute = name.rpartition(":")
         yield attribute
-        folders = place.split("/")
+        folders = where.split("/")
         yield from (f"{'/'.join(folders[-i:])}:{attribute}" for i in range(1, len(folders)))
     yield name
 
@@ -210,7 +210,7 @@ def place_of_explorer(name: str) -> SourceLine | None:
         if is_program(name) or is_library(name):
             source = _source(file.resolve())
             return SourceLine(source) if source else None
-        return SourceLine(file, _line(ast.parse(file.read_bytes()), _place(name)[1]))
+        return SourceLine(file, _line(ast.parse(file.read_bytes()), _where(name)[1]))
     except (OSError, ValueError, SyntaxError, IndexError):
         return None
 
@@ -241,18 +241,18 @@ def _files_named(name: str) -> list[Path]:
         return [Path(word) for word in (*words, *(each + end for each in modules for end in ends))]
     if is_library(name):
         return [Path(command_or_path(name))]
-    place, _ = _place(name)
-    file = Path(place) if place.endswith(".py") else user_code.module_file(place)
+    where, _ = _where(name)
+    file = Path(where) if where.endswith(".py") else user_code.module_file(where)
     return [Path(os.path.realpath(file))]
 
 
-def _place(name: str) -> tuple[str, list[str]]:
+def _where(name: str) -> tuple[str, list[str]]:
     """The file or module of a Python explorer's name, and the dotted name in it."""
     plain = name.partition("?")[0]
     point = entry_point(plain)
-    place, colon, attribute = (point.value if point else plain).rpartition(":")
+    where, colon, attribute = (point.value if point else plain).rpartition(":")
     # Of a file with one explorer its name will do.
-    return (place, attribute.split(".")) if colon else (attribute, [])
+    return (where, attribute.split(".")) if colon else (attribute, [])
 
 
 def _line(tree: ast.Module, names: list[str]) -> int:
@@ -309,10 +309,10 @@ def with_content(subject: Subject) -> Subject:
     For a module inside a package the text is not enough: the package must be there.
     """
     name = innermost(subject.name)
-    place = name.partition("?")[0].rpartition(":")[0]
-    if subject.source or not place or "." in place or is_program(name) or is_library(name):
+    where = name.partition("?")[0].rpartition(":")[0]
+    if subject.source or not where or "." in where or is_program(name) or is_library(name):
         return subject
-    file = user_code.module_file(place)
+    file = user_code.module_file(where)
     if file.suffix != ".py" or file.name == "__init__.py":
         return subject
     return replace(subject, source=importing.SourceText(str(file), read_text(str(file))))

@@ -384,8 +384,8 @@ def moved(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
     for dart in map_.darts:
         without = [[d for d in vertex if d != dart] for vertex in map_.vertices]
         for v, vertex in enumerate(without):
-            for place in range(len(vertex)):
-                rotations = [*without[:v], [*vertex[:place], dart, *vertex[place:]]]
+            for index in range(len(vertex)):
+                rotations = [*without[:v], [*vertex[:index], dart, *vertex[index:]]]
                 other = _rebuilt(map_, [*rotations, *without[v + 1 :]])
                 if other is not None:
                     yield other

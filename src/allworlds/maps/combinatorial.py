@@ -198,8 +198,8 @@ class CombinatorialMap(Pictured, WrittenByFields):
         """
         if self.vertex_of[start] != self.vertex_of[end]:
             raise ValueError(f"darts {start} and {end} are not at one vertex")
-        place = self._places[1]
-        return (place[end] - place[start]) % self.degree_at[start]
+        positions = self._places[1]
+        return (positions[end] - positions[start]) % self.degree_at[start]
 
     @cached_property
     def _places(self) -> tuple[tuple[Vertex, ...], tuple[int, ...]]:
@@ -270,11 +270,11 @@ def cycles(permutation: Sequence[int]) -> tuple[tuple[int, ...], ...]:
 def places(cycles: Sequence[Sequence[int]]) -> tuple[tuple[int, ...], tuple[int, ...]]:
     """For each element of a permutation its cycle, and its place in it, by their numbers."""
     size = sum(map(len, cycles))
-    owner, place = [0] * size, [0] * size
+    owner, positions = [0] * size, [0] * size
     for index, cycle in enumerate(cycles):
         for i, x in enumerate(cycle):
-            owner[x], place[x] = index, i
-    return tuple(owner), tuple(place)
+            owner[x], positions[x] = index, i
+    return tuple(owner), tuple(positions)
 
 
 def distances(map_: CombinatorialMap, vertex: Vertex) -> dict[Vertex, int]:

@@ -277,10 +277,10 @@ def compared(map_: CombinatorialMap, nodes: Sequence[Any], graph: nx.Graph) -> C
     Raises:
         InvalidMap: unless the map has the edges of the graph, with the same ends, and its nodes.
     """
-    place = {v: i for i, v in enumerate(graph)}
+    rank = {v: i for i, v in enumerate(graph)}
     at = [nodes[vertex] for vertex in map_.vertex_of]
-    given = [tuple(sorted(ends, key=place.__getitem__)) for ends in graph.edges()]
-    made = [tuple(sorted((at[d], at[e]), key=place.__getitem__)) for d, e in map_.edges]
+    given = [tuple(sorted(ends, key=rank.__getitem__)) for ends in graph.edges()]
+    made = [tuple(sorted((at[d], at[e]), key=rank.__getitem__)) for d, e in map_.edges]
     wanted, found = Counter(given), Counter(made)
     for ends in [*given, *made]:
         if wanted[ends] != found[ends]:
@@ -310,16 +310,16 @@ def _from_darts(graph: nx.Graph) -> CombinatorialMap:
     return compared(map_, [owner[first] for first, *_ in map_.vertices], graph)
 
 
-def _darts(place: str, data: Mapping[str, Any]) -> list[int]:
+def _darts(node: str, data: Mapping[str, Any]) -> list[int]:
     """The darts of the node or edge with these attributes; one at least."""
     if "darts" not in data:
-        raise InvalidMap(f"{place} has no attribute 'darts'; all nodes and edges have it, or none")
+        raise InvalidMap(f"{node} has no attribute 'darts'; all nodes and edges have it, or none")
     try:
         darts = [integer(dart) for dart in data["darts"]]
     except TypeError:
         darts = []
     if not darts:
-        raise InvalidMap(f"{place} has darts = {show(data['darts'])}; legal is a list of integers")
+        raise InvalidMap(f"{node} has darts = {show(data['darts'])}; legal is a list of integers")
     return darts
 
 

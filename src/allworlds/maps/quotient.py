@@ -48,7 +48,7 @@ class _Partition:
         number: dict[Hashable, int] = {}
         self.block = [number.setdefault(label, len(number)) for label in labels]
         self.elements = sorted(range(len(labels)), key=self.block.__getitem__)
-        self.place = combinatorial.inverse(self.elements)
+        self.position = combinatorial.inverse(self.elements)
         sizes = Counter(self.block)
         self.past = [*accumulate(sizes[block] for block in range(len(sizes)))]
         self.first = [0, *self.past[:-1]]
@@ -58,14 +58,14 @@ class _Partition:
 
         The smaller half of a block becomes the new one.  Cost: O(len(chosen)).
         """
-        elements, place, block, first = self.elements, self.place, self.block, self.first
+        elements, position, block, first = self.elements, self.position, self.block, self.first
         border: dict[int, int] = {}  # the chosen elements of a block lie before its border
         for x in chosen:
             b = block[x]
-            here, there = place[x], border.get(b, first[b])
+            here, there = position[x], border.get(b, first[b])
             y = elements[there]
             elements[here], elements[there] = y, x
-            place[y], place[x] = here, there
+            position[y], position[x] = here, there
             border[b] = there + 1
         new = []
         for b, middle in border.items():

@@ -9,12 +9,12 @@ from allworlds.world.world import Entry
 
 
 @contextmanager
-def at(place: str) -> Iterator[None]:
+def at(where: str) -> Iterator[None]:
     """Name the place in what is told of bad input there."""
     try:
         yield
     except InputError as error:
-        raise type(error)(f"{place}: {error}") from None
+        raise type(error)(f"{where}: {error}") from None
 
 
 def text_of(content: bytes) -> str:

@@ -64,8 +64,8 @@ class GivenMap(Struct, frozen=True):
             if self.lighthouse is None:
                 yield rooted, [*enumerate(kind.places(rooted, 0))]
             else:
-                place = self.lighthouse.relabelled(names)
-                yield rooted, [(place.number(rooted, 0), place)]
+                placed = self.lighthouse.relabelled(names)
+                yield rooted, [(placed.number(rooted, 0), placed)]
 
 
 class Digest(Struct, frozen=True):
@@ -232,19 +232,19 @@ def _given(entry: Entry, name: str) -> GivenMap:
 
     The name is for a refusal.
     """
-    map_, place = entry.map, None
+    map_, placed = entry.map, None
     starts: Sequence[Dart] = map_.darts if entry.start is None else (entry.start,)
     if entry.lighthouse is not None:
         with at(name):
-            place = lighthouse_from_json(entry.lighthouse, map_, starts[0])
+            placed = lighthouse_from_json(entry.lighthouse, map_, starts[0])
             held = list[Dart]()
             for start in starts:
                 with suppress(InvalidWorld):
-                    place.check(map_, start)
+                    placed.check(map_, start)
                     held.append(start)
             starts = held or starts
-            place.check(map_, starts[0])
-    return GivenMap(map_, starts, place, entry.labels)
+            placed.check(map_, starts[0])
+    return GivenMap(map_, starts, placed, entry.labels)
 
 
 # ---------------------------------------------------------------- options

@@ -17,8 +17,8 @@ def read_json(file: IO[bytes]) -> Objects:
     """The worlds of one document: an object, a list of them, or an object of them by names."""
     worlds = _worlds(parse_json(text_of(file.read())))
     for number, (name, given) in enumerate(worlds):
-        place = f"world {show(name) if name else number + 1}"
-        with at(place) if len(worlds) > 1 or name else nullcontext():
+        where = f"world {show(name) if name else number + 1}"
+        with at(where) if len(worlds) > 1 or name else nullcontext():
             entry = entry_of(given, name)
         yield number, entry
 

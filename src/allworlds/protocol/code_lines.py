@@ -87,25 +87,25 @@ class TracedPlay:
         if not is_users(frame.f_code.co_filename):
             return None
         if event == "line":
-            self.ran.add(_place(frame))
-            self.lately[-1][_place(frame)] += 1
+            self.ran.add(_line_of(frame))
+            self.lately[-1][_line_of(frame)] += 1
         elif event == "return":
-            self._left = _place(frame)
+            self._left = _line_of(frame)
         return self._trace
 
     def busiest(self) -> list[Place]:
         """The lines that ran most in the last turns, the busiest first."""
         every = sum(self.lately, Counter[Place]())
-        return sorted(every, key=lambda place: (-every[place], place))[:BUSIEST]
+        return sorted(every, key=lambda line: (-every[line], line))[:BUSIEST]
 
     def _end(self, error: BaseException) -> Place:
         """The innermost line of the user's that raised; of a return the line that was left last."""
-        place, frames = self._left, error.__traceback__
+        line, frames = self._left, error.__traceback__
         while frames and not isinstance(error, StopIteration):
             if is_users(frames.tb_frame.f_code.co_filename):
-                place = frames.tb_frame.f_code.co_filename, frames.tb_lineno
+                line = frames.tb_frame.f_code.co_filename, frames.tb_lineno
             frames = frames.tb_next
-        return place
+        return line
 
 
 class LinesPlay(TracedPlay):
@@ -138,22 +138,22 @@ class LinesPlay(TracedPlay):
             left = self._not_yet[code] = every - {code.co_firstlineno}
         if event == "line" and frame.f_lineno in left:
             left.remove(frame.f_lineno)
-            self.ran.add(_place(frame))
+            self.ran.add(_line_of(frame))
         return self._trace if left else None
 
 
-def _place(frame: FrameType) -> Place:
+def _line_of(frame: FrameType) -> Place:
     return frame.f_code.co_filename, frame.f_lineno
 
 
 def _yielding(walk: Any) -> Place:
     """The innermost line of the user's in a chain of ``yield from``."""
-    place = NOWHERE
+    line = NOWHERE
     while (frame := getattr(walk, "gi_frame", None)) is not None:
         if is_users(frame.f_code.co_filename):
-            place = _place(frame)
+            line = _line_of(frame)
         walk = walk.gi_yieldfrom
-    return place
+    return line
 
 
 def written(plays: Sequence[TracedPlay]) -> bytes:

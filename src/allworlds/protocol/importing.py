@@ -55,17 +55,17 @@ class SourceText(Struct, frozen=True):
         return hashlib.sha256(self.text.encode(errors="surrogateescape")).hexdigest()
 
 
-def text_of(place: str) -> SourceText | None:
+def text_of(where: str) -> SourceText | None:
     """The text of the file that the place of a name is; None where it is a module.
 
     Raises:
         InputError: if there is no such file, or it cannot be read.
     """
-    if not place.endswith(".py"):
+    if not where.endswith(".py"):
         return None
-    file = existing_file("file", place)
+    file = existing_file("file", where)
     if file is None:
-        raise InputError(no_file(place))
+        raise InputError(no_file(where))
     return SourceText(str(file), read_text(str(file)))
 
 
@@ -88,7 +88,7 @@ def _look_last(folder: str) -> None:
         sys.path.append(folder)
 
 
-def module_of_text(place: str, source: SourceText, name: str = "") -> Any:
+def module_of_text(where: str, source: SourceText, name: str = "") -> Any:
     """A fresh module of that text, with that name; by default with that of the file."""
     folder, _, file = source.path.rpartition(os.sep)
     _look_last(folder or os.sep)
@@ -112,7 +112,7 @@ def module_of_text(place: str, source: SourceText, name: str = "") -> Any:
         return module
 
     try:
-        return imported(place, execute)
+        return imported(where, execute)
     except InputError as error:
         if "attempted relative import" not in str(error):
             raise
@@ -182,7 +182,7 @@ def said(error: BaseException) -> str:
     return f"{name}: {text[:SHOWN]}" if text else name
 
 
-def attribute_of(module: Any, attribute: str, place: str) -> Any:
+def attribute_of(module: Any, attribute: str, where: str) -> Any:
     """The attribute of a module, which may be one of an attribute.
 
     Raises:
@@ -193,7 +193,7 @@ def attribute_of(module: Any, attribute: str, place: str) -> Any:
         try:
             value = getattr(value, part)
         except AttributeError:
-            raise InputError(f"{show(place)} has no {show(attribute)}") from None
+            raise InputError(f"{show(where)} has no {show(attribute)}") from None
     return value
 
 

@@ -61,14 +61,14 @@ class Role(Struct, frozen=True):
             return UserCode(name, self, *_as_recorded(plain, record))
         if point := self.offered(plain):
             return UserCode(name, self, None, digest_of_file(module_file(point.module)))
-        place, colon, attribute = plain.rpartition(":")
-        if not colon or not re.fullmatch(r"[^\W\d][\w.]*", attribute) or not place:
+        where, colon, attribute = plain.rpartition(":")
+        if not colon or not re.fullmatch(r"[^\W\d][\w.]*", attribute) or not where:
             raise InputError(self._legal(name))
-        source = importing.text_of(place)
+        source = importing.text_of(where)
         if source is not None:
             return UserCode(name, self, source, source.digest)
         try:
-            return UserCode(name, self, None, digest_of_file(module_file(place)))
+            return UserCode(name, self, None, digest_of_file(module_file(where)))
         except InputError as error:
             raise InputError(self._legal(name, f": {error}")) from None
 
@@ -243,16 +243,16 @@ def _loaded(code: UserCode) -> _Loaded:
 def _found(code: UserCode) -> Any:
     if point := code.role.offered(code.name):
         return importing.imported(code.name, point.load)
-    place, _, attribute = code.name.rpartition(":")
-    module = importing.module_named(place) if code.source is None else _module(place, code.source)
-    return importing.attribute_of(module, attribute, place)
+    where, _, attribute = code.name.rpartition(":")
+    module = importing.module_named(where) if code.source is None else _module(where, code.source)
+    return importing.attribute_of(module, attribute, where)
 
 
 @cache
-def _module(place: str, source: importing.SourceText) -> Any:
+def _module(where: str, source: importing.SourceText) -> Any:
     # The user's own import of the file must find another module: this one is ours to change.
     name = f"{Path(source.path).stem} of {source.digest[:12]}"
-    return importing.module_of_text(place, source, name)
+    return importing.module_of_text(where, source, name)
 
 
 @cache
@@ -292,10 +292,10 @@ def recorded(plain: str) -> str | None:
 
 
 def _as_recorded(plain: str, record: str) -> tuple[importing.SourceText | None, str]:
-    place = plain.rpartition(":")[0]
-    if not place.endswith(".py"):
+    where = plain.rpartition(":")[0]
+    if not where.endswith(".py"):
         return None, record
-    source = importing.SourceText(str(Path(place).absolute()), record)
+    source = importing.SourceText(str(Path(where).absolute()), record)
     return source, source.digest
 
 

@@ -192,37 +192,37 @@ def _flaws(
     kind: type[base.Lighthouse], map_: CombinatorialMap, other: Sequence[int]
 ) -> Iterator[str]:
     places = [*kind.places(map_, 0)]
-    for number, place in enumerate(places):
-        if place in places[:number]:
-            yield f"the place {place} is there twice"
+    for number, placed in enumerate(places):
+        if placed in places[:number]:
+            yield f"the place {placed} is there twice"
     if places != [*kind.places(map_, 0)]:
         yield "asked twice, it has other places"
     renamed = [*kind.places(map_.relabelled(other), other[0])]
-    legal = [place.relabelled(other) for place in places]
+    legal = [placed.relabelled(other) for placed in places]
     if renamed != legal:
         said = f"with the darts renamed to {[*other]}, it has the places {renamed}"
         yield f"{said}; legal are {legal} in this order, found from the start and by no name"
-    for place in places:
-        yield from _flaws_at(World(map_, place), other)
+    for placed in places:
+        yield from _flaws_at(World(map_, placed), other)
 
 
 def _flaws_at(world: World, other: Sequence[int]) -> Iterator[str]:
-    place, sensed, renamed = world.lighthouse, world.percepts, world.relabelled(other)
+    placed, sensed, renamed = world.lighthouse, world.percepts, world.relabelled(other)
     named = f"with the darts renamed to {[*other]}"
-    if sensed != place.percepts(world.map):
-        yield f"asked twice, {place} senses something else"
+    if sensed != placed.percepts(world.map):
+        yield f"asked twice, {placed} senses something else"
     for dart in world.map.darts:
         if (there := renamed.percepts[other[dart]]) != sensed[dart]:
-            yield f"{place} senses '{sensed[dart]}' at dart {dart}, and '{there}' {named}"
+            yield f"{placed} senses '{sensed[dart]}' at dart {dart}, and '{there}' {named}"
     answers = [world.told, world.told, renamed.told]
     if answers.count(answers[0]) < len(answers):
-        yield f"{place} tells {answers[0]}, asked again {answers[1]}, and {answers[2]} {named}"
-    if not place.as_kind.gives_marks and any(percept.marks for percept in sensed):
-        yield f"{place} gives marks, but gives_marks is False"
-    if not place.as_kind.gives_bearings and any(percept.bearing is not None for percept in sensed):
-        yield f"{place} gives bearings, but gives_bearings is False"
+        yield f"{placed} tells {answers[0]}, asked again {answers[1]}, and {answers[2]} {named}"
+    if not placed.as_kind.gives_marks and any(percept.marks for percept in sensed):
+        yield f"{placed} gives marks, but gives_marks is False"
+    if not placed.as_kind.gives_bearings and any(percept.bearing is not None for percept in sensed):
+        yield f"{placed} gives bearings, but gives_bearings is False"
     if World.from_json(world.to_json()) != world:
-        yield f"{place} is read otherwise than it is written"
+        yield f"{placed} is read otherwise than it is written"
 
 
 # ---------------------------------------------------------------- every world

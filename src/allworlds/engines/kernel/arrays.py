@@ -153,7 +153,7 @@ GLUING = _record(
     (int64, "open darts vertices depth"),
     # By depth: the dart decided about, its partner, the degree of a vertex added, and what
     # is still to be tried: partners as a set, then degrees.
-    (int64, "place partner added untried degree_next degree_last", DEPTHS),
+    (int64, "oldest partner added untried degree_next degree_last", DEPTHS),
     # Of the rule: by vertices, those joined to each, and its open darts.
     (int64, "neighbours unmatched", DARTS),
 )

@@ -104,23 +104,23 @@ def blame(world, law, least, row):
         return
     kind = 2 + 2 * world.darts
     _encode_unrooted(world, row, kind + 1)
-    for place in range(least.shape[0]):
-        alike = least[place, 0] != 0
+    for spot in range(least.shape[0]):
+        alike = least[spot, 0] != 0
         for i in range(kind, len(row)):
-            alike = alike and row[i] == least[place, i]
+            alike = alike and row[i] == least[spot, i]
         if alike:
-            keep_least(least[: place + 1], row)
+            keep_least(least[: spot + 1], row)
             return
     keep_least(least, row)
 
 
 @inner
-def is_less(world, kept, place):
+def is_less(world, kept, spot):
     """Whether the canonical code of the world is less than that of a row, or that is empty.
 
     The code is not written: the first difference, which is early in most cases, decides.
     """
-    if kept[place, 0] == 0:
+    if kept[spot, 0] == 0:
         return True
     number, order = world.number, world.order
     number[0] = order[0] = 0
@@ -133,12 +133,12 @@ def is_less(world, kept, place):
                 number[y], order[known] = known, y
                 known += 1
         y = number[world.sigma[x]]
-        if y != kept[place, 1 + i]:
-            return y < kept[place, 1 + i]
+        if y != kept[spot, 1 + i]:
+            return y < kept[spot, 1 + i]
     for i in range(world.darts):
         y = number[world.alpha[order[i]]]
-        if y != kept[place, 1 + world.darts + i]:
-            return y < kept[place, 1 + world.darts + i]
+        if y != kept[spot, 1 + world.darts + i]:
+            return y < kept[spot, 1 + world.darts + i]
     return False
 
 
@@ -148,23 +148,23 @@ def keep_least(least, row):
 
     A row begins with its number of vertices; 0 there marks a row that is empty.
     """
-    place = least.shape[0]
-    while place > 0 and _before(row, least, place - 1):
-        if place < least.shape[0]:
+    spot = least.shape[0]
+    while spot > 0 and _before(row, least, spot - 1):
+        if spot < least.shape[0]:
             for i in range(len(row)):
-                least[place, i] = least[place - 1, i]
-        place -= 1
-    if place < least.shape[0]:
+                least[spot, i] = least[spot - 1, i]
+        spot -= 1
+    if spot < least.shape[0]:
         for i in range(len(row)):
-            least[place, i] = row[i]
+            least[spot, i] = row[i]
 
 
 @inlined
-def _before(row, least, place):
+def _before(row, least, spot):
     """Whether the row is lexicographically smaller than that of this place, or that is empty."""
-    if least[place, 0] == 0:
+    if least[spot, 0] == 0:
         return True
     for i in range(len(row)):
-        if row[i] != least[place, i]:
-            return row[i] < least[place, i]
+        if row[i] != least[spot, i]:
+            return row[i] < least[spot, i]
     return False

@@ -145,12 +145,12 @@ def _episode(handed, shared, run, again, at):
     explorer, action, head, logs = handed.library, handed.action, shared.heads[run], shared.logs
     cost, shown, turn = 0, 0, 1
     # Where three bytes are for each percept, and which of them is the present one.
-    place, sensed = int64(0), int64(0)
+    offset, sensed = int64(0), int64(0)
     if again:
         sensed = address_of(shared.percepts) + int64(shared.starts[run])
     else:
         sensed = address_of(shared.worlds) + run * shared.worlds.shape[1] + layout.DEGREE
-    _sense(sensed + place, handed.percept)
+    _sense(sensed + offset, handed.percept)
     handed.beat[0], handed.beat[1] = run, 1
     _begin(explorer, action, head)
     while True:
@@ -166,20 +166,20 @@ def _episode(handed, shared, run, again, at):
             if cost == head[layout.RUN_BUDGET]:
                 logs[at] = codes.OVER_BUDGET
                 break
-            degree, motion = byte_of(sensed, place), int64(action[1])
+            degree, motion = byte_of(sensed, offset), int64(action[1])
             if motion < 0 or motion >= degree:
                 motion %= degree
             logs[at] = motion
             at += 1
             if not again:
-                place = _arrival(sensed, place, motion, degree)
+                offset = _arrival(sensed, offset, motion, degree)
             elif cost < head[layout.RUN_MOTIONS]:
-                place += 3
+                offset += 3
             else:
                 # The first play ended here.
                 logs[at] = codes.BEYOND
                 break
-            _sense(sensed + place, handed.percept)
+            _sense(sensed + offset, handed.percept)
             cost += 1
         elif kind == names.CHECKPOINT and shown <= head[layout.RUN_BUDGET]:
             shown += 1
@@ -203,10 +203,10 @@ def _sense(address, percept):
 
 
 @inlined
-def _arrival(sensed, place, motion, degree):
+def _arrival(sensed, offset, motion, degree):
     """The place of the percept behind the motion, in a laid-out world."""
-    leaving = place + layout.WIDE * motion
-    if leaving >= layout.WIDE * (byte_of(sensed, place + layout.FIRST - layout.DEGREE) + degree):
+    leaving = offset + layout.WIDE * motion
+    if leaving >= layout.WIDE * (byte_of(sensed, offset + layout.FIRST - layout.DEGREE) + degree):
         leaving -= layout.WIDE * degree
     return layout.WIDE * byte_of(sensed, leaving + layout.PARTNER - layout.DEGREE)
 

@@ -105,7 +105,7 @@ def _look(g, prefix):
     """List the decisions that are tried for the oldest open dart."""
     depth = g.depth
     y = lowest(g.open)
-    g.place[depth] = y
+    g.oldest[depth] = y
     if depth + 1 < len(prefix):
         z = prefix[depth + 1]
         g.untried[depth] = 1 << z if z > 0 else 0
@@ -121,7 +121,7 @@ def _look(g, prefix):
 def _decide(g, viable):
     """Take the next decision at this depth; return whether there was one."""
     depth = g.depth
-    y = g.place[depth]
+    y = g.oldest[depth]
     while True:
         if g.untried[depth]:
             z = lowest(g.untried[depth])
@@ -167,7 +167,7 @@ def _add_vertex(g, degree):
 def _take_back(g):
     """Undo the decision at this depth."""
     depth = g.depth
-    y, z = g.place[depth], g.partner[depth]
+    y, z = g.oldest[depth], g.partner[depth]
     g.alpha[y] = g.alpha[z] = NONE
     g.open |= 1 << y | 1 << z
     if g.added[depth]:
@@ -183,7 +183,7 @@ def rule(g):  # pragma: no cover  # compiled
     """
     depth = g.depth
     new = min(2 * g.edges - g.darts, g.limit - g.vertices)
-    if g.planar and not (_one_face(g, g.place[depth], g.partner[depth]) and _even(g, new)):
+    if g.planar and not (_one_face(g, g.oldest[depth], g.partner[depth]) and _even(g, new)):
         g.possible = 0
     if g.simple and not _simple(g, new):
         g.possible = 0

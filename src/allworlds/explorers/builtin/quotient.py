@@ -46,13 +46,13 @@ class Experiments:
         self.start = self.here = TreeDart((), 0)
         self._percepts = {self.start.node: first}
 
-    def sensed(self, place: TreeDart) -> Percept:
+    def sensed(self, dart: TreeDart) -> Percept:
         """The percept of the robot at a dart of the tree."""
-        return self._percepts[place.node]
+        return self._percepts[dart.node]
 
-    def walk(self, word: Sequence[str], place: TreeDart | None = None) -> Walk[TreeDart]:
+    def walk(self, word: Sequence[str], start: TreeDart | None = None) -> Walk[TreeDart]:
         """Walk a word of ``s`` (turn) and ``a`` (go through), by default from the start."""
-        at = self.start if place is None else place
+        at = self.start if start is None else start
         for letter in word:
             if letter == "s":
                 at = TreeDart(at.node, (at.turn + 1) % self.sensed(at).degree)
@@ -64,9 +64,9 @@ class Experiments:
             at = beyond
         return at
 
-    def word_to(self, place: TreeDart) -> Word:
+    def word_to(self, dart: TreeDart) -> Word:
         """The word that leads from the start to a place along the tree."""
-        return (*"".join("s" * turn + "a" for turn in place.node), *"s" * place.turn)
+        return (*"".join("s" * turn + "a" for turn in dart.node), *"s" * dart.turn)
 
     def _go(self, goal: tuple[int, ...]) -> Walk[None]:
         """Walk to a node: up to where the ways from the start part, and down."""
@@ -214,21 +214,21 @@ class _Learner:
         sensed = tuple(row[0] for row in self._rows)
         self.table = ClassTable(tuple(leads["s"]), tuple(leads["a"]), sensed, 0)
 
-    def _row(self, place: TreeDart) -> Walk[Row]:
+    def _row(self, dart: TreeDart) -> Walk[Row]:
         row = []
         for word in self.telling:
-            row.append(self.world.sensed((yield from self.world.walk(word, place))))
+            row.append(self.world.sensed((yield from self.world.walk(word, dart))))
         return tuple(row)
 
     def _refuted(self) -> Walk[Word | None]:
         """A word that splits a class, from the first wrong prediction; None if all are right."""
         for word in self._to_be_met():
-            place, of = self.world.start, 0
+            at, of = self.world.start, 0
             for i in range(len(word) + 1):
                 if i:
-                    place = yield from self.world.walk(word[i - 1 : i], place)
+                    at = yield from self.world.walk(word[i - 1 : i], at)
                     of = self.table.after(word[i - 1 : i], of)
-                row = yield from self._row(place)
+                row = yield from self._row(at)
                 if row != self._rows[of]:
                     shown = zip(self.telling, row, self._rows[of], strict=True)
                     return word[:i] + next(telling for telling, a, b in shown if a != b)

@@ -166,7 +166,7 @@ def _say_left(story: Story) -> list[str]:
     elif task == "cover:edges":
         walked = story.walk.crossed
         left = [
-            f"the edge from {story.place(a)}, to {story.place(b)}"
+            f"the edge from {story.spot(a)}, to {story.spot(b)}"
             for a, b in map_.edges
             if a not in walked
         ]
@@ -186,13 +186,13 @@ def _tell_first_wrong(story: Story) -> list[str]:
 
 
 def _say_last_step(story: Walked) -> str:
-    steps, place = story.walk.steps, story.place(story.walk.darts[-1])
+    steps, spot = story.walk.steps, story.spot(story.walk.darts[-1])
     if not steps:
         start = story.in_words(story.sensed[0])
-        return f"It made no step: it stood at the start, {place}, and sensed '{start}'."
+        return f"It made no step: it stood at the start, {spot}, and sensed '{start}'."
     action, percept = steps[-1]
     sensed = story.in_words(percept)
-    return f"Its last step was step {len(steps)}, {action}: to {place}, where it sensed '{sensed}'."
+    return f"Its last step was step {len(steps)}, {action}: to {spot}, where it sensed '{sensed}'."
 
 
 # ---------------------------------------------------------------- the answer is wrong
@@ -322,13 +322,13 @@ def _say_where(belief: Belief, images: list[Dart]) -> str:
     """Tell where the robot stands, and where the answer says that it stands."""
     story = belief.story
     map_, robot = story.map, story.walk.darts[-1]
-    stands = f"the robot stands at {story.place(robot)}, and the answer says"
+    stands = f"the robot stands at {story.spot(robot)}, and the answer says"
     parting = belief.walk.parting
     meant = parting.taken_for if parting and parting.step == len(story.walk.darts) - 1 else None
     near = [d for d in images if map_.vertex_of[d] == map_.vertex_of[robot]]
     if not near:
         said = map_.alpha[robot] if map_.alpha[robot] in images else images[0]
-        where = f"{stands} {story.place(said)}, which is another vertex"
+        where = f"{stands} {story.spot(said)}, which is another vertex"
     else:
         said = meant if meant in near else min(near, key=lambda d: map_.offset(d, robot))
         turned, degree = map_.offset(said, robot), map_.degree_at[robot]
@@ -346,7 +346,7 @@ def tell_ambiguity(story: Story) -> Telling:
         "The answer says that several worlds look alike, and what they have in common: the "
         "quotient in which darts are one that nothing tells apart, rooted at the robot's."
     )
-    stands = f"In the world the robot stands at {story.place(story.walk.darts[-1])}."
+    stands = f"In the world the robot stands at {story.spot(story.walk.darts[-1])}."
     return Telling([broken, stands])
 
 
@@ -361,7 +361,7 @@ def checkpoint(broken: str) -> Teller:
         if step is not None:
             sentences.append(
                 f"The checkpoint came after step {step}, where the robot stood at "
-                f"{story.place(story.walk.darts[step])}, and had sensed "
+                f"{story.spot(story.walk.darts[step])}, and had sensed "
                 f"'{story.in_words(story.sensed[step])}'."
             )
         # Where a pass brings no progress S may be right: there the walks do not diverge.

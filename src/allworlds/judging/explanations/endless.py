@@ -61,7 +61,7 @@ def tell_round(story: Story) -> list[str]:
     if found is None:
         return []
     steps = range(found.first, found.first + found.steps)
-    places = [story.place(walk.darts[step]) for step in steps]
+    places = [story.spot(walk.darts[step]) for step in steps]
     more = "; ..." if len(places) > SHOWN else ""
     where = "; ".join(places[:SHOWN]) + more
     code = story.finding.code
@@ -110,7 +110,7 @@ def tell_open(story: Story) -> list[str]:
     """Name the edges that were never walked along; no sentence if there are none."""
     walked = story.walk.crossed
     edges = [
-        f"the edge from {story.place(a)}, to {story.place(b)}"
+        f"the edge from {story.spot(a)}, to {story.spot(b)}"
         for a, b in story.map.edges
         if a not in walked
     ]
@@ -137,5 +137,5 @@ def stack_of(finding: Finding) -> list[tuple[str, str]]:
 
 def tell_stack(finding: Finding) -> list[str]:
     """Tell in which lines of the user's a silent run was; no sentence if that was not printed."""
-    frames = [f"{function} ({place})" for place, function in stack_of(finding)[:SHOWN]]
+    frames = [f"{function} ({line})" for line, function in stack_of(finding)[:SHOWN]]
     return [f"It was in {', called by '.join(frames)}."] if frames else []

@@ -54,17 +54,17 @@ class Walked:
         """The name of a dart's vertex: ``hall``, or ``v1`` where it has none."""
         return self.world.labels.vertex(self.map.vertex_of[dart])
 
-    def place(self, dart: Dart) -> str:
+    def spot(self, dart: Dart) -> str:
         """The name of a dart with its vertex: ``v1, dart 3``."""
         return f"{self.vertex(dart)}, dart {dart}"
 
     def arrival(self, step: int) -> str:
         """The place after a step; where vertices have names and it moved: ``hall -> F, dart 3``."""
-        place = self.place(self.walk.darts[step])
+        spot = self.spot(self.walk.darts[step])
         moved = step and type(self.walk.actions[step - 1]) is Move
         if moved and self.world.labels.vertices:
-            return f"{self.vertex(self.walk.darts[step - 1])} -> {place}"
-        return place
+            return f"{self.vertex(self.walk.darts[step - 1])} -> {spot}"
+        return spot
 
 
 class Story(Walked):

@@ -79,9 +79,9 @@ class CodeLines(doc.Document, forbid_unknown_fields=False, kw_only=True):
     ] = ()
     sources: Annotated[tuple[str, ...], doc.about("each of these places with the text of its line")]
 
-    def source(self, place: str) -> str:
+    def source(self, where: str) -> str:
         """The place with the text of its line, if that is known."""
-        return next((line for line in self.sources if line.startswith(f"{place}: ")), place)
+        return next((line for line in self.sources if line.startswith(f"{where}: ")), where)
 
 
 class EarlierRun(doc.Document, forbid_unknown_fields=False):

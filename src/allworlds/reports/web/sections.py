@@ -350,7 +350,7 @@ def _walk(walk: ShownWalk, name: str) -> Iterator[ET.Element]:
     moving = [view for view in walk.views if not view.still]
     views = {view.name if i else "robot": view for i, view in enumerate(moving)}
     walked, data = walk.walked, world_data(walk.walked.world)
-    places = [f"{_at(walked)}{walked.place(dart)}" for dart in walked.map.darts]
+    places = [f"{_at(walked)}{walked.spot(dart)}" for dart in walked.map.darts]
     states = [asdict(state) for state in walked.walk.states[:LONGEST]]
     said = [part for sentence in walk.sentences for part in (tag("bdi", sentence), " ")]
     # What is said about the pictures stands before them, and on a phone behind them.

@@ -222,15 +222,15 @@ class Lighthouse(ABC):
         Raises:
             InvalidWorld: if it has none.
         """
-        for place in cls.places(map_, start):
-            return place
+        for placed in cls.places(map_, start):
+            return placed
         name = named_with(cls, cls.chosen)
         raise InvalidWorld(f"the lighthouse {name} has no place in this map with start {start}")
 
     def number(self, map_: CombinatorialMap, start: Dart) -> int:
         """The number of this place among the places of the rooted map; 0 if it is none of them."""
         places = enumerate(self.as_kind.places(map_, start))
-        return next((i for i, place in places if place == self), 0)
+        return next((i for i, placed in places if placed == self), 0)
 
     def believed(
         self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer

@@ -202,8 +202,8 @@ def lighthouse_from_json(
     refuse_other_keys(f"{name} lighthouse", document, (*apart, *place_keys(kind)))
     chosen = kind_with(kind, ensure_options(kind, name, given))
     where = {key: document[key] for key in place_keys(kind) if key in document.keys() - given}
-    place: Lighthouse = chosen.at(**where) if where else chosen.usual(map_, start)
-    return place
+    placed: Lighthouse = chosen.at(**where) if where else chosen.usual(map_, start)
+    return placed
 
 
 def _of_parts(name: str, parts: object, map_: CombinatorialMap, start: Dart) -> Composed:

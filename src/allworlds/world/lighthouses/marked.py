@@ -47,10 +47,10 @@ class MarkedStart(base.ReferenceLighthouse):
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[MarkedStart]:
         """One place for each bearing ``0..deg(v0)-1``."""
-        place: Any = cls
+        made: Any = cls
         for home in cls.homes(map_, start):
             for bearing in range(map_.degree_at[home]):
-                yield place(map_.turn(home, bearing))
+                yield made(map_.turn(home, bearing))
 
     @override
     def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:
@@ -79,7 +79,7 @@ class TowardsNeighbour(MarkedStart):
     @override
     def legal_darts(self, map_: CombinatorialMap, start: Dart) -> Sequence[Dart]:
         owner, alpha = map_.vertex_of, map_.alpha
-        darts = [place.dart for place in self.as_kind.places(map_, start)]  # type: ignore[attr-defined]  # of its kind
+        darts = [placed.dart for placed in self.as_kind.places(map_, start)]  # type: ignore[attr-defined]  # of its kind
         pairs = {(owner[dart], owner[alpha[dart]]) for dart in darts}
         all_ = super().legal_darts(map_, start)
         return [dart for dart in all_ if (owner[dart], owner[alpha[dart]]) in pairs]

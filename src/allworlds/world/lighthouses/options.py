@@ -165,10 +165,10 @@ def kind_with(kind: Any, options: Mapping[str, OptionValue]) -> Any:
 def _another_kind(kind: Any, options: tuple[tuple[str, OptionValue], ...]) -> Any:
     given, names = dict(options), [each.name for each in fields(kind)]
 
-    def place(_: object, *values: Any, **named: Any) -> Any:
+    def made(_: object, *values: Any, **named: Any) -> Any:
         return kind(**{**given, **dict(zip(names, values, strict=False)), **named})
 
-    own = {"__new__": place, "__doc__": kind.__doc__, "__module__": kind.__module__}
+    own = {"__new__": made, "__doc__": kind.__doc__, "__module__": kind.__module__}
     return type(kind.__name__, (kind,), {**given, **own, "chosen": given})
 
 
@@ -209,10 +209,10 @@ def _legal(kind: Any, name: str, key: str) -> FieldOption:
     raise InvalidWorld(f"the lighthouse {show(name)} has no option {show(key)}; {legal}{hint}")
 
 
-def values_in(place: Any) -> dict[str, OptionValue]:
+def values_in(placed: Any) -> dict[str, OptionValue]:
     """The options of a place that have another value than the default, and a pattern."""
-    kind: Any = type(place)
-    values = {key: (getattr(place, key), option) for key, option in options_of(kind).items()}
+    kind: Any = type(placed)
+    values = {key: (getattr(placed, key), option) for key, option in options_of(kind).items()}
     return {
         key: value
         for key, (value, option) in values.items()
@@ -220,11 +220,11 @@ def values_in(place: Any) -> dict[str, OptionValue]:
     }
 
 
-def ensure_legal(place: Any) -> None:
+def ensure_legal(placed: Any) -> None:
     """Raise InvalidWorld unless the options of a place are legal."""
-    kind: Any = type(place)
+    kind: Any = type(placed)
     for key, option in options_of(kind).items():
-        option.checked(f"lighthouse.{key}", getattr(place, key))
+        option.checked(f"lighthouse.{key}", getattr(placed, key))
 
 
 def named_with(kind: Any, options: Mapping[str, OptionValue]) -> str:

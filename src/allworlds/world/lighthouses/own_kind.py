@@ -75,12 +75,12 @@ def _subclass(theirs: Any, code: user_code.UserCode) -> type[Lighthouse]:
     return own if "__dataclass_params__" in body else dataclass(frozen=True)(own)
 
 
-def own_place(place: Lighthouse) -> Lighthouse:
+def own_place(placed: Lighthouse) -> Lighthouse:
     """The place of the kind that was made from the class of this one; itself if there is none."""
-    own = _OF_THEIRS.get(type(place))
+    own = _OF_THEIRS.get(type(placed))
     if own is None:
-        return place
-    return own(**{each.name: getattr(place, each.name) for each in fields(own) if each.init})  # type: ignore[arg-type]  # as above
+        return placed
+    return own(**{each.name: getattr(placed, each.name) for each in fields(own) if each.init})  # type: ignore[arg-type]  # as above
 
 
 def shown(value: object) -> str:
@@ -142,17 +142,17 @@ USUAL = ("dart", "darts")
 """The fields of a lighthouse with one place, whose marks and bearings show it."""
 
 
-def named_darts(place: Lighthouse, map_: CombinatorialMap) -> dict[str, tuple[int, ...]]:
+def named_darts(placed: Lighthouse, map_: CombinatorialMap) -> dict[str, tuple[int, ...]]:
     """The darts in further fields of a user's lighthouse, such as ``hole``, by the fields' names.
 
     A field holds darts if it is renamed with them.
     """
-    if type(place).code is None:
+    if type(placed).code is None:
         return {}
-    moved = place.relabelled([dart + len(map_.darts) for dart in map_.darts])
+    moved = placed.relabelled([dart + len(map_.darts) for dart in map_.darts])
     found = {}
-    for each in fields(place):  # type: ignore[arg-type]  # it is a dataclass
-        old, new = (_several(getattr(one, each.name)) for one in (place, moved))
+    for each in fields(placed):  # type: ignore[arg-type]  # it is a dataclass
+        old, new = (_several(getattr(one, each.name)) for one in (placed, moved))
         if old and each.name not in USUAL and new == tuple(d + len(map_.darts) for d in old):
             found[each.name] = old
     return found
@@ -169,10 +169,10 @@ def _several(value: Any) -> tuple[int, ...]:
 
 def _places(places: tuple[Any, ...], kind: type[Lighthouse], *_asked: object) -> Iterator[Any]:
     """Places of the class, with the options that were asked for."""
-    made = [own_place(place) if isinstance(place, Lighthouse) else place for place in places]
-    for place in made:
-        ours = isinstance(place, Lighthouse) and place.code is kind.code
-        if not ours or any(getattr(place, key) != kind.chosen[key] for key in kind.chosen):
+    made = [own_place(placed) if isinstance(placed, Lighthouse) else placed for placed in places]
+    for placed in made:
+        ours = isinstance(placed, Lighthouse) and placed.code is kind.code
+        if not ours or any(getattr(placed, key) != kind.chosen[key] for key in kind.chosen):
             raise TypeError
     return iter(made)
 
@@ -237,10 +237,10 @@ RETURNS: dict[str, tuple[Callable[..., Any], str]] = {
 # ---------------------------------------------------------------- in other processes
 
 
-def _reduced(place: Lighthouse) -> tuple[Any, ...]:
+def _reduced(placed: Lighthouse) -> tuple[Any, ...]:
     """The content of a pickle: the code with its text, from which any process makes the class."""
-    state = {each.name: getattr(place, each.name) for each in fields(place)}  # type: ignore[arg-type]
-    return _placed, (type(place).code, state)
+    state = {each.name: getattr(placed, each.name) for each in fields(placed)}  # type: ignore[arg-type]
+    return _placed, (type(placed).code, state)
 
 
 def _placed(code: user_code.UserCode, state: Mapping[str, Any]) -> Lighthouse:
