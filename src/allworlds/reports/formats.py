@@ -101,8 +101,8 @@ def junit(content: parts.ReportContent) -> str:
     assert content.cases is not None
     cases, verb = content.cases(), content.done.removeprefix("allworlds ")
     results = Counter(case.result for case in cases)
-    root, place = _project(getattr(content.result, "explorer", ""))
-    name = place.named_from(root) if place else ""
+    root, source = _project(getattr(content.result, "explorer", ""))
+    name = source.named_from(root) if source else ""
     totals = {
         "tests": str(len(cases)),
         "failures": str(results["failure"]),
@@ -123,8 +123,8 @@ def junit(content: parts.ReportContent) -> str:
             kind = {} if case.result == "skipped" else {"type": case.kind}
             why = ET.SubElement(element, case.result, {"message": _legal(case.message), **kind})
             said = plain_text.text_of(case.sections, WIDTH)
-            if place and case.result == "failure":
-                said = f"{name}:{place.line}\n{said}"
+            if source and case.result == "failure":
+                said = f"{name}:{source.line}\n{said}"
             why.text = _legal(said) or None
     ET.indent(made)
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(made, "unicode") + "\n"
@@ -144,12 +144,12 @@ def runner_commands(content: parts.ReportContent) -> str:
     report: Any = content.result  # of a check
     head = content.headline
     assert head is not None
-    root, place = _project(report.explorer)
+    root, source = _project(report.explorer)
     shown = [
-        (*_told(found, i), _at(found, place, root)) for i, found in enumerate(report.findings, 1)
+        (*_told(found, i), _at(found, source, root)) for i, found in enumerate(report.findings, 1)
     ]
     kind, commands = "error" if shown else LEVELS.get(report.verdict, "notice"), []
-    verdict = f"allworlds: {head.word}", f"{report.explorer}: {head.text}", place
+    verdict = f"allworlds: {head.word}", f"{report.explorer}: {head.text}", source
     for title, said, at in shown or [verdict]:
         where = {"file": at.named_from(root), "line": str(at.line)} if at else {}
         named = {**where, "title": title}.items()
@@ -171,21 +171,21 @@ def _told(finding: "Finding | TeamFinding", number: int) -> tuple[str, str]:
 
 
 def _at(
-    finding: "Finding | TeamFinding", place: SourceLine | None, root: Path
+    finding: "Finding | TeamFinding", source: SourceLine | None, root: Path
 ) -> SourceLine | None:
-    """The first wrong line, if it is known and stands in the repository; else that place.
+    """The first wrong line, if it is known and inside the repository; else ``source``.
 
-    Of a team that of the program that is to blame.
+    For a team, the line of the program that is to blame.
     """
     if not isinstance(finding, Finding):
         blamed = place_of_explorer(finding.programs[finding.robot or 0])
-        return blamed if blamed and blamed.is_in(root) else place
+        return blamed if blamed and blamed.is_in(root) else source
     from allworlds.reports.content.single_run import wrong_line
     from allworlds.studies.explain import explained
 
     file, _, line = wrong_line(finding, explained(finding).step).rpartition(":")
     wrong = SourceLine(Path(file).resolve(), int(line)) if file else None
-    return wrong if wrong and wrong.is_in(root) and wrong.file.is_file() else place
+    return wrong if wrong and wrong.is_in(root) and wrong.file.is_file() else source
 
 
 def _escaped(text: str, more: str = "") -> str:
@@ -226,8 +226,8 @@ def sarif(content: parts.ReportContent) -> str:
 
     Every law is a rule.  Every finding is a result at the file and line of the explorer, or, if
     that is no file of the repository, where the repository asks for the check (see
-    :func:`_place_of_check`): its message has the picture and the walk.  A verdict without a finding
-    that is no good news is a notification.
+    :func:`_source_of_check`): its message has the picture and the walk.  A verdict that is not good
+    and has no finding is a notification.
     """
     report: Any = content.result  # of a check
     head = content.headline
@@ -237,7 +237,7 @@ def sarif(content: parts.ReportContent) -> str:
     level = LEVELS.get(report.verdict)
     said = [(level, head.line)] if level else []
     said += [("note", remark) for remark in report.remarks]
-    root, place = _project(report.explorer)
+    root, source = _project(report.explorer)
     invocation = {
         "executionSuccessful": report.verdict is not Verdict.ERROR and not report.interrupted,
         "exitCode": int(report.exit_code),
@@ -249,24 +249,24 @@ def sarif(content: parts.ReportContent) -> str:
         "tool": {"driver": driver},
         "invocations": [invocation],
         "originalUriBaseIds": {"SRCROOT": {"uri": root.as_uri() + "/"}},
-        "results": [_result(*found, place, root) for found in enumerate(report.findings, 1)],
+        "results": [_result(*found, source, root) for found in enumerate(report.findings, 1)],
     }
     log = {"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}
     return words.harmless_json(json.dumps(log, indent=2)) + "\n"
 
 
 def _result(
-    number: int, finding: "Finding | TeamFinding", place: SourceLine | None, root: Path
+    number: int, finding: "Finding | TeamFinding", source: SourceLine | None, root: Path
 ) -> dict[str, Any]:
-    place = _at(finding, place, root)
+    source = _at(finding, source, root)
     head, text = _told(finding, number)
     head += "."
-    if place is None:
+    if source is None:
         head += " The explorer is no file of this repository, so this stands where it is checked."
-        place = _place_of_check(root)
-    at = place.line if place else 1
-    uri = quote(os.fsencode(place.named_from(root)) if place else NO_FILE)
-    where = {"uri": uri, **({"uriBaseId": "SRCROOT"} if place else {})}
+        source = _source_of_check(root)
+    at = source.line if source else 1
+    uri = quote(os.fsencode(source.named_from(root)) if source else NO_FILE)
+    where = {"uri": uri, **({"uriBaseId": "SRCROOT"} if source else {})}
     region = {"startLine": at, "startColumn": 1, "endLine": at, "endColumn": 2}
     return {
         "ruleId": finding.law,
@@ -278,7 +278,7 @@ def _result(
     }
 
 
-def _place_of_check(root: Path) -> SourceLine | None:
+def _source_of_check(root: Path) -> SourceLine | None:
     """The line of the repository that asks for the check: of its workflow, or of its options.
 
     If no file names this program it is the first line of any of them; None if there is none.
@@ -297,16 +297,16 @@ def _place_of_check(root: Path) -> SourceLine | None:
 
 
 def _project(explorer: str) -> tuple[Path, SourceLine | None]:
-    """The root of the repository, and the place of the explorer, if its file is one of it.
+    """The root of the repository, and the line of the explorer's code, if its file is inside.
 
     The root is that of git above the current folder, or above the explorer, or that of a CI
     service; if there is none, the current folder.
     """
-    here, place = Path.cwd().resolve(), place_of_explorer(explorer)
-    above = (here, *here.parents, *(place.file.parents if place else ()))
+    here, source = Path.cwd().resolve(), place_of_explorer(explorer)
+    above = (here, *here.parents, *(source.file.parents if source else ()))
     default = Path(os.environ.get("GITHUB_WORKSPACE") or here).resolve()
     root = next((folder for folder in above if (folder / ".git").exists()), default)
-    return root, place if place and place.is_in(root) else None
+    return root, source if source and source.is_in(root) else None
 
 
 def content_of(result: Any) -> parts.ReportContent:

@@ -186,15 +186,15 @@ def histories_of(kept: AskedProgram) -> list[History]:
     """Histories in which every turn of a program comes, the longest ones of a trie."""
     came: dict[int, int] = {}  # by the number behind a turn: the turn that led there first
     inner = set[int]()
-    for place, (number, before, _) in enumerate(kept.rows):
-        behind = said(kept.said[place])[0] if kept.automaton else number
+    for index, (number, before, _) in enumerate(kept.rows):
+        behind = said(kept.said[index])[0] if kept.automaton else number
         if before != BEGIN and before in came:
             inner.add(came[before])
-        came.setdefault(behind, place)
+        came.setdefault(behind, index)
     found = []
-    for place in range(len(kept.rows)):
-        if place not in inner:
-            way = [place]
+    for index in range(len(kept.rows)):
+        if index not in inner:
+            way = [index]
             while kept.rows[way[-1]][1] != BEGIN:
                 way.append(came[kept.rows[way[-1]][1]])
             found.append(History(kept.rows[way[-1]][2], tuple(reversed(way[:-1]))))
@@ -223,9 +223,9 @@ def difference(kept: AskedProgram, again: Asked) -> Difference | None:
 
 
 def _beginning(kept: AskedProgram, told: Any) -> Iterator[int]:
-    for place, (_, before, heard) in enumerate(kept.rows):
+    for index, (_, before, heard) in enumerate(kept.rows):
         if before == BEGIN and heard == told:
-            yield place
+            yield index
             return
 
 

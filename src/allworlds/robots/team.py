@@ -175,11 +175,11 @@ class TeamTally:
     def find(self, finding: TeamFinding, *, unfinished: bool = False) -> None:
         """Keep a finding if it is among the smallest; of one law and map the smallest alone."""
         held, most = (self.unfinished, 1) if unfinished else (self.findings, self.keep)
-        for place, kept in enumerate(held):
+        for index, kept in enumerate(held):
             if kept.kind == finding.kind:
                 if kept.rank <= finding.rank:
                     return
-                del held[place]
+                del held[index]
                 break
         insort(held, finding, key=lambda each: each.rank)
         del held[most:]

@@ -36,13 +36,13 @@ def known(run: SingleRun) -> parts.ShownMap | None:
         return None
     seen = parts.ShownMap({}, {})
     for step, checkpoint in episode.checkpoints:
-        place = embed(world.map, run.walk.darts[step], checkpoint)
-        if isinstance(place, str):
+        embedding = embed(world.map, run.walk.darts[step], checkpoint)
+        if isinstance(embedding, str):
             return None
         for dart, other in enumerate(checkpoint.alpha):
-            seen.darts.setdefault(place[dart], step)
+            seen.darts.setdefault(embedding[dart], step)
             if other != dart:
-                seen.edges.setdefault(place[dart], step)
+                seen.edges.setdefault(embedding[dart], step)
     return seen
 
 
@@ -249,8 +249,8 @@ def wrong_line(finding: Finding, step: int | None) -> str:
         step: at which belief and truth diverge, if they do.
     """
     code, shown = finding.code, finding.believed
-    for place, _ in stack_of(finding):
-        return place
+    for where, _ in stack_of(finding):
+        return where
     if code is None or not code.steps:
         return ""
     if finding.step is not None and shown and shown.number < len(code.checkpoints):
@@ -265,16 +265,16 @@ def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
     code = finding.code
     if code is None:
         return
-    if place := wrong_line(finding, step):
-        yield "line", code.source(place)
+    if where := wrong_line(finding, step):
+        yield "line", code.source(where)
     if code.alone:
-        lines = [code.source(place) for place in code.alone[:MOST_LINES]]
+        lines = [code.source(where) for where in code.alone[:MOST_LINES]]
         if (more := len(code.alone) - MOST_LINES) > 0:
             lines.append(f"{words.plural(more, 'other line')}, which --json has")
         runs = words.plural(code.right, "run")
         yield "only here", f"{'; '.join(lines)} (not reached in {runs} without a finding)"
     if code.busy:
-        yield "ran most", "; ".join(code.source(place) for place in code.busy[:2])
+        yield "ran most", "; ".join(code.source(where) for where in code.busy[:2])
 
 
 def _law(finding: Finding, step: int | None) -> parts.FactList:

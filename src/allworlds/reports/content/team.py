@@ -197,10 +197,10 @@ def headline_of(found: TeamFinding) -> str:
     return f"{', '.join(found.team)} breaks the law '{found.law}' with {size(*found.key[:2])}"
 
 
-def finding_section(found: TeamFinding, place: int) -> parts.Section:
+def finding_section(found: TeamFinding, index: int) -> parts.Section:
     """A finding: its world, the diagram of its run, and how it is played again."""
-    title = f"Finding {place}: {found.law}, {size(*found.key[:2])}"
-    return parts.Section(f"finding-{place}", title, [*_run(found)])
+    title = f"Finding {index}: {found.law}, {size(*found.key[:2])}"
+    return parts.Section(f"finding-{index}", title, [*_run(found)])
 
 
 def unfinished_section(found: TeamFinding) -> parts.Section:

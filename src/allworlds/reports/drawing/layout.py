@@ -19,7 +19,7 @@ from allworlds.maps.combinatorial import (
     isomorphism,
     unrooted_code,
 )
-from allworlds.reports.drawing.planar import mesh, place, planar
+from allworlds.reports.drawing.planar import coordinates, mesh, planar
 from allworlds.reports.drawing.regular import lattice, wheel
 from allworlds.reports.parts import Scene, View
 
@@ -201,7 +201,7 @@ def _ways(map_: CombinatorialMap) -> list[list[complex]]:
     if drawn.unbent > MOST_DARTS:
         return []
     net = mesh(drawn)
-    points = place(net)
+    points = coordinates(net)
     vertices = cycles(drawn.sigma)
     centres = {d: points[net.first_vertex + i] for i, v in enumerate(vertices) for d in v}
     towards: dict[Dart, complex] = {}

@@ -239,8 +239,8 @@ def mesh(drawn: PlanarMap) -> Mesh:
     edge = links.pop()[::-1]
     ring = range(len(links), len(links) + len(edge))
     for i, point in enumerate(edge):
-        place = links[point].index(ring.start)
-        links[point][place : place + 1] = [ring[i - 1], ring[i]]
+        index = links[point].index(ring.start)
+        links[point][index : index + 1] = [ring[i - 1], ring[i]]
     own = {first_vertex + i for i, vertex in enumerate(vertices) if vertex[0] < drawn.own}
     rooms = [
         [ROOM if own & {i, a, b} else 1.0 for a, b in pairwise([link[-1], *link])]
@@ -249,7 +249,7 @@ def mesh(drawn: PlanarMap) -> Mesh:
     return Mesh(links, rooms, first_vertex, ring)
 
 
-def place(net: Mesh) -> list[complex]:
+def coordinates(net: Mesh) -> list[complex]:
     """Coordinates of each point, such that no triangle is turned over.
 
     The plane has y downwards, so clockwise is the sense of growing angles.  The unit is about

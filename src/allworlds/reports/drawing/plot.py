@@ -57,7 +57,7 @@ def _text(x: float, y: float, text: str, anchor: str) -> ET.Element:
 
 
 def _scale(values: Sequence[float], begin: float, end: float) -> Callable[[float], float]:
-    """The place of a value on an axis."""
+    """The coordinate of a value on an axis."""
     least, most = log(min(values)), log(max(values))
     return lambda value: round(
         begin + (end - begin) * (log(value) - least) / (most - least or 1), 1

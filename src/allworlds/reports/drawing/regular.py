@@ -69,7 +69,7 @@ def lattice(map_: CombinatorialMap, root: Dart) -> tuple[Ways, dict[Dart, str]]:
 
 
 def _walked(map_: CombinatorialMap, root: Dart) -> dict[Dart, tuple[complex, int]]:
-    """The place of each dart's vertex, and by how many quarters it is turned clockwise from 1.
+    """The point of each dart's vertex, and by how many quarters it is turned clockwise from 1.
 
     Nothing, unless each vertex has a place of its own, with the darts round it as in the map.
     """

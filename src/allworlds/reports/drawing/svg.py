@@ -259,7 +259,7 @@ def _flag(along: complex, far: float) -> ET.Element:
     )
 
 
-def _number(scene: Scene, dart: Dart, place: complex) -> ET.Element:
+def _number(scene: Scene, dart: Dart, point: complex) -> ET.Element:
     """The dart's number: in a box where the robot started, on a disc where it is."""
     text: list[Child] = [scene.dart_names[dart]]
     colour = ""
@@ -282,7 +282,7 @@ def _number(scene: Scene, dart: Dart, place: complex) -> ET.Element:
         tag("text", *text),
         class_=f"dart{start}{colour}{here}",
         data_dart=dart,
-        transform=f"translate({at(place)})",
+        transform=f"translate({at(point)})",
     )
 
 

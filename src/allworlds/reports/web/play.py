@@ -47,8 +47,8 @@ def game(play: Play) -> str:
             "your own, which a page cannot do; leave -o out to play in the terminal"
         )
     board = ET.fromstring(read("play.html"))  # noqa: S314  # our own file
-    (place,) = board.iterfind(".//div[@id='world']")
-    place.append(figure("The world", parts.scene_of(world), "played", "robot"))
+    (container,) = board.iterfind(".//div[@id='world']")
+    container.append(figure("The world", parts.scene_of(world), "played", "robot"))
     board.append(record({**data, "costs": costs_data(play)}, id="play-json"))
     lighthouse = f"{world.lighthouse.kind} lighthouse"
     told = "" if world.told is None else f" You are told: {world.told}."

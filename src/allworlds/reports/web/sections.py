@@ -230,7 +230,7 @@ def _at(walked: Walked) -> str:
 def _step(walk: ShownWalk, i: int, name: str) -> ET.Element:
     walked, parts = walk.walked, i == walk.parting
     action = walked.walk.steps[i - 1][0] if i else None
-    line = [tag("small", f" ({place})") for place in ["", *walk.lines][i : i + 1] if place]
+    line = [tag("small", f" ({source})") for source in ["", *walk.lines][i : i + 1] if source]
     item = tag(
         "li",
         tag("a", str(i), href=f"#{name}", class_="step", aria_label=f"step {i}"),

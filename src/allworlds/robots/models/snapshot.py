@@ -23,8 +23,8 @@ from allworlds.robots.models.goals import (
 )
 from allworlds.robots.models.views import Eyes, darts_of_view, least
 
-PLACES = {"first": 0, "second": 1}
-"""The names of the first two views."""
+INDEX_OF_NAME = {"first": 0, "second": 1}
+"""The indices of the two views that have names, in the sorted list."""
 
 
 class Snap(NamedTuple):
@@ -105,14 +105,14 @@ class Snapshot(Apart):
             return [due]
         dart = state.darts[robot]
         around = map_.vertices[map_.vertex_of[dart]]
-        place = PLACES.get(action.value, action.value) if type(action) is Do else None
-        if place == "either" and not self.chirality:
+        index = INDEX_OF_NAME.get(action.value, action.value) if type(action) is Do else None
+        if index == "either" and not self.chirality:
             return [*around]
-        if type(place) is not int or place not in range(len(around)):
+        if type(index) is not int or index not in range(len(around)):
             raise IllegalAction(f"legal is Do(k), and k from 0 to {len(around) - 1}, not {action}")
         if self.chirality:
-            return [map_.turn(dart, place)]
-        return darts_of_view(self._eyes.views(map_, state.darts, dart), place)
+            return [map_.turn(dart, index)]
+        return darts_of_view(self._eyes.views(map_, state.darts, dart), index)
 
     @override
     def looked(

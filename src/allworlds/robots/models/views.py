@@ -42,7 +42,7 @@ def ordered_from(map_: CombinatorialMap, dart: Dart, clockwise: int) -> Ordered:
             rounds[vertex] = [map_.turn(arrival, clockwise * offset) for offset in offsets]
             stack += [map_.alpha[each] for each in reversed(rounds[vertex])]
     order = [each for around in rounds.values() for each in around]
-    number = {each: place for place, each in enumerate(order)}
+    number = {each: index for index, each in enumerate(order)}
     alpha = tuple([number[map_.alpha[each]] for each in order])
     return Ordered(tuple(rounds), tuple(map(len, rounds.values())), alpha)
 
@@ -81,7 +81,7 @@ def least(map_: CombinatorialMap, dart: Dart) -> Dart:
     return map_.vertices[map_.vertex_of[dart]][0]
 
 
-def darts_of_view(views: dict[Dart, Any], place: int) -> list[Dart]:
-    """The darts whose view is that of a place in the sorted list."""
-    wanted = sorted(views.values())[place]
+def darts_of_view(views: dict[Dart, Any], index: int) -> list[Dart]:
+    """The darts whose view is the one at an index of the sorted list."""
+    wanted = sorted(views.values())[index]
     return [dart for dart, view in views.items() if view == wanted]

@@ -214,7 +214,7 @@ def batches(
     maps, worlds = 0, list[arrays.Placed]()
     for map_, places in unit.placed(extent, kind.as_class):
         maps += 1
-        worlds += ((map_, place) for _, place in places)
+        worlds += ((map_, lighthouse) for _, lighthouse in places)
         if max(maps, len(worlds)) >= BATCH:
             yield maps, worlds
             maps, worlds = 0, []

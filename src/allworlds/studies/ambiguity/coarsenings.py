@@ -90,31 +90,31 @@ class AmbiguityWeakest(Report, kw_only=True):
 
 @dataclass(frozen=True)
 class Coarser(base.Lighthouse):
-    """A place of the finest sensor, of which the letters of its features are sensed.
+    """A coarser sensor: a robot senses letters in place of the features of the finest sensor.
 
     Attributes:
-        place: of the finest sensor.
-        letters: of its features.
+        finest: the lighthouse of the finest sensor, at its place.
+        letters: the letter of each feature.
     """
 
-    place: base.Lighthouse
+    finest: base.Lighthouse
     letters: Letters
 
     kind = "coarser"
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[base.Lighthouse]:  # noqa: ARG003
-        """Yield none: only places of the finest sensor are made so."""
+        """Yield none: coarser sensors are made from places of the finest one."""
         yield from ()
 
     @override
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        self.place.check(map_, start)
+        self.finest.check(map_, start)
 
     @override
     def sensed(self, map_: CombinatorialMap, here: Dart) -> Percept:
-        finest = self.place.sensed(map_, here)
-        return Percept(finest.degree, self.letters[finest.marks])
+        percept = self.finest.sensed(map_, here)
+        return Percept(percept.degree, self.letters[percept.marks])
 
 
 class FinestLevel(NamedTuple):
@@ -228,8 +228,8 @@ def weakest(request: WeakestRequest) -> AmbiguityWeakest:
 
     def told(letters: Letters) -> RefutedSensor:
         found = [refuter.levels[i].worlds[row] for i, row in refuted[letters]]
-        worlds = [World(map_, place, 0) for map_, place in found]
-        coarser = [World(map_, Coarser(place, letters), 0) for map_, place in found]
+        worlds = [World(map_, lighthouse, 0) for map_, lighthouse in found]
+        coarser = [World(map_, Coarser(lighthouse, letters), 0) for map_, lighthouse in found]
         edges = max(map_.edge_count for map_, _ in found)
         twins = AlikePair.of(worlds, coarser)
         return RefutedSensor(letters=blocks(letters), edges=edges, twins=twins)

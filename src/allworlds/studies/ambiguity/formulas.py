@@ -123,9 +123,9 @@ def _letters(
     formula.clauses += [(-world.degree[0, d],) for d in range(1, degrees) if d not in words]
     for x, (number, letter) in product(range(darts), enumerate(found)):
         formula.add(-has[x, number], world.vertex[x, 0])
-        for degree, place in ((d, i) for d in range(1, degrees) for i in range(d) if d in words):
-            sensed = has[x, number] if words[degree][-place] == letter else -has[x, number]
-            at = -world.vertex[x, 0], -world.degree[x, degree], -world.place[x, place]
+        for degree, offset in ((d, i) for d in range(1, degrees) for i in range(d) if d in words):
+            sensed = has[x, number] if words[degree][-offset] == letter else -has[x, number]
+            at = -world.vertex[x, 0], -world.degree[x, degree], -world.offset[x, offset]
             formula.add(*at, sensed)
     return has
 

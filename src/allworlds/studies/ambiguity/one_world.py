@@ -29,7 +29,7 @@ class OneWorld(Struct, frozen=True):
     used: Block
     first: Block
     degree: Block
-    place: Block
+    offset: Block
 
     def step(self, t: int, y: int) -> int:
         """The variable for: step t is answered by y."""
@@ -65,7 +65,7 @@ def one_world(formula: Formula, name: str, size: Size, asked: Question) -> OneWo
         used=block(f"used{name}", (darts, most), "some dart 0..x is at vertex v"),
         first=block(f"first{name}", (darts,), "x is the first dart of its vertex"),
         degree=block(f"degree{name}", (darts, largest + 1), "the vertex of x has degree k"),
-        place=block(f"place{name}", (darts, largest), "x is sigma^k of its vertex's first"),
+        offset=block(f"place{name}", (darts, largest), "x is sigma^k of its vertex's first"),
     )
     _permutations(formula, world)
     _canonical_numbers(formula, world)
@@ -156,20 +156,20 @@ def _in_order(formula: Formula, label: Block, used: Block) -> None:
 
 def _degrees(formula: Formula, world: OneWorld, asked: Question) -> None:
     darts, sigma, first, degree = world.size.darts, world.sigma, world.first, world.degree
-    largest, place = degree.shape[1] - 1, world.place
+    largest, offset = degree.shape[1] - 1, world.offset
     formula.section("places count from the first dart, so each vertex is one cycle of sigma")
-    for x, row in enumerate(place.rows()):
+    for x, row in enumerate(offset.rows()):
         formula.exactly_one(row)
-        formula.equivalent(first[x], place[x, 0])
+        formula.equivalent(first[x], offset[x, 0])
     for x, y, k in product(range(darts), range(darts), range(largest)):
-        after = [place[y, k + 1]] if k + 1 < largest else []
-        formula.add(-sigma[x, y], -place[x, k], first[y], *after)
+        after = [offset[y, k + 1]] if k + 1 < largest else []
+        formula.add(-sigma[x, y], -offset[x, k], first[y], *after)
     formula.section("the degree is one more than the place of the last dart")
     for x, row in enumerate(degree.rows()):
         formula.exactly_one(row)
         formula.add(-degree[x, 0])
         for y, k in product(range(darts), range(largest)):
-            formula.add(-sigma[x, y], -first[y], -place[x, k], degree[x, k + 1])
+            formula.add(-sigma[x, y], -first[y], -offset[x, k], degree[x, k + 1])
     _constant(formula, sigma, degree, degree)
     formula.section("the degrees that were asked for")
     if asked.degree_marked is not None:

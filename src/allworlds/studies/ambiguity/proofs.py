@@ -69,12 +69,12 @@ def _derive(known: dict[int, Clause], number: int, clause: Clause, hints: list[i
     false = set(clause)
     if any(-literal in false for literal in clause):
         raise ProofRefused(f"adds {clause}, which is always true")
-    for place, hint in enumerate(hints, 1):
+    for index, hint in enumerate(hints, 1):
         if hint not in known:
             raise ProofRefused(f"hint {hint} is no clause at this point")
         open_literals = [literal for literal in known[hint] if literal not in false]
         if not open_literals:
-            if place < len(hints):
+            if index < len(hints):
                 raise ProofRefused(f"hint {hint} is false already, but more hints follow")
             known[number] = clause
             return

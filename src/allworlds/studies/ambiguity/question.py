@@ -237,9 +237,9 @@ class Question(Struct, frozen=True, dict=True):
         )
 
 
-def letters_at(place: base.Lighthouse, map_: combinatorial.CombinatorialMap) -> tuple[int, ...]:
+def letters_at(placed: base.Lighthouse, map_: combinatorial.CombinatorialMap) -> tuple[int, ...]:
     """The marks that are sensed at dart 0 and the others of its vertex, anticlockwise."""
-    seen = place.percepts(map_)
+    seen = placed.percepts(map_)
     return tuple(seen[map_.turn(0, -bearing)].marks for bearing in range(map_.degree_at[0]))
 
 
@@ -247,11 +247,11 @@ def _ensure_at_v0(asked: Question) -> None:
     """Raise InputError if other things are sensed in a small map than the letters, in some turn."""
     most = min(asked.edges, TRIED_EDGES)
     for map_ in (map_ for edges in range(1, most + 1) for map_ in rooted_maps(edges)):
-        for place in asked.kind.places(map_, 0):
-            letters, word = letters_at(place, map_), asked.words.get(map_.degree_at[0], ())
-            marks = [p.marks for p in place.percepts(map_) if p.marks or p.bearing is not None]
-            turned = letters in [word[k:] + word[:k] for k in range(len(word))]
-            if not turned or 0 in marks or len(marks) > sum(map(bool, letters)) or place.told(map_):
+        for placed in asked.kind.places(map_, 0):
+            found, word = letters_at(placed, map_), asked.words.get(map_.degree_at[0], ())
+            marks = [p.marks for p in placed.percepts(map_) if p.marks or p.bearing is not None]
+            turned = found in [word[k:] + word[:k] for k in range(len(word))]
+            if not turned or 0 in marks or len(marks) > sum(map(bool, found)) or placed.told(map_):
                 raise InputError(
                     f"lighthouse {show(asked.lighthouse)} does not show marks at v0 alone, by the "
                     f"bearing and the degree, in {map_}; of others 'ambiguity census' makes all "

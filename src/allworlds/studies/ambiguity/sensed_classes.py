@@ -71,7 +71,7 @@ def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
             raise InputError(f"marks = {show(percept.marks)} is not below {MOST_MARKS}")
         return (percept.marks << BITS | bearing) << BITS | percept.degree
 
-    every = [place.percepts(map_) for map_, place in worlds]
+    every = [lighthouse.percepts(map_) for map_, lighthouse in worlds]
     # Equal percepts are mostly one object.
     different = {id(percept): percept for percepts in every for percept in percepts}
     numbers = {key: number(percept) for key, percept in different.items()}
@@ -79,7 +79,7 @@ def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
     permutations = ([map_.sigma for map_, _ in worlds], [map_.alpha for map_, _ in worlds])
     shape = len(worlds), len(worlds[0][0].sigma) if worlds else 0
     made = [np.array(rows, np.int64).reshape(shape) for rows in (*permutations, sensed)]
-    told = [place.told(map_) for map_, place in worlds]
+    told = [lighthouse.told(map_) for map_, lighthouse in worlds]
     return SensedWorlds(made[0], made[1], made[2], told, [m.vertex_count for m, _ in worlds])
 
 

@@ -163,11 +163,11 @@ class Sensor(Struct):
         """Take in more worlds, in the order of their sizes."""
         arrays = matrices(worlds)
         rows = zip(worlds, named(arrays), arrays.sensed.tolist(), strict=True)
-        for (map_, place), found, sensed in rows:
-            root, told = number.setdefault(map_, len(number)), place.told(map_)
-            self.worlds.append((map_, place))
+        for (map_, lighthouse), found, sensed in rows:
+            root, told = number.setdefault(map_, len(number)), lighthouse.told(map_)
+            self.worlds.append((map_, lighthouse))
             self.roots.append(root)
-            self.places.append((root, _place(place)))
+            self.places.append((root, _place(lighthouse)))
             self.looks.append(found.look)
             self.names.append(found.name)
             self.sensed += sensed if told is None else ((each, str(told)) for each in sensed)

@@ -201,8 +201,8 @@ def _world(asked: Question, world: OneWorld, pointed: Block | None, model: froze
     if pointed and asked.sensing.where is Where.AT_V0:
         _only(references)
     map_ = CombinatorialMap(sigma, alpha)
-    place = asked.kind.usual(map_, 0) if asked.words else SEARCHED[asked.lighthouse](references)
-    return World(map_, place, 0)
+    placed = asked.kind.usual(map_, 0) if asked.words else SEARCHED[asked.lighthouse](references)
+    return World(map_, placed, 0)
 
 
 def _only(darts: list[Dart]) -> Dart:

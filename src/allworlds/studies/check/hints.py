@@ -157,24 +157,24 @@ def located(
 
 
 def _code(turns: Turns, alone: list[Place], right: int, busy: list[Place]) -> CodeLines:
-    shown = {place for _, place in turns} | {*alone, *busy} - {NOWHERE}
-    sources = ((place, linecache.getline(*place).strip()) for place in sorted(shown))
+    shown = {where for _, where in turns} | {*alone, *busy} - {NOWHERE}
+    sources = ((where, linecache.getline(*where).strip()) for where in sorted(shown))
     return CodeLines(
-        steps=tuple(_named(place) for is_checkpoint, place in turns if not is_checkpoint),
-        checkpoints=tuple(_named(place) for is_checkpoint, place in turns if is_checkpoint),
+        steps=tuple(_named(where) for is_checkpoint, where in turns if not is_checkpoint),
+        checkpoints=tuple(_named(where) for is_checkpoint, where in turns if is_checkpoint),
         alone=tuple(map(_named, alone)),
         right=right,
         busy=tuple(map(_named, busy)),
-        sources=tuple(f"{_named(place)}: {text}" for place, text in sources if text),
+        sources=tuple(f"{_named(where)}: {text}" for where, text in sources if text),
     )
 
 
-def _named(place: Place) -> str:
+def _named(where: Place) -> str:
     """``FILE:LINE``, relative to the current folder if the file is below it.
 
     A cell of a notebook, or what was typed, is called ``input``.
     """
-    file, line = place
+    file, line = where
     if file and not Path(file).is_file():
         return f"input:{line}"
     return f"{file.removeprefix(f'{Path.cwd()}{os.sep}')}:{line}" if file else ""
