@@ -313,7 +313,7 @@ def _of_maps(options: Mapping[str, Any]) -> dict[str, Any]:
 
 
 # Raised, not asserted: pytest rewrites the assertions of a package that has a plugin, and would
-# indent what is told.
+# indent the message.
 
 
 def _assert_no(finding: Finding | None) -> None:

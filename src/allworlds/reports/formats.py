@@ -146,19 +146,19 @@ def runner_commands(content: parts.ReportContent) -> str:
     assert head is not None
     root, source = _project(report.explorer)
     shown = [
-        (*_told(found, i), _at(found, source, root)) for i, found in enumerate(report.findings, 1)
+        (*_texts(found, i), _at(found, source, root)) for i, found in enumerate(report.findings, 1)
     ]
     kind, commands = "error" if shown else LEVELS.get(report.verdict, "notice"), []
     verdict = f"allworlds: {head.word}", f"{report.explorer}: {head.text}", source
     for title, said, at in shown or [verdict]:
         where = {"file": at.named_from(root), "line": str(at.line)} if at else {}
         named = {**where, "title": title}.items()
-        told = ",".join(f"{name}={_escaped(value, ':,')}" for name, value in named)
-        commands.append(f"::{kind} {told}::{_escaped(said)}\n")
+        properties = ",".join(f"{name}={_escaped(value, ':,')}" for name, value in named)
+        commands.append(f"::{kind} {properties}::{_escaped(said)}\n")
     return "".join(commands)
 
 
-def _told(finding: "Finding | TeamFinding", number: int) -> tuple[str, str]:
+def _texts(finding: "Finding | TeamFinding", number: int) -> tuple[str, str]:
     """A finding in a line, and with its picture."""
     if not isinstance(finding, Finding):
         from allworlds.reports.content import team
@@ -259,7 +259,7 @@ def _result(
     number: int, finding: "Finding | TeamFinding", source: SourceLine | None, root: Path
 ) -> dict[str, Any]:
     source = _at(finding, source, root)
-    head, text = _told(finding, number)
+    head, text = _texts(finding, number)
     head += "."
     if source is None:
         head += " The explorer is no file of this repository, so this stands where it is checked."
@@ -503,10 +503,10 @@ def legal_files(verb: str) -> str:
     """The names of files that a verb can write, in words."""
     forms = formats_of(verb)
     names = " ".join(form.suffix for form in forms.values() if form.suffix)
-    told = f"{names}, or FORMAT:FILE ({', '.join(forms)})"
+    reports = f"{names}, or FORMAT:FILE ({', '.join(forms)})"
     if verbs.WORLD_FILE in verbs.BY_NAME[verb].has:
-        return f"{legal(written=True)} are worlds; of the report {told}"
-    return told
+        return f"{legal(written=True)} are worlds; of the report {reports}"
+    return reports
 
 
 def names_world_file(verb: str, name: str) -> bool:

@@ -69,13 +69,13 @@ def _broken_in(
     cycle = _cycle(search, part, wishes, steps)
     if not cycle:
         return None
-    if broken := _told(search, condition, min(part), cycle):
+    if broken := _broken(search, condition, min(part), cycle):
         return broken
     cycle = _cycle(search, part, [*wishes, _activated(search)], steps)
-    return _told(search, condition, min(part), cycle) if cycle else None
+    return _broken(search, condition, min(part), cycle) if cycle else None
 
 
-def _told(search: Search, condition: Liveness, at: int, cycle: tuple[int, ...]) -> Broken | None:
+def _broken(search: Search, condition: Liveness, at: int, cycle: tuple[int, ...]) -> Broken | None:
     if not any(search.graph.group(step) for step in cycle):
         return search.stopped(at)  # nobody is able, while the world changes
     forever = condition.forever or condition.holds is None

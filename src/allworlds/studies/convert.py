@@ -125,11 +125,11 @@ def _row(number: int, entry: Entry) -> ConvertRow:
         faces=len(map_.faces),
         automorphisms=automorphisms(map_),
         names=labels.vertices,
-        doors=tuple(tuple(map(_told, ends)) for ends in doors_of(entry)),
+        doors=tuple(tuple(map(_room_behind, ends)) for ends in doors_of(entry)),
     )
 
 
-def _told(end: str | list[str | int]) -> str:
+def _room_behind(end: str | list[str | int]) -> str:
     """The room behind a door, with the key of a parallel door or a loop: both sides have it."""
     return end if isinstance(end, str) else f"{end[0]} ({end[1]})"
 

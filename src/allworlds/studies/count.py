@@ -20,7 +20,7 @@ from allworlds.engines.units import (
 )
 from allworlds.inputs import checks, requests
 from allworlds.maps import classes, combinatorial
-from allworlds.studies.scopes import told_scope
+from allworlds.studies.scopes import as_scope
 from allworlds.studies.swept import SweptOptions, SweptReport, ToldGate
 from allworlds.world.selection import WhereOptions
 
@@ -107,7 +107,7 @@ class Census(SweptReport):
     @doc.computed
     def scope(self) -> CountedScope:
         """All that was counted."""
-        return told_scope(CountedScope, self.request)
+        return as_scope(CountedScope, self.request)
 
     @doc.computed
     def gate(self) -> ToldGate:

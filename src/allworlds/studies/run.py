@@ -28,7 +28,7 @@ from allworlds.protocol.actions import Action, IllegalAction, Percept, Transcrip
 from allworlds.robots.finding import TeamFinding
 from allworlds.studies.check import hints
 from allworlds.studies.findings import FindingOptions
-from allworlds.studies.team.retold import TeamReplay, replayed
+from allworlds.studies.team.finding_reports import TeamReplay, replayed
 from allworlds.world.lighthouses import kinds, marked
 from allworlds.world.named import HOLES, LIGHTHOUSE, WORLD, WorldOptions, world_named
 from allworlds.world.world import World

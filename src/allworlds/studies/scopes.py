@@ -32,15 +32,15 @@ GivenCount: TypeAlias = Annotated[
 Scope_ = TypeVar("Scope_", bound=doc.Document)
 
 
-def told_scope(
+def as_scope(
     kind: type[Scope_], request: requests.Request, rules: Rules | None = None, **more: Any
 ) -> Scope_:
-    """The scope of a document: what was asked, as it took effect.
+    """Return a request's scope as a document, with the values that took effect.
 
     Args:
-        kind: the class of the scope.
-        request: whose options stand there by their names.
-        rules: in place of options of rules, if runs were judged.
+        kind: the class of the document.
+        request: the request; the keys are the names of its options.
+        rules: the rules of the runs, which replace the options of rules; None: no run was judged.
         more: further keys, or other values.
     """
     keys = {*kind.__struct_fields__}
@@ -49,5 +49,5 @@ def told_scope(
         for one in requests.in_scope(type(request))
     }
     of_rules = rules.in_effect if rules else {}
-    told = {"sha256": None, "given": None, **asked, **of_rules, **request.in_effect}
-    return kind(**({name: told[name] for name in told if name in keys} | more))
+    values = {"sha256": None, "given": None, **asked, **of_rules, **request.in_effect}
+    return kind(**({name: values[name] for name in values if name in keys} | more))

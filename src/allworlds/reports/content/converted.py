@@ -17,7 +17,7 @@ def convert_content(report: Convert) -> parts.ReportContent:
     table = parts.Table([*COLUMNS], rows.rows, plural(len(report.rows), "world"))
     facts = [("written", ", ".join(report.written or ()))]
     facts.append(("left out", ", ".join(report.left_out or ())))
-    told = [_rooms(row) for row in report.rows]
+    rooms = [_rooms(row) for row in report.rows]
     pictures = [
         (
             _title(row),
@@ -30,14 +30,14 @@ def convert_content(report: Convert) -> parts.ReportContent:
         )
         for row, entry in zip(report.rows, report.drawn, strict=False)
     ]
-    few = told if len(told) <= FEW else []
+    few = rooms if len(rooms) <= FEW else []
     return parts.ReportContent(
         "allworlds convert",
         "",
         report,
         None,
         [parts.Section("seen", "", [table, parts.FactList(facts)]), *few],
-        [*([] if few else told), parts.Section("drawn", "", [parts.MapPictures(pictures)])],
+        [*([] if few else rooms), parts.Section("drawn", "", [parts.MapPictures(pictures)])],
         rows=lambda: rows,
     )
 

@@ -15,7 +15,7 @@ from allworlds.reports import parts
 from allworlds.reports.content.scope import SAID, each_of, of_the_class, option_facts
 from allworlds.robots.finding import LAWS, EventRow, TeamFinding, Turned, places_of
 from allworlds.robots.team import TeamRow
-from allworlds.studies.team.retold import TeamExplanation, TeamReplay
+from allworlds.studies.team.finding_reports import TeamExplanation, TeamReplay
 from allworlds.studies.team.team_report import TeamReport
 from allworlds.words import counted, number, plural, size
 
@@ -174,15 +174,15 @@ def team_replay_content(replay: TeamReplay) -> parts.ReportContent:
     )
 
 
-def team_explain_content(told: TeamExplanation) -> parts.ReportContent:
+def team_explain_content(explanation: TeamExplanation) -> parts.ReportContent:
     """Sentences, and the diagram of the run."""
-    found = told.finding
-    sentences = [parts.Paragraph(sentence) for sentence in told.sentences]
+    found = explanation.finding
+    sentences = [parts.Paragraph(sentence) for sentence in explanation.sentences]
     section = parts.Section("run", "The run", [*_run(found)])
     return parts.ReportContent(
         "allworlds explain",
         ", ".join(found.team),
-        told,
+        explanation,
         None,
         [parts.Section("words", "", sentences), section],
         apart=frozenset({"finding"}),
@@ -335,8 +335,8 @@ def _cases(report: TeamReport) -> Iterable[parts.SuiteCase]:
         found = [i for i, each in enumerate(report.findings, 1) if each.key[0] == edges]
         if found:
             first = report.findings[found[0] - 1]
-            told = [finding_section(report.findings[i - 1], i) for i in found]
-            yield parts.SuiteCase(name, "failure", first.law, first.seen, told)
+            sections = [finding_section(report.findings[i - 1], i) for i in found]
+            yield parts.SuiteCase(name, "failure", first.law, first.seen, sections)
         elif edges in report.levels and not report.undecided:
             yield parts.SuiteCase(name)
         else:

@@ -51,10 +51,10 @@ def game(play: Play) -> str:
     container.append(figure("The world", parts.scene_of(world), "played", "robot"))
     board.append(record({**data, "costs": costs_data(play)}, id="play-json"))
     lighthouse = f"{world.lighthouse.kind} lighthouse"
-    told = "" if world.told is None else f" You are told: {world.told}."
+    said = "" if world.told is None else f" You are told: {world.told}."
     return framed(
         ("allworlds play", "you are the robot"),
-        ("EXPLORE", f"Which world is this, and where in it are you? A {lighthouse}.{told}", "open"),
+        ("EXPLORE", f"Which world is this, and where in it are you? A {lighthouse}.{said}", "open"),
         [tag("noscript", tag("p", "This page needs JavaScript: it is played.")), board],
         play.to_json(),
         read("play.css"),

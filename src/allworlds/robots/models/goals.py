@@ -83,10 +83,10 @@ def map_flaw(map_: CombinatorialMap, dart: Dart, answer: Any) -> str:
     """The fault of an answer that shall be a map with the place of a robot at this dart in it."""
     if not isinstance(answer, Estimate):
         return f"the answer is {'nothing' if answer is None else answer}, not an Estimate"
-    told, true = answer.map, rooted_code(map_.sigma, map_.alpha, dart)
-    if rooted_code(told.sigma, told.alpha, answer.here) == true:
+    given, true = answer.map, rooted_code(map_.sigma, map_.alpha, dart)
+    if rooted_code(given.sigma, given.alpha, answer.here) == true:
         return ""
-    wrong = any(rooted_code(told.sigma, told.alpha, each) == true for each in told.darts)
+    wrong = any(rooted_code(given.sigma, given.alpha, each) == true for each in given.darts)
     return "the robot is not at the dart of the map that is answered" if wrong else "a wrong map"
 
 

@@ -26,7 +26,7 @@ from allworlds.studies.ambiguity.members import (
     twins,
 )
 from allworlds.studies.options import ClusterOptions, ListenerOptions, RunDirectoryOptions
-from allworlds.studies.scopes import FileDigests, GivenCount, TriedPlaces, told_scope, tried_places
+from allworlds.studies.scopes import FileDigests, GivenCount, TriedPlaces, as_scope, tried_places
 from allworlds.studies.swept import SweptReport, ToldGate
 from allworlds.world.lighthouses import kinds
 from allworlds.world.lighthouses.marked import Position
@@ -300,7 +300,7 @@ class AmbiguityCensus(SweptReport):
     @doc.computed
     def scope(self) -> CensusScope:
         """All that was classified."""
-        return told_scope(CensusScope, self.request, places=self.places, shard=str(self.portion))
+        return as_scope(CensusScope, self.request, places=self.places, shard=str(self.portion))
 
     @doc.computed
     def gate(self) -> ToldGate:

@@ -15,7 +15,7 @@ from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity import sensed_classes as many
 from allworlds.studies.ambiguity.members import ensure_motions_decide
 from allworlds.studies.ambiguity.side_by_side import AlikePair, ManyWorldsOptions, worlds_of_level
-from allworlds.studies.scopes import FileDigests, GivenCount, told_scope
+from allworlds.studies.scopes import FileDigests, GivenCount, as_scope
 from allworlds.world.lighthouses import base, kinds
 from allworlds.world.selection import tried_kind
 from allworlds.world.world import World
@@ -226,7 +226,7 @@ def weakest(request: WeakestRequest) -> AmbiguityWeakest:
         both = [*zip(letters, features, strict=True)]
         return tuple(tuple(f for of, f in both if of == i) for i in range(max(letters) + 1))
 
-    def told(letters: Letters) -> RefutedSensor:
+    def refuted_sensor(letters: Letters) -> RefutedSensor:
         found = [refuter.levels[i].worlds[row] for i, row in refuted[letters]]
         worlds = [World(map_, lighthouse, 0) for map_, lighthouse in found]
         coarser = [World(map_, Coarser(lighthouse, letters), 0) for map_, lighthouse in found]
@@ -235,7 +235,7 @@ def weakest(request: WeakestRequest) -> AmbiguityWeakest:
         return RefutedSensor(letters=blocks(letters), edges=edges, twins=twins)
 
     return AmbiguityWeakest(
-        scope=told_scope(WeakestScope, request, finest=kind.name),
+        scope=as_scope(WeakestScope, request, finest=kind.name),
         features=features,
         coarsenings=len(every),
         sufficient=len(sufficient),
@@ -244,7 +244,7 @@ def weakest(request: WeakestRequest) -> AmbiguityWeakest:
             MinimalSensor(letters=blocks(one), below=tuple(map(shown.index, lower(one))))
             for one in minimal
         ),
-        refuted=tuple(map(told, shown)),
+        refuted=tuple(map(refuted_sensor, shown)),
         extent=request.extent,
     )
 

@@ -232,8 +232,8 @@ def rooted_codes(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> Iterator[by
 
 def digest(code: bytes, told: Told = None) -> str:
     """A name for a code, with what is told before the start."""
-    said = "" if told is None else told
-    text = str(said) if isinstance(said, int | str) else json.dumps(said, sort_keys=True)
+    value = "" if told is None else told
+    text = str(value) if isinstance(value, int | str) else json.dumps(value, sort_keys=True)
     return blake2b(text.encode() + b"\0" + code, digest_size=16).hexdigest()
 
 
@@ -273,5 +273,5 @@ def named(worlds: SensedWorlds) -> Iterator[NamedWorld]:
             name = digest(code, told[row])
             least[row] = min(least[row], name) if least[row] else name
     sheets = (of == 0).sum(axis=1).tolist()
-    for look, name, said, number in zip(looks, least, told, sheets, strict=True):
-        yield NamedWorld(digest(look, said), name, number)
+    for look, name, value, number in zip(looks, least, told, sheets, strict=True):
+        yield NamedWorld(digest(look, value), name, number)

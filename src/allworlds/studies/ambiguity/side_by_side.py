@@ -21,7 +21,7 @@ from allworlds.studies.ambiguity.census_sweep import batches
 from allworlds.studies.ambiguity.members import ensure_motions_decide
 from allworlds.studies.ambiguity.sensed_classes import Placed, matrices, named
 from allworlds.studies.options import ListenerOptions
-from allworlds.studies.scopes import FileDigests, GivenCount, TriedPlaces, told_scope
+from allworlds.studies.scopes import FileDigests, GivenCount, TriedPlaces, as_scope
 from allworlds.world.bisimulation import flaw
 from allworlds.world.lighthouses import kinds, options
 from allworlds.world.selection import WhereOptions, tried_kind
@@ -238,7 +238,7 @@ def compared(request: SensorsRequest) -> AmbiguitySensors:
     enough = {row.lighthouse for row in rows if row.sufficient}
     finer = {b for a, b in coarser if a in enough and (b, a) not in coarser}
     return AmbiguitySensors(
-        scope=told_scope(SensorsScope, request),
+        scope=as_scope(SensorsScope, request),
         rows=rows,
         dominates=dominates,
         coarser=coarser,

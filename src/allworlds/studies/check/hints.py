@@ -100,9 +100,9 @@ def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Sco
                 return ""
     except (TimeIsUp, InputError, players.Unsettled):
         return ""
-    told = {"edges": tried, **changes}
-    told.pop("laws", None)
-    return " ".join(f"--{name.replace('_', '-')} {value}" for name, value in told.items())
+    options = {"edges": tried, **changes}
+    options.pop("laws", None)
+    return " ".join(f"--{name.replace('_', '-')} {value}" for name, value in options.items())
 
 
 def _runs(scope: Scope, edges: int) -> Iterator[Placed]:

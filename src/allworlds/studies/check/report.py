@@ -28,7 +28,7 @@ from allworlds.outcome import Completed, Verdict
 from allworlds.protocol.choices import Schedule
 from allworlds.studies.check.covered import CoveredRow, covered_rows
 from allworlds.studies.options import ClusterOptions, ListenerOptions, RunDirectoryOptions
-from allworlds.studies.scopes import FileDigests, GivenCount, TriedPlaces, told_scope, tried_places
+from allworlds.studies.scopes import FileDigests, GivenCount, TriedPlaces, as_scope, tried_places
 from allworlds.studies.swept import PortionReport
 from allworlds.studies.user_corpus import CorpusOptions, CorpusReport, UserCorpus
 from allworlds.world import named, selection
@@ -313,14 +313,14 @@ class CheckReport(PortionReport):
             gate = "absent"
         elif coverage != WHOLE:
             gate = "deferred to the merge of all shards"
-        return told_scope(
+        return as_scope(
             CheckedScope,
             self.request,
             rules,
             edges=extent.edges,
             places=tried_places(rules.lighthouse, extent),
             shared_file=rules.shared_file,
-            sample=told_scope(SampleReport, self.request, mix=coverage.mix)
+            sample=as_scope(SampleReport, self.request, mix=coverage.mix)
             if isinstance(coverage, Sample)
             else None,
             symmetry=self.symmetry or None,

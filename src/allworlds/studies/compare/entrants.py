@@ -28,7 +28,7 @@ from allworlds.notations.given import GivenOptions
 from allworlds.studies.check.report import ManyWorlds, SharedFile
 from allworlds.studies.check.tally_sweep import Confirmation, record_of, rules_record
 from allworlds.studies.options import ClusterOptions, RunDirectoryOptions
-from allworlds.studies.scopes import FileDigests, GivenCount, TriedPlaces, told_scope, tried_places
+from allworlds.studies.scopes import FileDigests, GivenCount, TriedPlaces, as_scope, tried_places
 from allworlds.studies.swept import RowOptions, SweptReport
 from allworlds.world import named, selection, world
 from allworlds.world.lighthouses.kinds import LighthouseKind
@@ -402,7 +402,7 @@ class ContestReport(SweptReport, kw_only=True):
     @doc.computed
     def scope(self) -> ContestScope:
         """The worlds in which they were run."""
-        return told_scope(ContestScope, self.request)
+        return as_scope(ContestScope, self.request)
 
     @property
     @override

@@ -112,8 +112,8 @@ def bred(
             ]
             message = judge.worlds_message(due) | {"lines": ONCE, "runs": len(due) + 1}
             *logs, traced = answered(player, message)
-            told = json.decode(traced, type=list[tuple[Any, list[Place], Any]]) if due else []
-            for run, log, (_, lines, _) in zip(due, logs, told, strict=True):
+            traces = json.decode(traced, type=list[tuple[Any, list[Place], Any]]) if due else []
+            for run, log, (_, lines, _) in zip(due, logs, traces, strict=True):
                 pool.add(run.world.map, lines)
                 if generation and judge.judged(run, log).outcome.violation:
                     yield NumberedRun(

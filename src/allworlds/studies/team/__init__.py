@@ -1,5 +1,5 @@
 """Several robots in worlds that change: every schedule, and every choice of the adversary.
 
-``request`` what is asked, ``team_report`` what is seen, ``search_sweep`` how all worlds are
-searched, ``retold`` findings that are searched again, and told.
+``request`` the request, ``team_report`` the report, ``search_sweep`` the search of all worlds,
+``finding_reports`` findings whose worlds are searched again, or whose runs are explained.
 """

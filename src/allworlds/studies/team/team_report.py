@@ -10,7 +10,7 @@ from allworlds import outcome
 from allworlds.documents import document as doc
 from allworlds.robots.finding import TeamFinding
 from allworlds.robots.team import TeamRow, TeamScope, TeamTally
-from allworlds.studies.scopes import FileDigests, GivenCount, told_scope
+from allworlds.studies.scopes import FileDigests, GivenCount, as_scope
 from allworlds.studies.swept import PortionReport
 from allworlds.studies.team.request import TeamRequest
 from allworlds.studies.user_corpus import CorpusReport, UserCorpus
@@ -92,7 +92,7 @@ class TeamReport(PortionReport, kw_only=True):
     @doc.computed
     def scope(self) -> TeamScopeDocument:
         """All that was searched."""
-        return told_scope(
+        return as_scope(
             TeamScopeDocument,
             self.request,
             edges=self.extent.edges,

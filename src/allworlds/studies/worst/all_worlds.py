@@ -28,7 +28,7 @@ from allworlds.judging.laws.bounds import default_step_budget, paper_bound
 from allworlds.judging.rules import RuleOptions, Rules
 from allworlds.maps import classes, combinatorial
 from allworlds.notations.given import GivenOptions
-from allworlds.studies.scopes import FileDigests, GivenCount, told_scope
+from allworlds.studies.scopes import FileDigests, GivenCount, as_scope
 from allworlds.studies.swept import SweptOptions, SweptReport, ToldGate
 from allworlds.studies.worst.every_schedule import EverySchedule, Planned, Transit
 from allworlds.world.lighthouses.kinds import LighthouseKind
@@ -178,7 +178,7 @@ class WorstReport(SweptReport, kw_only=True):
     @doc.computed
     def scope(self) -> WorstScope:
         """All that was searched."""
-        return told_scope(
+        return as_scope(
             WorstScope,
             self.request,
             self.rules,

@@ -1,4 +1,4 @@
-"""Findings of teams: searched again, and told in words."""
+"""Reports about one finding of a team: its world searched again, and its run in words."""
 
 from __future__ import annotations
 
@@ -77,10 +77,10 @@ class TeamExplanation(Report):
     @doc.computed
     def sentences(self) -> doc.Some[doc.Text]:
         """In plain words."""
-        return tuple(told_of(self.finding))
+        return tuple(sentences_of(self.finding))
 
 
-def told_of(finding: TeamFinding) -> Iterator[str]:
+def sentences_of(finding: TeamFinding) -> Iterator[str]:
     """A finding in a few sentences."""
     yield f"{LAWS[finding.law]} Here it does not hold: {finding.seen}."
     events = len(finding.events)
