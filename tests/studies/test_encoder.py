@@ -22,13 +22,13 @@ def models(path, formula, world):
     while solver.check() == z3.sat:
         model = solver.model()
         true = [
-            [next(v for v in row if z3.is_true(model[z3.Bool(v)])) for row in block.rows()]
+            [next(v for v in row if z3.is_true(model[z3.Bool(v)])) for row in block.slices()]
             for block in (world.sigma, world.alpha)
         ]
         solver.add(z3.Or([z3.Not(z3.Bool(v)) for row in true for v in row]))
         found.append(
             tuple(
-                tuple(v - row[0] for v, row in zip(answers, block.rows(), strict=True))
+                tuple(v - row[0] for v, row in zip(answers, block.slices(), strict=True))
                 for answers, block in zip(true, (world.sigma, world.alpha), strict=True)
             )
         )

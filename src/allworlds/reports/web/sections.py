@@ -90,14 +90,14 @@ def framed(
         header.append(tag("p", tag("b", word), " ", tag("span", said), class_=f"verdict {name}"))
     whole = [record(data, class_="report", id="report-json")]
     without = "is too large to hold its report: --json prints it"
-    for held, records in (("holds its data as JSON", whole), (without, [])):
+    for held, embedded in (("holds its data as JSON", whole), (without, [])):
         foot = f"Made by allworlds {__version__}. This page needs no network, and {held}."
         body = tag(
             "body",
             tag("header", *header),
             tag("main", *sections),
             tag("footer", tag("p", foot)),
-            *records,
+            *embedded,
             raw("script", script),
         )
         page = document(tag("html", head, body, lang="en"))

@@ -36,10 +36,10 @@ class Block(Struct, frozen=True):
             return self.first + index
         return self.first + index[0] * self.shape[1] + index[1]
 
-    def rows(self) -> list[range]:
-        """The variables of a two-dimensional block, row by row."""
-        rows, width = self.shape
-        return [range(self.first + i * width, self.first + (i + 1) * width) for i in range(rows)]
+    def slices(self) -> list[range]:
+        """The variables of a two-dimensional block, a range for each first index."""
+        height, width = self.shape
+        return [range(self.first + i * width, self.first + (i + 1) * width) for i in range(height)]
 
     @property
     def variables(self) -> range:

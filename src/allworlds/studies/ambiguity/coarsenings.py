@@ -132,18 +132,18 @@ class FinestLevel(NamedTuple):
     features: many.Matrix
     roots: list[int]
 
-    def looks(self, letters: Letters, rows: Sequence[int]) -> Iterator[bytes]:
+    def looks(self, letters: Letters, indices: Sequence[int]) -> Iterator[bytes]:
         """The codes of all that a robot can find out in some of the worlds."""
         import numpy as np
 
-        some = self.arrays.chosen(rows)
-        sensed = np.array(letters)[self.features[rows]] << many.BITS | some.sensed
+        some = self.arrays.chosen(indices)
+        sensed = np.array(letters)[self.features[indices]] << many.BITS | some.sensed
         coarser = some._replace(sensed=sensed)
-        return many.rooted_codes(coarser, many.classes(coarser), np.zeros(len(rows), np.int64))
+        return many.rooted_codes(coarser, many.classes(coarser), np.zeros(len(indices), np.int64))
 
 
-Met: TypeAlias = tuple[int, int]
-"""A world: its level, and its number there."""
+AtLevel: TypeAlias = tuple[int, int]
+"""A world, as the index of its level and its index in that level."""
 
 
 def partitions(count: int) -> list[Letters]:
@@ -170,29 +170,29 @@ class Refuter:
 
     def __init__(self, levels: Sequence[FinestLevel]) -> None:
         self.levels, self.tried = levels, 0
-        self.pairs = dict[tuple[Met, Met], None]()
+        self.pairs = dict[tuple[AtLevel, AtLevel], None]()
 
-    def pair(self, letters: Letters) -> tuple[Met, Met] | None:
+    def pair(self, letters: Letters) -> tuple[AtLevel, AtLevel] | None:
         """Return two worlds that look alike, with different rooted maps; None if none do."""
-        known = sorted({met for pair in self.pairs for met in pair})
+        known = sorted({index for pair in self.pairs for index in pair})
         if pair := self._alike(letters, known):
             return pair
         self.tried += 1
-        every = ((i, row) for i, level in enumerate(self.levels) for row in range(len(level.roots)))
+        every = ((i, k) for i, level in enumerate(self.levels) for k in range(len(level.roots)))
         pair = self._alike(letters, [*every])
         if pair:
             self.pairs[pair] = None
         return pair
 
-    def _alike(self, letters: Letters, worlds: Sequence[Met]) -> tuple[Met, Met] | None:
+    def _alike(self, letters: Letters, worlds: Sequence[AtLevel]) -> tuple[AtLevel, AtLevel] | None:
         """The first two of these worlds, in their order, that look alike."""
-        first: dict[bytes, Met] = {}
+        first: dict[bytes, AtLevel] = {}
         for i, level in enumerate(self.levels):
-            rows = [row for number, row in worlds if number == i]
-            for row, look in zip(rows, level.looks(letters, rows), strict=True):
-                at, number = first.setdefault(look, (i, row))
-                if self.levels[at].roots[number] != level.roots[row]:
-                    return (at, number), (i, row)
+            indices = [index for number, index in worlds if number == i]
+            for index, look in zip(indices, level.looks(letters, indices), strict=True):
+                at, number = first.setdefault(look, (i, index))
+                if self.levels[at].roots[number] != level.roots[index]:
+                    return (at, number), (i, index)
         return None
 
 
@@ -227,7 +227,7 @@ def weakest(request: WeakestRequest) -> AmbiguityWeakest:
         return tuple(tuple(f for of, f in both if of == i) for i in range(max(letters) + 1))
 
     def refuted_sensor(letters: Letters) -> RefutedSensor:
-        found = [refuter.levels[i].worlds[row] for i, row in refuted[letters]]
+        found = [refuter.levels[i].worlds[index] for i, index in refuted[letters]]
         worlds = [World(map_, lighthouse, 0) for map_, lighthouse in found]
         coarser = [World(map_, Coarser(lighthouse, letters), 0) for map_, lighthouse in found]
         edges = max(map_.edge_count for map_, _ in found)
@@ -282,8 +282,8 @@ def _levels(
         worlds = [world for some in found for world in some]
         arrays, one = many.matrices(worlds), 1 << many.BITS
         features, bearings = arrays.sensed >> 2 * many.BITS, arrays.sensed >> many.BITS & one - 1
-        for row, dart in np.argwhere((bearings > 0) | (features >= count))[:1]:
-            odd = worlds[row][1].percepts(worlds[row][0])[dart]
+        for index, dart in np.argwhere((bearings > 0) | (features >= count))[:1]:
+            odd = worlds[index][1].percepts(worlds[index][0])[dart]
             raise checks.InputError(f"{checks.show(str(kind))} senses {odd}; legal is {SHAPE}")
         if told := [each for each in arrays.told if each is not None]:
             raise checks.InputError(f"{checks.show(str(kind))} tells {told[0]}; legal is {SHAPE}")

@@ -102,7 +102,7 @@ def _reference_darts(formula: Formula, name: str, where: Where, world: OneWorld)
         formula.exactly_one(pointed.variables)
         return pointed
     at = formula.block(f"pointed_at{name}", (most, darts), "x is the reference dart of vertex v")
-    for v, row in enumerate(at.rows()):
+    for v, row in enumerate(at.slices()):
         formula.at_most_one(row)
         for x, here in enumerate(row):
             formula.add(-here, pointed[x])
@@ -150,7 +150,7 @@ def _bisimulation(formula: Formula, pair: Pair) -> None:
 
 
 def _sense_the_same(formula: Formula, pair: Pair, related: int, x: int, y: int) -> None:
-    ones, twos = pair.one.degree.rows()[x], pair.two.degree.rows()[y]
+    ones, twos = pair.one.degree.slices()[x], pair.two.degree.slices()[y]
     shared = min(len(ones), len(twos))
     alone = [(-related, -degree) for degree in (*ones[shared:], *twos[shared:])]
     alike = []
@@ -205,8 +205,8 @@ def forbid_other_start(formula: Formula, pair: Pair, start: int) -> None:
     one, two, darts = pair.one, pair.two, range(pair.one.size.darts)
     shape = (len(darts), len(darts))
     carried = formula.block(f"carried{start}", shape, f"F takes x to y; F(0) = {start}")
-    rows = 2 + max(len(pair.signs(0, 0)), 1)
-    breaks = formula.block(f"breaks{start}", (rows, len(darts)), "F fails at x: sigma, alpha, mark")
+    breaks_shape = 2 + max(len(pair.signs(0, 0)), 1), len(darts)
+    breaks = formula.block(f"breaks{start}", breaks_shape, "F fails at x: sigma, alpha, mark")
     formula.section(f"started at dart {start}, world 2 is not world 1")
     excused = [-two.vertex[start, 0]] if pair.question.sensing.marks_v0 else []
     formula.add(carried[0, start])

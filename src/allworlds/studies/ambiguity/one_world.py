@@ -88,11 +88,11 @@ def _largest_degree(size: Size, asked: Question) -> int:
 def _permutations(formula: Formula, world: OneWorld) -> None:
     sigma, alpha, darts = world.sigma, world.alpha, range(world.size.darts)
     formula.section("sigma is a permutation, alpha an involution without fixed points")
-    for row in sigma.rows():
+    for row in sigma.slices():
         formula.exactly_one(row)
     for y in darts:
         formula.exactly_one([sigma[x, y] for x in darts])
-    for x, row in enumerate(alpha.rows()):
+    for x, row in enumerate(alpha.slices()):
         formula.exactly_one(row)
         formula.add(-alpha[x, x])
         for y in range(x):
@@ -121,7 +121,7 @@ def _vertices(formula: Formula, world: OneWorld) -> None:
     darts, most = world.size.darts, world.size.most
     sigma, vertex, first = world.sigma, world.vertex, world.first
     formula.section("sigma stays at the vertex")
-    for row in vertex.rows():
+    for row in vertex.slices():
         formula.exactly_one(row)
     _constant(formula, sigma, vertex, vertex)
     _in_order(formula, vertex, world.used)
@@ -158,14 +158,14 @@ def _degrees(formula: Formula, world: OneWorld, asked: Question) -> None:
     darts, sigma, first, degree = world.size.darts, world.sigma, world.first, world.degree
     largest, offset = degree.shape[1] - 1, world.offset
     formula.section("places count from the first dart, so each vertex is one cycle of sigma")
-    for x, row in enumerate(offset.rows()):
+    for x, row in enumerate(offset.slices()):
         formula.exactly_one(row)
         formula.equivalent(first[x], offset[x, 0])
     for x, y, k in product(range(darts), range(darts), range(largest)):
         after = [offset[y, k + 1]] if k + 1 < largest else []
         formula.add(-sigma[x, y], -offset[x, k], first[y], *after)
     formula.section("the degree is one more than the place of the last dart")
-    for x, row in enumerate(degree.rows()):
+    for x, row in enumerate(degree.slices()):
         formula.exactly_one(row)
         formula.add(-degree[x, 0])
         for y, k in product(range(darts), range(largest)):
@@ -184,7 +184,7 @@ def _simple(formula: Formula, world: OneWorld, name: str) -> None:
     alpha, vertex = world.alpha, world.vertex
     target = formula.block(f"target{name}", (darts, most), "alpha(x) is at vertex v")
     formula.section("no loop")
-    for row in target.rows():
+    for row in target.slices():
         formula.exactly_one(row)
     _constant(formula, alpha, vertex, target)
     for x, v in product(range(darts), range(most)):
@@ -208,7 +208,7 @@ def _planar(formula: Formula, world: OneWorld, name: str) -> None:
     met = formula.block(f"met{name}", (darts, most_faces), "some dart 0..x is on face f")
     formula.section("phi = sigma . alpha stays at the face")
     for block in (face, ahead):
-        for row in block.rows():
+        for row in block.slices():
             formula.exactly_one(row)
     _constant(formula, world.alpha, face, ahead)
     _constant(formula, world.sigma, ahead, face)

@@ -52,9 +52,9 @@ class SensedWorlds(NamedTuple):
     told: Sequence[Told]
     vertices: Sequence[int]
 
-    def chosen(self, rows: Any) -> "SensedWorlds":
+    def chosen(self, indices: Any) -> "SensedWorlds":
         """Return the matrices of some of them, by their numbers."""
-        return SensedWorlds(self.sigma[rows], self.alpha[rows], self.sensed[rows], (), ())
+        return SensedWorlds(self.sigma[indices], self.alpha[indices], self.sensed[indices], (), ())
 
 
 def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
@@ -120,13 +120,13 @@ def laid_out(
         before = int(job.number)
         job.until = before + arrays.LONGEST_STRETCH
         runs = engine.lay_out(job, wanted, heads, laid)
-        rows = laid[:runs].reshape(-1, len(at), arrays.WIDE).astype(np.int64)
-        first, alpha, degree, marks, bearing = np.moveaxis(rows, 2, 0)
+        fields = laid[:runs].reshape(-1, len(at), arrays.WIDE).astype(np.int64)
+        first, alpha, degree, marks, bearing = np.moveaxis(fields, 2, 0)
         if issubclass(kind, SensedByBearing):
             words = [word_of(kind.pattern, d) + (0,) * (len(at) - d) for d in range(1, len(at) + 1)]
             back = (marks.argmax(axis=1)[:, None] - at) % degree[:, :1]
             marks = np.where(first == 0, np.array(words)[degree - 1, back], 0)
-        maps = int((rows[1:, :, :2] != rows[:-1, :, :2]).any(axis=(1, 2)).sum()) + (runs > 0)
+        maps = int((fields[1:, :, :2] != fields[:-1, :, :2]).any(axis=(1, 2)).sum()) + (runs > 0)
         told = [None if each < 0 else each for each in heads[:runs, arrays.RUN_TOLD].tolist()]
         sigma = first + (at - first + 1) % degree
         sensed = (marks << BITS | bearing) << BITS | degree
@@ -202,13 +202,13 @@ def numbered(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> tuple[Matrix, M
     number, order = np.full((count, darts), -1), np.zeros((count, darts), np.int64)
     number[every, of[every, roots]], order[:, 0] = 0, roots
     for x in range(int(sizes.max(initial=0))):
-        rows = every[sizes > x]
-        dart = order[rows, x]
+        left = every[sizes > x]
+        dart = order[left, x]
         for permutation in worlds[:2]:
-            to = permutation[rows, dart]
-            into = of[rows, to]
-            new = number[rows, into] < 0
-            fresh, at = rows[new], known[rows[new]]
+            to = permutation[left, dart]
+            into = of[left, to]
+            new = number[left, into] < 0
+            fresh, at = left[new], known[left[new]]
             number[fresh, into[new]], order[fresh, at] = at, to[new]
             known[fresh] += 1
     return number, order
@@ -262,16 +262,16 @@ def named(worlds: SensedWorlds) -> Iterator[NamedWorld]:
     of = classes(worlds)
     looks = rooted_codes(worlds, of, np.zeros(count, np.int64))
     least = [""] * count
-    rows, roots = np.nonzero(of == 0)
+    indices, roots = np.nonzero(of == 0)
     darts = of.shape[1]
     step = max(1, ENTRIES // darts)
-    for first in range(0, len(rows), step):
-        some = rows[first : first + step]
+    for first in range(0, len(indices), step):
+        some = indices[first : first + step]
         each = np.broadcast_to(np.arange(darts), (len(some), darts))
         codes = rooted_codes(worlds.chosen(some), each, roots[first : first + step])
-        for row, code in zip(some.tolist(), codes, strict=True):
-            name = digest(code, told[row])
-            least[row] = min(least[row], name) if least[row] else name
+        for index, code in zip(some.tolist(), codes, strict=True):
+            name = digest(code, told[index])
+            least[index] = min(least[index], name) if least[index] else name
     sheets = (of == 0).sum(axis=1).tolist()
     for look, name, value, number in zip(looks, least, told, sheets, strict=True):
         yield NamedWorld(digest(look, value), name, number)

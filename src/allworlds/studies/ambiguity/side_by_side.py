@@ -162,8 +162,8 @@ class Sensor(Struct):
     def meet(self, worlds: Sequence[Placed], number: dict[CombinatorialMap, int]) -> None:
         """Take in more worlds, in the order of their sizes."""
         arrays = matrices(worlds)
-        rows = zip(worlds, named(arrays), arrays.sensed.tolist(), strict=True)
-        for (map_, lighthouse), found, sensed in rows:
+        in_order = zip(worlds, named(arrays), arrays.sensed.tolist(), strict=True)
+        for (map_, lighthouse), found, sensed in in_order:
             root, told = number.setdefault(map_, len(number)), lighthouse.told(map_)
             self.worlds.append((map_, lighthouse))
             self.roots.append(root)

@@ -193,7 +193,7 @@ def decoded(pair: formulas.Pair, model: frozenset[int]) -> Twins:
 
 def _world(asked: Question, world: OneWorld, pointed: Block | None, model: frozenset[int]) -> World:
     sigma, alpha = (
-        [_only([y for y, variable in enumerate(row) if variable in model]) for row in block.rows()]
+        [_only([y for y, v in enumerate(row) if v in model]) for row in block.slices()]
         for block in (world.sigma, world.alpha)
     )
     variables = pointed.variables if pointed else ()

@@ -443,11 +443,11 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
 
     @override
     def explorer(self) -> dict[str, Any]:
-        records = [
+        explorers = [
             {**record_of(one.subject), **rules_record(one.rules), "at": one.at}
             for one in self.entrants
         ]
-        return {"name": ", ".join(self.names), "explorers": records}
+        return {"name": ", ".join(self.names), "explorers": explorers}
 
     @override
     def ready(self) -> ReadyEngine:

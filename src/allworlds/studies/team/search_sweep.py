@@ -88,8 +88,8 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 
     @override
     def explorer(self) -> dict[str, Any]:
-        records = [record_of(subject) for subject in self.scope.team.subjects]
-        return {"name": self.scope.team.name, "explorers": records, "of": [*self.scope.team.of]}
+        explorers = [record_of(subject) for subject in self.scope.team.subjects]
+        return {"name": self.scope.team.name, "explorers": explorers, "of": [*self.scope.team.of]}
 
     @override
     def parameters(self) -> dict[str, Any]:

@@ -62,7 +62,7 @@ class ScheduleSearch(Struct, frozen=True):
         else:
             prefixes = [unit.prefix]
         for prefix in prefixes:
-            rows = schedules.schedule_costs_of_unit(
+            costs = schedules.schedule_costs_of_unit(
                 unit.edges,
                 self.extent.vertex_limit(unit.edges),
                 prefix,
@@ -71,4 +71,4 @@ class ScheduleSearch(Struct, frozen=True):
                 simple=map_class.simple,
                 planar=map_class.planar,
             )
-            yield ScheduleCostsBySize({row.vertices: row for row in rows})
+            yield ScheduleCostsBySize({each.vertices: each for each in costs})
