@@ -34,8 +34,8 @@ from allworlds.robots.configurations import Search, in_lockstep
 from allworlds.robots.minds import Minds
 from allworlds.robots.model import Guarded
 from allworlds.robots.models.meeting import Meeting
-from allworlds.robots.one_world import search, turns_of
 from allworlds.robots.schedulers import Time
+from allworlds.robots.single_search import search, turns_of
 
 PROGRAMS = """
 from allworlds import Move, Watch

@@ -1,18 +1,15 @@
 """The search against a second opinion: plain recursion, in which nothing is merged."""
 
-from dataclasses import dataclass
-
 import pytest
 
-from allworlds.protocol.actions import End, Move, Wait, Watch
+from allworlds.protocol.actions import Move, Wait, Watch
 from allworlds.protocol.turns import Automaton
-from allworlds.robots.events import answers_of
 from allworlds.robots.model import SCHEDULERS
 from allworlds.robots.models.meeting import Meeting
-from allworlds.robots.one_world import search
+from allworlds.robots.single_search import search
 from one_by_one import agree
 from small import EDGE, PATH, TRIANGLE, all_maps
-from worlds_that_change import CASES, MEETING, steps
+from worlds_that_change import CASES, MEETING, Never, steps
 
 
 @pytest.mark.parametrize("scheduler", SCHEDULERS)
@@ -84,23 +81,3 @@ def test_in_a_mixed_team_the_budget_is_that_of_each(automaton, scheduler):
     assert found.schedules is None
     alone = search(PATH, (0, 1), Never(), [automaton] * 2, scheduler, budget=3)
     assert (alone.law, alone.unfinished) == ("progress", 0)
-
-
-@dataclass(frozen=True)
-class Never(Meeting):
-    """A goal that is never reached."""
-
-    def over(self, map_, state):
-        return False
-
-
-def test_programs_that_are_equal_but_for_a_type_are_two():
-    """Automata that begin with 1 and with True are equal values."""
-
-    def end(memory, percept):
-        return memory, End(memory)
-
-    team = [Automaton(start, end) for start in (1, True)]
-    found = search(EDGE, (0, 1), Never(), team, "fsync")
-    number = len(found.search) - 1
-    assert [*map(repr, answers_of(found.search, number))] == ["1", "True"]

@@ -10,8 +10,8 @@ from allworlds.protocol.turns import Automaton
 from allworlds.robots.configurations import Search
 from allworlds.robots.minds import Minds
 from allworlds.robots.model import SCHEDULERS, Assumption, Guarded, Model
-from allworlds.robots.one_world import search, turns_of
 from allworlds.robots.schedulers import Time
+from allworlds.robots.single_search import search, turns_of
 from fair_runs import agree_on_cycles
 from small import EDGE, PATH
 from worlds_that_change import GATES, WORLDS, Lamp, Together, automata

@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 
 from allworlds.protocol.actions import Move, Percept
-from allworlds.robots.model import Model, ModelFault
-from allworlds.robots.one_world import search
+from allworlds.robots.model import Model, ModelError
+from allworlds.robots.single_search import search
 from small import EDGE
 
 
@@ -50,5 +50,5 @@ def test_a_mistake_of_a_model_is_told_with_its_method(model, told):
     def move(first):
         yield Move(1)
 
-    with pytest.raises(ModelFault, match=told):
+    with pytest.raises(ModelError, match=told):
         search(EDGE, (0,), model, [move])

@@ -15,7 +15,7 @@ from allworlds.maps.families import family
 from allworlds.robots.model import SCHEDULERS
 from allworlds.robots.models.goals import are_apart
 from allworlds.robots.models.table import model_of
-from allworlds.robots.one_world import search
+from allworlds.robots.single_search import search
 from small import EDGE, LOOP, all_maps, slowest
 
 EXAMPLES = Path(__file__).parents[2] / "examples" / "robots"

@@ -6,10 +6,8 @@ from pathlib import Path
 import pytest
 
 import allworlds
-from allworlds.documents.document import replace
 from allworlds.inputs.checks import InputError
 from allworlds.outcome import Verdict
-from allworlds.robots.finding import TeamFinding
 from allworlds.robots.models.meeting import Meeting
 from allworlds.robots.team import Team
 from allworlds.studies.team.request import TeamRequest
@@ -141,29 +139,6 @@ def finding():
     return found
 
 
-def test_a_finding_is_written_and_read():
-    found = finding()
-    assert TeamFinding.from_json(json.loads(found.text)) == found
-    assert found.file_name.startswith("progress-m1n2-")
-
-
-def test_a_finding_is_replayed_and_fixed():
-    found = finding()
-    assert allworlds.replay(found).outcome == "reproduced"
-    assert allworlds.replay(found, f"{PROGRAMS}:waits").outcome == "reproduced"
-    mended = allworlds.replay(replace(found, model=ANYWHERE), f"{PROGRAMS}:raises")
-    assert (mended.outcome, mended.exit_code) == ("not-reproduced", 3)
-
-
-def test_its_command_searches_that_world_again(cli):
-    import shlex
-
-    words = shlex.split(finding().reproduce)
-    code, out, _ = cli(*words[1:], "--json")
-    (again,) = json.loads(out)["findings"]
-    assert (code, again["law"], again["schedule"]) == (1, "progress", finding().schedule)
-
-
 def test_a_stale_move_is_told():
     told = allworlds.explain(finding())
     assert "repeat for ever" in " ".join(told.sentences)
@@ -177,22 +152,6 @@ def test_one_schedule_is_played_and_told():
     assert report.verdict is Verdict.INCONCLUSIVE
     assert report.unfinished.schedule == found.schedule
     assert report.unfinished.events == found.events
-
-
-SCHEDULES = {
-    "0x": "'0x' is no event",
-    "0+1:1": "event 1 has 1 ways of the adversary",
-    "0L 0L": "in event 2 robot 0 moves",
-    "2": "in event 1 robot 2 cannot act",
-}
-
-
-@pytest.mark.parametrize("schedule", SCHEDULES)
-def test_a_schedule_that_cannot_be_is_refused(schedule, refused):
-    world = '{"sigma":[0,1],"alpha":[1,0]}'
-    words = [f"{PROGRAMS}:other_end", "--world", world, "--starts", "0,1"]
-    said = refused("team", *words, "--scheduler", "async", "--schedule", schedule)
-    assert SCHEDULES[schedule] in said
 
 
 def test_a_team_is_asserted():

@@ -7,7 +7,7 @@ is left at the end are the runs that go on for ever, fairly, without the conditi
 """
 
 from allworlds.protocol.actions import End, Move, Wait, Watch
-from allworlds.robots.one_world import search
+from allworlds.robots.single_search import search
 from one_by_one import after_looks, groups
 
 

@@ -3,7 +3,7 @@
 from itertools import combinations
 
 from allworlds.protocol.actions import IllegalAction, Wait, Watch
-from allworlds.robots.one_world import search
+from allworlds.robots.single_search import search
 
 
 class Robot:

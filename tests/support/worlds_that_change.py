@@ -255,3 +255,11 @@ GATES = [
     (PATH, (0, 1), Gate(opens=False)),
     (TRIANGLE, (0, 3), Gate()),
 ]
+
+
+@dataclass(frozen=True)
+class Never(Meeting):
+    """A goal that is never reached."""
+
+    def over(self, map_, state):
+        return False

@@ -30,7 +30,7 @@ from allworlds.reports import parts, plain_text
 from allworlds.version import __version__
 
 if TYPE_CHECKING:
-    from allworlds.robots.finding import TeamFinding
+    from allworlds.robots.team_finding import TeamFinding
 
 WIDTH = 100
 

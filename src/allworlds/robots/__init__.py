@@ -1,9 +1,9 @@
 """Several robots in worlds that change: every schedule, and every choice of the adversary.
 
-``model`` the base of every model, ``models`` those that are built in, ``schedulers`` who is
-activated, ``minds`` what a program does next, ``configurations`` the search of one world,
-``graph`` its steps, ``cycles`` the runs that never end, ``events`` what happened, ``one_world``
-the same in this process.
+``model`` is the base of every model, ``models`` has those that are built in, ``schedulers`` says
+which robots are activated, ``minds`` which action a program does next, ``configurations`` searches
+one world, ``graph`` holds the transitions, ``cycles`` finds runs that never end, ``events`` lists
+the events of a run, and ``single_search`` searches one world in this process.
 """
 
 from typing import TYPE_CHECKING
@@ -21,6 +21,6 @@ if TYPE_CHECKING:
     )
     from allworlds.robots.models.shared_whiteboard import SharedWhiteboard as SharedWhiteboard
     from allworlds.robots.models.table import named_model as named_model
-    from allworlds.robots.one_world import SearchOutcome as SearchOutcome, search as search
+    from allworlds.robots.single_search import SearchOutcome as SearchOutcome, search as search
 else:
     open_door(__name__)

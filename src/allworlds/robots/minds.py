@@ -46,14 +46,14 @@ class ProgramFault(NamedTuple):
         return f"{self.law}: {self.seen}"
 
 
-class Answering(Protocol):
+class RobotProgram(Protocol):
     """A program as it is asked."""
 
     def answers(self, rows: Sequence[Row]) -> Sequence[bytes]:
         """The words of the program in each turn: see :class:`allworlds.protocol.turns.Turns`."""
 
 
-class AskedProgram(Struct):
+class ProgramTurns(Struct):
     """The turns of one program so far.
 
     Attributes:
@@ -64,7 +64,7 @@ class AskedProgram(Struct):
         waiting: the turns of the next message, each with its mind; of an automaton -1.
     """
 
-    program: Answering
+    program: RobotProgram
     roots: dict[bytes | None, int]
     rows: list[Row]
     said: list[bytes]
@@ -85,13 +85,13 @@ class Minds:
         messages: the number of turns of each message.
     """
 
-    def __init__(self, programs: Sequence[Answering]) -> None:
+    def __init__(self, programs: Sequence[RobotProgram]) -> None:
         self.value: list[Any] = []
         self.sensed: list[Sensed | None] = []
         self.depth: list[int] = []
         self.watches: list[bool] = []
         self.messages: list[int] = []
-        self.kept = [AskedProgram(program, {}, [], [], []) for program in programs]
+        self.kept = [ProgramTurns(program, {}, [], [], []) for program in programs]
         self._of: list[int] = []
         self._memory: list[int] = []  # of a history the mind before
         self._after: dict[tuple[int, Any], int] = {}

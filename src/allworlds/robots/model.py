@@ -186,7 +186,7 @@ def joined(words: str, more: str) -> str:
     return f"{words}; {more}" if words and more else words or more
 
 
-class ModelFault(InputError):
+class ModelError(InputError):
     """Raised if a model raises, or answers with what means nothing."""
 
 
@@ -202,7 +202,7 @@ class Guarded:
         says_bad, says_over, says_progress: whether the model has such a method of its own.
         decides_at_looks: whether it decides something when a robot looks.
 
-    Every method raises ModelFault naming the method.
+    Every method raises ModelError naming the method.
     """
 
     def __init__(self, model: Model, map_: CombinatorialMap, name: str) -> None:
@@ -365,6 +365,6 @@ class Guarded:
         where = f", line {inside[-1].lineno}" if inside else ""
         return self._wrong(method, f"raises {type(error).__name__}{where}: {error}")
 
-    def _wrong(self, method: str, what: str) -> ModelFault:
+    def _wrong(self, method: str, what: str) -> ModelError:
         world = f"sigma={[*self.map.sigma]} alpha={[*self.map.alpha]}"
-        return ModelFault(f"the model {show(self.name)} {what}, in its method {method}; {world}")
+        return ModelError(f"the model {show(self.name)} {what}, in its method {method}; {world}")

@@ -18,11 +18,11 @@ from allworlds.inputs.checks import InputError, show
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.robots.configurations import Search
-from allworlds.robots.finding import TeamFinding
 from allworlds.robots.minds import Minds
 from allworlds.robots.model import Guarded
 from allworlds.robots.models.table import NamedModel
 from allworlds.robots.schedulers import Time
+from allworlds.robots.team_finding import TeamFinding
 
 
 class Team(Struct, frozen=True, weakref=True):

@@ -20,7 +20,7 @@ from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.law_table import LawName
 from allworlds.maps.combinatorial import Dart
 from allworlds.protocol.actions import Estimate
-from allworlds.robots.finding import TeamFinding
+from allworlds.robots.team_finding import TeamFinding
 from allworlds.studies.team.finding_reports import TeamExplanation
 from allworlds.world.world import World
 

@@ -5,7 +5,7 @@ from typing import Annotated, NamedTuple
 from allworlds.inputs.checks import InputError, in_file, integer_of, parse_json, read_text
 from allworlds.inputs.requests import SCOPE, Argument, Option, OptionGroup, Request
 from allworlds.judging.findings.finding import Finding, findings_of
-from allworlds.robots.finding import TeamFinding, is_of_team
+from allworlds.robots.team_finding import TeamFinding, is_of_team
 
 
 class ChosenFinding(NamedTuple):

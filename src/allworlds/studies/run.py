@@ -25,7 +25,7 @@ from allworlds.judging.rules import RuleOptions
 from allworlds.judging.walk import Walk
 from allworlds.outcome import Facts
 from allworlds.protocol.actions import Action, IllegalAction, Percept, Transcript
-from allworlds.robots.finding import TeamFinding
+from allworlds.robots.team_finding import TeamFinding
 from allworlds.studies.check import hints
 from allworlds.studies.findings import FindingOptions
 from allworlds.studies.team.finding_reports import TeamReplay, replayed

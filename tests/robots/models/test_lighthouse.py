@@ -7,7 +7,7 @@ from allworlds.explorers.builtin.baselines import dudek91
 from allworlds.inputs.checks import InputError
 from allworlds.protocol.actions import Checkpoint, Move, Write
 from allworlds.robots.models.table import model_of
-from allworlds.robots.one_world import search
+from allworlds.robots.single_search import search
 from allworlds.world import World
 from allworlds.world.lighthouses.kinds import lighthouse_kind
 from small import all_maps, slowest

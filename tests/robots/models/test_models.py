@@ -12,7 +12,7 @@ from allworlds.protocol.turns import Automaton
 from allworlds.robots.model import SCHEDULERS
 from allworlds.robots.models.snapshot import Snapshot
 from allworlds.robots.models.table import model_of
-from allworlds.robots.one_world import search
+from allworlds.robots.single_search import search
 from fair_runs import Automata
 from one_by_one import agree
 from small import EDGE, LOLLIPOP, LOOP, PATH, TRIANGLE, all_maps, slowest

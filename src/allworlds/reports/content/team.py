@@ -13,8 +13,8 @@ from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Percept
 from allworlds.reports import parts
 from allworlds.reports.content.scope import SAID, each_of, of_the_class, option_facts
-from allworlds.robots.finding import LAWS, EventRow, TeamFinding, Turned, places_of
 from allworlds.robots.team import TeamRow
+from allworlds.robots.team_finding import LAWS, EventRow, TeamFinding, Turned, places_of
 from allworlds.studies.team.finding_reports import TeamExplanation, TeamReplay
 from allworlds.studies.team.team_report import TeamReport
 from allworlds.words import counted, number, plural, size

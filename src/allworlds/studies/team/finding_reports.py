@@ -11,7 +11,7 @@ from allworlds.documents import document as doc
 from allworlds.documents.report import Report
 from allworlds.engines.limits import TimeoutOptions
 from allworlds.outcome import Facts, Verdict
-from allworlds.robots.finding import LAWS, TeamFinding
+from allworlds.robots.team_finding import LAWS, TeamFinding
 from allworlds.studies.team.search_sweep import request_again, searched
 from allworlds.studies.team.team_report import TeamReport
 from allworlds.words import plural

@@ -22,11 +22,11 @@ from allworlds.maps import count_source
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap, rooted_code
 from allworlds.protocol.user_code import OtherText
-from allworlds.robots.finding import TeamFinding, TimeDocument
-from allworlds.robots.lane import SearchLane
 from allworlds.robots.model import Guarded
 from allworlds.robots.models.table import NamedModel, named_model
+from allworlds.robots.search_lane import SearchLane
 from allworlds.robots.team import Team, TeamScope, TeamTally
+from allworlds.robots.team_finding import TeamFinding, TimeDocument
 from allworlds.studies.check.tally_sweep import record_of, subject_of_record
 from allworlds.studies.team.request import TeamRequest, renamed
 from allworlds.studies.team.team_report import TeamCell, TeamReport

@@ -8,8 +8,8 @@ from typing_extensions import override
 
 from allworlds import outcome
 from allworlds.documents import document as doc
-from allworlds.robots.finding import TeamFinding
 from allworlds.robots.team import TeamRow, TeamScope, TeamTally
+from allworlds.robots.team_finding import TeamFinding
 from allworlds.studies.scopes import FileDigests, GivenCount, as_scope
 from allworlds.studies.swept import PortionReport
 from allworlds.studies.team.request import TeamRequest

@@ -16,7 +16,7 @@ from allworlds.explorers.loading import Subject
 from allworlds.log import fault
 from allworlds.protocol.playing import AN_ACTION
 from allworlds.protocol.turns import BEGIN, FAULT, Row, Sensed, marshalled, said
-from allworlds.robots.minds import AskedProgram, value_of
+from allworlds.robots.minds import ProgramTurns, value_of
 
 MOST_LOST = 8
 """The number of turns in which a player may be lost before its program is given up."""
@@ -25,7 +25,7 @@ AT_ONCE = 1000
 """The histories that the second player gets at once."""
 
 
-class Asked:
+class ProgramPlayer:
     """A program as its player is asked.
 
     Args:
@@ -182,7 +182,7 @@ class Difference(NamedTuple):
     second: str
 
 
-def histories_of(kept: AskedProgram) -> list[History]:
+def histories_of(kept: ProgramTurns) -> list[History]:
     """Histories in which every turn of a program comes, the longest ones of a trie."""
     came: dict[int, int] = {}  # by the number behind a turn: the turn that led there first
     inner = set[int]()
@@ -201,7 +201,7 @@ def histories_of(kept: AskedProgram) -> list[History]:
     return found
 
 
-def difference(kept: AskedProgram, again: Asked) -> Difference | None:
+def difference(kept: ProgramTurns, again: ProgramPlayer) -> Difference | None:
     """The first turn that is another one when every history is played again, the last one first."""
     histories = [history for history in histories_of(kept) if history.rows][::-1]
     sensed = [(told, [kept.rows[row][2] for row in rows]) for told, rows in histories]
@@ -222,7 +222,7 @@ def difference(kept: AskedProgram, again: Asked) -> Difference | None:
     return min(found)[1] if found else None
 
 
-def _beginning(kept: AskedProgram, told: Any) -> Iterator[int]:
+def _beginning(kept: ProgramTurns, told: Any) -> Iterator[int]:
     for index, (_, before, heard) in enumerate(kept.rows):
         if before == BEGIN and heard == told:
             yield index

@@ -6,14 +6,14 @@ from collections.abc import Sequence
 
 from allworlds.robots.configurations import Search, in_lockstep
 from allworlds.robots.events import event_of
-from allworlds.robots.model import Guarded, ModelFault
+from allworlds.robots.model import Guarded, ModelError
 
 
 def ensure_same_model(search: Search) -> None:
     """Ask the model again for all of a search, the last first; then with other names of darts.
 
     Raises:
-        ModelFault: if it answers otherwise, or tells renumbered darts apart.
+        ModelError: if it answers otherwise, or tells renumbered darts apart.
     """
     _ensure_same_answers(search)
     if search.full:
@@ -29,7 +29,7 @@ def _ensure_same_answers(search: Search) -> None:
         for robot in range(len(search.team)):
             sensed = search.sensed_first(number, robot)
             if sensed is not None and world.sensed(state, robot) != sensed:
-                raise ModelFault(
+                raise ModelError(
                     f"the model {name!r} is not the same twice: robot {robot} senses something "
                     f"else in one state, {state!r}"
                 )
@@ -37,7 +37,7 @@ def _ensure_same_answers(search: Search) -> None:
         for step in search.graph.steps(number):
             reached = search.states[search.state_number(search.graph.to(step))]
             if event_of(search, search.graph.step(number, step)).state != reached:
-                raise ModelFault(
+                raise ModelError(
                     f"the model {name!r} is not the same twice: another state follows "
                     f"{search.states[search.state_number(number)]!r} after the same actions"
                 )
@@ -57,7 +57,7 @@ def _ensure_same_verdict(search: Search, names: Sequence[int]) -> None:
     in_lockstep([other], search.minds)
     if _verdict(search) != _verdict(other):
         first, second = (_verdict(each)[0] or "no law" for each in (search, other))
-        raise ModelFault(
+        raise ModelError(
             f"the model {world.name!r} tells renumbered darts apart: {first} is broken in the map "
             f"sigma={[*search.world.map.sigma]} alpha={[*search.world.map.alpha]}, and {second} "
             f"with the darts renamed to {[*names]}"

@@ -16,13 +16,13 @@ from allworlds.engines.hash_seeds import seeds_of
 from allworlds.engines.limits import Limits
 from allworlds.engines.units import PartialResult
 from allworlds.protocol.turns import BEGIN
-from allworlds.robots.asked import Asked, Difference, difference
 from allworlds.robots.configurations import Search, in_lockstep
-from allworlds.robots.finding import finding_of
 from allworlds.robots.graph import Broken
 from allworlds.robots.minds import Minds
-from allworlds.robots.same import ensure_same_model
+from allworlds.robots.model_checks import ensure_same_model
+from allworlds.robots.program_player import Difference, ProgramPlayer, difference
 from allworlds.robots.team import Team, TeamScope, TeamTally
+from allworlds.robots.team_finding import finding_of
 
 AT_ONCE = 2000
 """The searches that go in lockstep."""
@@ -55,10 +55,10 @@ class SearchLane:
     ) -> None:
         self.counter = counter
         self._tally = counter.tally()
-        self._players: list[list[Asked]] = [[], []]
+        self._players: list[list[ProgramPlayer]] = [[], []]
         for subject in team.subjects:
             for play, seed in zip((FIRST, SECOND), seeds_of(subject), strict=True):
-                asked = Asked(subject, limits, deadline, seed, self._remark)
+                asked = ProgramPlayer(subject, limits, deadline, seed, self._remark)
                 self._players[play].append(asked)
         self._units: list[Any] = []
         self._parts: Iterator[TeamTally] | None = None
