@@ -125,7 +125,7 @@ def test_a_directory_in_use_is_refused(finished, monkeypatch):
 
 def test_a_directory_in_use_is_asked_for_again_a_little_later(finished, monkeypatch):
     other = ExitStack()
-    other.enter_context(records_in(finished, lambda: JOB, nothing))
+    other.enter_context(kept_in(finished, lambda: JOB, nothing))
     monkeypatch.setattr("time.sleep", lambda _seconds: other.close())
     assert len(opened(finished)) == 10
 
