@@ -34,7 +34,7 @@ from allworlds.robots.configurations import Search, in_lockstep
 from allworlds.robots.minds import Minds
 from allworlds.robots.model import Guarded
 from allworlds.robots.models.meeting import Meeting
-from allworlds.robots.schedulers import Time
+from allworlds.robots.schedulers import Timing
 from allworlds.robots.single_search import search, turns_of
 
 PROGRAMS = """
@@ -73,7 +73,7 @@ def here(edges: int, scheduler: str) -> int:
     for map_ in maps:
         world = Guarded(Meeting(apart=False), map_, "meeting")
         waiting += [
-            Search(world, start, (0, 1), minds, Time(scheduler)) for start in world.starts(2)
+            Search(world, start, (0, 1), minds, Timing(scheduler)) for start in world.starts(2)
         ]
         if len(waiting) >= AT_ONCE:
             met += done(waiting, minds)

@@ -10,7 +10,7 @@ from allworlds.protocol.turns import Automaton
 from allworlds.robots.configurations import Search
 from allworlds.robots.minds import Minds
 from allworlds.robots.model import SCHEDULERS, Assumption, Guarded, Model
-from allworlds.robots.schedulers import Time
+from allworlds.robots.schedulers import Timing
 from allworlds.robots.single_search import search, turns_of
 from fair_runs import agree_on_cycles
 from small import EDGE, PATH
@@ -49,12 +49,12 @@ def test_a_second_algorithm_agrees_on_all_automata_of_two_states(number, schedul
 
 def searched(world, automaton, scheduler, minds):
     map_, starts, model = world
-    made = Search(Guarded(model, map_, "model"), starts, [0, 0], minds, Time(scheduler))
+    made = Search(Guarded(model, map_, "model"), starts, [0, 0], minds, Timing(scheduler))
     made.begin()
     while made.going:
         made.plan()
-        minds.settle()
-        made.act()
+        minds.ask()
+        made.expand()
         minds.forget()
     made.finish()
     return made
@@ -68,8 +68,8 @@ def configurations(made):
 def after(made, number, group):
     """The configurations after a step of a group, by state and minds."""
     bits = sum(1 << robot for robot in group)
-    steps = [step for step in made.graph.steps(number) if made.graph.group(step) == bits]
-    return {made.configuration(made.graph.to(step))[:2] for step in steps}
+    steps = [step for step in made.graph.transitions(number) if made.graph.bits(step) == bits]
+    return {made.configuration(made.graph.target(step))[:2] for step in steps}
 
 
 def test_every_ssync_step_is_two_async_steps():
@@ -79,19 +79,19 @@ def test_every_ssync_step_is_two_async_steps():
         world = WORLDS[number % len(WORLDS)]
         minds = Minds([turns_of(automaton)])
         slow, fast = (searched(world, automaton, s, minds) for s in ("async", "ssync"))
-        if slow.found or fast.found:
-            assert slow.found, "found in ssync, and not in async"
-            if slow.found.law == "never":
+        if slow.broken or fast.broken:
+            assert slow.broken, "found in ssync, and not in async"
+            if slow.broken.law == "never":
                 continue
         numbers = configurations(slow)
         for at in range(len(fast)):
             before = numbers[fast.configuration(at)[:2]]
-            for step in fast.graph.steps(at):
-                group = [robot for robot in (0, 1) if fast.graph.group(step) >> robot & 1]
+            for step in fast.graph.transitions(at):
+                group = [robot for robot in (0, 1) if fast.graph.bits(step) >> robot & 1]
                 (looked,) = after(slow, before, group)
                 moving = [robot for robot in group if looked[1][robot] < 0]
                 moved = after(slow, numbers[looked], moving) if moving else {looked}
-                assert fast.configuration(fast.graph.to(step))[:2] in moved
+                assert fast.configuration(fast.graph.target(step))[:2] in moved
                 tried += 1
     assert tried > 1000
 

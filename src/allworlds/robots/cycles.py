@@ -1,8 +1,8 @@
-"""Runs that never end: a fair cycle on which what must be so again and again never is.
+"""Runs that never end, found as fair cycles that break a condition on infinite runs.
 
-Weak fairness: on the cycle each robot is activated, or somewhere it could not be.  With the
-assumptions on the adversary these are conditions of the form 'again and again', and a cycle through
-all that a strongly connected part has of them is there if each is met in the part.
+Weak fairness: each robot is activated on the cycle, or cannot be activated somewhere on it.  Both
+fairness and the assumptions on the adversary are criteria: a cycle must have a transition that
+meets each one.  A strongly connected component has such a cycle if each criterion is met in it.
 """
 
 from __future__ import annotations
@@ -17,205 +17,207 @@ from allworlds.robots.model import Assumption, Liveness
 if TYPE_CHECKING:
     from allworlds.robots.configurations import Search
 
-Steps: TypeAlias = Callable[[int], Iterable[int]]
-"""Of a configuration the steps that count."""
+Outgoing: TypeAlias = Callable[[int], Iterable[int]]
+"""The indices of the transitions from a configuration that a cycle may use."""
 
 Unable: TypeAlias = Callable[[int], int]
-"""The robots that cannot be activated in a configuration, as bits."""
+"""The robots that cannot be activated in a configuration, as a bit set."""
 
-Wish: TypeAlias = Callable[[int, int], bool]
-"""Whether a step, by the configuration before it and its number, is what is looked for."""
+Criterion: TypeAlias = Callable[[int, int], bool]
+"""Whether a transition meets it, by the number of the configuration before it and its index."""
 
 
 def broken_for_ever(search: Search) -> Broken | None:
-    """The first condition that an infinite run breaks, with a shortest way to a cycle that does."""
+    """The first condition that an infinite run breaks, with a shortest run into such a cycle."""
     graph = search.graph
-    if search.minds.histories and all(map(graph.group, range(len(graph)))):
-        return None  # each step makes a history longer
+    if search.minds.histories and all(map(graph.bits, range(len(graph)))):
+        return None  # each transition makes a history longer
     fair, assumed = [*_fairness(search, search.unable)], [*_assumptions(search)]
-    ways: list[tuple[Steps, list[Wish]]] = [(graph.steps, [*fair, *assumed])]
-    if assumed and not search.time.has_rounds:
-        ways.append((graph.still_steps, fair))  # the adversary is never asked
+    ways: list[tuple[Outgoing, list[Criterion]]] = [(graph.transitions, [*fair, *assumed])]
+    if assumed and not search.timing.has_rounds:
+        ways.append((graph.without_action, fair))  # the adversary is never asked
     every = range(len(search))
     for condition in search.world.progress():
         inside = [*every]
         if condition.holds is not None and not condition.forever:
             inside = [number for number in every if not _holds(search, condition, number)]
-        for steps, counted in ways:
-            wishes = [*_broken_by(search, condition), *counted]
-            for part in components(search, inside, steps):
-                if broken := _broken_in(search, condition, part, wishes, steps):
+        for outgoing, counted in ways:
+            criteria = [*_broken_by(search, condition), *counted]
+            for component in components(search, inside, outgoing):
+                if broken := _broken_in(search, condition, component, criteria, outgoing):
                     return broken
     return None
 
 
 def cut_for_ever(search: Search) -> int | None:
-    """A configuration of a cycle on which others go on while the budget keeps a robot from it."""
+    """A configuration of a cycle whose robots go on while the budget alone stops another one."""
 
-    def cut(before: int, _step: int) -> bool:
+    def cut(before: int, _index: int) -> bool:
         return bool(search.able(before)[1])
 
-    wishes, steps = [cut, *_fairness(search, search.unable_or_cut)], search.graph.steps
-    for part in components(search, range(len(search)), steps):
-        if _cycle(search, part, wishes, steps):
-            return part[0]
+    criteria, outgoing = [cut, *_fairness(search, search.unable_or_cut)], search.graph.transitions
+    for component in components(search, range(len(search)), outgoing):
+        if _cycle(search, component, criteria, outgoing):
+            return component[0]
     return None
 
 
 def _broken_in(
-    search: Search, condition: Liveness, part: list[int], wishes: list[Wish], steps: Steps
+    search: Search,
+    condition: Liveness,
+    component: list[int],
+    criteria: list[Criterion],
+    outgoing: Outgoing,
 ) -> Broken | None:
-    """The law that a cycle in a part breaks; one without activations may be harmless."""
-    cycle = _cycle(search, part, wishes, steps)
+    """The law that a cycle in a component breaks; a cycle without activations may break none."""
+    cycle = _cycle(search, component, criteria, outgoing)
     if not cycle:
         return None
-    if broken := _broken(search, condition, min(part), cycle):
+    if broken := _broken(search, condition, min(component), cycle):
         return broken
-    cycle = _cycle(search, part, [*wishes, _activated(search)], steps)
-    return _broken(search, condition, min(part), cycle) if cycle else None
+    cycle = _cycle(search, component, [*criteria, _activated(search)], outgoing)
+    return _broken(search, condition, min(component), cycle) if cycle else None
 
 
 def _broken(search: Search, condition: Liveness, at: int, cycle: tuple[int, ...]) -> Broken | None:
-    if not any(search.graph.group(step) for step in cycle):
+    if not any(search.graph.bits(index) for index in cycle):
         return search.stopped(at)  # nobody is able, while the world changes
     forever = condition.forever or condition.holds is None
-    seen = (
-        f"again and again not {condition.name}" if forever else f"for ever without {condition.name}"
-    )
-    return Broken("progress", seen, at, cycle=cycle)
+    words = "again and again not" if forever else "for ever without"
+    return Broken("progress", f"{words} {condition.name}", at, cycle=cycle)
 
 
-def _activated(search: Search) -> Wish:
-    """The steps in which somebody is activated: of a cycle that is not harmless."""
-    return lambda _before, step: bool(search.graph.group(step))
+def _activated(search: Search) -> Criterion:
+    """The criterion of transitions in which a robot is activated."""
+    return lambda _before, index: bool(search.graph.bits(index))
 
 
 def _holds(search: Search, condition: Liveness, number: int) -> bool:
     return search.world.holds(condition, search.states[search.state_number(number)])
 
 
-def _broken_by(search: Search, condition: Liveness) -> Iterator[Wish]:
-    """The steps of which a cycle that breaks the condition has one, if that is not any."""
+def _broken_by(search: Search, condition: Liveness) -> Iterator[Criterion]:
+    """The criteria of a cycle that breaks the condition; none if every cycle breaks it."""
     if condition.holds is None:
-        yield lambda _before, step: bool(search.graph.acts(step))
+        yield lambda _before, index: bool(search.graph.has_action(index))
     elif condition.forever:
-        yield lambda before, _step: not _holds(search, condition, before)
+        yield lambda before, _index: not _holds(search, condition, before)
 
 
-def _fairness(search: Search, unable: Unable) -> Iterator[Wish]:
-    """The steps of which every cycle that counts has one."""
-    group, stuck = search.graph.group, array("Q", map(unable, range(len(search))))
-    for robot in range(len(search.team)):
+def _fairness(search: Search, unable: Unable) -> Iterator[Criterion]:
+    """The criteria of weak fairness, one for each robot."""
+    bits, stuck = search.graph.bits, array("Q", map(unable, range(len(search))))
+    for robot in range(len(search.program_of)):
 
-        def fair(before: int, step: int, bit: int = 1 << robot) -> bool:
-            return bool((group(step) | stuck[before]) & bit)
+        def fair(before: int, index: int, bit: int = 1 << robot) -> bool:
+            return bool((bits(index) | stuck[before]) & bit)
 
         yield fair
 
 
-def _assumptions(search: Search) -> Iterator[Wish]:
-    """The steps of the adversary of which every cycle that counts has one."""
+def _assumptions(search: Search) -> Iterator[Criterion]:
+    """The criteria of the adversary, one for each assumption of the model."""
     for assumption in search.world.assumes():
 
-        def assumed(before: int, step: int, assumption: Assumption = assumption) -> bool:
-            return search.assumed(assumption, before, step)
+        def assumed(before: int, index: int, assumption: Assumption = assumption) -> bool:
+            return search.assumed(assumption, before, index)
 
         yield assumed
 
 
-def components(search: Search, inside: Sequence[int], steps: Steps) -> Iterator[list[int]]:
-    """The strongly connected parts that hold a step, by the least configuration met (Tarjan).
+def components(search: Search, inside: Sequence[int], outgoing: Outgoing) -> Iterator[list[int]]:
+    """The strongly connected components that hold a transition, by their least configuration.
 
     Args:
-        search: the search.
-        inside: the configurations, ascending; others do not count.
-        steps: of each configuration those that count.
+        search: the search, whose graph is gone through by Tarjan's algorithm.
+        inside: the numbers of the configurations of the subgraph, ascending.
+        outgoing: the transitions of the subgraph, from each configuration.
     """
-    following_of = search.graph.following
-    index = dict.fromkeys(inside, -1)
+    following_of = search.graph.targets
+    order = dict.fromkeys(inside, -1)
     low: dict[int, int] = {}
     stack: list[int] = []
     on, count = set[int](), 0
     found = list[list[int]]()
     for root in inside:
-        if index[root] >= 0:
+        if order[root] >= 0:
             continue
-        work = [(root, iter(following_of(steps(root))))]
-        index[root] = low[root] = count
+        work = [(root, iter(following_of(outgoing(root))))]
+        order[root] = low[root] = count
         count += 1
         stack.append(root)
         on.add(root)
         while work:
             at, rest = work[-1]
-            following = next((each for each in rest if each in index), None)
+            following = next((each for each in rest if each in order), None)
             if following is None:
                 work.pop()
                 if work:
                     low[work[-1][0]] = min(low[work[-1][0]], low[at])
-                if low[at] == index[at]:
-                    part = [stack.pop()]
-                    while part[-1] != at:
-                        part.append(stack.pop())
-                    on.difference_update(part)
-                    if len(part) > 1 or at in following_of(steps(at)):
-                        found.append(sorted(part))
-            elif index[following] < 0:
-                index[following] = low[following] = count
+                if low[at] == order[at]:
+                    component = [stack.pop()]
+                    while component[-1] != at:
+                        component.append(stack.pop())
+                    on.difference_update(component)
+                    if len(component) > 1 or at in following_of(outgoing(at)):
+                        found.append(sorted(component))
+            elif order[following] < 0:
+                order[following] = low[following] = count
                 count += 1
                 stack.append(following)
                 on.add(following)
-                work.append((following, iter(following_of(steps(following)))))
+                work.append((following, iter(following_of(outgoing(following)))))
             elif following in on:
-                low[at] = min(low[at], index[following])
+                low[at] = min(low[at], order[following])
     yield from sorted(found)
 
 
 def _cycle(
-    search: Search, part: Sequence[int], wishes: Iterable[Wish], steps: Steps
+    search: Search, component: Sequence[int], criteria: list[Criterion], outgoing: Outgoing
 ) -> tuple[int, ...]:
-    """The steps of a cycle from the least configuration of a part that has all that is wished for.
+    """The transitions of a cycle through a component's least configuration that meets all criteria.
 
-    Empty if the part has not.
+    Empty if the component has no such cycle.
     """
-    inside, start = {*part}, part[0]
-    if not _has_all(search, inside, wishes, steps):
+    inside, start = {*component}, component[0]
+    if not _meets(search, inside, criteria, outgoing):
         return ()
     at, cycle = start, list[tuple[int, int]]()
-    for wish in wishes:
-        if any(wish(before, step) for before, step in cycle):
+    for criterion in criteria:
+        if any(criterion(before, index) for before, index in cycle):
             continue
-        cycle += _shortest(search, inside, at, wish, steps)
-        at = search.graph.to(cycle[-1][1])
+        cycle += _shortest(search, inside, at, criterion, outgoing)
+        at = search.graph.target(cycle[-1][1])
     if at != start or not cycle:
         cycle += _shortest(
-            search, inside, at, lambda _, step: search.graph.to(step) == start, steps
+            search, inside, at, lambda _, index: search.graph.target(index) == start, outgoing
         )
-    return tuple(step for _, step in cycle)
+    return tuple(index for _, index in cycle)
 
 
-def _has_all(search: Search, inside: set[int], wishes: Iterable[Wish], steps: Steps) -> bool:
-    """Whether for each wish a part holds a step that is as wished for."""
-    to = search.graph.to
-    within = [(at, step) for at in inside for step in steps(at) if to(step) in inside]
-    return all(any(wish(at, step) for at, step in within) for wish in wishes)
+def _meets(search: Search, inside: set[int], criteria: list[Criterion], outgoing: Outgoing) -> bool:
+    """Whether the subgraph of the configurations inside has a transition for each criterion."""
+    to = search.graph.target
+    within = [(at, index) for at in inside for index in outgoing(at) if to(index) in inside]
+    return all(any(criterion(at, index) for at, index in within) for criterion in criteria)
 
 
 def _shortest(
-    search: Search, inside: set[int], at: int, wish: Wish, steps: Steps
+    search: Search, inside: set[int], at: int, criterion: Criterion, outgoing: Outgoing
 ) -> list[tuple[int, int]]:
-    """The steps of a shortest way inside whose last one is as wished; there is one."""
-    to = search.graph.to
-    came: dict[int, tuple[int, int]] = {at: (-1, -1)}
+    """The transitions of a shortest way inside whose last one meets the criterion."""
+    to = search.graph.target
+    reached_by: dict[int, tuple[int, int]] = {at: (-1, -1)}
     for number in (queue := [at]):
-        for step in steps(number):
-            if to(step) not in inside:
+        for index in outgoing(number):
+            if to(index) not in inside:
                 continue
-            if wish(number, step):
-                way = [(number, step)]
-                while came[way[-1][0]][0] >= 0:
-                    way.append(came[way[-1][0]])
+            if criterion(number, index):
+                way = [(number, index)]
+                while reached_by[way[-1][0]][0] >= 0:
+                    way.append(reached_by[way[-1][0]])
                 return way[::-1]
-            if to(step) not in came:
-                came[to(step)] = number, step
-                queue.append(to(step))
+            if to(index) not in reached_by:
+                reached_by[to(index)] = number, index
+                queue.append(to(index))
     raise AssertionError("a strongly connected part is left by no way to a step of its own")

@@ -1,4 +1,4 @@
-"""The events of a run: who was activated, what each sensed and did, and what the adversary did."""
+"""The events of a run: the activated robots, their percepts and actions, the adversary's choice."""
 
 from __future__ import annotations
 
@@ -7,20 +7,20 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from allworlds.protocol.actions import IllegalAction
 from allworlds.protocol.turns import Sensed
-from allworlds.robots.graph import Broken, GraphStep
-from allworlds.robots.minds import Ended, ProgramFault
+from allworlds.robots.graph import Broken, Transition
+from allworlds.robots.minds import ProgramFault
 
 if TYPE_CHECKING:
     from allworlds.robots.configurations import Search
 
 
 class Turn(NamedTuple):
-    """The part of one robot in an event.
+    """A robot's turn in an event, or the part of the turn that is done there.
 
     Attributes:
-        robot: its number.
-        sensed: what it sensed; None if it only moves now, by what it sensed before.
-        did: the action that is done, or due; the end of its program, or the fault.
+        robot: the number of the robot.
+        sensed: its percept; None if it looked in an earlier event and moves in this one.
+        did: its action, the end of its program, or the fault of its program.
         later: whether the action is done in a later event.
     """
 
@@ -31,19 +31,19 @@ class Turn(NamedTuple):
 
     @property
     def phase(self) -> str:
-        """``L`` for a look whose move comes later, ``M`` for that move, else empty."""
+        """``L`` for a look whose move comes later, ``M`` for that move, empty for a whole turn."""
         return "L" if self.later else "M" if self.sensed is None else ""
 
 
 class Event(NamedTuple):
-    """One step of a set of robots at once.
+    """One step of some robots at once, with a choice of the adversary.
 
     Attributes:
-        turns: of each robot that is activated.
-        adversary: the index of what the adversary does, among what the model yields.
-        world: the same in words; may be empty.
-        choices: the number of what it could do.
-        state: the state after it; of a step that is illegal that before it.
+        turns: the turns of the robots that are activated.
+        adversary: the index of the adversary's choice, among the states that the model yields.
+        world: the adversary's choice in words, or empty.
+        choices: the number of the adversary's choices.
+        state: the state after the event; the state before it, if an action is illegal.
     """
 
     turns: tuple[Turn, ...]
@@ -54,25 +54,25 @@ class Event(NamedTuple):
 
     @property
     def written(self) -> str:
-        """The event as a schedule has it: ``0L``, ``0M+1L``, ``0+1:2``."""
+        """The event as it is written in a schedule: ``0L``, ``0M+1L``, ``0+1:2``."""
         who = "+".join(f"{turn.robot}{turn.phase}" for turn in self.turns) or "-"
         return f"{who}:{self.adversary}" if self.choices > 1 else who
 
 
-def event_of(search: Search, step: GraphStep) -> Event:
-    """The event of a step; nothing is asked of a program."""
-    state, minds, _ = search.configuration(step.before)
-    group = [robot for robot in range(len(search.team)) if step.group >> robot & 1]
+def event_of(search: Search, transition: Transition) -> Event:
+    """The event of a transition; no program is asked again."""
+    state, minds, _ = search.configuration(transition.before)
+    group = [robot for robot in range(len(search.program_of)) if transition.bits >> robot & 1]
     turns, acts, due = [], dict[int, Any](), dict[int, Any]()
     for robot in group:
         moves = minds[robot] < 0
-        sensed = None if moves else search.percept(step.before, robot)
+        sensed = None if moves else search.percept(transition.before, robot)
         mind = ~minds[robot]
         if sensed is not None:
-            mind = search.minds.settled(search.minds.look(minds[robot], sensed))
+            mind = search.minds.resolved(search.minds.look(minds[robot], sensed))
         value = search.minds.value[mind]
-        acting = search.acts(value)
-        later = acting and search.time.scheduler == "async" and not moves
+        acting = search.is_action(value)
+        later = acting and search.timing.scheduler == "async" and not moves
         turns.append(Turn(robot, sensed, value, later))
         if acting:
             (due if later else acts)[robot] = value
@@ -82,25 +82,18 @@ def event_of(search: Search, step: GraphStep) -> Event:
         following = search.following(state, acts, due)
     except IllegalAction:
         return Event(tuple(turns), 0, "", 1, state)
-    after, words = following[step.adversary]
-    return Event(tuple(turns), step.adversary, words, len(following), after)
+    after, words = following[transition.adversary]
+    return Event(tuple(turns), transition.adversary, words, len(following), after)
 
 
 def events_of(search: Search, broken: Broken) -> Iterator[Event]:
-    """The events of the run that breaks a law, those of its cycle once, at the end."""
+    """The events of the run that breaks a law; the events of its cycle come once, at the end."""
     for number in search.way(broken.at)[1:]:
-        yield event_of(search, search.graph.came(number))
+        yield event_of(search, search.graph.discovery(number))
     if broken.group:
         bits = sum(1 << robot for robot in broken.group)
-        yield event_of(search, GraphStep(broken.at, bits, 0))
+        yield event_of(search, Transition(broken.at, bits, 0))
     at = broken.at
-    for step in broken.cycle:
-        yield event_of(search, search.graph.step(at, step))
-        at = search.graph.to(step)
-
-
-def answers_of(search: Search, number: int) -> list[Any]:
-    """The answer of each robot in a configuration; None of one that has not ended."""
-    _, minds, _ = search.configuration(number)
-    values = [search.minds.value[max(mind, ~mind)] for mind in minds]
-    return [value.answer if type(value) is Ended else None for value in values]
+    for index in broken.cycle:
+        yield event_of(search, search.graph.transition(at, index))
+        at = search.graph.target(index)

@@ -1,4 +1,4 @@
-"""The graph of a search: its steps, and a law that is broken in it."""
+"""The graph of a search: transitions between configurations, and a law that a run breaks."""
 
 from __future__ import annotations
 
@@ -7,30 +7,30 @@ from collections.abc import Iterable
 from typing import NamedTuple
 
 
-class GraphStep(NamedTuple):
-    """A step of a set of robots, and of the adversary.
+class Transition(NamedTuple):
+    """A step of some robots at once, with a choice of the adversary.
 
     Attributes:
-        before: the number of the configuration; -1: the adversary chooses the first state.
-        group: the robots, as bits.
-        adversary: the index of what it does, among what the model yields.
+        before: the number of the configuration before it; -1: the choice of an initial state.
+        bits: the robots that are activated, as a bit set.
+        adversary: the index of the adversary's choice, among the states that the model yields.
     """
 
     before: int
-    group: int
+    bits: int
     adversary: int
 
 
 class Broken(NamedTuple):
-    """A law that is broken, and where.
+    """A broken law, and the run that breaks it.
 
     Attributes:
-        law: its name.
-        seen: in words.
-        at: the number of the last configuration.
-        group: the robots that are activated there, if it is their step that breaks the law.
-        cycle: the steps from ``at`` that repeat for ever, by their numbers in the graph.
-        robot: whose program is to blame; None: nobody's alone.
+        law: the name of the law.
+        seen: how it is broken, in words.
+        at: the number of the last configuration of the run, or of the first one of its cycle.
+        group: the robots whose step from ``at`` breaks the law; empty if no step does.
+        cycle: the indices of the transitions from ``at`` that repeat for ever.
+        robot: the robot whose program breaks the law; None: no single one.
     """
 
     law: str
@@ -42,71 +42,71 @@ class Broken(NamedTuple):
 
 
 INDEX, BITS = 20, 12
-"""The bits of the index of what the adversary does, and those of a set of robots."""
+"""The numbers of bits for the adversary's choice, and for a set of robots."""
 
 MOST_ROBOTS = BITS
 """The largest number of robots."""
 
 
 class Graph:
-    """The steps of a search, each in a number of 64 bits.
+    """The transitions of a search, each packed into 64 bits and named by its index.
 
-    Those of a configuration are in one piece, in the order in which configurations are met.
+    The transitions from one configuration are consecutive, in the order of the configurations.
     """
 
     def __init__(self) -> None:
-        self._first, self._steps, self._came = array("q"), array("q"), array("q")
+        self._first, self._packed, self._discovered = array("q"), array("q"), array("q")
 
     def begin(self, number: int) -> None:
-        """Begin the steps of a configuration; those between have none."""
+        """Begin the transitions from a configuration; those skipped since the last have none."""
         while len(self._first) <= number:
-            self._first.append(len(self._steps))
+            self._first.append(len(self._packed))
 
-    def add(self, to: int, group: int, *, acts: bool) -> None:
-        """Add a step of a set of robots, as bits, and whether one of them acts."""
-        self._steps.append(to << BITS + 1 | group << 1 | acts)
+    def add(self, target: int, bits: int, *, has_action: bool) -> None:
+        """Add a transition of some robots, and whether one of them acts in the world."""
+        self._packed.append(target << BITS + 1 | bits << 1 | has_action)
 
-    def meet(self, before: int, group: int, adversary: int) -> None:
-        """Add a configuration, with the step by which it is met first."""
-        self._came.append(before << BITS + INDEX | group << INDEX | adversary)
+    def discover(self, before: int, bits: int, adversary: int) -> None:
+        """Add a configuration, with the transition by which it was reached first."""
+        self._discovered.append(before << BITS + INDEX | bits << INDEX | adversary)
 
     def __len__(self) -> int:
-        return len(self._steps)
+        return len(self._packed)
 
-    def steps(self, number: int) -> range:
-        """The steps of a configuration."""
+    def transitions(self, number: int) -> range:
+        """The indices of the transitions from a configuration."""
         first, after = self._first, number + 1
-        return range(first[number], first[after] if after < len(first) else len(self._steps))
+        return range(first[number], first[after] if after < len(first) else len(self._packed))
 
-    def to(self, step: int) -> int:
-        """The configuration to which a step leads."""
-        return self._steps[step] >> BITS + 1
+    def target(self, index: int) -> int:
+        """The number of the configuration after a transition."""
+        return self._packed[index] >> BITS + 1
 
-    def following(self, steps: Iterable[int]) -> list[int]:
-        """The configurations to which steps lead."""
-        every = self._steps
-        return [every[step] >> BITS + 1 for step in steps]
+    def targets(self, indices: Iterable[int]) -> list[int]:
+        """The numbers of the configurations after some transitions."""
+        packed = self._packed
+        return [packed[index] >> BITS + 1 for index in indices]
 
-    def group(self, step: int) -> int:
-        """The robots of a step, as bits."""
-        return self._steps[step] >> 1 & (1 << BITS) - 1
+    def bits(self, index: int) -> int:
+        """The robots that are activated in a transition, as a bit set."""
+        return self._packed[index] >> 1 & (1 << BITS) - 1
 
-    def acts(self, step: int) -> bool:
-        """Whether somebody acts in a step."""
-        return bool(self._steps[step] & 1)
+    def has_action(self, index: int) -> bool:
+        """Whether a robot acts in the world in a transition."""
+        return bool(self._packed[index] & 1)
 
-    def still_steps(self, number: int) -> list[int]:
-        """The steps of a configuration in which nobody acts."""
-        return [step for step in self.steps(number) if not self.acts(step)]
+    def without_action(self, number: int) -> list[int]:
+        """The indices of the transitions from a configuration in which no robot acts."""
+        return [index for index in self.transitions(number) if not self.has_action(index)]
 
-    def came(self, number: int) -> GraphStep:
-        """The step by which a configuration was met first."""
-        came = self._came[number]
-        group = came >> INDEX & (1 << BITS) - 1
-        return GraphStep(came >> BITS + INDEX, group, came & (1 << INDEX) - 1)
+    def discovery(self, number: int) -> Transition:
+        """The transition by which a configuration was reached first."""
+        packed = self._discovered[number]
+        bits = packed >> INDEX & (1 << BITS) - 1
+        return Transition(packed >> BITS + INDEX, bits, packed & (1 << INDEX) - 1)
 
-    def step(self, number: int, step: int) -> GraphStep:
-        """A step from a configuration."""
-        group = self.group(step)
-        every = [each for each in self.steps(number) if self.group(each) == group]
-        return GraphStep(number, group, every.index(step))
+    def transition(self, number: int, index: int) -> Transition:
+        """The transition of that index, from the configuration of that number."""
+        bits = self.bits(index)
+        alike = [each for each in self.transitions(number) if self.bits(each) == bits]
+        return Transition(number, bits, alike.index(index))

@@ -1,8 +1,8 @@
-"""The next action of a robot: a function of what it has sensed, never of a world.
+"""The next action of a robot: a function of its percepts, never of a world.
 
-A *mind* is a number.  Of a generator it stands for a history of percepts, a node of a trie; of an
-automaton for its memory, with the action that is due.  A search asks three things: the mind after
-one percept more, the action that it wants, and the mind once that is done.
+A *mind* is a number.  The mind of a generator stands for a history of percepts, a node of a trie;
+the mind of an automaton for its memory, with the action that is due.  A search needs three answers:
+the mind after one more percept, the action of a mind, and the mind after that action.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ class Ended(NamedTuple):
 
 
 class ProgramFault(NamedTuple):
-    """The program has raised, was silent, or has said what is no action."""
+    """The program has raised an error, was silent too long, or has said something illegal."""
 
     law: str
     seen: str
@@ -47,42 +47,45 @@ class ProgramFault(NamedTuple):
 
 
 class RobotProgram(Protocol):
-    """A program as it is asked."""
+    """A program of robots that can be asked turn by turn."""
 
-    def answers(self, rows: Sequence[Row]) -> Sequence[bytes]:
-        """The words of the program in each turn: see :class:`allworlds.protocol.turns.Turns`."""
+    def answers(self, turns: Sequence[Row]) -> Sequence[bytes]:
+        """The program's reply in each turn: see :class:`allworlds.protocol.turns.Turns`."""
 
 
-class ProgramTurns(Struct):
-    """The turns of one program so far.
+class Dialogue(Struct):
+    """The turns of one program so far, and its replies.
 
     Attributes:
-        roots: the first mind, by what is told.
-        automaton: whether it is one; None: it was not asked yet.
-        rows: all turns that were asked for, in their order.
-        said: what it said in each.
-        waiting: the turns of the next message, each with its mind; of an automaton -1.
+        program: the program.
+        roots: the mind before the first percept, by the value that a robot is told.
+        turns: all turns so far, in their order.
+        replies: the program's reply in each turn.
+        waiting: the turns of the next message, each with its mind; -1 for a turn of an automaton.
+        automaton: whether the program is one; None: it has not been asked yet.
     """
 
     program: RobotProgram
     roots: dict[bytes | None, int]
-    rows: list[Row]
-    said: list[bytes]
+    turns: list[Row]
+    replies: list[bytes]
     waiting: list[tuple[Row, int]]
     automaton: bool | None = None
 
 
 class Minds:
-    """The minds of all robots of some searches.
+    """The minds of all robots in some searches.
 
     Args:
-        programs: those of the team, each once.
+        programs: the programs of the team, each once.
 
     Attributes:
-        value: for each mind the action that is due, how its program has ended, or None.
-        sensed: for each mind what it has sensed last, if it watches, or is a history.
-        depth: for each mind the number of activations; of automata 0.
-        messages: the number of turns of each message.
+        value: for each mind the action that is due, the end of its program, or None.
+        sensed: for each mind its last percept, if it is a history or watches; else None.
+        depth: for each mind the number of activations; 0 for automata.
+        watches: for each mind whether its action is Watch.
+
+        dialogues: the dialogue with each program.
     """
 
     def __init__(self, programs: Sequence[RobotProgram]) -> None:
@@ -90,94 +93,94 @@ class Minds:
         self.sensed: list[Sensed | None] = []
         self.depth: list[int] = []
         self.watches: list[bool] = []
-        self.messages: list[int] = []
-        self.kept = [ProgramTurns(program, {}, [], [], []) for program in programs]
-        self._of: list[int] = []
-        self._memory: list[int] = []  # of a history the mind before
+
+        self.dialogues = [Dialogue(program, {}, [], [], []) for program in programs]
+        self._program_of: list[int] = []
+        self._memory: list[int] = []  # for a history: the mind before
         self._after: dict[tuple[int, Any], int] = {}
         self._minds: dict[Any, int] = {}
         self._steps: dict[Any, tuple[int, Any]] = {}
-        self._asked: list[Any] = []
+        self._promised: list[Any] = []
 
     def root(self, program: int, told: bytes | None) -> int:
-        """The mind of a robot that has sensed nothing yet; of robots that are told alike it is one.
+        """The mind of a robot before its first percept; robots that are told the same share it.
 
         Raises:
-            Lost: if the program cannot be asked.
+            Lost: if the player of the program is lost.
         """
-        kept = self.kept[program]
-        if told in kept.roots:
-            return kept.roots[told]
+        dialogue = self.dialogues[program]
+        if told in dialogue.roots:
+            return dialogue.roots[told]
         mind = len(self.value)
-        row = (mind, BEGIN, told)
-        (answer,) = kept.program.answers([row])
-        kept.rows.append(row)
-        kept.said.append(answer)
-        kept.automaton = bool(answer)
-        if kept.automaton:
-            memory, letter, words = said(answer)
+        turn = (mind, BEGIN, told)
+        (reply,) = dialogue.program.answers([turn])
+        dialogue.turns.append(turn)
+        dialogue.replies.append(reply)
+        dialogue.automaton = bool(reply)
+        if dialogue.automaton:
+            memory, letter, words = said(reply)
             fault = None if letter == ACTION else value_of(letter, words)
             mind = self._automaton(program, memory, fault, None)
         else:
             self._new(program, -1, None, None, 0)
-        kept.roots[told] = mind
+        dialogue.roots[told] = mind
         return mind
 
     @property
     def finite(self) -> bool:
-        """Whether all programs are automata: then every run can be followed for ever."""
-        return all(kept.automaton for kept in self.kept)
+        """Whether all programs are automata, so that the graph of configurations is finite."""
+        return all(each.automaton for each in self.dialogues)
 
     @property
     def histories(self) -> bool:
-        """Whether no program is an automaton: then every activation makes a history longer."""
-        return not any(kept.automaton for kept in self.kept)
+        """Whether no program is an automaton, so that every activation makes a history longer."""
+        return not any(each.automaton for each in self.dialogues)
 
     def look(self, mind: int, sensed: Sensed) -> int:
-        """The mind after one percept more; one below 0 is known once all are settled."""
+        """The mind after one more percept; a number below 0 is a promise for :meth:`resolved`."""
         key = mind, sensed
         found = self._after.get(key)
         if found is not None:
             return found
-        program = self._of[mind]
-        kept = self.kept[program]
-        if not kept.automaton:
+        program = self._program_of[mind]
+        dialogue = self.dialogues[program]
+        if not dialogue.automaton:
             found = self._new(program, mind, None, sensed, self.depth[mind] + 1)
-            kept.waiting.append(((found, mind, sensed), found))
+            dialogue.waiting.append(((found, mind, sensed), found))
             self._after[key] = found
             return found
         memory = self._memory[mind]
         step = program, memory, sensed
         if step not in self._steps:
             self._steps[step] = (-1, None)
-            kept.waiting.append(((0, memory, sensed), -1))
-        self._asked.append((key, step))
-        return -len(self._asked)
+            dialogue.waiting.append(((0, memory, sensed), -1))
+        self._promised.append((key, step))
+        return -len(self._promised)
 
-    def settle(self) -> None:
-        """Ask for all that is not known yet: of each program in one message."""
-        for program, kept in enumerate(self.kept):
-            if not kept.waiting:
+    def ask(self) -> None:
+        """Send each program all its waiting turns, in one message."""
+        for program, dialogue in enumerate(self.dialogues):
+            if not dialogue.waiting:
                 continue
-            rows = [row for row, _ in kept.waiting]
-            self.messages.append(len(rows))
-            answers = kept.program.answers(rows)
-            kept.rows += rows
-            kept.said += answers
-            for (row, mind), answer in zip(kept.waiting, answers, strict=True):
-                memory, letter, words = said(answer)
+            turns = [turn for turn, _ in dialogue.waiting]
+
+            replies = dialogue.program.answers(turns)
+            dialogue.turns += turns
+            dialogue.replies += replies
+            for (turn, mind), reply in zip(dialogue.waiting, replies, strict=True):
+                memory, letter, words = said(reply)
                 value = value_of(letter, words)
                 if mind < 0:
-                    self._steps[program, row[1], row[2]] = memory, value
+                    self._steps[program, turn[1], turn[2]] = memory, value
                 else:
                     self.value[mind], self.watches[mind] = value, type(value) is Watch
-            kept.waiting = []
+            dialogue.waiting = []
 
-    def settled(self, mind: int) -> int:
-        """The mind that :meth:`look` has promised since :meth:`forget`."""
+    def resolved(self, mind: int) -> int:
+        """The mind of a promise that :meth:`look` has made since :meth:`forget`."""
         if mind >= 0:
             return mind
-        key, step = self._asked[-mind - 1]
+        key, step = self._promised[-mind - 1]
         found = self._after.get(key)
         if found is None:
             _, sensed = key
@@ -187,20 +190,20 @@ class Minds:
         return found
 
     def forget(self) -> None:
-        """Forget what was promised."""
-        self._asked.clear()
+        """Forget all promises."""
+        self._promised.clear()
 
     def after(self, mind: int) -> int:
-        """The mind once its action is done: of that an automaton knows nothing any more."""
-        program = self._of[mind]
-        kept = self.watches[mind] or type(self.value[mind]) is Ended
-        if kept or not self.kept[program].automaton:
+        """The mind after its action is done; an automaton's mind then has its memory alone."""
+        program = self._program_of[mind]
+        stays = self.watches[mind] or type(self.value[mind]) is Ended
+        if stays or not self.dialogues[program].automaton:
             return mind
         return self._automaton(program, self._memory[mind], None, None)
 
     def precedes(self, mind: int, before: int) -> bool:
-        """Whether a turn whose number before is that one begins in a mind."""
-        automaton = self.kept[self._of[mind]].automaton
+        """Whether a turn with this number of the turn (or memory) before it starts from a mind."""
+        automaton = self.dialogues[self._program_of[mind]].automaton
         first = self.depth[mind] == 0 and self.sensed[mind] is None
         own = self._memory[mind] if automaton else mind
         return first if before == BEGIN else own == before
@@ -218,13 +221,13 @@ class Minds:
         self.watches.append(type(value) is Watch)
         self.sensed.append(sensed)
         self.depth.append(depth)
-        self._of.append(program)
+        self._program_of.append(program)
         self._memory.append(memory)
         return len(self.value) - 1
 
 
 def value_of(letter: str, words: Any) -> Any:
-    """The action, or the end, that a program has said."""
+    """The action, the end or the fault in a program's reply, from its letter and its words."""
     if letter == ACTION:
         return None if words is None else action_of(words)
     ending = ending_of(Log(words))

@@ -1,4 +1,4 @@
-"""The base of every model: a world that changes, and what its robots sense and do in it."""
+"""The base of every model: a world that changes, and its robots' percepts and actions."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from allworlds.protocol.actions import IllegalAction, Percept
 from allworlds.protocol.turns import Sensed
 
 State: TypeAlias = Hashable
-"""The state of a world, whatever its model makes of it."""
+"""The state of a world: any hashable value of its model."""
 
 Scheduler: TypeAlias = Literal["fsync", "ssync", "central", "async"]
-"""Who is activated: all at once, any set, one at a time; or any set makes its next step, Look with
-Compute or Move."""
+"""The robots that are activated at once: all, any set, one; or any set, of which each robot makes
+its next step: Look with Compute, or Move."""
 
 SCHEDULERS: tuple[Scheduler, ...] = "fsync", "ssync", "central", "async"
 
 
 class Liveness(NamedTuple):
-    """The conditions of every infinite fair run of automata.
+    """A condition on every infinite fair run of automata.
 
     Attributes:
-        name: in words, as ``robot 0 at vertex 3``.
-        forever: whether it must be so at last and stay so (FG); else again and again (GF).
-        holds: of a state; None: nobody acts.
+        name: the condition in words, as ``robot 0 at vertex 3``.
+        forever: whether it must hold from some time on (FG); else again and again (GF).
+        holds: whether it holds in a state; None: the condition is that no robot acts.
     """
 
     name: str
@@ -39,15 +39,15 @@ class Liveness(NamedTuple):
 
 
 QUIET = Liveness("quiet", forever=True, holds=None)
-"""At last nobody acts any more."""
+"""From some time on no robot acts."""
 
 
 class Assumption(NamedTuple):
-    """The acts of the adversary that come again and again in the runs that count.
+    """Choices that the adversary is assumed to make again and again.
 
     Attributes:
-        name: in words, as ``the edge 3 is there``.
-        holds: of a state, the one that follows it, and the words of the step.
+        name: the choices in words, as ``the edge 3 is there``.
+        holds: whether a step is such a choice, by the states before and after it and its words.
     """
 
     name: str
@@ -55,16 +55,15 @@ class Assumption(NamedTuple):
 
 
 class Model:
-    """A world that changes.  A model of one's own is a frozen dataclass with this base.
+    """A world that changes.  A model of your own is a frozen dataclass with this base.
 
-    All that a state holds is the model's: any value that is hashable and never changed.  A model
-    is asked in any order, and more than once; it must answer the same.  A field that is an integer,
-    a boolean or a text with a default is an option, as in ``--model FILE.py:Class:faults=1``.
+    A state is any hashable value that never changes.  The methods are called in any order, and more
+    than once with the same arguments; they must return the same each time.  A field that is an
+    integer, a boolean or a text with a default is an option, as in
+    ``--model FILE.py:Class:faults=1``.
 
     Attributes:
-        schedulers: those that it has; the first is the default.
-        rounds: whether a world with ``fsync`` and ``ssync`` changes from round to round, so that
-            other schedulers mean nothing in it.
+        schedulers: the schedulers that make sense in this world; the first is the default.
     """
 
     schedulers: ClassVar[tuple[Scheduler, ...]] = SCHEDULERS
@@ -74,33 +73,36 @@ class Model:
         return every_start(map_, robots)
 
     def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterable[State]:
-        """The states at the start; of several the adversary chooses one."""
+        """The states at the start, of which the adversary chooses one."""
         raise NotImplementedError
 
     def told(self, map_: CombinatorialMap, robot: int) -> Any:  # noqa: ARG002  # nothing
-        """The value that a robot is told; robots that are told alike are anonymous."""
+        """The value that a robot is told at the start; robots with equal values are anonymous."""
         return None
 
     def sensed(self, map_: CombinatorialMap, state: Any, robot: int) -> Any:
-        """The percept of a robot that looks now: a Percept, or a value that JSON has.
+        """The percept of a robot that looks now: a Percept, or a JSON value.
 
-        None: it is no more, and is never activated again.
+        None: the robot is gone, and is never activated again.
         """
         raise NotImplementedError
 
     def step(
         self, map_: CombinatorialMap, state: Any, acts: Mapping[int, Any]
     ) -> Iterable[tuple[State, str]]:
-        """Each state that can follow these actions at once, with what the adversary did, in words.
+        """Each state that can follow these simultaneous actions, with the adversary's choice.
 
         Args:
             map_: the map.
-            state: before.
-            acts: the actions by robot; who waits, watches or has ended is not among them.  In
-                ``fsync`` and ``ssync`` there is a step in each round, though nobody acts.
+            state: the state before.
+            acts: the actions by robot, without robots that wait, watch or have ended.  In
+                ``fsync`` and ``ssync`` the world makes a step in each round, even without actions.
+
+        Returns:
+            Pairs of a state and the adversary's choice in words, which may be empty.
 
         Raises:
-            IllegalAction: for an action that means nothing here, which is a finding.
+            IllegalAction: for an action without a meaning here; this is a finding.
         """
         raise NotImplementedError
 
@@ -111,18 +113,18 @@ class Model:
         robot: int,  # noqa: ARG002  # nothing
         action: Any,  # noqa: ARG002  # nothing
     ) -> Iterable[tuple[State, str]]:
-        """Each state after a look whose action is done later, which is so in ``async`` alone.
+        """Each state after a look whose action is done later, which happens in ``async`` alone.
 
-        By default the world is as before.  What is decided in the look goes into the state here:
-        for example the dart that the action means, while others change what it would mean later.
+        By default the world does not change.  A model stores here what the look decides: for
+        example the dart that the action means, if the steps of others can change that meaning.
 
         Raises:
-            IllegalAction: as ``step``.
+            IllegalAction: as for ``step``.
         """
         return ((state, ""),)
 
     def bad(self, map_: CombinatorialMap, state: Any) -> str:  # noqa: ARG002  # nothing
-        """The wrong in a state, in words; empty if all is well."""
+        """The reason why a state must never be reached, in words; empty for a legal state."""
         return ""
 
     def over(self, map_: CombinatorialMap, state: Any) -> bool:  # noqa: ARG002  # never
@@ -130,28 +132,28 @@ class Model:
         return False
 
     def flaw(self, map_: CombinatorialMap, state: Any, answers: Sequence[Any]) -> str:  # noqa: ARG002
-        """The flaw when all robots have ended, or wait for what will never be.
+        """The flaw of a run in which all robots have ended, or wait for ever; empty if it has none.
 
         Args:
             map_: the map.
-            state: the last one.
-            answers: of each robot; None of one that has not ended.
+            state: the last state.
+            answers: the answer of each robot; None for a robot that has not ended.
         """
         conditions = [each for each in self.progress(map_) if each.holds is not None]
         lacking = [each.name for each in conditions if each.holds and not each.holds(state)]
         return f"{lacking[0]} was not reached" if lacking else ""
 
     def progress(self, map_: CombinatorialMap) -> Iterable[Liveness]:
-        """The conditions of every infinite fair run: by default the goal is reached."""
+        """The conditions on every infinite fair run: by default, that the goal is reached."""
         yield Liveness("the goal", forever=False, holds=lambda state: self.over(map_, state))
 
     @property
     def says_progress(self) -> bool:
-        """Whether the model has conditions of its own."""
+        """Whether the model has its own conditions on infinite runs."""
         return type(self).progress is not Model.progress
 
     def assumes(self, map_: CombinatorialMap) -> Iterable[Assumption]:  # noqa: ARG002  # nothing
-        """The acts of the adversary that come again and again: by default none need."""
+        """The choices that the adversary is assumed to make again and again: by default none."""
         return ()
 
     def places(self, map_: CombinatorialMap, state: Any) -> Places:  # noqa: ARG002
@@ -163,9 +165,9 @@ class Places(NamedTuple):
     """The content of a picture of a state.
 
     Attributes:
-        darts: of each robot; None of one that is no more.
-        vertices: words at vertices, by their numbers.
-        edges: words at edges, by the smaller dart.
+        darts: the dart of each robot; None for a robot that is gone.
+        vertices: words at vertices, by the number of the vertex.
+        edges: words at edges, by the smaller dart of the edge.
     """
 
     darts: tuple[Dart | None, ...] = ()
@@ -174,35 +176,35 @@ class Places(NamedTuple):
 
 
 def every_start(map_: CombinatorialMap, robots: int) -> Iterator[tuple[Dart, ...]]:
-    """Every start of the others; robot 0 is at the root of the map.
+    """Every start with robot 0 at the root of the map, and the others anywhere.
 
-    The map is taken with every root, so each map with ordered starts comes once.
+    Each map is searched with every root, so each map with ordered starts comes once.
     """
     return ((0, *others) for others in product(map_.darts, repeat=robots - 1))
 
 
 def joined(words: str, more: str) -> str:
-    """The words for two things that the adversary does at once."""
+    """The words for two simultaneous choices of the adversary."""
     return f"{words}; {more}" if words and more else words or more
 
 
 class ModelError(InputError):
-    """Raised if a model raises, or answers with what means nothing."""
+    """Raised if a method of a model raises an error, or returns an illegal value."""
 
 
 class Guarded:
-    """A model in one map, whose mistakes are told by their place.
+    """A model in one map, whose values are checked.
 
     Args:
         model: the model.
         map_: the map.
-        name: by which it is called.
+        name: the name of the model.
 
     Attributes:
-        says_bad, says_over, says_progress: whether the model has such a method of its own.
-        decides_at_looks: whether it decides something when a robot looks.
+        says_bad, says_over, says_progress: whether the model overrides that method.
+        decides_at_looks: whether the model overrides ``looked``.
 
-    Every method raises ModelError naming the method.
+    Each method raises ModelError for an error or an illegal value of the model's method.
     """
 
     def __init__(self, model: Model, map_: CombinatorialMap, name: str) -> None:
@@ -231,22 +233,22 @@ class Guarded:
         return made
 
     def told(self, robot: int) -> bytes | None:
-        """The value that a robot is told, as canonical JSON."""
+        """The value that a robot is told, as canonical JSON; None: nothing."""
         value = self._ask("told", robot)
         return None if value is None else self._json("told", value)
 
     def sensed(self, state: Any, robot: int) -> Sensed | None:
-        """The percept of a robot, on its way."""
+        """The percept of a robot, as a message has it."""
         value = self._ask("sensed", state, robot)
         if value is None:
             return None
         return self._numbers(value) if type(value) is Percept else self._json("sensed", value)
 
     def step(self, state: Any, acts: Mapping[int, Any]) -> list[tuple[State, str]]:
-        """Each state that can follow, with the words of the adversary.
+        """Each state that can follow, with the adversary's choice in words.
 
         Raises:
-            IllegalAction: of the model.
+            IllegalAction: if the model refuses an action.
         """
         return self._following("step", dict(acts), self._list("step", state, acts))
 
@@ -254,7 +256,7 @@ class Guarded:
         """Each state after looks whose actions are done later.
 
         Raises:
-            IllegalAction: of the model.
+            IllegalAction: if the model refuses an action.
         """
         made: list[tuple[State, str]] = [(state, "")]
         for robot, action in acts.items():
@@ -277,7 +279,7 @@ class Guarded:
         return made
 
     def bad(self, state: Any) -> str:
-        """The wrong in a state that must never be."""
+        """The reason why a state must never be reached; empty for a legal state."""
         return self._text("bad", state)
 
     def over(self, state: Any) -> bool:
@@ -285,15 +287,15 @@ class Guarded:
         return bool(self._ask("over", state))
 
     def flaw(self, state: Any, answers: Sequence[Any]) -> str:
-        """The flaw at the end."""
+        """The flaw at the end of a run; empty if it has none."""
         return self._text("flaw", state, answers)
 
     def progress(self) -> list[Liveness]:
-        """The conditions of infinite runs."""
+        """The conditions on infinite runs."""
         return [Liveness(*each) for each in self._list("progress")]
 
     def assumes(self) -> list[Assumption]:
-        """The acts of the adversary that come again and again."""
+        """The choices that the adversary is assumed to make again and again."""
         return [Assumption(*each) for each in self._list("assumes")]
 
     def holds(self, condition: Liveness, state: Any) -> bool:
@@ -331,7 +333,7 @@ class Guarded:
         return found
 
     def _numbers(self, percept: Percept) -> tuple[int, ...]:
-        """The numbers of a percept; True among them would be taken for 1."""
+        """The numbers of a percept; booleans are refused, since True is equal to 1."""
         parts = percept.degree, percept.marks, percept.bearing
         try:
             return tuple([None if part is None else integer(part) for part in parts])  # type: ignore[misc]  # a bearing may be None

@@ -1,4 +1,4 @@
-"""Whether a model answers the same again, and does not depend on the numbers of darts."""
+"""Checks that a model answers the same twice, and does not depend on the numbers of darts."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from allworlds.robots.model import Guarded, ModelError
 
 
 def ensure_same_model(search: Search) -> None:
-    """Ask the model again for all of a search, the last first; then with other names of darts.
+    """Ask the model again about every state of a search, in reverse order and with other darts.
 
     Raises:
-        ModelError: if it answers otherwise, or tells renumbered darts apart.
+        ModelError: if it answers differently, or tells renumbered darts apart.
     """
     _ensure_same_answers(search)
     if search.full:
@@ -26,7 +26,7 @@ def _ensure_same_answers(search: Search) -> None:
     world, name = search.world, search.world.name
     for number in reversed(range(len(search.states))):
         state = search.states[number]
-        for robot in range(len(search.team)):
+        for robot in range(len(search.program_of)):
             sensed = search.sensed_first(number, robot)
             if sensed is not None and world.sensed(state, robot) != sensed:
                 raise ModelError(
@@ -34,9 +34,9 @@ def _ensure_same_answers(search: Search) -> None:
                     f"else in one state, {state!r}"
                 )
     for number in reversed(range(len(search))):
-        for step in search.graph.steps(number):
-            reached = search.states[search.state_number(search.graph.to(step))]
-            if event_of(search, search.graph.step(number, step)).state != reached:
+        for step in search.graph.transitions(number):
+            reached = search.states[search.state_number(search.graph.target(step))]
+            if event_of(search, search.graph.transition(number, step)).state != reached:
                 raise ModelError(
                     f"the model {name!r} is not the same twice: another state follows "
                     f"{search.states[search.state_number(number)]!r} after the same actions"
@@ -53,7 +53,7 @@ def _ensure_same_verdict(search: Search, names: Sequence[int]) -> None:
     map_ = search.world.map.relabelled(names)
     world = Guarded(search.world.model, map_, search.world.name)
     starts = [names[dart] for dart in search.starts]
-    other = Search(world, starts, search.team, search.minds, search.time)
+    other = Search(world, starts, search.program_of, search.minds, search.timing)
     in_lockstep([other], search.minds)
     if _verdict(search) != _verdict(other):
         first, second = (_verdict(each)[0] or "no law" for each in (search, other))
@@ -65,8 +65,8 @@ def _ensure_same_verdict(search: Search, names: Sequence[int]) -> None:
 
 
 def _verdict(search: Search) -> tuple[str, int]:
-    """The law that is broken, and after how many events, where that is the least number."""
-    found = search.found
+    """The broken law and the least number of events; 0 for a cycle; or the configurations."""
+    found = search.broken
     if found is None:
         return "", len(search)
     return found.law, 0 if found.cycle else len(search.way(found.at))

@@ -1,7 +1,7 @@
-"""A program as a search asks it, by a player in another process; and its second play.
+"""A program that a player in another process plays turn by turn, and its second play.
 
-A player that is lost is started anew, and hears all turns again that were answered before.  A turn
-in which it is lost twice is one with a fault.
+A lost player is started anew, and hears all earlier turns again.  If it is lost a second time in
+the same turn, the reply in that turn is a fault.
 """
 
 from __future__ import annotations
@@ -16,24 +16,24 @@ from allworlds.explorers.loading import Subject
 from allworlds.log import fault
 from allworlds.protocol.playing import AN_ACTION
 from allworlds.protocol.turns import BEGIN, FAULT, Row, Sensed, marshalled, said
-from allworlds.robots.minds import ProgramTurns, value_of
+from allworlds.robots.minds import Dialogue, value_of
 
 MOST_LOST = 8
 """The number of turns in which a player may be lost before its program is given up."""
 
 AT_ONCE = 1000
-"""The histories that the second player gets at once."""
+"""The number of histories in one message to the second player."""
 
 
 class ProgramPlayer:
-    """A program as its player is asked.
+    """A program that a player in another process plays turn by turn.
 
     Args:
         subject: the program.
-        limits: of the time for an answer, and of memory.
-        deadline: on the monotonic clock, or None.
+        limits: the limits of the time for an answer, and of memory.
+        deadline: the end of all waiting on the monotonic clock, or None.
         seed: the hash seed of the player.
-        remark: takes a text about a process that was lost once.
+        remark: a function that takes a text about a process that was lost once.
     """
 
     def __init__(
@@ -47,12 +47,12 @@ class ProgramPlayer:
         self._subject, self._seed, self._remark = subject, seed, remark
         self._setup = Setup(subject, limits, deadline=deadline)
         self._player: Any = None
-        self._known: list[Row] = []
+        self._heard: list[Row] = []
         self._lost, self._anew = 0, True
 
-    def forget(self) -> None:
-        """Begin a new unit: the program hears of no earlier turn any more."""
-        self._known, self._anew = [], True
+    def begin_unit(self) -> None:
+        """Begin a new unit: the player forgets all earlier turns."""
+        self._heard, self._anew = [], True
 
     def close(self) -> None:
         """End the player."""
@@ -60,21 +60,21 @@ class ProgramPlayer:
             self._player.close()
             self._player = None
 
-    def answers(self, rows: Sequence[Row]) -> list[bytes]:
-        """The words of the program in each turn.
+    def answers(self, turns: Sequence[Row]) -> list[bytes]:
+        """The program's reply in each turn.
 
         Raises:
             Unsettled: if players are lost in too many turns.
         """
         try:
-            found = self._ask("turns", rows)
+            found = self._ask("turns", turns)
         except Lost as lost:
-            return self._after(lost, rows)
-        self._known += rows
+            return self._after(lost, turns)
+        self._heard += turns
         return found
 
     def plays(self, histories: Sequence[tuple[Any, Sequence[Sensed]]]) -> Iterator[list[bytes]]:
-        """All words of the program in each history, in a play by itself."""
+        """The program's replies in each history, each played from its beginning."""
         every = iter(histories)
         while some := [*islice(every, AT_ONCE)]:
             try:
@@ -92,22 +92,22 @@ class ProgramPlayer:
             self._count(again)
             return [_fault(lost)]
 
-    def _after(self, lost: Lost, rows: Sequence[Row]) -> list[bytes]:
-        """The words of the program in turns in one of which its player was lost."""
-        at = min(max(0, self._player.beat[0]), len(rows) - 1)
-        before = rows[:at]
+    def _after(self, lost: Lost, turns: Sequence[Row]) -> list[bytes]:
+        """The replies in turns after the player was lost in one of them."""
+        at = min(max(0, self._player.beat[0]), len(turns) - 1)
+        before = turns[:at]
         self._start()
         found = self.answers(before) if before else []
-        self._player_after_known()
+        self._ensure_player()
         try:
-            found += self._ask("turns", [rows[at]])
+            found += self._ask("turns", [turns[at]])
             self._remark(f"a process was lost once: {lost.seen}")
-            self._known.append(rows[at])
+            self._heard.append(turns[at])
         except Lost as again:
             self._count(again)
             found.append(_fault(again))
             self._start()
-        rest = rows[at + 1 :]
+        rest = turns[at + 1 :]
         return found + (self.answers(rest) if rest else [])
 
     def _count(self, lost: Lost) -> None:
@@ -118,21 +118,21 @@ class ProgramPlayer:
                 f"{lost.seen}"
             ) from None
 
-    def _ask(self, kind: str, rows: Sequence[Any]) -> list[bytes]:
-        self._player_after_known()
-        message = {"kind": kind, "content": [*rows], "runs": len(rows), "known": False}
+    def _ask(self, kind: str, turns: Sequence[Any]) -> list[bytes]:
+        self._ensure_player()
+        message = {"kind": kind, "content": [*turns], "runs": len(turns), "known": False}
         return [*answered(self._player, message)]
 
-    def _player_after_known(self) -> None:
-        """See that there is a player, which has heard of all turns before."""
+    def _ensure_player(self) -> None:
+        """Start a player if there is none, and let it hear all earlier turns."""
         if self._player is None:
             self._start()
         if self._anew:
             self._anew = False
             message = {
                 "kind": "turns",
-                "content": self._known,
-                "runs": len(self._known),
+                "content": self._heard,
+                "runs": len(self._heard),
                 "known": True,
                 "anew": True,
             }
@@ -150,7 +150,7 @@ def _fault(lost: Lost) -> bytes:
 
 
 def said_of(answer: bytes) -> list[bytes]:
-    """All words in a history."""
+    """The program's replies in a history."""
     return said(answer)  # type: ignore[return-value]  # a list here
 
 
@@ -158,79 +158,80 @@ def said_of(answer: bytes) -> list[bytes]:
 
 
 class History(NamedTuple):
-    """A history to be played again.
+    """A history that the second player plays.
 
     Attributes:
-        told: before it.
-        rows: the numbers of its turns among those of the program, in their order.
+        told: the value that the robot is told before it.
+        indices: the indices of its turns in the dialogue, in their order.
     """
 
     told: Any
-    rows: tuple[int, ...]
+    indices: tuple[int, ...]
 
 
 class Difference(NamedTuple):
-    """A turn in which a program says one thing first, and another the second time.
+    """A turn in which two plays of a program differ.
 
     Attributes:
-        row: the turn.
-        first, second: what was said.
+        turn: the turn.
+        first, second: the program's actions in the two plays, in words.
     """
 
-    row: Row
+    turn: Row
     first: str
     second: str
 
 
-def histories_of(kept: ProgramTurns) -> list[History]:
-    """Histories in which every turn of a program comes, the longest ones of a trie."""
-    came: dict[int, int] = {}  # by the number behind a turn: the turn that led there first
+def histories_of(dialogue: Dialogue) -> list[History]:
+    """Histories that cover every turn of a dialogue: the paths to the leaves of its trie."""
+    turns = dialogue.turns
+    reached_by: dict[int, int] = {}  # the turn that first led to a number, or to a memory
     inner = set[int]()
-    for index, (number, before, _) in enumerate(kept.rows):
-        behind = said(kept.said[index])[0] if kept.automaton else number
-        if before != BEGIN and before in came:
-            inner.add(came[before])
-        came.setdefault(behind, index)
+    for index, (number, before, _) in enumerate(turns):
+        after = said(dialogue.replies[index])[0] if dialogue.automaton else number
+        if before != BEGIN and before in reached_by:
+            inner.add(reached_by[before])
+        reached_by.setdefault(after, index)
     found = []
-    for index in range(len(kept.rows)):
+    for index in range(len(turns)):
         if index not in inner:
             way = [index]
-            while kept.rows[way[-1]][1] != BEGIN:
-                way.append(came[kept.rows[way[-1]][1]])
-            found.append(History(kept.rows[way[-1]][2], tuple(reversed(way[:-1]))))
+            while turns[way[-1]][1] != BEGIN:
+                way.append(reached_by[turns[way[-1]][1]])
+            found.append(History(turns[way[-1]][2], tuple(reversed(way[:-1]))))
     return found
 
 
-def difference(kept: ProgramTurns, again: ProgramPlayer) -> Difference | None:
-    """The first turn that is another one when every history is played again, the last one first."""
-    histories = [history for history in histories_of(kept) if history.rows][::-1]
-    sensed = [(told, [kept.rows[row][2] for row in rows]) for told, rows in histories]
-    numbers: dict[int, int] = {}
+def difference(dialogue: Dialogue, again: ProgramPlayer) -> Difference | None:
+    """The first turn that differs when all histories are played again, in the reverse order."""
+    histories = [history for history in histories_of(dialogue) if history.indices][::-1]
+    turns, numbers = dialogue.turns, dict[int, int]()
+    sensed = [(told, [turns[index][2] for index in indices]) for told, indices in histories]
     found = list[tuple[int, Difference]]()
-    for history, answers in zip(histories, again.plays(sensed), strict=True):
-        rows = (*_beginning(kept, history.told), *history.rows)
-        # Where a player was lost alone, nothing is known but that.
-        for row, answer in zip(rows[-len(answers) :], answers, strict=True):
-            first, second = kept.said[row], answer
+    for history, replies in zip(histories, again.plays(sensed), strict=True):
+        indices = (*_beginning(dialogue, history.told), *history.indices)
+        # If the player was lost in this history alone, its last reply is the only one.
+        for index, reply in zip(indices[-len(replies) :], replies, strict=True):
+            first, second = dialogue.replies[index], reply
             if _alike(first, second, numbers):
                 continue
             words = [str(value_of(*said(each)[1:])) if each else "" for each in (first, second)]
             if words[0] == words[1]:
                 words = ["one memory", "another one"]
-            found.append((row, Difference(kept.rows[row], *words)))
+            found.append((index, Difference(turns[index], *words)))
             break
     return min(found)[1] if found else None
 
 
-def _beginning(kept: ProgramTurns, told: Any) -> Iterator[int]:
-    for index, (_, before, heard) in enumerate(kept.rows):
+def _beginning(dialogue: Dialogue, told: Any) -> Iterator[int]:
+    for index, (_, before, heard) in enumerate(dialogue.turns):
         if before == BEGIN and heard == told:
             yield index
             return
 
 
 def _alike(first: bytes, second: bytes, numbers: dict[int, int]) -> bool:
-    """Whether two turns are the same, if memories are the same whose numbers are paired."""
+    """Whether two replies are equal, up to a consistent renumbering of the memories."""
     if not first or not second:
         return first == second
     (one, *words), (other, *others) = said(first), said(second)

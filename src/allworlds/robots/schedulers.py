@@ -1,4 +1,4 @@
-"""Schedulers: who is activated at once, and when a run is cut off."""
+"""Schedulers: which robots are activated at once, and when a run is cut off."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ ROUNDS = "fsync", "ssync"
 """The schedulers with rounds, in each of which the world makes a step."""
 
 
-class Scheduled(NamedTuple):
-    """An event of a schedule that is given.
+class ScheduledEvent(NamedTuple):
+    """An event of a schedule that the user gives.
 
     Attributes:
-        phases: of each robot that is activated the letter ``L`` (it looks, and moves later), ``M``
-            (that move), or none.
-        adversary: the index of what the adversary does.
+        phases: for each robot of the event ``L`` (it looks, and moves later), ``M`` (it makes that
+            move), or an empty text (both at once).
+        adversary: the index of the adversary's choice.
     """
 
     phases: Mapping[int, str]
@@ -31,15 +31,15 @@ class Scheduled(NamedTuple):
 
     @property
     def group(self) -> tuple[int, ...]:
-        """The robots, ascending."""
+        """The robots of the event, ascending."""
         return tuple(sorted(self.phases))
 
 
-def schedule_of(text: str) -> tuple[Scheduled, ...]:
-    """The events of a text such as ``0L 1L 0M 0+1:2``; ``-`` stands for nobody.
+def schedule_of(text: str) -> tuple[ScheduledEvent, ...]:
+    """The events of a text such as ``0L 1L 0M 0+1:2``; ``-`` stands for an event without robots.
 
     Raises:
-        InputError: naming the word that is none.
+        InputError: naming the word that is no event.
     """
     events = []
     for word in text.split():
@@ -50,22 +50,22 @@ def schedule_of(text: str) -> tuple[Scheduled, ...]:
             legal = "as in 0L 1L 0M 0+1:2: robots, L for a look, M for its move, and an index"
             raise InputError(f"schedule: {show(word)} is no event, {legal}")
         phases = {int(part[1]): part[2] for part in parts if part}
-        events.append(Scheduled(phases, int(index or 0)))
+        events.append(ScheduledEvent(phases, int(index or 0)))
     return tuple(events)
 
 
-class Time(Struct, frozen=True):
+class Timing(Struct, frozen=True):
     """The schedules that are tried.
 
     Attributes:
         scheduler: see :data:`allworlds.robots.model.Scheduler`.
-        budget: no robot whose program is a generator is activated more often.
-        lead: nobody is more than so many activations ahead of one that could be activated; None:
-            without a limit.
-        start_delay: robot 1 begins up to so many rounds later.
-        within: whether the budget is a bound that must be kept.
-        configurations: the largest number of a search.
-        schedule: the only one that is tried; None: every one.
+        budget: the most activations of a robot whose program is a generator.
+        lead: the largest number of activations by which a robot may be ahead of another one that
+            could be activated; None: no limit.
+        start_delay: the largest number of rounds by which robot 1 may begin later.
+        within: whether a run that exceeds the budget is a finding.
+        configurations: the largest number of configurations of a search.
+        schedule: the only schedule that is tried; None: every schedule.
     """
 
     scheduler: Scheduler
@@ -74,23 +74,23 @@ class Time(Struct, frozen=True):
     start_delay: int = 0
     within: bool = False
     configurations: int = 1_000_000
-    schedule: tuple[Scheduled, ...] | None = None
+    schedule: tuple[ScheduledEvent, ...] | None = None
 
     @property
     def has_rounds(self) -> bool:
-        """Whether the world makes a step in each round, though nobody acts."""
+        """Whether the world makes a step in each round, even if no robot acts."""
         return self.scheduler in ROUNDS
 
     def groups(self, able: tuple[int, ...]) -> tuple[tuple[tuple[int, ...], int], ...]:
-        """The sets of robots that can be activated at once, the small ones first, each as bits too.
+        """The sets of robots that can be activated at once, smallest first, each also as a bit set.
 
-        Under ``async`` each of a set makes its next step: Look with Compute, or Move.
+        Under ``async`` each robot of a set makes its next step: Look with Compute, or Move.
         """
         return _groups(self.scheduler, able)
 
 
 def bits_of(robots: Iterable[int]) -> int:
-    """A set of robots, as bits."""
+    """A set of robots as a bit set."""
     return sum(1 << robot for robot in robots)
 
 

@@ -1,7 +1,7 @@
-"""A lane of searches: it searches the worlds of units, and asks the players of each program.
+"""A lane that searches the worlds of units, and asks the players of each program.
 
 unit --> searches, in lockstep --> first players, a message a layer --> findings
-                                   second players at the end: every history again, the same?
+                                   second players, at the end of the unit: the same replies?
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ from allworlds.robots.team import Team, TeamScope, TeamTally
 from allworlds.robots.team_finding import finding_of
 
 AT_ONCE = 2000
-"""The searches that go in lockstep."""
+"""The number of searches in lockstep."""
 
 SAME_TO = 2
-"""The largest m of the maps in which the model is asked again, and with other names of darts."""
+"""The most edges of the maps in which the model is checked, see ``model_checks``."""
 
 
 class SearchLane:
@@ -36,10 +36,10 @@ class SearchLane:
 
     Args:
         team: the programs.
-        counter: the scope.
-        limits: of the time for an answer, and of memory.
-        first_lane: whether it is the first of all; nothing depends on it here.
-        deadline: past which no player is waited for, or None.
+        counter: the scope of the searches, which makes and counts them.
+        limits: the limits of the time for an answer, and of memory.
+        first_lane: whether it is the first of all lanes; it has no effect here.
+        deadline: the end of all waiting on the monotonic clock, or None.
     """
 
     keeps = False
@@ -69,22 +69,22 @@ class SearchLane:
 
     @property
     def hungry(self) -> bool:
-        """Whether another unit could be begun."""
+        """Whether the lane has no unit, and can take one."""
         return not self._units
 
     @property
     def busy(self) -> bool:
-        """Whether there is work."""
+        """Whether the lane has a unit to work on."""
         return bool(self._units)
 
     def turn(self, others: Sequence[int] = ()) -> list[PartialResult]:  # noqa: ARG002  # they wait
-        """Go on with some searches; return the part of the unit that is done.
+        """Do some more searches of the unit, and return their part of the result.
 
         Raises:
-            InputError: if a program cannot be loaded, or of the model.
+            InputError: if a program cannot be loaded, or the model has an error.
         """
         unit = self._units[0]
-        self._parts = self._parts or self._of(unit)
+        self._parts = self._parts or self._parts_of(unit)
         part = next(self._parts, None)
         if part is not None:
             return [PartialResult(unit, part, last=False)]
@@ -93,7 +93,7 @@ class SearchLane:
         return [PartialResult(unit, self.counter.tally(), last=True)]
 
     def end(self) -> TeamTally:
-        """The part that is left at the end: nothing."""
+        """The part that is left at the end, which is empty."""
         return self.counter.tally()
 
     def close(self) -> None:
@@ -105,10 +105,10 @@ class SearchLane:
     def _remark(self, text: str) -> None:
         self._tally.remarks[text] += 1
 
-    def _of(self, unit: Any) -> Iterator[TeamTally]:
-        """The parts of a unit; the last one has what the second players have shown."""
+    def _parts_of(self, unit: Any) -> Iterator[TeamTally]:
+        """The parts of a unit's result; the last one has the findings of the second players."""
         for player in (*self._players[FIRST], *self._players[SECOND]):
-            player.forget()
+            player.begin_unit()
         minds = Minds(self._players[FIRST])
         every = self.counter.searches(unit, minds)
         while some := [*islice(every, AT_ONCE)]:
@@ -123,19 +123,19 @@ class SearchLane:
             yield self._tally
         self._tally = self.counter.tally()
         for program, again in enumerate(self._players[SECOND]):
-            if found := difference(minds.kept[program], again):
+            if found := difference(minds.dialogues[program], again):
                 self._blame(unit, minds, program, found)
         yield self._tally
 
     def _count(self, search: Search) -> None:
         map_, tally = search.world.map, self._tally
         tally.row(map_).count(search)
-        if search.found and tally.wants(map_):
-            tally.find(self._finding(search, search.found))
+        if search.broken and tally.wants(map_):
+            tally.find(self._finding(search, search.broken))
         if search.ends.cut_off and tally.wants(map_, unfinished=True):
-            most = self.counter.time.budget
+            most = self.counter.timing.budget
             seen = f"the run goes on after {most} activations of each robot"
-            if self.counter.time.schedule is not None:
+            if self.counter.timing.schedule is not None:
                 seen = "the schedule that was given ends here"
             cut = Broken("budget", seen, search.ends.shortest)
             tally.find(self._finding(search, cut), unfinished=True)
@@ -147,12 +147,12 @@ class SearchLane:
         return finding_of(search, broken, scope.model.name, scope.model.digest, scope.team.names)
 
     def _blame(self, unit: Any, minds: Minds, program: int, found: Difference) -> None:
-        """Find the first world in which the program senses what it does not answer alike."""
+        """Add a finding for a difference: the first world in which the program meets that turn."""
         for _, search in self.counter.searches(unit, minds):
             if not isinstance(search, Search):
                 continue
             in_lockstep([search], minds)
-            if at := _met(search, program, found, minds):
+            if at := _where_sensed(search, program, found, minds):
                 number, group, robot = at
                 seen = f"{found.first} in one play, {found.second} in another"
                 broken = Broken("nondeterministic", seen, number, group, robot=robot)
@@ -160,21 +160,21 @@ class SearchLane:
                 return
 
 
-def _met(
+def _where_sensed(
     search: Search, program: int, found: Difference, minds: Minds
 ) -> tuple[int, tuple[int, ...], int] | None:
-    """Where in a search a robot senses what is said, with the group that is activated."""
-    _, before, sensed = found.row
+    """The first configuration with the turn of a difference, a group to activate, and the robot."""
+    _, before, sensed = found.turn
     for number in range(len(search)):
         _, of_robots, _ = search.configuration(number)
         for robot, mind in enumerate(of_robots):
-            if search.team[robot] != program or mind < 0:
+            if search.program_of[robot] != program or mind < 0:
                 continue
             if before != BEGIN and search.percept(number, robot) != sensed:
                 continue
             if minds.precedes(mind, before):
                 able, _ = search.able(number)
-                every = search.time.groups(tuple(able))
+                every = search.timing.groups(tuple(able))
                 groups = [group for group, _ in every if robot in group]
                 if groups:
                     return number, groups[0], robot

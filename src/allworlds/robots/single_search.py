@@ -15,22 +15,22 @@ from allworlds.robots.configurations import Search, in_lockstep
 from allworlds.robots.events import Event, events_of
 from allworlds.robots.minds import Minds
 from allworlds.robots.model import Guarded, Model, Scheduler
-from allworlds.robots.schedulers import Time
+from allworlds.robots.schedulers import Timing
 
 
 class SearchOutcome(Struct, frozen=True):
     """The result of the search of one world.
 
     Attributes:
-        law: the law that is broken; empty if none is.
-        seen: how, in words.
-        events: of a shortest run that breaks it; the last ``loop`` of them repeat for ever.
-        loop: their number; 0 where the run ends.
-        unfinished: the number of runs that the budget cuts off.
-        configurations: the number of configurations that were met.
-        schedules: the number of maximal runs; None where a run never ends, or one is cut off.
+        law: the broken law; empty if no law is broken.
+        seen: how the law is broken, in words.
+        events: the events of a shortest run that breaks it; the last ``loop`` repeat for ever.
+        loop: the number of events that repeat for ever; 0 if the run ends.
+        unfinished: the number of configurations in which the budget cuts a run off.
+        configurations: the number of configurations that the search reached.
+        schedules: the number of maximal runs; None if a run never ends or is cut off.
         longest: the largest number of activations of a robot in a run that ends.
-        full: whether the search was ended, because there are more configurations than are allowed.
+        full: whether the search stopped because it reached too many configurations.
         search: the search itself.
     """
 
@@ -64,29 +64,29 @@ def search(
     start_delay: int = 0,
     configurations: int = 1_000_000,
 ) -> SearchOutcome:
-    """Every schedule of a team in one world, and every choice of the adversary.
+    """Search every schedule of a team in one world, and every choice of the adversary.
 
     Args:
         map_: the map.
         starts: a dart for each robot.
-        model: of the world.
+        model: the model of the world.
         team: a program for each robot: a generator function, or an automaton.
         scheduler: ``fsync``, ``ssync``, ``central`` or ``async``; by default the model's first.
-        budget: no robot is activated more often, if one of them is a generator.
-        within: the same, as a bound that must be kept.
-        lead: nobody is more than so many activations ahead.
-        start_delay: robot 1 begins up to so many rounds later.
-        configurations: the largest number of them.
+        budget: the most activations of a robot whose program is a generator, in a run.
+        within: a budget that is a bound: a run that exceeds it is a finding.
+        lead: the largest number of activations that a robot may be ahead.
+        start_delay: the largest number of rounds by which robot 1 may begin later.
+        configurations: the largest number of configurations.
 
     Raises:
-        InputError: naming what is not legal.
+        InputError: naming the illegal value.
     """
     scheduler = scheduler or model.schedulers[0]
     if scheduler not in model.schedulers:
         raise not_one_of("scheduler", scheduler, model.schedulers)
     if len(starts) != len(team):
         raise InputError(f"starts = {show(starts)} are not {len(team)}, one for each robot")
-    time = Time(
+    timing = Timing(
         scheduler,
         budget if within is None else within,
         lead,
@@ -98,14 +98,14 @@ def search(
     minds = Minds([turns_of(program) for program in each.values()])
     numbers = {key: number for number, key in enumerate(each)}
     world = Guarded(model, map_, type(model).__name__)
-    found = Search(world, starts, [numbers[id(program)] for program in team], minds, time)
+    found = Search(world, starts, [numbers[id(program)] for program in team], minds, timing)
     in_lockstep([found], minds)
-    return searched(found)
+    return outcome_of(found)
 
 
-def searched(search: Search) -> SearchOutcome:
-    """The findings of a search."""
-    broken = search.found
+def outcome_of(search: Search) -> SearchOutcome:
+    """The result of a finished search."""
+    broken = search.broken
     exact = not (broken or search.ends.cut_off or search.full)
     return SearchOutcome(
         law=broken.law if broken else "",
@@ -122,10 +122,10 @@ def searched(search: Search) -> SearchOutcome:
 
 
 def turns_of(program: Callable[..., Any]) -> Turns:
-    """A program of this process, asked turn by turn.
+    """Return a program of this process, to be asked turn by turn.
 
     Raises:
-        InputError: if it is no generator function, and no automaton.
+        InputError: if it is neither a generator function nor an automaton.
     """
     keywords = keywords_of(getattr(program, "__name__", show(program)), program)
 

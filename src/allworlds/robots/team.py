@@ -1,4 +1,4 @@
-"""A team under test: its programs, its model, its schedules; and what its searches have shown."""
+"""A team under test: its programs, and the scope and the tally of its searches."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from allworlds.robots.configurations import Search
 from allworlds.robots.minds import Minds
 from allworlds.robots.model import Guarded
 from allworlds.robots.models.table import NamedModel
-from allworlds.robots.schedulers import Time
+from allworlds.robots.schedulers import Timing
 from allworlds.robots.team_finding import TeamFinding
 
 
@@ -29,12 +29,12 @@ class Team(Struct, frozen=True, weakref=True):
     """The programs of a team.
 
     Attributes:
-        subjects: each program once.
-        of: for each robot the number of its program.
+        subjects: the programs, each once.
+        program_of: for each robot the number of its program.
     """
 
     subjects: tuple[Subject, ...]
-    of: tuple[int, ...]
+    program_of: tuple[int, ...]
 
     from_user = True
     compiled = False
@@ -42,12 +42,12 @@ class Team(Struct, frozen=True, weakref=True):
     @property
     def names(self) -> tuple[str, ...]:
         """The program of each robot."""
-        return tuple(self.subjects[program].name for program in self.of)
+        return tuple(self.subjects[program].name for program in self.program_of)
 
     @property
     def name(self) -> str:
-        """The programs in words."""
-        return ", ".join(self.subjects[program].name for program in dict.fromkeys(self.of))
+        """The names of the programs, in a text."""
+        return ", ".join(self.subjects[program].name for program in dict.fromkeys(self.program_of))
 
     @property
     def digests(self) -> tuple[str, ...]:
@@ -56,10 +56,10 @@ class Team(Struct, frozen=True, weakref=True):
 
     @property
     def with_content(self) -> Team:
-        """The team with the texts that other machines need.
+        """The team with the source texts that other machines need.
 
         Raises:
-            InputError: for a program that lives in this process alone.
+            InputError: for a program that exists in this process alone.
         """
         for subject in self.subjects:
             if subject.from_user and not subject.importable:
@@ -67,17 +67,17 @@ class Team(Struct, frozen=True, weakref=True):
                     f"program {show(subject.name)} lives in this process alone and cannot be sent "
                     "to others; put it into a file of its own"
                 )
-        return Team(tuple(map(with_content, self.subjects)), self.of)
+        return Team(tuple(map(with_content, self.subjects)), self.program_of)
 
     def not_alike(self, digests: tuple[str, ...], answer_timeout: float) -> str:
-        """The reason why a program is another one here; empty if none is."""
+        """The reason why a program differs on this machine; empty if none differs."""
         pairs = zip(self.subjects, digests, strict=True)
         found = (not_alike(subject, digest, answer_timeout) for subject, digest in pairs)
         return next(filter(None, found), "")
 
     @property
     def importable(self) -> bool:
-        """Whether all of them can be played in other processes."""
+        """Whether all programs can be played in other processes."""
         return all(subject.importable or not subject.from_user for subject in self.subjects)
 
 
@@ -86,15 +86,15 @@ class TeamRow:
     """The counts of the worlds with one number of edges and of vertices.
 
     Attributes:
-        maps: rooted maps.
-        worlds: maps with starts of all robots, that is searches.
-        configurations: of all searches.
-        most: the largest number of them in a search.
-        ends: configurations in which a run ends.
-        cut_off: those in which the budget cuts one off.
-        full: searches that were ended because they have too many configurations.
+        maps: the number of rooted maps.
+        worlds: the number of maps with starts of all robots, which are the searches.
+        configurations: the number of configurations of all searches.
+        most: the largest number of configurations of a search.
+        ends: the number of configurations in which a run ends.
+        cut_off: the number of configurations in which the budget cuts a run off.
+        full: the number of searches that stopped because they reached too many configurations.
         longest: the largest number of activations of a robot in a run that ends.
-        schedules: the number of maximal runs; None where they are infinitely many, or not known.
+        schedules: the number of maximal runs; None: infinitely many, or not known.
     """
 
     maps: int = 0
@@ -108,7 +108,7 @@ class TeamRow:
     schedules: int | None = 0
 
     def add(self, other: TeamRow) -> None:
-        """Take in the counts of another part."""
+        """Add the counts of another part."""
         self.maps += other.maps
         self.worlds += other.worlds
         self.configurations += other.configurations
@@ -121,8 +121,8 @@ class TeamRow:
         self.schedules = (self.schedules or 0) + (other.schedules or 0) if known else None
 
     def count(self, search: Search) -> None:
-        """Take in a search."""
-        unknown = search.found or search.ends.cut_off or search.full
+        """Add the counts of a search."""
+        unknown = search.broken or search.ends.cut_off or search.full
         self.add(
             TeamRow(
                 worlds=1,
@@ -138,7 +138,7 @@ class TeamRow:
 
 
 def to_record(finding: TeamFinding) -> dict[str, Any]:
-    """The finding as a run directory keeps it."""
+    """The finding, as a run directory keeps it."""
     return finding.to_json()
 
 
@@ -150,11 +150,11 @@ class TeamTally:
     """The sum of all searches of a part of a job.
 
     Attributes:
-        keep: the number of findings that are kept, each the smallest of its law and map.
-        rows: by (edges, vertices).
-        findings: the smallest, ascending.
-        unfinished: the smallest run that the budget cuts off, at most one.
-        remarks: events that refute nothing, each with its number of occurrences.
+        keep: the number of findings to keep, each the smallest of its law and map.
+        rows: the counts by (edges, vertices).
+        findings: the smallest findings, ascending.
+        unfinished: the smallest run that the budget cuts off, if there is one.
+        remarks: texts about processes, which refute nothing, with their numbers of occurrences.
     """
 
     keep: int = 1
@@ -173,7 +173,7 @@ class TeamTally:
         return self.rows.setdefault((map_.edge_count, map_.vertex_count), TeamRow())
 
     def find(self, finding: TeamFinding, *, unfinished: bool = False) -> None:
-        """Keep a finding if it is among the smallest; of one law and map the smallest alone."""
+        """Keep a finding if it is among the smallest; for each law and map the smallest alone."""
         held, most = (self.unfinished, 1) if unfinished else (self.findings, self.keep)
         for index, kept in enumerate(held):
             if kept.kind == finding.kind:
@@ -191,7 +191,7 @@ class TeamTally:
         return len(held) < most or size <= held[-1].key[:2]
 
     def add(self, other: TeamTally) -> None:
-        """Take in another part's tally."""
+        """Add the tally of another part."""
         for size, row in other.rows.items():
             self.rows.setdefault(size, TeamRow()).add(row)
         for finding in other.findings:
@@ -202,21 +202,21 @@ class TeamTally:
 
 
 class TeamScope(Struct, frozen=True):
-    """The searches of units, and their counting: the engine of a team.
+    """The scope of the searches: it makes the searches of a unit, and an empty tally for them.
 
     Attributes:
-        extent: of the maps.
-        model: of their worlds.
+        extent: the extent of the maps.
+        model: the model of the worlds.
         team: the programs.
-        time: the schedules.
-        keep: the number of findings that are kept.
-        starts: the only ones that are tried; None: those of the model.
+        timing: the schedules that are tried.
+        keep: the number of findings to keep.
+        starts: the only starts that are tried; None: the starts of the model.
     """
 
     extent: Extent
     model: NamedModel
     team: Team
-    time: Time
+    timing: Timing
     keep: int
     starts: tuple[int, ...] | None = None
 
@@ -226,17 +226,17 @@ class TeamScope(Struct, frozen=True):
 
     def starts_in(self, world: Guarded) -> Iterable[tuple[int, ...]]:
         """The starts that are tried in a map."""
-        return [self.starts] if self.starts else world.starts(len(self.team.of))
+        return [self.starts] if self.starts else world.starts(len(self.team.program_of))
 
     def searches(self, unit: LevelUnit, minds: Minds) -> Iterator[tuple[bool, Search | Guarded]]:
-        """The searches of a unit, in a fixed order; a map without a start by itself.
+        """The searches of a unit, in a fixed order; for a map without a start, its world alone.
 
-        Each with whether its map is a new one.
+        The first value of each pair tells whether the map is new.
         """
         for map_ in unit.maps(self.extent):
             world, first = Guarded(self.model.model, map_, self.model.name), True
             for start in self.starts_in(world):
-                yield first, Search(world, start, self.team.of, minds, self.time)
+                yield first, Search(world, start, self.team.program_of, minds, self.timing)
                 first = False
             if first:
                 yield True, world

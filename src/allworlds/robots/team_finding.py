@@ -1,4 +1,4 @@
-"""The finding of a search: a shortest run that breaks a law, enough to play it again."""
+"""The finding of a search: a shortest run that breaks a law, with all that replays it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from allworlds.robots.events import Event, Turn, events_of
 from allworlds.robots.graph import Broken
 from allworlds.robots.minds import ProgramFault
 from allworlds.robots.model import Places, Scheduler
-from allworlds.robots.schedulers import Time
+from allworlds.robots.schedulers import Timing
 
 LAWS: dict[str, str] = {
     "crash": "A program raises no error, and its process does not end.",
@@ -35,7 +35,7 @@ LAWS: dict[str, str] = {
     "progress": "What must be so again and again is so in every fair run that never ends.",
     "budget": "The goal is reached within the activations that were asked for.",
 }
-"""Every law, with what it asks."""
+"""Every law, with its sentence."""
 
 
 class Turned(doc.Document, forbid_unknown_fields=False):
@@ -82,24 +82,19 @@ class TimeDocument(doc.Document, forbid_unknown_fields=False):
     within: Annotated[doc.IfAny[bool], doc.about("whether the budget is a bound")] = False
 
     @classmethod
-    def of(cls, time: Time) -> TimeDocument:
+    def of(cls, timing: Timing) -> TimeDocument:
         """The document of these schedules."""
         return cls(
-            scheduler=time.scheduler,
-            budget=time.budget,
-            lead=time.lead,
-            start_delay=time.start_delay,
-            within=time.within,
+            scheduler=timing.scheduler,
+            budget=timing.budget,
+            lead=timing.lead,
+            start_delay=timing.start_delay,
+            within=timing.within,
         )
 
     @property
-    def time(self) -> Time:
-        """The schedules."""
-        return Time(self.scheduler, self.budget, self.lead, self.start_delay, self.within)
-
-    @property
     def arguments(self) -> list[str]:
-        """The arguments of the command line that ask for them."""
+        """The arguments of the command line that choose these schedules."""
         words = ["--scheduler", self.scheduler]
         words += ["--within" if self.within else "--budget", str(self.budget)]
         words += [] if self.lead is None else ["--lead", str(self.lead)]
@@ -155,7 +150,7 @@ class TeamFinding(doc.Document, forbid_unknown_fields=False, kw_only=True):
 
     @property
     def team(self) -> tuple[str, ...]:
-        """The programs as one names them: one, if all are the same."""
+        """The programs as a user names them: one name if all robots have the same program."""
         return self.programs[:1] if len({*self.programs}) == 1 else self.programs
 
     @cached_property
@@ -171,12 +166,12 @@ class TeamFinding(doc.Document, forbid_unknown_fields=False, kw_only=True):
 
     @property
     def rank(self) -> tuple[Any, ...]:
-        """The order of findings, of one world by the law."""
+        """The order of findings, with the law for findings in one world."""
         return self.key, [*LAWS].index(self.law)
 
     @cached_property
     def kind(self) -> tuple[str, Code]:
-        """The kind of the finding: the law, and the map, whatever its root."""
+        """The kind of the finding: the law, and the map without a root."""
         return self.law, min(rooted_code(*self._code, dart) for dart in self.map.darts)
 
     @property
@@ -217,7 +212,7 @@ def is_of_team(document: object) -> bool:
 def finding_of(
     search: Search, broken: Broken, model: str, digest: str, programs: tuple[str, ...]
 ) -> TeamFinding:
-    """The finding of a search that has found something."""
+    """The finding of a search that has broken a law."""
     map_, first = search.world.map, search.way(broken.at)[0]
     fault = None
     events = [*events_of(search, broken)]
@@ -232,8 +227,8 @@ def finding_of(
         model=model,
         model_digest=digest,
         programs=programs,
-        time=TimeDocument.of(search.time),
-        first=search.graph.came(first).adversary,
+        time=TimeDocument.of(search.timing),
+        first=search.graph.discovery(first).adversary,
         events=tuple(event_row(search, event) for event in events),
         loop=len(broken.cycle),
         robot=broken.robot,
@@ -242,7 +237,7 @@ def finding_of(
 
 
 def event_row(search: Search, event: Event) -> EventRow:
-    """An event as a finding has it."""
+    """An event, as a finding stores it."""
     shown = search.world.places(event.state)
     return EventRow(
         robots=tuple(map(_turned, event.turns)),
@@ -256,7 +251,7 @@ def event_row(search: Search, event: Event) -> EventRow:
 
 
 PHASES = {"L": "look", "M": "move", "": "whole"}
-"""The phases of turns, by their letters in schedules."""
+"""The phase of a turn, by its letter in a schedule."""
 
 
 def _turned(turn: Turn) -> Turned:
@@ -274,7 +269,7 @@ def _sensed_json(sensed: Sensed | None) -> Any:
 
 
 def places_of(row: EventRow) -> Places:
-    """The content of a picture after an event."""
+    """The content of a picture of the state after an event."""
     vertices = {int(vertex): words for vertex, words in row.vertices.items()}
     edges = {int(edge): words for edge, words in row.edges.items()}
     return Places(row.darts, vertices, edges)

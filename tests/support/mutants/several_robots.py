@@ -6,23 +6,23 @@ from allworlds.protocol import turns
 from allworlds.robots import configurations, cycles
 from allworlds.robots.configurations import Search
 from allworlds.robots.minds import Minds
-from allworlds.robots.schedulers import Time
+from allworlds.robots.schedulers import Timing
 
 
 def one_at_a_time(patch):
     """Under ``async`` and ``ssync`` nobody is activated together with others."""
-    patch.setattr(Time, "groups", lambda _, able: [((robot,), 1 << robot) for robot in able])
+    patch.setattr(Timing, "groups", lambda _, able: [((robot,), 1 << robot) for robot in able])
 
 
 def never_all(patch):
     """A set of robots is never the whole team."""
-    groups = Time.groups
+    groups = Timing.groups
 
-    def some(time, able):
-        every = [*groups(time, able)]
+    def some(timing, able):
+        every = [*groups(timing, able)]
         return every[:-1] if len(every) > 1 else every
 
-    patch.setattr(Time, "groups", some)
+    patch.setattr(Timing, "groups", some)
 
 
 def moves_at_once(patch):
@@ -80,7 +80,7 @@ def told_alike(patch):
 
 def states_alone(patch):
     """Configurations are merged by the state of the world; minds do not count."""
-    meet = Search._meet
+    meet = Search._number_of
 
     def by_state(search, state, held, extra, *came):
         known = search._state_ids.get(state)
@@ -90,7 +90,7 @@ def states_alone(patch):
                     return number
         return meet(search, state, held, extra, *came)
 
-    patch.setattr(Search, "_meet", by_state)
+    patch.setattr(Search, "_number_of", by_state)
 
 
 def watched_forgotten(patch):
@@ -113,8 +113,8 @@ def too_fair(patch):
     """A cycle counts only if each robot is activated in it, also one that never can be."""
 
     def each(search, _):
-        for robot in range(len(search.team)):
-            yield lambda _, step, bit=1 << robot: search.graph.group(step) & bit
+        for robot in range(len(search.program_of)):
+            yield lambda _, step, bit=1 << robot: search.graph.bits(step) & bit
 
     patch.setattr(cycles, "_fairness", each)
 
@@ -144,7 +144,7 @@ def cut_off_is_an_end(patch):
     """A run that the budget cuts off is no unfinished one."""
 
     def quietly(search, able, cut, number):
-        return bool(cut) and (not able or search.time.scheduler == "fsync")
+        return bool(cut) and (not able or search.timing.scheduler == "fsync")
 
     patch.setattr(Search, "_cut_off", quietly)
 
@@ -153,8 +153,8 @@ def one_more(patch):
     """The budget is one activation larger."""
     init = Search.__init__
 
-    def wider(search, world, starts, team, programs, time):
-        init(search, world, starts, team, programs, replace(time, budget=time.budget + 1))
+    def wider(search, world, starts, team, programs, timing):
+        init(search, world, starts, team, programs, replace(timing, budget=timing.budget + 1))
 
     patch.setattr(Search, "__init__", wider)
 

@@ -65,10 +65,10 @@ def _command(report: TeamReport) -> str:
 
 def verdict_of(report: TeamReport) -> parts.Headline:
     """The verdict and its explanation."""
-    total, time = report.total, report.asked.time
+    total, timing = report.total, report.asked.timing
     done = (
         f"{plural(total.worlds, 'world')} with starts, {plural(len(report.explorers), 'robot')}, "
-        f"every {time.scheduler} schedule"
+        f"every {timing.scheduler} schedule"
     )
     searched = plural(total.configurations, "configuration")
     match report.verdict:
@@ -81,12 +81,12 @@ def verdict_of(report: TeamReport) -> parts.Headline:
         case Verdict.INCONCLUSIVE if total.cut_off and not report.ending.stopped:
             text = (
                 f"no law is broken, but {plural(total.cut_off, 'run')} went on after "
-                f"{plural(time.budget, 'activation')} of each robot; {done}; {searched}"
+                f"{plural(timing.budget, 'activation')} of each robot; {done}; {searched}"
             )
         case Verdict.INCONCLUSIVE if total.full and not report.ending.stopped:
             text = (
                 f"no law is broken, but {plural(total.full, 'world')} had more than "
-                f"{number(time.configurations)} configurations; {done}; {searched}"
+                f"{number(timing.configurations)} configurations; {done}; {searched}"
             )
         case Verdict.VACUOUS:
             text = "the scope holds no start of the robots, or no state at the start"
@@ -97,17 +97,17 @@ def verdict_of(report: TeamReport) -> parts.Headline:
 
 def scope_words(report: TeamReport) -> list[tuple[str, str]]:
     """The scope of the verdict as named texts."""
-    scope, time, extent = report.asked, report.asked.time, report.extent
+    scope, timing, extent = report.asked, report.asked.timing, report.extent
     maps = each_of(extent.given) if extent.given is not None else "every map"
     starts = "the given starts" if scope.starts else "every start of its model"
     shard = "" if report.whole else f", shard {report.portion}"
-    bounds = [f"every {time.scheduler} schedule"]
-    if time.within:
-        bounds.append(f"within {plural(time.budget, 'activation')} of each robot")
-    if time.lead is not None:
-        bounds.append(f"nobody more than {plural(time.lead, 'activation')} ahead")
-    if time.start_delay:
-        bounds.append(f"robot 1 up to {plural(time.start_delay, 'round')} later")
+    bounds = [f"every {timing.scheduler} schedule"]
+    if timing.within:
+        bounds.append(f"within {plural(timing.budget, 'activation')} of each robot")
+    if timing.lead is not None:
+        bounds.append(f"nobody more than {plural(timing.lead, 'activation')} ahead")
+    if timing.start_delay:
+        bounds.append(f"robot 1 up to {plural(timing.start_delay, 'round')} later")
     total = report.total
     past = report.corpus
     paths = "infinitely many, or not known" if total.schedules is None else number(total.schedules)

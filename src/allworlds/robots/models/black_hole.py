@@ -1,4 +1,4 @@
-"""A vertex that swallows who enters it: it shall be found, and somebody be left."""
+"""A vertex that destroys every robot that enters it; one robot must survive and find it."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -15,10 +15,11 @@ from allworlds.robots.models.boards import Boarded, Boards
 class BlackHole(Boarded):
     """Robots with whiteboards that start at one dart, their home, and look for a black hole.
 
-    The adversary chooses the hole, which is any vertex but home.  A robot is told
-    ``[vertices, its number]``.  A percept is ``[degree, home, others, board]``; who is in the hole
-    is no more.  An answer is a walk from the home's dart to the hole, a list of turns: on a ring
-    ``[0, 1, 1]`` leads three vertices on.  Right is that one is answered, and none is wrong.
+    The adversary chooses the hole: any vertex but home.  A robot is told the number of vertices and
+    its own number, as ``[vertices, number]``.  A percept is ``[degree, home, others, board]``; a
+    robot in the hole is gone.  An answer is a walk from the home's dart to the hole, a list of
+    numbers for ``Move``: on a ring ``[0, 1, 1]`` leads three vertices on.  The robots are right if
+    at least one answers, and no answer is wrong.
     """
 
     @override

@@ -1,4 +1,4 @@
-"""The whiteboards of a world: at each vertex a value of JSON, which all robots read and write."""
+"""Whiteboards: a JSON value at each vertex, which all robots read and write."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ class Boards(NamedTuple):
     """A state.
 
     Attributes:
-        darts: of each robot.
-        boards: at each vertex what is written, as canonical JSON: 1 and true are not the same.
+        darts: the dart of each robot.
+        boards: the value at each vertex, as canonical JSON, which tells 1 from true.
         wrote: the robots that have written at a look, and move later.
-        home: the dart at which all have started, if that matters.
-        hole: a vertex that swallows who enters it, if there is one.
+        home: the dart at which all robots have started, in a world with a black hole.
+        hole: the vertex that destroys robots, if there is one.
     """
 
     darts: tuple[Dart, ...]
@@ -36,21 +36,21 @@ class Boards(NamedTuple):
 
 @dataclass(frozen=True)
 class Boarded(Model):
-    """The base of models with whiteboards; at first null stands on each.
+    """The base of models with whiteboards; at first each has the value null.
 
-    ``Do({"write": value, "move": k})`` writes, then moves; each part may be missing, and
-    ``Move(k)`` and ``Write(k)`` are the same.  Of those that write at once on one board the
-    adversary says who is last.
+    ``Do({"write": value, "move": k})`` writes, then moves; one part may be missing, and ``Move(k)``
+    and ``Write(k)`` are short for one part alone.  If several robots write on one board at once,
+    the adversary chooses which of them writes last.
 
     Attributes:
-        at_once: whether a board is read and written in one step, as asynchronous agents do; else
-            it is written with the motion, and others may have written since the look.
+        at_once: whether a robot reads and writes a board in one step, as asynchronous agents do;
+            else it writes when it moves, and others may have written since its look.
     """
 
     at_once: bool = False
 
     def board(self, map_: CombinatorialMap, state: Boards, robot: int) -> tuple[int, int, Any]:
-        """The degree where a robot is, the number of others there, and what is written there."""
+        """The degree of a robot's vertex, the number of other robots there, and its board."""
         dart = state.darts[robot]
         board = decode(state.boards[map_.vertex_of[dart]])
         return map_.degree_at[dart], others_with(map_, state.darts, robot), board
@@ -86,7 +86,7 @@ class Boarded(Model):
 
 
 def _parts(action: Any) -> dict[str, Any]:
-    """The parts of an action: what it writes, and by how many darts it turns before it leaves."""
+    """The parts of an action: the value that it writes, and the number for its move."""
     match action:
         case Move(k):
             return {"move": k}
@@ -101,7 +101,7 @@ def _parts(action: Any) -> dict[str, Any]:
 def _written(
     map_: CombinatorialMap, state: Boards, acts: Mapping[int, Any]
 ) -> Iterator[tuple[Boards, str]]:
-    """The states after all that these robots write, by who is the last one at each vertex."""
+    """The states after these robots have written, one for each choice of the last writers."""
     writers: dict[Vertex, list[int]] = {}
     for robot, action in acts.items():
         if "write" in _parts(action) and robot not in state.wrote:

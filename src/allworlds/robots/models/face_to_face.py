@@ -1,4 +1,4 @@
-"""Robots that see and hear each other where they are at one vertex."""
+"""Robots that see and hear each other at a vertex."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ class Company(NamedTuple):
     """A state.
 
     Attributes:
-        darts: of each robot.
-        words: of each what it says, as canonical JSON.
+        darts: the dart of each robot.
+        words: the value that each robot says, as canonical JSON.
     """
 
     darts: tuple[Dart, ...]
@@ -29,16 +29,16 @@ class Company(NamedTuple):
 
 @dataclass(frozen=True)
 class FaceToFace(Model):
-    """Robots that see and hear each other at a vertex; robot 0 shall answer a map.
+    """Robots that see and hear each other at a vertex; robot 0 must answer a map.
 
-    Each is told its number.
+    Each robot is told its number.
 
-    A percept is ``[degree, others]``: of each other robot here ``[k, value]``, sorted: by how many
-    darts clockwise its dart is away from one's own, and what it says, at first null.  ``Do(value)``
-    says something until the next motion; ``Move(k)`` moves.
+    A percept is ``[degree, others]``.  ``others`` has a pair ``[k, value]`` for each other robot
+    here, sorted: its dart is k darts clockwise from one's own, and it says the value, at first
+    null.  ``Do(value)`` says a value until the next motion; ``Move(k)`` moves.
 
     Attributes:
-        together: whether they start at one dart.
+        together: whether all robots start at one dart.
     """
 
     together: bool = True

@@ -1,4 +1,4 @@
-"""Models that wrap another one, in which robots or markers fail."""
+"""Models that wrap another model, and make robots or markers fail."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ class Failing(NamedTuple):
     Attributes:
         inside: the state of the model inside.
         living: the robots that have not stopped.
-        left: the number of faults that may still be.
-        blind: the robots that do not see the markers where they are.
+        left: the number of faults that may still happen.
+        blind: the robots from which the markers at their vertices are hidden.
     """
 
     inside: Any
@@ -33,7 +33,7 @@ class Failing(NamedTuple):
 
 @dataclass(frozen=True)
 class Wrapper(Model):
-    """The base of models that wrap another one: what is not written anew is as it is inside.
+    """The base of models that wrap another model, whose methods it calls by default.
 
     Attributes:
         inside: the model inside.
@@ -45,7 +45,7 @@ class Wrapper(Model):
 
     @property
     def schedulers(self) -> tuple[Scheduler, ...]:  # type: ignore[override]  # of this instance
-        """Those of the model inside."""
+        """The schedulers of the model inside."""
         return self.inside.schedulers
 
     @property
@@ -112,13 +112,13 @@ class Wrapper(Model):
 
 
 def _inside(holds: Callable[..., bool]) -> Callable[..., bool]:
-    """The states around these states inside; what is no state is handed on."""
+    """Return the condition for states of the wrapper, from that for the states inside."""
     return lambda *values: holds(*(v.inside if isinstance(v, Failing) else v for v in values))
 
 
 @dataclass(frozen=True)
 class Crash(Wrapper):
-    """Robots that stop for ever where they are, at any moment: the adversary says who."""
+    """Robots that stop for ever at any moment; the adversary chooses which."""
 
     @override
     def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Failing]:
@@ -145,7 +145,7 @@ class Crash(Wrapper):
 
 
 def _stopping(state: Failing) -> Iterator[tuple[Failing, str]]:
-    """The states in which no more, or some more robots have stopped."""
+    """The states after no robot, or some more robots, have stopped."""
     for count in range(min(state.left, len(state.living)) + 1):
         for robots in combinations(sorted(state.living), count):
             words = ", ".join(f"robot {robot} stops" for robot in robots)
@@ -157,7 +157,7 @@ def _stopping(state: Failing) -> Iterator[tuple[Failing, str]]:
 class Hidden(Wrapper):
     """Markers that the adversary hides from robots that have just acted, until they act again.
 
-    The model inside has percepts with marks.
+    The percepts of the model inside must have marks.
     """
 
     @override

@@ -1,4 +1,4 @@
-"""Goals that several models have, and parts of their states."""
+"""Goals and conditions that several models share."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from allworlds.robots.model import Liveness, Model, every_start
 Part = TypeVar("Part")
 
 MOST_ROBOTS = 8
-"""The largest number of robots each of which shall be everywhere."""
+"""The largest number of robots for the goal that each robot visits every vertex."""
 
 
 def are_together(map_: CombinatorialMap, darts: Sequence[Dart]) -> bool:
@@ -37,10 +37,10 @@ def others_with(map_: CombinatorialMap, darts: Sequence[Dart], robot: int) -> in
 
 @dataclass(frozen=True)
 class Apart(Model):
-    """The base of models in which robots usually start at different vertices.
+    """The base of models in which robots start at different vertices by default.
 
     Attributes:
-        apart: whether they do.
+        apart: whether all robots start at different vertices.
     """
 
     apart: bool = True
@@ -53,7 +53,7 @@ class Apart(Model):
 
 
 def gathered(map_: CombinatorialMap) -> Liveness:
-    """The condition that all are at one vertex, for ever."""
+    """The condition that from some time on all robots are at one vertex."""
     return Liveness(
         "all robots at one vertex", forever=True, holds=lambda s: are_together(map_, s.darts)
     )
@@ -62,7 +62,7 @@ def gathered(map_: CombinatorialMap) -> Liveness:
 def each_everywhere(map_: CombinatorialMap) -> Iterator[Liveness]:
     """The conditions that each robot is at each vertex again and again.
 
-    Robots that are not there are everywhere: a model is not told how many there are.
+    A model does not know the number of robots, so the conditions of missing robots always hold.
     """
     for robot, vertex in product(range(MOST_ROBOTS), range(map_.vertex_count)):
 
@@ -74,13 +74,13 @@ def each_everywhere(map_: CombinatorialMap) -> Iterator[Liveness]:
 
 
 def ensure_few(robots: int) -> None:
-    """Raise InputError for more robots than :func:`each_everywhere` speaks of."""
+    """Raise InputError for more robots than :func:`each_everywhere` has conditions for."""
     if robots > MOST_ROBOTS:
         raise InputError(f"robots = {robots} are more than {MOST_ROBOTS}, the most of this goal")
 
 
 def map_flaw(map_: CombinatorialMap, dart: Dart, answer: Any) -> str:
-    """The fault of an answer that shall be a map with the place of a robot at this dart in it."""
+    """The flaw of an answer that should be the map, with the robot at this dart; or empty."""
     if not isinstance(answer, Estimate):
         return f"the answer is {'nothing' if answer is None else answer}, not an Estimate"
     given, true = answer.map, rooted_code(map_.sigma, map_.alpha, dart)
@@ -90,6 +90,6 @@ def map_flaw(map_: CombinatorialMap, dart: Dart, answer: Any) -> str:
     return "the robot is not at the dart of the map that is answered" if wrong else "a wrong map"
 
 
-def replaced(row: tuple[Part, ...], at: int, value: Part) -> tuple[Part, ...]:
-    """The tuple with another value in one place."""
-    return (*row[:at], value, *row[at + 1 :])
+def replaced(values: tuple[Part, ...], index: int, value: Part) -> tuple[Part, ...]:
+    """The tuple with another value at an index."""
+    return (*values[:index], value, *values[index + 1 :])

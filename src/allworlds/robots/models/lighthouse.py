@@ -25,7 +25,7 @@ class InPlace(NamedTuple):
     Attributes:
         start: the dart of the robot at the start.
         place: the number of the lighthouse's place.
-        state: of the world.
+        state: the state of the world.
     """
 
     start: Dart
@@ -40,10 +40,10 @@ class InPlace(NamedTuple):
 
 @dataclass(frozen=True)
 class LighthouseModel(Model):
-    """A robot in a world with a lighthouse, at each of its places; it shall answer a map.
+    """A robot in a world with a lighthouse, at any of its places; the robot must answer the map.
 
     Attributes:
-        kind: of the lighthouse, with its options.
+        kind: the kind of the lighthouse, with its options.
     """
 
     kind: str = "directional"

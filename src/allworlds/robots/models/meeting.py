@@ -21,12 +21,12 @@ class Met(NamedTuple):
 
 @dataclass(frozen=True)
 class Meeting(Apart):
-    """Robots that shall all be at one vertex; a robot senses the degree, and others there as marks.
+    """Robots that must meet at one vertex; a robot senses the degree, and others there as marks.
 
     Attributes:
-        multiplicity: how exactly it senses the others at its vertex: not at all, whether there
-            are some (weak), or how many (strong).
-        labels: whether each is told its number; else all are anonymous.
+        multiplicity: how exactly a robot senses the others at its vertex: not at all (none),
+            whether there are some (weak), or their number (strong).
+        labels: whether each robot is told its number; else all are anonymous.
     """
 
     multiplicity: Literal["none", "weak", "strong"] = "strong"

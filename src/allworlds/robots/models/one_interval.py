@@ -1,4 +1,4 @@
-"""Worlds of which one edge may be missing in each round."""
+"""Worlds in which one edge may be missing in each round."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ class RoundState(NamedTuple):
     """A state.
 
     Attributes:
-        darts: of each robot.
-        moved: whether its last motion succeeded.
-        held: whether it is on a port whose edge was missing.
-        visited: the vertices at which a robot was.
+        darts: the dart of each robot.
+        moved: for each robot whether its last motion succeeded.
+        held: for each robot whether it is on a port whose edge was missing.
+        visited: the vertices that a robot has visited.
     """
 
     darts: tuple[Dart, ...]
@@ -34,17 +34,17 @@ class RoundState(NamedTuple):
 
 @dataclass(frozen=True)
 class OneInterval(Apart):
-    """Robots that shall visit all vertices, in a world of which one edge may be missing each round.
+    """Robots that must visit all vertices, in a world in which one edge may be missing each round.
 
     A robot is told the number of vertices.  Its percept is ``[degree, moved, held, others]``:
     whether its last motion succeeded; whether it is on a port whose edge was missing; and for each
-    other robot here, sorted, whether that one is held.  Who is not activated, or waits, stays as it
-    is, also on a port.
+    other robot here, sorted, whether that robot is held.  A robot that waits or is not activated
+    stays where it is, also on a port.
 
     Attributes:
-        ends: whether the run ends when all is visited; else the robots must end themselves.
-        exclusive: whether one robot at most is on a port; the adversary says which one.
-        one_face: whether they start at darts of one face: on a ring, with one orientation.
+        ends: whether the run ends when all vertices are visited; else the programs must end.
+        exclusive: whether at most one robot can be on a port; the adversary chooses which.
+        one_face: whether all robots start at darts of one face: on a ring, with one orientation.
     """
 
     ends: bool = False

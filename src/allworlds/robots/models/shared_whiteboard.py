@@ -19,11 +19,12 @@ from allworlds.robots.models.goals import Apart, are_together
 class SharedWhiteboard(Boarded, Apart):
     """Robots with a whiteboard at each vertex.
 
-    A percept is ``[degree, others, board]``: how many others are here, and what is written here.
+    A percept is ``[degree, others, board]``: the number of other robots here, and the value on the
+    board.
 
     Attributes:
-        goal: to be at one vertex, or to end with equal answers that are not null.
-        labels: whether each is told its number.
+        goal: ``meet``: all robots at one vertex; ``agree``: equal answers that are not null.
+        labels: whether each robot is told its number.
     """
 
     goal: Literal["meet", "agree"] = "meet"

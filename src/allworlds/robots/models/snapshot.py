@@ -1,4 +1,4 @@
-"""Robots that see the whole map from their own places: Look, Compute, Move."""
+"""Robots that see the whole map from their own darts: Look, Compute, Move."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ class Snap(NamedTuple):
     """A state.
 
     Attributes:
-        darts: of each robot the dart that it heads for; without chirality the least one there.
-        due: of each robot the dart by which it leaves, if that was decided at its look.
-        crossed: whether two have just crossed on an edge, where that is a fault.
+        darts: the dart that each robot heads for; without chirality the least one at its vertex.
+        due: the dart by which each robot will leave, if its look has decided that; else None.
+        crossed: whether two robots have just crossed on an edge, if that is forbidden.
     """
 
     darts: tuple[Dart, ...]
@@ -43,29 +43,31 @@ class Snap(NamedTuple):
 
 @dataclass(frozen=True)
 class Snapshot(Apart):
-    """Robots that see the whole map from their own places, with all robots in it.
+    """Robots that see the whole map from their own darts, with all robots in it.
 
-    A view is ``[robots, degrees, alpha]``: of each vertex how many robots are there (the first one
-    is one's own, with oneself), and its degree; and the other end of each dart, see
-    :class:`allworlds.robots.models.views.Ordered`.  On a ring ``robots`` are those at successive
-    vertices in one direction.
+    A view is ``[robots, degrees, alpha]``: the number of robots at each vertex, its degree, and the
+    other end of each dart, see :class:`allworlds.robots.models.views.Ordered`.  The robot's own
+    vertex is the first one, and the robot itself is counted there.  On a ring ``robots`` has the
+    numbers at successive vertices in one direction.
 
     **Without chirality** the percept is the sorted list of the views from the darts of the vertex,
-    each the lesser one of clockwise and anticlockwise.  ``Do("first")``, ``Do("second")`` or
-    ``Do(k)``, from 0 on, leaves by the dart of that view, ``Do("either")`` by any.  Of darts with
-    equal views the adversary takes one, at each look.
+    each the lesser of the clockwise and the anticlockwise view.  ``Do("first")``, ``Do("second")``
+    or ``Do(k)``, from 0 on, leaves by the dart of that view, ``Do("either")`` by any.  Of darts
+    with equal views the adversary chooses one, at each look.
 
     With chirality the percept is the one view from the dart that the robot heads for; ``Do(k)``
-    leaves by the k-th dart clockwise from it.  Then it heads for the dart that is 1 - k places
-    clockwise from that of arrival: on a ring it keeps its direction.
+    leaves by the k-th dart clockwise from it.  The robot then heads for the dart 1 - k darts
+    clockwise from the dart of arrival: on a ring it keeps its direction.
 
     Attributes:
-        goal: to be at one vertex for ever, or each at every vertex again and again.
-        chirality: whether clockwise is the same for all.
-        exclusive: whether two at one vertex are a fault.
-        crossing: whether two may cross on an edge.
-        multiplicity: whether any number of robots is seen as 1, at most as 2, or exactly.
-        local: whether that is so at one's own vertex, and any number elsewhere is seen as 1.
+        goal: ``gather``: all robots at one vertex for ever; ``explore``: each robot at every vertex
+            again and again.
+        chirality: whether all robots have the same clockwise direction.
+        exclusive: whether two robots at one vertex are forbidden.
+        crossing: whether two robots may cross on an edge.
+        multiplicity: ``none``: any number of robots is seen as 1; ``weak``: two or more are seen as
+            2; ``strong``: the number is seen.
+        local: whether multiplicity is for one's own vertex; elsewhere any number is seen as 1.
     """
 
     goal: Literal["gather", "explore"] = "gather"
@@ -100,7 +102,7 @@ class Snapshot(Apart):
         return Eyes(most, 1 if self.local else most)
 
     def _choices(self, map_: CombinatorialMap, state: Snap, robot: int, action: Any) -> list[Dart]:
-        """The darts of which an action means any."""
+        """The darts by which an action may leave."""
         if (due := state.due[robot]) is not None:
             return [due]
         dart = state.darts[robot]

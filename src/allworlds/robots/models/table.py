@@ -1,4 +1,4 @@
-"""**The** table of the models, and their reading from names."""
+"""**The** table of the models, and models by their names."""
 
 from __future__ import annotations
 
@@ -36,10 +36,10 @@ MODELS: dict[str, type[Model]] = {
 """The models that are built in, by their names."""
 
 WRAPPERS: dict[str, type[Wrapper]] = {"crash": Crash, "hidden": Hidden}
-"""Those that wrap another one: ``crash:1+black-hole``."""
+"""The models that wrap another model, by their names: ``crash:1+black-hole``."""
 
 LIGHTHOUSE = "lighthouse"
-"""The name of the worlds of one robot: ``lighthouse:KIND``, where all that follows is the kind."""
+"""The name of the model with the worlds of one robot: ``lighthouse:KIND``."""
 
 KNOWN = (*MODELS, f"{LIGHTHOUSE}:KIND", *(f"{name}:F+MODEL" for name in WRAPPERS))
 
@@ -49,13 +49,13 @@ SHAPE = "a frozen dataclass with the base allworlds.Model"
 
 
 class NamedModel(Struct, frozen=True):
-    """A model with the name by which it is found again, in this process and in others.
+    """A model with the name by which this process and others can load it.
 
     Attributes:
-        name: with its options.
-        model: itself.
+        name: the name of the model, with its options.
+        model: the model.
         codes: the user's code that it needs.
-        here: whether it was made in this process, where no name leads to it.
+        here: whether it exists in this process alone, and cannot be loaded by its name.
     """
 
     name: str
@@ -69,18 +69,18 @@ class NamedModel(Struct, frozen=True):
 
     @property
     def digest(self) -> str:
-        """The digest of the code; empty without any."""
+        """The digest of the user's code; empty without any."""
         return "".join(code.digest for code in self.codes)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """The name, and the text of the code, from which any process makes it."""
+        """The name and the text of the code, from which another process makes the model."""
         if self.here:
             return NamedModel, (self.name, self.model, (), True)
         return _named_again, (self.name, {code.plain: code.record for code in self.codes})
 
 
 def named_model(text: object) -> NamedModel:
-    """The model of a name, with its name; raises as :func:`model_of` does."""
+    """Load the model of a name, as :func:`model_of` does, and return it with its full name."""
     model, name = model_of(text)
     return NamedModel(name, model, codes_of(name))
 
@@ -91,13 +91,13 @@ def _named_again(name: str, texts: dict[str, str]) -> NamedModel:
 
 
 def model_of(text: object) -> tuple[Model, str]:
-    """The model of a name, and the name as it is written everywhere.
+    """The model of a name, and its canonical name.
 
     A name is ``NAME[:key=value,...]``, ``path/to/file.py:Class[:key=value,...]``,
     ``lighthouse:KIND``, or ``crash:F+`` or ``hidden:F+`` before one of these.
 
     Raises:
-        InputError: naming the model, the option or the value that is not there.
+        InputError: naming the unknown model or option, or the illegal value.
     """
     name = a_text("model", text)
     plain, _, rest = name.partition(":")
@@ -131,7 +131,7 @@ def _wrapped(plain: str, rest: str, name: str) -> tuple[Model, str]:
 
 
 def _own(name: str) -> tuple[user_code.UserCode, str]:
-    """The code of the user's in a name, and the options behind it."""
+    """The user's code in a name, and the text of its options."""
     parts = re.fullmatch(r"(.+)[:?]([^:?=]+=.*)", name)
     plain, options = (parts[1], parts[2]) if parts else (name, "")
     return MODEL.find(plain), options
@@ -148,7 +148,7 @@ def _class_of(code: user_code.UserCode) -> type[Model]:
 
 
 def _made(kind: Any, plain: str, text: str, name: str) -> tuple[Model, str]:
-    """A model of a class with the options of a text, and its name with those that are not usual."""
+    """A model with the options of a text, and its name with the options that are not defaults."""
     legal = options_of(kind)
     given = {}
     for key, value in importing.pairs_in(name, text) if text else []:

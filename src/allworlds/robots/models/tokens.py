@@ -1,4 +1,4 @@
-"""Robots that lay down tokens, and meet."""
+"""Robots that drop tokens and pick them up, and must meet."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ class Tokened(NamedTuple):
     """A state.
 
     Attributes:
-        darts: of each robot.
-        hands: of each the number of tokens in its hand.
-        lying: of each vertex the number of tokens there.
+        darts: the dart of each robot.
+        hands: the number of tokens in each robot's hand.
+        lying: the number of tokens at each vertex.
     """
 
     darts: tuple[Dart, ...]
@@ -32,16 +32,16 @@ class Tokened(NamedTuple):
 
 @dataclass(frozen=True)
 class Tokens(Apart):
-    """Anonymous robots with tokens, all alike, that shall be at one vertex.
+    """Anonymous robots with indistinguishable tokens, which must meet at one vertex.
 
-    A percept is ``[degree, tokens, others, hand]``: how many tokens lie here, how many others are
-    here, and how many tokens are in one's hand.  Actions are ``Move``, ``Drop`` and ``Pick``, which
-    takes nothing where nothing lies any more.  Where too few lie for those that pick at once, the
-    adversary says who gets one.
+    A percept is ``[degree, tokens, others, hand]``: the numbers of tokens here, of other robots
+    here, and in one's hand.  Actions are ``Move``, ``Drop`` and ``Pick``, which takes nothing if no
+    token lies here.  If more robots pick at once than tokens lie here, the adversary chooses which
+    of them get one.
 
     Attributes:
-        tokens: in each hand at the start.
-        movable: whether they can be picked up.
+        tokens: the number of tokens in each hand at the start.
+        movable: whether tokens can be picked up.
     """
 
     tokens: Annotated[int, Meta(ge=0)] = 1

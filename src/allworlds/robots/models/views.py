@@ -1,4 +1,4 @@
-"""A map with robots in it as it is seen from a dart, whatever its darts are called."""
+"""The view of a map with robots from a dart, independent of the numbers of the darts."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart, Vertex
 
 
 class Ordered(NamedTuple):
-    """The order in which a map is seen from a dart.
+    """The order of vertices and darts in the view from a dart.
 
     Attributes:
-        vertices: their numbers in the map, in the order of a depth-first walk that begins with the
-            dart, and goes on with the next one round each vertex from the dart of arrival.
-        degrees: of these vertices.
+        vertices: the vertices, in the order of a depth-first walk that begins with the dart, and
+            tries the darts of each vertex in the order round it, from the dart of arrival.
+        degrees: the degrees of these vertices.
         alpha: the other end of each dart; darts are numbered vertex by vertex in that order.
     """
 
@@ -26,12 +26,12 @@ class Ordered(NamedTuple):
 
 
 View: TypeAlias = list[list[int]]
-"""The robots at each vertex, its degree, and the other end of each dart: see :class:`Ordered`."""
+"""The number of robots at each vertex, its degree, the other end of each dart: see `Ordered`."""
 
 
 @lru_cache(maxsize=1 << 12)
 def ordered_from(map_: CombinatorialMap, dart: Dart, clockwise: int) -> Ordered:
-    """The order from a dart; anticlockwise if ``clockwise`` is -1."""
+    """The order in the view from a dart; anticlockwise if ``clockwise`` is -1."""
     rounds: dict[Vertex, list[Dart]] = {}
     stack = [dart]
     while stack:
@@ -51,8 +51,8 @@ class Eyes(NamedTuple):
     """The limits of what robots see.
 
     Attributes:
-        here: the largest number of robots that is told from others at one's own vertex.
-        elsewhere: the same at others.
+        here: the largest number of robots that is seen exactly at one's own vertex.
+        elsewhere: the same for other vertices.
     """
 
     here: int
@@ -69,7 +69,7 @@ class Eyes(NamedTuple):
         return [robots, [*degrees], [*alpha]]
 
     def views(self, map_: CombinatorialMap, darts: Sequence[Dart], dart: Dart) -> dict[Dart, View]:
-        """The view from each dart of a vertex: the lesser one of clockwise and anticlockwise."""
+        """The lesser of the clockwise and the anticlockwise view, from each dart of a vertex."""
         found = {}
         for each in map_.vertices[map_.vertex_of[dart]]:
             found[each] = min(self.view(map_, darts, each, way) for way in (1, -1))
@@ -77,7 +77,7 @@ class Eyes(NamedTuple):
 
 
 def least(map_: CombinatorialMap, dart: Dart) -> Dart:
-    """The least dart of the vertex of a dart: for robots that have none of their own."""
+    """The least dart at the vertex of a dart, which stands for robots without a direction."""
     return map_.vertices[map_.vertex_of[dart]][0]
 
 

@@ -29,7 +29,7 @@ from allworlds.maps.families import FORMS, family
 from allworlds.notations.given import GivenMap, GivenMaps, GivenOptions, held
 from allworlds.robots.model import SCHEDULERS, Model, Scheduler
 from allworlds.robots.models.table import NamedModel, named_model
-from allworlds.robots.schedulers import ROUNDS, Time, schedule_of
+from allworlds.robots.schedulers import ROUNDS, Timing, schedule_of
 from allworlds.robots.team import Team
 from allworlds.studies.options import ClusterOptions, ListenerOptions, RunDirectoryOptions
 from allworlds.studies.user_corpus import CorpusOptions
@@ -278,7 +278,7 @@ class TeamRequest(
         return GivenOptions.given.func(self)  # type: ignore[attr-defined, no-any-return]
 
     @property
-    def time(self) -> Time:
+    def timing(self) -> Timing:
         """The schedules.
 
         Raises:
@@ -301,9 +301,8 @@ class TeamRequest(
             if self.starts is None:
                 raise InputError(f"schedule = {show(self.schedule)} needs a world and its starts")
         budget = self.budget if self.within is None else self.within
-        bound = self.within is not None
-        limits = bound, self.configurations, schedule
-        return Time(scheduler, budget, self.lead, self.start_delay, *limits)
+        limits = self.within is not None, self.configurations, schedule
+        return Timing(scheduler, budget, self.lead, self.start_delay, *limits)
 
     def team(self) -> Team:
         """The programs, loaded.

@@ -70,7 +70,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
             self.extent,
             request.model,
             team,
-            request.time,
+            request.timing,
             request.max_findings,
             starts,
         )
@@ -88,8 +88,9 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 
     @override
     def explorer(self) -> dict[str, Any]:
-        explorers = [record_of(subject) for subject in self.scope.team.subjects]
-        return {"name": self.scope.team.name, "explorers": explorers, "of": [*self.scope.team.of]}
+        team = self.scope.team
+        explorers = [record_of(subject) for subject in team.subjects]
+        return {"name": team.name, "explorers": explorers, "of": [*team.program_of]}
 
     @override
     def parameters(self) -> dict[str, Any]:
@@ -254,9 +255,9 @@ def request_again(
 
 def is_inside(finding: TeamFinding, scope: TeamScope) -> bool:
     """Whether a search of that scope could have found this itself."""
-    asked = scope.model.name, scope.model.digest, len(scope.team.of), TimeDocument.of(scope.time)
+    own = scope.model.name, scope.model.digest, len(scope.team.names), TimeDocument.of(scope.timing)
     starts = finding.starts
-    if asked != (finding.model, finding.model_digest, len(starts), finding.time):
+    if own != (finding.model, finding.model_digest, len(starts), finding.time):
         return False
     there = _place(finding.map, starts)
     for map_ in _rooted_like(finding.map, scope.extent):
