@@ -1,7 +1,11 @@
 """The search of one world in this process."""
 
-from allworlds.protocol.actions import End
+import pytest
+
+from allworlds.inputs.checks import InputError
+from allworlds.protocol.actions import End, Move
 from allworlds.protocol.turns import Automaton
+from allworlds.robots.graph import MOST_ROBOTS
 from allworlds.robots.single_search import search
 from small import EDGE
 from worlds_that_change import Never
@@ -18,3 +22,15 @@ def test_programs_that_are_equal_but_for_a_type_are_two():
     _, minds, _ = found.search.configuration(len(found.search) - 1)
     answers = [found.search.minds.value[mind].answer for mind in minds]
     assert [*map(repr, answers)] == ["1", "True"]
+
+
+def test_more_robots_than_a_set_of_them_has_bits_are_refused():
+    """With a bit too few the step of all robots would lead to another configuration."""
+    walk = Automaton(0, lambda memory, _: (memory, Move(0)))
+
+    def searched(robots):
+        return search(EDGE, (0,) * (robots - 1) + (1,), Never(), [walk] * robots, "fsync")
+
+    assert searched(MOST_ROBOTS).law == "progress"
+    with pytest.raises(InputError, match="robots = 13 are more than 12"):
+        searched(MOST_ROBOTS + 1)

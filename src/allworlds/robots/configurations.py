@@ -19,7 +19,7 @@ from allworlds.protocol.actions import IllegalAction, Wait, Watch
 from allworlds.protocol.turns import Sensed
 from allworlds.robots.cycles import broken_for_ever, cut_for_ever
 from allworlds.robots.events import event_of
-from allworlds.robots.graph import Broken, Graph
+from allworlds.robots.graph import MOST_ROBOTS, Broken, Graph
 from allworlds.robots.minds import Ended, Minds, ProgramFault
 from allworlds.robots.model import Assumption, Guarded, joined
 from allworlds.robots.schedulers import Timing, bits_of
@@ -92,8 +92,11 @@ class Search:
         """Make the first configurations.
 
         Raises:
-            InputError: for a bound on activations if all programs are automata.
+            InputError: for too many robots, or a bound on activations if all programs are automata.
         """
+        if len(self.program_of) > MOST_ROBOTS:
+            most = f"more than {MOST_ROBOTS}, the most of a search"
+            raise InputError(f"robots = {len(self.program_of)} are {most}")
         told = [self.world.told(robot) for robot in self._robots]
         roots = [*map(self.minds.root, self.program_of, told)]
         self._limited = not self.minds.finite
