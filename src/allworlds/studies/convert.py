@@ -1,4 +1,4 @@
-"""Worlds of a file: told of, and written in other notations."""
+"""Worlds of a file: described, and written in other notations."""
 
 from collections.abc import Iterable
 from dataclasses import KW_ONLY
@@ -26,11 +26,11 @@ from allworlds.notations.table import Notation, entries, legal, to_write, writte
 from allworlds.world.world import Entry
 
 DRAWN = 12
-"""The first worlds of a file, which are drawn."""
+"""The number of worlds of a file, from the first on, that are drawn."""
 
 
 def _files(given: Any) -> tuple[str, ...]:
-    """The names of files; one alone needs no list."""
+    """The names of files, from a list or from one name."""
     if given is None:
         return ()
     return tuple(map(str, [given] if isinstance(given, str | Path) else given))
@@ -88,12 +88,12 @@ class Convert(Report, kw_only=True):
 
 @answers(ConvertRequest)
 def convert(request: ConvertRequest) -> Convert:
-    """Tell of the worlds of a file, and write them in other notations if ``output`` is given.
+    """Describe the worlds of a file, and write them in other notations if ``output`` is given.
 
     Raises:
-        InputError: naming what cannot be read, or which map the other notation cannot tell.
+        InputError: naming a file that cannot be read, or a map that the notation cannot express.
 
-    Cost: of a world O(m^2) at worst, for its automorphisms.
+    Cost: O(m^2) for a world at worst, for its automorphisms.
     """
     outputs = [(a_path("output", name), to_write(name)) for name in request.output]
     rows, has, drawn = list[ConvertRow](), set[str](), list[Entry]()
@@ -130,12 +130,12 @@ def _row(number: int, entry: Entry) -> ConvertRow:
 
 
 def _room_behind(end: str | list[str | int]) -> str:
-    """The room behind a door, with the key of a parallel door or a loop: both sides have it."""
+    """The room behind a door; the two sides of a parallel door or a loop have a common key."""
     return end if isinstance(end, str) else f"{end[0]} ({end[1]})"
 
 
 def _write(path: Path, notation: Notation, worlds: Iterable[Entry]) -> None:
-    """Write worlds into a file; if one is refused, the old file stays."""
+    """Write worlds into a file; if a world is refused, the old file stays."""
     try:
         with TemporaryDirectory(prefix=".allworlds-", dir=path.parent) as beside:
             part = Path(beside) / path.name

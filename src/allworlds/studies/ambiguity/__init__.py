@@ -3,7 +3,7 @@
 Glossary
 --------
 quotient
-    The world with the darts that no motion tells apart taken together
+    The world with each class of darts that no motion tells apart merged into one dart
     (:mod:`allworlds.maps.quotient`).
 ambiguity class
     All worlds with the same rooted quotient; a world with a class of one member can be
@@ -14,25 +14,25 @@ bisimulation
     Classes of darts that prove that no motion tells two worlds apart
     (:mod:`allworlds.world.bisimulation`).
 separation
-    Motions that tell them apart.
+    Motions that tell two worlds apart.
 
 Modules
 -------
 ``members``
-    two worlds: a bisimulation or a separation; the class of a world: its members, and how they are
-    made from the quotient;
+    a bisimulation or a separation of two worlds; the members of a world's class, which are made
+    from the quotient;
 ``census_sweep``
-    the census of a lighthouse, and its parts: worlds by what can be sensed in them;
+    the census of a lighthouse, and its parts: which of all worlds look alike;
 ``sensed_classes``
-    many worlds at once, in arrays: names of what can be sensed in each;
+    many worlds at once, in arrays: names that are equal for worlds that look alike;
 ``side_by_side``, ``coarsenings``
     the comparison of sensors; the weakest ones among all coarsenings of a finest one;
 ``question``, ``twin_search``
     the search by solvers for worlds that no motion tells apart;
 ``clauses``, ``one_world``, ``formulas``
-    what a formula is; the formula of one world, and of two that no motion tells apart;
+    formulas; the formula of one world, and of two worlds that no motion tells apart;
 ``solvers``, ``proofs``
-    who solves formulas, and checkers of proofs that there are no twins; twins
+    the solvers of formulas, and checkers of proofs that there are no twins; twins
     that were found are checked by :mod:`allworlds.world.bisimulation`.
 """
 

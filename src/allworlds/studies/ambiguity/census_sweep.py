@@ -1,4 +1,4 @@
-"""Every marked world of a class, and which of them look alike."""
+"""The census of every marked world of a class: which of them look alike."""
 
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -34,7 +34,7 @@ from allworlds.world.selection import WhereOptions, tried_kind
 from allworlds.world.world import World
 
 BATCH = 2000
-"""Worlds after which a part of a unit is handed over."""
+"""The number of worlds after which a part of a unit is handed over."""
 
 
 class CensusRequest(
@@ -91,14 +91,15 @@ class SizeCounts(Struct):
 
 
 class SensedParts(Struct, forbid_unknown_fields=True):
-    """The worlds that were met, and which of them look alike.
+    """The worlds so far, and which of them look alike.
 
     Attributes:
-        worlds: how many rooted maps were met.
-        sizes: of each world, by its name, numbers of edges and of vertices.
-        looks: for all that a robot can find out from a start, the first of the worlds where it can.
-        alike: two worlds in which a robot can find out the same: with each one the first such.
-        counted: how many worlds there are of a look, where Burnside's count knows.
+        worlds: the number of rooted maps.
+        sizes: the numbers of edges and vertices of each world, by the world's name.
+        looks: the name of the first world with each look; a look is all that a robot can find out
+            from a start.
+        alike: pairs of names of worlds with the same look: the first such world, and another one.
+        counted: the number of worlds with each look, where Burnside's count gives it.
     """
 
     worlds: doc.Natural
@@ -108,7 +109,7 @@ class SensedParts(Struct, forbid_unknown_fields=True):
     counted: dict[str, int] = field(default_factory=dict)
 
     def add(self, other: "SensedParts") -> None:
-        """Add what another part has met."""
+        """Add the worlds of another part."""
         self.worlds += other.worlds
         self.sizes |= other.sizes
         self.alike |= other.alike
@@ -117,7 +118,7 @@ class SensedParts(Struct, forbid_unknown_fields=True):
             self._meet(look, name)
 
     def meet(self, worlds: arrays.SensedWorlds, *, counted: bool) -> None:
-        """Take in worlds with equally many edges; those of a look are counted, if they can be."""
+        """Add worlds with equally many edges; ``counted``: with Burnside's count of each look."""
         edges = worlds.sigma.shape[1] // 2
         for i, (look, name, sheets) in enumerate(arrays.named(worlds)):
             self.sizes[name] = edges, worlds.vertices[i]
@@ -139,7 +140,7 @@ class SensedParts(Struct, forbid_unknown_fields=True):
         return self.sizes[name], name
 
     def classes(self) -> Iterator[list[str]]:
-        """The worlds that look alike from some starts, or are joined by others that do."""
+        """The names of worlds that look alike from some starts, directly or through others."""
         beside: dict[str, list[str]] = {}
         for one, other in self.alike:
             beside.setdefault(one, []).append(other)
@@ -156,7 +157,7 @@ class SensedParts(Struct, forbid_unknown_fields=True):
                 yield found
 
     def counts(self, name: Callable[[Size], Key]) -> dict[Key, SizeCounts]:
-        """The counts of the worlds of each size, or of those whose sizes have one name."""
+        """The counts of the worlds, grouped by the key of their size."""
         found: dict[Key, SizeCounts] = {}
         for size, number in Counter(self.sizes.values()).items():
             found.setdefault(name(size), SizeCounts()).marked_worlds += number
@@ -166,13 +167,13 @@ class SensedParts(Struct, forbid_unknown_fields=True):
         return found
 
     def smallest_pair(self) -> tuple[str, ...]:
-        """The names of the smallest two worlds that look alike from some start, if any do."""
+        """The names of the two smallest worlds that look alike from some start; or empty."""
         return min(self.alike, key=lambda pair: [*map(self._order, reversed(pair))], default=())
 
     def ensure_counted(self) -> None:
-        """Raise Disagreement unless each look has as many worlds as Burnside's count says.
+        """Raise Disagreement unless each look has as many worlds as Burnside's count gives.
 
-        It counts all maps with a marked vertex that look alike.
+        That counts all maps with a marked vertex that look alike.
         """
         members = Counter({one: len(found) for found in self.classes() for one in found})
         for look, counted in self.counted.items():
@@ -191,7 +192,7 @@ class PartBySensing(Struct, frozen=True):
     counted: bool
 
     def parts(self, unit: AnyUnit) -> Iterator[SensedParts]:
-        """The maps of the unit, some at a time."""
+        """Yield the worlds of the unit in parts."""
         kind = self.kind.as_class
         if isinstance(unit, units.LevelUnit) and arrays.compiled_name(kind, self.extent):
             several = arrays.laid_out(unit, self.extent, kind)
@@ -207,9 +208,9 @@ class PartBySensing(Struct, frozen=True):
 def batches(
     unit: AnyUnit, extent: classes.Extent, kind: kinds.LighthouseKind
 ) -> Iterator[tuple[int, list[arrays.Placed]]]:
-    """The worlds of a unit, some at a time, with the number of maps in which they are.
+    """Yield the worlds of a unit in batches, each with the number of its maps.
 
-    At least once, even if there are none.
+    There is at least one batch, which may be empty.
     """
     maps, worlds = 0, list[arrays.Placed]()
     for map_, places in unit.placed(extent, kind.as_class):
@@ -254,7 +255,7 @@ class CensusRow(doc.Document, kw_only=True):
     counted: doc.NotInDocument[int]
 
     def agrees(self, *, whole: bool) -> bool:
-        """Whether as many rooted maps were met as the source counts; of a shard at most so many."""
+        """Whether the number of rooted maps is the source's count; for a shard, at most that."""
         return self.rooted == self.counted if whole else self.rooted <= self.counted
 
 
@@ -336,7 +337,7 @@ def census(request: CensusRequest) -> AmbiguityCensus:
 
 
 class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
-    """A census on its way."""
+    """The sweep of a census."""
 
     verb, asked, result = "ambiguity census", CensusRequest, SensedParts
     extent: classes.Extent
@@ -403,7 +404,7 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         )
 
     def _compared(self, names: tuple[str, ...]) -> ComparedWorlds | None:
-        """Two worlds of these names, with the proof that no motion tells them apart."""
+        """The two worlds with these names, with the proof that no motion tells them apart."""
         found: dict[str, dict[str, World]] = {}
         for edges in sorted({self._met.sizes[name][0] for name in names}):
             for unit in units.units_of_level(self.extent, edges):

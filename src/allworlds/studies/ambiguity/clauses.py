@@ -48,11 +48,11 @@ class Block(Struct, frozen=True):
 
 
 class Formula:
-    """Clauses, and the blocks of variables that they are about.
+    """Clauses over blocks of variables.
 
     Attributes:
-        title: what the formula says, line by line.
-        blocks: of variables, in the order in which they were made.
+        title: the statement of the formula, line by line.
+        blocks: the blocks of variables, in the order in which they were made.
         variable_count: the number of variables in all blocks.
         clauses: a list of tuples of literals.
     """
@@ -89,7 +89,7 @@ class Formula:
         self.clauses += [(-a, -b) for a, b in combinations(variables, 2)]
 
     def equivalent(self, a: Literal, b: Literal, *unless: Literal) -> None:
-        """Require both of two literals or neither to be true, unless another one is."""
+        """Require both of two literals or neither to be true, unless one of ``unless`` is true."""
         self.clauses += [(-a, *unless, b), (a, *unless, -b)]
 
     def write(self, path: Path) -> None:
@@ -124,7 +124,7 @@ def read_dimacs(path: Path, leave_out: str = "") -> tuple[int, list[Clause]]:
     """The number of variables and the clauses of a DIMACS file that :class:`Formula` wrote.
 
     Args:
-        path: of the file.
+        path: the path of the file.
         leave_out: the section whose clauses are left out.
 
     Raises:

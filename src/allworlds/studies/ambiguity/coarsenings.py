@@ -21,12 +21,12 @@ from allworlds.world.selection import tried_kind
 from allworlds.world.world import World
 
 MOST_FEATURES = 8
-"""There are 4,140 coarsenings of eight features, and 21,147 of nine."""
+"""The most features of a finest sensor: eight have 4,140 coarsenings, and nine 21,147."""
 
 SHAPE = 'a lighthouse whose marks are numbers of its features, as in features = ("away", "door")'
 
 Letters: TypeAlias = tuple[int, ...]
-"""A coarsening: for each feature its letter; letters are numbered as they come."""
+"""A coarsening: the letter of each feature; letters are numbered in the order of occurrence."""
 
 
 class WeakestRequest(ManyWorldsOptions, kw_only=False):
@@ -121,9 +121,9 @@ class FinestLevel(NamedTuple):
     """The worlds of one size, under the finest sensor.
 
     Attributes:
-        worlds: the rooted maps, each with every place.
-        arrays: the same; what is sensed is the degree alone.
-        features: for each dart the number of what the finest sensor tells.
+        worlds: the rooted maps, each with every place of the lighthouse.
+        arrays: the same worlds as arrays, in which only degrees are sensed.
+        features: for each dart the number of the feature that the finest sensor senses there.
         roots: for each world the number of its rooted map.
     """
 
@@ -133,7 +133,7 @@ class FinestLevel(NamedTuple):
     roots: list[int]
 
     def looks(self, letters: Letters, indices: Sequence[int]) -> Iterator[bytes]:
-        """The codes of all that a robot can find out in some of the worlds."""
+        """The codes of the worlds with these indices; worlds that look alike have equal codes."""
         import numpy as np
 
         some = self.arrays.chosen(indices)
@@ -147,7 +147,7 @@ AtLevel: TypeAlias = tuple[int, int]
 
 
 def partitions(count: int) -> list[Letters]:
-    """Every coarsening of so many features, fewest letters first."""
+    """Every coarsening of ``count`` features, fewest letters first."""
     found: list[Letters] = [()]
     for _ in range(count):
         found = [(*one, letter) for one in found for letter in range(max(one, default=-1) + 2)]
@@ -155,7 +155,7 @@ def partitions(count: int) -> list[Letters]:
 
 
 def lower(letters: Letters) -> list[Letters]:
-    """The coarsenings in which two letters are one."""
+    """The coarsenings that merge two letters of this one."""
     count, found = max(letters) + 1, list[Letters]()
     for other in range(count):
         for one in range(other):
@@ -166,7 +166,7 @@ def lower(letters: Letters) -> list[Letters]:
 
 
 class Refuter:
-    """Finds two worlds that look alike under a coarsening: first among those found before."""
+    """A search for worlds that look alike under a coarsening, first among pairs found before."""
 
     def __init__(self, levels: Sequence[FinestLevel]) -> None:
         self.levels, self.tried = levels, 0
@@ -198,10 +198,10 @@ class Refuter:
 
 @requests.answers(WeakestRequest)
 def weakest(request: WeakestRequest) -> AmbiguityWeakest:
-    """Find the minimal ones among all coarsenings of a finest sensor that suffice.
+    """Find the minimal coarsenings of a finest sensor that suffice.
 
-    They are gone through from the coarsest on. One that is finer than a sufficient one suffices;
-    the others are tried in the worlds that refuted earlier ones, and then in every world.
+    Coarsenings are tried from the coarsest on. A coarsening that is finer than a sufficient one
+    suffices; any other is tried in the worlds that refuted earlier ones, and then in every world.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -253,7 +253,7 @@ def _features(kind: kinds.LighthouseKind) -> tuple[str, ...]:
     """The names of the features of a finest sensor.
 
     Raises:
-        InputError: if it has none, or too many.
+        InputError: if it has no features, or too many.
     """
     ensure_motions_decide(kind, "sensors are compared by motions alone")
     features: Any = getattr(kind.as_class, "features", None)
@@ -272,7 +272,7 @@ def _levels(
     """The levels, each with every world.
 
     Raises:
-        InputError: if something else is sensed or told than the number of a feature.
+        InputError: if a robot senses or is told anything but the number of a feature.
     """
     import numpy as np
 

@@ -1,14 +1,14 @@
 """The formula of a search: two different worlds, and a bisimulation between their darts.
 
-*One world*: see :mod:`allworlds.studies.ambiguity.one_world`; a model is its canonical code.
+*One world*: a model is its canonical code, see :mod:`allworlds.studies.ambiguity.one_world`.
 
-*Bisimulation*: a relation of darts that holds between the two starts, that sigma and alpha keep,
-and whose darts sense the same.  It exists exactly if no motion tells the two worlds apart: every
-motion is a product of sigmas and one alpha.
+*Bisimulation*: a relation between the darts of two worlds that relates the two starts, is preserved
+by sigma and alpha, and relates only darts with equal percepts.  It exists exactly if no motion
+tells the worlds apart, because every motion is a product of sigmas and one alpha.
 
-*Different* starts from canonical codes that differ.  Two codes may differ and yet be one map
-that is entered at two darts which look alike; :func:`forbid_other_start` excludes, dart by
-dart, that the second world is the first one started elsewhere.
+*Different*: the canonical codes differ.  Two different codes may still be one map entered at two
+darts that look alike; :func:`forbid_other_start` excludes, dart by dart, that the second world is
+the first one with another start.
 """
 
 from collections.abc import Mapping
@@ -23,7 +23,7 @@ from allworlds.world.lighthouses.base import Where
 
 ALIKE = "related darts sense the same"
 DIFFERENT = "the codes differ, and the first is the smaller one"
-"""The sections of the formula that say that the two worlds look alike, and that they differ."""
+"""The sections of the formula by which the two worlds differ, and look alike."""
 
 
 class Pair(Struct, frozen=True):
@@ -31,8 +31,8 @@ class Pair(Struct, frozen=True):
 
     Attributes:
         one, two: the maps, rooted at the starts.
-        pointed: for each world ``[x]``: x is a reference dart; empty where there are none.
-        letters: for each world ``[x, l]``: x has letter l; empty where there are none.
+        pointed: for each world ``[x]``: x is a reference dart; empty without reference darts.
+        letters: for each world ``[x, l]``: x has letter l; empty without letters.
     """
 
     question: Question
@@ -42,7 +42,7 @@ class Pair(Struct, frozen=True):
     letters: tuple[Block, ...] = ()
 
     def signs(self, x: int, y: int) -> list[tuple[Literal, Literal]]:
-        """Whether dart x of the first world has a mark, and dart y of the second; for each mark."""
+        """For each mark: the literals for dart x of the first, and dart y of the second world."""
         if self.letters:
             one, two = self.letters
             return [(one[x, letter], two[y, letter]) for letter in range(one.shape[1])]
@@ -80,7 +80,7 @@ def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, Pair]:
 
 
 def world_formula(question: Question, sizes: Sizes) -> Formula:
-    """The formula 'one world of the second size, with the walk'. It decides whether any exists."""
+    """The formula 'one world of the second size, with the walk'; a model is such a world."""
     formula = Formula(_title(question, sizes))
     _walk(formula, question, one_world(formula, "1", sizes.two, question))
     return formula
@@ -167,7 +167,7 @@ def _sense_the_same(formula: Formula, pair: Pair, related: int, x: int, y: int) 
 def _smaller_code(formula: Formula, pair: Pair) -> None:
     """Require the first world's answer to be smaller at the first step with different answers.
 
-    Looking alike is symmetric, so nothing is lost by asking for the smaller code first.
+    Looking alike is symmetric, so no pair of worlds is lost.
     """
     one, two, darts = pair.one, pair.two, pair.one.size.darts
     steps = 2 * darts
@@ -197,10 +197,10 @@ def _smaller_code(formula: Formula, pair: Pair) -> None:
 def forbid_other_start(formula: Formula, pair: Pair, start: int) -> None:
     """Require that the second world entered at dart ``start`` is not the first world.
 
-    Only where ``start`` could be the start, that is at v0 where a vertex is marked.  Let F be
-    the numbering of the second map's darts from ``start`` that the first map's numbering
-    prescribes; somewhere F does not carry the first map's sigma, alpha or reference darts to
-    the second's.  ``start`` 0 is what the codes say already.
+    If a vertex is marked, this is required only for a ``start`` at v0.  Let F number the second
+    map's darts from ``start`` on, in the order that the first map's numbering prescribes.  Then F
+    must fail to carry the first map's sigma, alpha or reference darts to the second map's.  For
+    ``start`` 0 the codes require this already.
     """
     one, two, darts = pair.one, pair.two, range(pair.one.size.darts)
     shape = (len(darts), len(darts))

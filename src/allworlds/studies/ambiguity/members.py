@@ -1,7 +1,7 @@
-"""Worlds that look alike: two of them compared, and all members of a class.
+"""Worlds that look alike: the comparison of two worlds, and all members of a class.
 
-Can any motion tell two worlds apart?  A bisimulation says no, a walk says yes.  The members of a
-class are lifts of a quotient, each by its code.
+A bisimulation proves that no motion tells two worlds apart, a walk that some motions do.  The
+members of a class are lifts of a quotient, each named by its code.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -51,7 +51,7 @@ class TwinsRequest(Request, kw_only=False):
 
 
 Relation: TypeAlias = Literal["same", "same-map", "different"]
-"""``different``: two maps, or two places of the lighthouse."""
+"""The relation of two worlds; ``different``: in the map, or in the place of the lighthouse."""
 
 
 class ComparedWorlds(Report):
@@ -100,10 +100,9 @@ def twins(request: TwinsRequest) -> ComparedWorlds:
     """Decide whether any motion can tell the worlds apart, with a proof that has been checked.
 
     Raises:
-        InputError: if the lighthouses are of different kinds: what is sensed is then no
-            matter of the worlds.
+        InputError: if the lighthouses are of different kinds, whose percepts are not comparable.
 
-    Cost: O(m log m) where no motion can; else as many steps as pairs of darts are met.
+    Cost: O(m log m) if no motion can; else a step for each pair of darts that is visited.
     """
     a, b = (world_named(world, request.lighthouse) for world in (request.a, request.b))
     kinds = [world.lighthouse.kind for world in (a, b)]
@@ -135,7 +134,7 @@ def twins(request: TwinsRequest) -> ComparedWorlds:
 def separation(a: World, b: World) -> tuple[int, ...]:
     """The first motions, by length and then in ascending order, that tell the worlds apart.
 
-    There must be some.  Breadth-first over pairs of darts, motions ``0..degree-1``.
+    Such motions must exist.  They are found breadth-first over pairs of darts.
     """
     seen = {(a.start, b.start)}
     # Two darts, and the motion that led there from the darts of an earlier entry.
@@ -156,7 +155,7 @@ def separation(a: World, b: World) -> tuple[int, ...]:
 
 
 def replayed(a: World, b: World, motions: Sequence[int]) -> str | None:
-    """Why the percepts do not differ after the last motion for the first time; None if they do."""
+    """The reason why the percepts do not first differ after the last motion; None if they do."""
     one, other = sensed(a, motions), sensed(b, motions)
     if one[-1] == other[-1]:
         return "the last percepts are equal"
@@ -164,7 +163,7 @@ def replayed(a: World, b: World, motions: Sequence[int]) -> str | None:
 
 
 def ensure_motions_decide(kind: LighthouseKind, why: str) -> None:
-    """Raise InputError, with the reason why it matters, if the robot can leave marks itself."""
+    """Raise InputError, with the reason ``why``, if the robot can leave marks itself."""
     if kind.as_class.leaves_marks:
         standing = ", ".join(name for name, own in LIGHTHOUSES.items() if not own.leaves_marks)
         raise InputError(
@@ -174,7 +173,7 @@ def ensure_motions_decide(kind: LighthouseKind, why: str) -> None:
 
 
 DEFAULT_LIMIT = 1000
-"""The largest class whose members are all made, unless another limit is named."""
+"""The default of the largest class whose members are all made."""
 
 
 class ClassRequest(ListenerOptions, ClassOptions, kw_only=False):
@@ -195,7 +194,7 @@ class ClassRequest(ListenerOptions, ClassOptions, kw_only=False):
 
 
 class LeastRooting(NamedTuple):
-    """The least code among some rootings of a map, and how many of them have it."""
+    """The least code among some rootings of a map, and the number of rootings that have it."""
 
     code: Code
     times: int
@@ -204,9 +203,9 @@ class LeastRooting(NamedTuple):
 def least_rooting(map_: CombinatorialMap, darts: Sequence[Dart]) -> LeastRooting:
     """The canonical key of the map with the vertex of ``darts`` marked.
 
-    ``darts`` are all darts of the vertex, or all those that look alike to a robot there: an
-    isomorphism of marked maps carries the ones to the ones.  ``times`` is the number of
-    automorphisms that fix the marked vertex.
+    ``darts`` are all darts of the vertex, or all darts there that look alike to a robot; an
+    isomorphism of marked maps preserves either set.  ``times`` is the number of automorphisms
+    that fix the marked vertex.
 
     Cost: O(m) for each dart.
     """
@@ -216,19 +215,18 @@ def least_rooting(map_: CombinatorialMap, darts: Sequence[Dart]) -> LeastRooting
 
 
 Permutation: TypeAlias = tuple[int, ...]
-"""Of the sheets ``0..k-1``."""
+"""A permutation of the sheets ``0..k-1``."""
 
 _Kind: TypeAlias = Callable[[Sequence[Permutation]], Iterator[Permutation]]
-"""The options that there are after these have been chosen."""
+"""The options for a choice, given the options chosen before."""
 
 
 def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
     """A map for each way to permute the sheets (:mod:`allworlds.maps.quotient`).
 
-    Dart ``q * k + i`` of a map lies over class q, in sheet i.  The sheets keep their names
+    Dart ``q * k + i`` of a map lies over class q, in sheet i.  The sheets keep their numbers
     round each vertex up to its last class, and along a spanning tree.  The same marked map
-    comes up to k times, once for each dart over class 0 that its automorphisms do not carry
-    to another.
+    comes up to k times: once for each orbit of its automorphisms on the darts over class 0.
 
     Cost: O(m) a map, and O(m) memory.
     """
@@ -260,14 +258,14 @@ def _lift(quotient: Quotient, choice: Iterator[Permutation]) -> CombinatorialMap
 
 
 def _permute(map_: list[Dart], k: int, q: int, to: int, moved: Sequence[int]) -> None:
-    """Let the darts over class q go to those over class ``to``, sheets moved."""
+    """Map the darts over class q to those over class ``to``, with the sheets permuted."""
     map_[q * k : (q + 1) * k] = [to * k + i for i in moved]
 
 
 def uniform_permutations(k: int, b: int) -> Iterator[Permutation]:
-    """The permutations of ``0..k-1`` all of whose cycles have length b; none if b divides not.
+    """The permutations of ``0..k-1`` whose cycles all have length b; none if b does not divide k.
 
-    Cost: O(k) each, up to what their cycles have in common.
+    Cost: O(k) for each permutation at most.
     """
     if k % b:
         return
@@ -293,7 +291,7 @@ def _choices(kinds: Sequence[_Kind]) -> Iterator[tuple[tuple[int, ...], ...]]:
 
     Each kind is given the options chosen before.
 
-    Unlike a product nothing is stored, and unlike a recursion the kinds may be thousands.
+    Unlike a product this stores nothing, and unlike a recursion it takes thousands of kinds.
     """
     chosen: list[Permutation] = []
     options: list[Iterator[Permutation]] = []
@@ -393,13 +391,13 @@ def projection_of(world: World) -> Projection:
 def class_of(request: ClassRequest) -> AmbiguityClass:
     """The complete ambiguity class of a world, with a position lighthouse, or a directional one.
 
-    Under the latter it is alone.  The class of maps is the universe: only members that belong to
-    it count.
+    Under a directional lighthouse the world is the only member.  Only members that belong to the
+    class of maps count.
 
     Raises:
-        InputError: for another lighthouse, under which a class can be infinite; for a world
-            outside the universe; for a limit below 1, or one that is too small where all
-            members must be made to see which belong to the universe.
+        InputError: for another lighthouse, under which a class can be infinite; for a world outside
+            the class of maps; for a limit below 1, or one that is too small where all members must
+            be made to find those in the class of maps.
 
     Cost: O(k m) for each of the at most k ``limit`` lifts.
     """
@@ -456,7 +454,7 @@ def _checked(world: World, limit: int, universe: MapClass) -> None:
 
 
 def _members(quotient: Quotient, limit: int, own: LeastRooting) -> dict[Code, LeastRooting]:
-    """The members by code. Beyond the limit, the first that are not the given world."""
+    """The members by their codes; above the limit, the given world and the first other ones."""
     alike = range(quotient.sheets)  # the darts of a lift that lie over class 0
     found: dict[Code, LeastRooting] = {}
     for lift in lifts(quotient):

@@ -1,9 +1,9 @@
 """The formula of one world: its models are exactly the rooted maps of a class, each once.
 
-The darts carry their canonical numbers (see :mod:`allworlds.maps.combinatorial`): in the order of
-steps ``t = 0, 1, 2, ...`` the map is asked for ``sigma(0), alpha(0), sigma(1), ...``, and an answer
-is either a number that has been given already or the next free one.  So a model is a canonical
-code, and the number of models is the number of rooted maps.
+The darts have their canonical numbers (see :mod:`allworlds.maps.combinatorial`): in the steps
+``t = 0, 1, 2, ...`` the values ``sigma(0), alpha(0), sigma(1), ...`` are found, and each value is
+either a number that was given before or the next free one.  So a model is a canonical code, and the
+number of models is the number of rooted maps.
 """
 
 from itertools import product
@@ -17,8 +17,7 @@ from allworlds.studies.ambiguity.question import Question, Size
 class OneWorld(Struct, frozen=True):
     """The variables of one rooted map; dart 0 is the root, vertex 0 is the root's.
 
-    Their meanings stand where they are made, in :func:`one_world`.  Vertices are numbered by their
-    first darts.
+    :func:`one_world` gives their meanings.  Vertices are numbered in order of their first darts.
     """
 
     size: Size
@@ -32,20 +31,20 @@ class OneWorld(Struct, frozen=True):
     offset: Block
 
     def step(self, t: int, y: int) -> int:
-        """The variable for: step t is answered by y."""
+        """The variable for: the value found in step t is y."""
         return (self.alpha if t % 2 else self.sigma)[t // 2, y]
 
     def has_degree(self, x: int, degree: int) -> Clause:
-        """The part of a clause for: the vertex of x has this degree; empty if none can."""
+        """The part of a clause for: the vertex of x has this degree; empty if that cannot be."""
         return (self.degree[x, degree],) if degree < self.degree.shape[1] else ()
 
 
 def one_world(formula: Formula, name: str, size: Size, asked: Question) -> OneWorld:
     """Add variables and clauses of one rooted map, and return the variables.
 
-    Every model restricted to sigma and alpha is a rooted map of that size, with the class and
-    degrees that are asked for, and every such map is one model.  ``name`` is appended to the names
-    of the variables.
+    Every model, restricted to sigma and alpha, is a rooted map of that size, with the class and the
+    degrees of the question, and every such map is exactly one model.  ``name`` is appended to the
+    names of the variables.
 
     Cost: O(N^3) clauses for N = 2m darts.
     """
@@ -133,7 +132,7 @@ def _vertices(formula: Formula, world: OneWorld) -> None:
 
 
 def _constant(formula: Formula, step: Block, here: Block, there: Block) -> None:
-    """Require that ``step`` takes a dart with a label in ``here`` to one with it in ``there``."""
+    """Require that ``step`` maps a dart with a label of ``here`` to one with that of ``there``."""
     labels = range(here.shape[1])
     for x, y in product(*map(range, step.shape)):
         formula.clauses += [(-step[x, y], -here[x, v], there[y, v]) for v in labels]

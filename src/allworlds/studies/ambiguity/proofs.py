@@ -1,11 +1,11 @@
-"""Checkers of proofs that a formula has no model, our own solver's and another program's.
+"""Checkers of proofs that a formula has no model, by this package's solver or another program.
 
-They share no code with what makes formulas or solves them.  :func:`check_lrat` checks LRAT;
-:func:`lrat_of_drat` is a forward checker of DRAT by unit propagation, which returns LRAT.  There
-every added clause must have the property RUP: assuming its literals false, unit propagation
-over the clauses known so far ends in a conflict.  The clauses that took part become the
-hints of an LRAT line, so that the result can be checked again without any search.  Lines
-that need RAT are refused; the solver that is used here writes none.
+They share no code with the modules that make or solve formulas.  :func:`check_lrat` checks LRAT;
+:func:`lrat_of_drat` is a forward checker of DRAT by unit propagation, which returns LRAT.
+Every added clause must have the property RUP: if its literals are assumed false, unit
+propagation over the clauses so far ends in a conflict.  The clauses of that propagation become
+the hints of an LRAT line, so that the result can be checked again without any search.  Lines
+that need RAT are refused; the solver of this package writes none.
 """
 
 from collections.abc import Iterable, Sequence
@@ -27,8 +27,8 @@ def check_lrat(clauses: Sequence[Clause], proof: Iterable[str]) -> None:
     """Raise ProofRefused unless the proof derives the empty clause from the clauses.
 
     Every hint must be a clause with at most one literal that is not false yet, and the last
-    one must be false: a chain of hints that never conflicts proves nothing.  The one literal
-    may be true already: CaDiCaL writes a few such hints, and they do no harm.
+    hint must be false: hints without a conflict prove nothing.  The one literal may be true
+    already: CaDiCaL writes a few such hints, and they are harmless.
 
     Raises:
         ProofRefused: naming the line.
@@ -88,7 +88,7 @@ class RupChecker:
     """The derived and given clauses so far, with two watched literals each.
 
     Attributes:
-        lemmas: number of a derived clause to its literals and hints.
+        lemmas: the literals and hints of each derived clause, by its number.
         empty: the number of the empty clause once it has been derived, else None.
     """
 
@@ -123,7 +123,7 @@ class RupChecker:
     def delete(self, clause: Clause) -> None:
         """Forget a clause.
 
-        Unit clauses stay: what they imply has been used.
+        Unit clauses stay, because their consequences have been used.
 
         Raises:
             ProofRefused: if there is no such clause.
@@ -153,7 +153,7 @@ class RupChecker:
             self._watched[literal].append(number)
 
     def _settle(self, number: int) -> None:
-        """Record the consequences of a clause for good, each implied literal as a unit lemma."""
+        """Record the consequences of a clause, each implied literal as a unit lemma."""
         free = [literal for literal in self._clauses[number] if self._value[literal] >= 0]
         if len(free) > 1 or (free and self._value[free[0]] > 0):
             return
@@ -176,7 +176,7 @@ class RupChecker:
             self._insert(number, (literal,))
 
     def _hints(self, clause: Clause) -> list[int]:
-        """The clauses whose propagation refutes the clause's negation, in their order."""
+        """The numbers of the clauses whose propagation refutes the clause's negation, in order."""
         value, base = self._value, len(self._trail)
         for literal in clause:
             if value[literal] > 0:
@@ -225,7 +225,7 @@ class RupChecker:
         del self._trail[length:]
 
     def _propagate(self, head: int) -> int:
-        """The number of a clause that became false, or 0. The trail grows meanwhile."""
+        """Extend the trail by unit propagation; return the number of a false clause, or 0."""
         value, watched, clauses = self._value, self._watched, self._clauses
         trail, reason = self._trail, self._reason
         while head < len(trail):

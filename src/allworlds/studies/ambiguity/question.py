@@ -1,4 +1,4 @@
-"""The question of a search, checked once: lighthouse, class, bounds and the walk."""
+"""The question of a search for twins: lighthouse, class, bounds and walk, checked once."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -94,9 +94,9 @@ SEARCHED: Mapping[str, Callable[[Sequence[combinatorial.Dart]], base.Lighthouse]
     marked.Directional.kind: lambda darts: marked.Directional(darts[0]),
     marked.Compass.kind: lambda darts: marked.Compass(tuple(darts)),
 }
-"""The lighthouses of which there are formulas, with start 0 and the darts that they point to.
+"""The lighthouses that have formulas, each made from the darts that it points to, with start 0.
 
-Of letters there are others, in which the start is at bearing 0: turning is free.
+Lighthouses with letters have other formulas, with the start at bearing 0, since turning is free.
 """
 
 LETTERS = (marked.Door.kind, marked.Word.kind)
@@ -147,11 +147,12 @@ class Question(Struct, frozen=True, dict=True):
     """Is there a pair of different worlds that no motion separates?
 
     Attributes:
-        lighthouse: its kind.
-        map_class: of both worlds.
-        vertices, edges: the most of each of them.
-        degree_marked, degree_others: of v0, the start's vertex, and of all others; None: any.
-        walk: a walk from the start, and what it senses in both worlds.
+        lighthouse: the kind of the lighthouse.
+        map_class: the class of both maps.
+        vertices, edges: the most vertices, and edges, of each world.
+        degree_marked: the degree of v0, the vertex of the start; None: any.
+        degree_others: the degree of all other vertices; None: any.
+        walk: a walk from the start, with its percepts, which are the same in both worlds.
     """
 
     lighthouse: str
@@ -177,9 +178,9 @@ class Question(Struct, frozen=True, dict=True):
 
     @cached_property
     def words(self) -> Mapping[int, tuple[int, ...]]:
-        """For each degree of v0 the letters of the bearings from 0 on; empty if there are none.
+        """The letters at bearings 0, 1, ... for each degree of v0; empty without letters.
 
-        They are the marks at the hub of a star at the first place of the lighthouse.
+        They are the marks at the hub of a star under the lighthouse at its first place.
         """
         stars = [named_map(f"star-{d}") for d in range(1, 2 * self.edges + 1)]
         none = self.lighthouse in SEARCHED
@@ -187,12 +188,11 @@ class Question(Struct, frozen=True, dict=True):
         return {map_.edge_count: letters_at(on[0], map_) for map_, on in first.items() if on}
 
     def sizes(self) -> Iterator[Sizes]:
-        """The pairs of sizes that are to be searched, the smaller first.
+        """The pairs of sizes to search, smallest first.
 
-        Where a vertex is marked, worlds that look alike have equally many edges: exactly one
-        dart class lies over each dart of v0's quotient, and its size is the same for all.
-        Elsewhere the sizes are ordered by the larger number of edges, then by the smaller.
-        Sizes for which simple counting leaves no world are left out.
+        If a vertex is marked, worlds that look alike have equally many edges, since all classes of
+        darts have the same size.  Otherwise the pairs are ordered by the larger number of edges,
+        then by the smaller one.  Sizes that no world can have, by simple counting, are left out.
         """
         sizes = []
         for m in range(1, self.edges + 1):
@@ -202,7 +202,7 @@ class Question(Struct, frozen=True, dict=True):
                     yield Sizes(one, two)
 
     def _possible(self, m: int, n: int) -> bool:
-        """Whether simple counting leaves worlds with these numbers of edges and vertices."""
+        """Whether worlds with these numbers of edges and vertices can exist, by simple counting."""
         root, others = self.degree_marked, self.degree_others
         if n > m + 1:
             return False
@@ -238,13 +238,13 @@ class Question(Struct, frozen=True, dict=True):
 
 
 def letters_at(placed: base.Lighthouse, map_: combinatorial.CombinatorialMap) -> tuple[int, ...]:
-    """The marks that are sensed at dart 0 and the others of its vertex, anticlockwise."""
+    """The marks that a robot senses at dart 0 and the other darts of its vertex, anticlockwise."""
     seen = placed.percepts(map_)
     return tuple(seen[map_.turn(0, -bearing)].marks for bearing in range(map_.degree_at[0]))
 
 
 def _ensure_at_v0(asked: Question) -> None:
-    """Raise InputError if other things are sensed in a small map than the letters, in some turn."""
+    """Raise InputError if a robot senses anything but the letters at v0 in some small map."""
     most = min(asked.edges, TRIED_EDGES)
     for map_ in (map_ for edges in range(1, most + 1) for map_ in rooted_maps(edges)):
         for placed in asked.kind.places(map_, 0):

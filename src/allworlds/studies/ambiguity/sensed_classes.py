@@ -1,6 +1,6 @@
-"""Many worlds of one size at once, in arrays: which look alike, and which are the same.
+"""Many worlds of one size at once, in arrays: which look alike, and which are equal.
 
-A row of a matrix is a world, a column a dart.  Every world is rooted at dart 0, its start.
+The first index of a matrix is a world, the second a dart.  Every world starts at dart 0.
 """
 
 import json
@@ -29,11 +29,11 @@ Placed: TypeAlias = tuple[CombinatorialMap, Lighthouse]
 """A map rooted at dart 0, and a lighthouse at a place of it."""
 
 BITS = 20
-"""The bits of a degree, and of a bearing, in the number of what is sensed."""
+"""The number of bits for a degree, and for a bearing, in the number of a percept."""
 
 MOST_MARKS = 1 << (63 - 2 * BITS)
 ENTRIES = 1 << 20
-"""The entries of a matrix of codes that is made at once."""
+"""The most entries of a matrix of codes."""
 
 
 class SensedWorlds(NamedTuple):
@@ -41,9 +41,9 @@ class SensedWorlds(NamedTuple):
 
     Attributes:
         sigma, alpha: the permutations.
-        sensed: for each dart a number that stands for what is sensed there, with the degree.
-        told: for each world what is told before the start.
-        vertices: their numbers.
+        sensed: for each dart the number of the percept there, which includes the degree.
+        told: for each world the value that the robot is told.
+        vertices: for each world the number of its vertices.
     """
 
     sigma: Matrix
@@ -53,15 +53,15 @@ class SensedWorlds(NamedTuple):
     vertices: Sequence[int]
 
     def chosen(self, indices: Any) -> "SensedWorlds":
-        """Return the matrices of some of them, by their numbers."""
+        """Return the matrices of the worlds with these indices."""
         return SensedWorlds(self.sigma[indices], self.alpha[indices], self.sensed[indices], (), ())
 
 
 def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
-    """The worlds, each percept as a number that is the same in every world.
+    """The worlds as arrays; equal percepts have equal numbers in all worlds.
 
     Raises:
-        InputError: for more marks than the number has room for.
+        InputError: for more marks than a number can hold.
     """
     import numpy as np
 
@@ -84,7 +84,10 @@ def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
 
 
 def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
-    """The kernel's name of a lighthouse (of letters the door's), if it is to make the worlds."""
+    """The kernel's name of a lighthouse, if the kernel is to make the worlds; else empty.
+
+    For lighthouses with letters it is that of ``Door``.
+    """
     name = Door.kind if issubclass(kind, SensedByBearing) else kind_of(kind)
     name = Nothing.kind if kind is Labels else name
     able = name in capabilities.LIGHTHOUSES and not (extent.given or extent.where)
@@ -94,7 +97,7 @@ def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
 
 @lru_cache(16)
 def _room(edges: int, thread: int) -> tuple[Any, ...]:  # noqa: ARG001  # each has its own
-    """The memory of compiled code: a job, a robot that does not move, and the worlds."""
+    """The memory of compiled code: a job, a robot that stands still, and the worlds."""
     from allworlds.engines.kernel import arrays
 
     made = arrays.Stretch.of(edges)
@@ -104,7 +107,7 @@ def _room(edges: int, thread: int) -> tuple[Any, ...]:  # noqa: ARG001  # each h
 def laid_out(
     unit: LevelUnit, extent: Extent, kind: type[Lighthouse]
 ) -> Iterator[tuple[int, SensedWorlds]]:
-    """The worlds of a unit, some at a time, with the number of maps; made by compiled code."""
+    """Yield the worlds of a unit in batches, made by compiled code, with the numbers of maps."""
     import numpy as np
 
     from allworlds.engines.kernel import arrays, engine
@@ -138,7 +141,7 @@ def laid_out(
 
 
 def _labelled(worlds: SensedWorlds, first: Matrix) -> SensedWorlds:
-    """The worlds under labels: vertices and their first darts are met in canonical order."""
+    """The worlds with labelled vertices, which are numbered in canonical order."""
     import numpy as np
 
     at, degree = np.broadcast_to(np.arange(first.shape[1]), first.shape), worlds.sensed
@@ -151,7 +154,7 @@ def _labelled(worlds: SensedWorlds, first: Matrix) -> SensedWorlds:
 
 
 def _ranks(keys: Matrix) -> Matrix:
-    """For each entry the number of smaller values in its row."""
+    """For each entry the number of smaller values in the same world."""
     import numpy as np
 
     order = np.argsort(keys, axis=1, kind="stable")
@@ -164,13 +167,13 @@ def _ranks(keys: Matrix) -> Matrix:
 
 
 def classes(worlds: SensedWorlds) -> Matrix:
-    """For each dart its class in the quotient of its world, from 0 on.
+    """For each dart the number of its class in the quotient of its world, from 0 on.
 
-    Two darts are in one class if no motion tells them apart.  Classes are split by what is sensed,
-    then by the classes to which sigma and alpha lead, until none is split.  Their numbers do not
-    depend on those of the darts.
+    Two darts are in one class if no motion tells them apart.  Classes are split by percepts, then
+    by the classes of sigma and alpha of their darts, until no class is split.  The numbers of the
+    classes do not depend on the numbers of the darts.
 
-    Cost: O(m log m) for each world and each round, of which there are at most as many as classes.
+    Cost: O(m log m) for each world and round; there are at most as many rounds as classes.
     """
     import numpy as np
 
@@ -188,10 +191,11 @@ def classes(worlds: SensedWorlds) -> Matrix:
 
 
 def numbered(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> tuple[Matrix, Matrix]:
-    """For each class its number, and for each number a dart of its class.
+    """Number the classes canonically; return the number of each class, and a dart for each number.
 
-    Classes are numbered from that of the world's root on: the oldest numbered one has the class to
-    which sigma leads numbered, then that to which alpha does; ``of`` is the class of each dart.
+    The class of the world's root has number 0.  Then, for each numbered class in turn, the class to
+    which sigma leads gets the next number, then that to which alpha leads, unless they have one.
+    ``of`` is the class of each dart.
 
     Cost: O(m) a world.
     """
@@ -217,8 +221,8 @@ def numbered(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> tuple[Matrix, M
 def rooted_codes(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> Iterator[bytes]:
     """For each world the code of its quotient, rooted at the class of a dart.
 
-    The code holds for each class, by :func:`numbered`, those to which sigma and alpha lead and what
-    is sensed, so equal codes mean that one quotient is the other, root included.
+    For each class, in the order of :func:`numbered`, the code has the classes to which sigma and
+    alpha lead, and the percept.  So equal codes mean isomorphic rooted quotients.
     """
     import numpy as np
 
@@ -231,7 +235,7 @@ def rooted_codes(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> Iterator[by
 
 
 def digest(code: bytes, told: Told = None) -> str:
-    """A name for a code, with what is told before the start."""
+    """A name for a code together with the value that the robot is told."""
     value = "" if told is None else told
     text = str(value) if isinstance(value, int | str) else json.dumps(value, sort_keys=True)
     return blake2b(text.encode() + b"\0" + code, digest_size=16).hexdigest()
@@ -241,10 +245,10 @@ class NamedWorld(NamedTuple):
     """Names by which worlds are compared.
 
     Attributes:
-        look: the same for two worlds if no motion tells them apart from their starts.
-        name: the same if they are the same, whatever their starts: in map, percepts and what is
-            told.
-        sheets: the number of darts in each class of its quotient.
+        look: equal for two worlds if no motion from their starts tells them apart.
+        name: equal for two worlds if they have equal maps, percepts and told values, whatever the
+            start.
+        sheets: the number of darts in each class of the quotient.
     """
 
     look: str

@@ -1,4 +1,4 @@
-"""Sensors side by side: where each fails first, and which tells more than which."""
+"""Sensors side by side: the first failure of each, and which sensor tells more than another."""
 
 from collections.abc import Hashable, Sequence
 from itertools import permutations
@@ -63,11 +63,11 @@ class AlikePair(doc.Document):
 
     @classmethod
     def of(cls, worlds: Sequence[World], shown: Sequence[World] = ()) -> "AlikePair":
-        """Return the two worlds with the proof, which has been checked.
+        """Return two worlds with the proof that they look alike, which has been checked.
 
         Args:
-            worlds: the two.
-            shown: the same with what is sensed in them, if that is less.
+            worlds: the two worlds.
+            shown: the same worlds under the coarser sensor that is compared, if it is another one.
         """
         seen = tuple(shown or worlds)
         proof = classes_of_union(*((world.map, world.percepts, world.start) for world in seen))
@@ -140,15 +140,15 @@ class AmbiguitySensors(Report, kw_only=True):
 
 
 class Sensor(Struct):
-    """A sensor, with all that it shows in every world.
+    """A sensor, with its percepts in every world.
 
     Attributes:
-        kind: the lighthouse.
-        worlds: the rooted maps, each with every place.
-        roots: for each of them the number of its rooted map.
-        places: the same with where the lighthouse stands.
-        looks, names: for each of them its names.
-        sensed: for each dart of each of them what is sensed there, and what is told.
+        kind: the kind of lighthouse.
+        worlds: the rooted maps, each with every place of the lighthouse.
+        roots: for each world the number of its rooted map.
+        places: for each world that number, and where the lighthouse stands.
+        looks, names: for each world its look and its name, see :class:`NamedWorld`.
+        sensed: for each dart of each world its percept, and the value that the robot is told.
     """
 
     kind: kinds.LighthouseKind
@@ -160,7 +160,7 @@ class Sensor(Struct):
     sensed: list[Hashable] = field(default_factory=list)
 
     def meet(self, worlds: Sequence[Placed], number: dict[CombinatorialMap, int]) -> None:
-        """Take in more worlds, in the order of their sizes."""
+        """Add more worlds, in the order of their sizes."""
         arrays = matrices(worlds)
         in_order = zip(worlds, named(arrays), arrays.sensed.tolist(), strict=True)
         for (map_, lighthouse), found, sensed in in_order:
@@ -176,8 +176,8 @@ class Sensor(Struct):
         """The row of the sensor.
 
         Args:
-            edges: of the largest maps.
-            places: the number of a sensor with equal ones.
+            edges: the number of edges of the largest maps.
+            places: the number of the first sensor with the same places.
         """
         first: dict[str, int] = {}
         fails, alike, roots = None, list[tuple[int, int]](), set[int]()
@@ -204,7 +204,7 @@ class Sensor(Struct):
 
 
 def _place(lighthouse: Any) -> list[Any]:
-    """Where a lighthouse stands, whatever its kind."""
+    """The fields that say where a lighthouse stands, for lighthouses of all kinds."""
     return [
         (key, getattr(part, key))
         for part in kinds.parts_of(lighthouse)
@@ -248,21 +248,21 @@ def compared(request: SensorsRequest) -> AmbiguitySensors:
 
 
 def _follows(one: Sequence[Hashable], other: Sequence[Hashable]) -> bool:
-    """Whether the values of one are a function of those of the other."""
+    """Whether equal values of ``other`` always go with equal values of ``one``."""
     return len({*zip(other, one, strict=True)}) == len({*other})
 
 
 @requests.takes_fields(SensorsRequest, several="lighthouses", answered=compared)
 def sensors(*lighthouses: kinds.GivenLighthouse, **asked: Any) -> AmbiguitySensors:
-    """Look at sensors side by side: which of them suffice in all small worlds?
+    """Compare sensors: which of them suffice in all small worlds?
 
-    A sensor suffices if no two worlds look alike: two maps, or one map from two starts, with the
-    lighthouse at any of its places.
+    A sensor suffices if no two different rooted maps look alike, with the lighthouse at any of its
+    places.
 
     Raises:
         InputError: naming the offending option and what would be legal.
 
-    Cost: as that of a census for each sensor; 300 bytes of memory for each of its worlds.
+    Cost: that of a census for each sensor; 300 bytes of memory for each of its worlds.
     """
     return compared(SensorsRequest(lighthouses=lighthouses, **asked))
 
@@ -270,10 +270,10 @@ def sensors(*lighthouses: kinds.GivenLighthouse, **asked: Any) -> AmbiguitySenso
 def worlds_of_level(
     request: ListenerOptions, extent: classes.Extent, edges: int, kind: kinds.LighthouseKind
 ) -> list[list[Placed]]:
-    """The worlds of a level, some at a time; their maps are counted.
+    """The worlds of a level, in batches; the number of their maps is checked.
 
     Raises:
-        Disagreement: if their number is not that of the independent source.
+        Disagreement: if the independent source gives another number of maps.
     """
     expected = units.level_size(extent, edges)
     request.listener.level(edges, expected)

@@ -1,4 +1,4 @@
-"""Solvers of formulas, each in a way that can be stopped; the only importer of z3 and pysat.
+"""Solvers of formulas, all with a time limit; the only module that imports z3 and pysat.
 
 ``python -m allworlds.studies.ambiguity.solvers FORMULA PROOF`` is a process of its own for
 python-sat's CaDiCaL, which cannot be interrupted.
@@ -20,7 +20,7 @@ from allworlds.studies.ambiguity.clauses import dimacs, read_dimacs
 from allworlds.studies.ambiguity.formulas import ALIKE, DIFFERENT
 
 REQUIREMENTS = (DIFFERENT, ALIKE)
-"""The sections of a formula that only together can rule out a pair."""
+"""The sections of a formula that must both be there for it to have no model."""
 
 Status: TypeAlias = Literal["sat", "unsat", "unknown"]
 
@@ -28,7 +28,7 @@ OLDEST = 2
 """The first major version of CaDiCaL that writes LRAT."""
 
 LONGEST_WAIT = 10**6
-"""The most seconds that a solver can be waited for: both count milliseconds in 32 bits."""
+"""The most seconds of waiting for a solver: solvers count milliseconds in 32 bits."""
 
 
 class SolverAnswer(Struct, frozen=True):
@@ -56,7 +56,7 @@ def has_model_without(formula: Path, requirement: str) -> bool:
 
 
 def solve_with_z3(formula: Path, deadline: float | None) -> SolverAnswer:
-    """The answer of z3; unknown when the time is over."""
+    """The answer of z3; unknown after the deadline."""
     import z3
 
     left = _seconds_left(deadline)
@@ -108,7 +108,7 @@ class ExternalSolver(Struct, frozen=True):
     """A CaDiCaL of version 2 or later, which writes LRAT.
 
     Raises:
-        InputError: if the file cannot be run, or is another or an older program.
+        InputError: if the file cannot be run, is another program, or an older version.
     """
 
     path: str

@@ -1,4 +1,4 @@
-"""The search for twins by growing sizes, so that the first pair found is a smallest one."""
+"""The search for twins in the order of their sizes, so that the first pair is a smallest one."""
 
 import json
 import shutil
@@ -44,7 +44,7 @@ from allworlds.world.lighthouses.base import Where
 from allworlds.world.world import World
 
 PROOF_LIMIT = 10_000_000
-"""Bytes of DRAT that the checker of this package accepts: a minute or two."""
+"""The most bytes of DRAT that this package checks, which takes a minute or two."""
 
 Classes: TypeAlias = doc.Pair[Annotated[tuple[doc.Natural, ...], doc.narrowed(minItems=2)]]
 
@@ -152,8 +152,8 @@ class SearchResult(EndedReport, kw_only=True):
 def bisimulation(a: World, b: World) -> tuple[tuple[int, ...], tuple[int, ...]]:
     """Class numbers of the darts of ``a`` and of ``b``, in the order of the darts of ``a``.
 
-    The finest classes of which the starts share one, and which sigma and alpha take to classes.
-    Whether the darts of a class sense the same is not asked.
+    The classes are the finest ones such that the starts share a class, and sigma and alpha map
+    classes to classes.  It is not checked that the darts of a class have equal percepts.
 
     Cost: O(m^2).  Source: Hopcroft and Karp, Cornell 71-114 (1971), where states are darts.
     """
@@ -173,7 +173,7 @@ def decoded(pair: formulas.Pair, model: frozenset[int]) -> Twins:
     """The two worlds of a model, the set of its true variables.
 
     Raises:
-        RuntimeError: if they are not what was asked for; then encoder or solver is wrong.
+        RuntimeError: if they do not fit the question, because encoder or solver is wrong.
     """
     asked, pointed = pair.question, pair.pointed or (None, None)
     try:
@@ -212,7 +212,7 @@ def _only(darts: list[Dart]) -> Dart:
 
 
 def _fits(world: World, asked: Question) -> bool:
-    """Whether the world has the class, sizes and degrees of the question, and senses the walk."""
+    """Whether the world has the class, size, degrees and percepts on the walk of the question."""
     map_, home = world.map, world.map.vertex_of[world.start]
     seen = sensed(world, [step.motion for step in asked.walk])[1:]
     others = {degree for v, degree in enumerate(map_.degrees) if v != home}
@@ -235,7 +235,7 @@ def search(request: SearchRequest) -> SearchResult:
     """Search by z3 for two different worlds that no motion separates, or show that there are none.
 
     Worlds are different if no isomorphism of the maps carries the marks of one to those of
-    the other; where they start does not count.
+    the other; their starts are not compared.
 
     Raises:
         InputError: naming the offending value and what would be legal.
@@ -259,7 +259,7 @@ def search(request: SearchRequest) -> SearchResult:
 
 
 def _directory(out: str | Path | None) -> Path:
-    """The directory that is named, else a temporary one."""
+    """The named directory, or a temporary one."""
     if out is None:
         return Path(tempfile.mkdtemp(prefix="allworlds-search-"))
     directory = a_path("out", out)
@@ -368,7 +368,7 @@ class _TwinsSearch(Struct):
         return True
 
     def _fewer_vertices(self, sizes: Sizes, twins: Twins) -> Twins:
-        """Among the pairs with these numbers of edges one with the fewest vertices."""
+        """A pair with the fewest vertices among those with these numbers of edges."""
         counts = [world.map.vertex_count for world in twins.pair]
         one, two = (doc.replace(size, most=n) for size, n in zip(sizes, counts, strict=True))
         less, less_too = (doc.replace(size, most=size.most - 1) for size in (one, two))
@@ -404,7 +404,7 @@ class _TwinsSearch(Struct):
         )
 
     def _some_world_exists(self) -> bool:
-        """Whether the bounds and the walk allow any world, by small formulas for z3."""
+        """Whether a world fits the bounds and the walk, decided by z3 on small formulas."""
         path = self.directory / "one-world.cnf"
         for sizes in self.question.sizes():
             if sizes.one == sizes.two:
@@ -417,7 +417,7 @@ class _TwinsSearch(Struct):
     def _prove(self) -> bool:
         """Add LRAT proofs from python-sat's DRAT, checked here; return whether each level has one.
 
-        Each reason why one is missing stands in one notice, with its formulas.
+        One notice for each reason names the formulas that have no proof.
         """
         missing: dict[str, list[str]] = {}
         for number, searched in enumerate(self.done):

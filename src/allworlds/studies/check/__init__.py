@@ -1,17 +1,17 @@
 """The check: every world of a class, one explorer, a verdict with its scope.
 
 ``exhaustive``
-    level by level to a report;
+    the check, level by level, and its report;
 ``time_estimate``
-    how long it will take;
+    an estimate of its duration;
 ``tally_sweep``
-    what it shares with other studies of one explorer in many worlds: run directories, findings
-    that are confirmed, and those of earlier checks, which are tried first;
+    the part that it shares with other studies of one explorer in many worlds: run directories, the
+    confirmation of findings, and findings of earlier checks, which are tried first;
 ``covered``
-    what the worlds of a sample were like: sizes, degrees, how many darts look alike;
+    features of the worlds in a sample: sizes, degrees, numbers of darts that look alike;
 ``hints``
-    what more plays of a refuted explorer show: an option that helps, and lines of its code;
+    more plays of a refuted explorer, for an option that helps, and for lines of its code;
 ``report``
-    what ``check`` and its like are asked for, as values; the verdict with its scope, and
-    what a complete check must have met.
+    the requests of ``check`` and similar verbs; the verdict with its scope, and the witnesses
+    that a complete check must have.
 """

@@ -1,4 +1,4 @@
-"""Features of the worlds that a sample has drawn: how far they reach, in a table."""
+"""Features of the worlds that a sample has drawn, with their ranges, for a table."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -9,10 +9,11 @@ from allworlds.maps.combinatorial import CombinatorialMap
 
 
 def telling_apart(map_: CombinatorialMap) -> tuple[int, int]:
-    """The number of darts that look alike for ever, and of steps that tell all others apart.
+    """The number of darts that always look alike, and of steps that tell all others apart.
 
-    Without a lighthouse: a robot sees degrees alone.  Darts that look alike are the sheets of a
-    covering; after that many steps, and not after one less, a test has told any two others apart.
+    There is no lighthouse: a robot senses degrees alone.  Darts that always look alike are the
+    sheets of a covering.  The second number is the length of the longest shortest test that tells
+    two other darts apart.
 
     Cost: O(m log m) a step.
     """
@@ -39,7 +40,7 @@ FEATURES = (
 
 
 def features(map_: CombinatorialMap) -> Iterator[tuple[str, int]]:
-    """Each feature with its value; sheets and test as :func:`telling_apart` has them."""
+    """Each feature of a map with its value; sheets and test are those of :func:`telling_apart`."""
     sizes = map_.edge_count, map_.vertex_count, max(map_.degrees), map_.diameter, map_.genus
     return zip(FEATURES, (*sizes, *telling_apart(map_)), strict=True)
 
@@ -54,7 +55,7 @@ class CoveredRow(Document):
 
 
 def covered_rows(counted: Counter[tuple[str, int]]) -> Iterator[CoveredRow]:
-    """A row for each feature, of the number of worlds for each of its values."""
+    """A row for each feature, from the numbers of worlds with each value."""
     for name in FEATURES:
         values = sorted(Counter({v: n for (of, v), n in counted.items() if of == name}).elements())
         if values:

@@ -1,4 +1,4 @@
-"""A check, level by level to a report, in worlds of the user's own, too."""
+"""The check of an explorer, level by level, in a class of worlds or in given worlds."""
 
 from collections.abc import Callable, Iterable
 from itertools import chain
@@ -36,9 +36,9 @@ from allworlds.studies.check.report import (
 def check(request: CheckRequest) -> CheckReport:
     """Run an explorer on every start and every marker orientation of every map in a class.
 
-    An explorer that cannot be imported by its name runs in this process, where its
-    KeyboardInterrupt cannot be told from the user's: it interrupts the check.  In a worker it
-    is a crash.
+    An explorer that cannot be imported by its name runs in this process.  There, a
+    KeyboardInterrupt of the explorer interrupts the check, because it looks like the user's; in a
+    worker it is a crash.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -67,9 +67,9 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
     """The sweep of a check.
 
     Args:
-        request: what was asked for.
-        job: what is checked.
-        engine: what does it.
+        request: the request.
+        job: the explorer and the scope of the check.
+        engine: the kind of engine that does the units.
     """
 
     verb, asked = "check", CheckRequest
@@ -98,7 +98,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
 
     @override
     def levels(self) -> Iterable[units.SweptLevel]:
-        """All levels; to the last small ones belongs what one run leaves behind for another."""
+        """All levels; the last small ones include the test of runs that affect later runs."""
         for level in super().levels():
             across = units.across_level(self.scope.extent, level.edges, self.portion)
             subject = self.job.subject

@@ -1,6 +1,6 @@
 """The request of a check, and its verdict with its scope.
 
-A request names files that hold an explorer, and code that judges it.  The verdict has a gate,
+A request can name files with an explorer, and code that judges it.  The report has a count gate,
 witnesses, and the most expensive runs.
 """
 
@@ -42,9 +42,9 @@ SharedFile: TypeAlias = Annotated[
 
 
 def shared_file(explorer: str, rules: Rules, where: Condition | None) -> str:
-    """The name of the explorer's file where code that judges it is loaded from it; else empty.
+    """The name of the explorer's file, if code that judges the explorer is also in it; else empty.
 
-    Such code runs where verdicts are made, and could make one.
+    Such code runs in the judge's process, and could change a verdict.
     """
     files = (*rules.files, *selection.files_of_condition(where))
     if not files:
@@ -57,7 +57,7 @@ class ManyWorlds(ListenerOptions, Limits, RuleOptions, selection.LighthouseOptio
     """Many worlds of a class, under rules, with an effort."""
 
     def rules(self, subject: loading.Subject) -> Rules:
-        """The rules under which the explorer is run; its own lighthouse, if none is named.
+        """The rules for the explorer, with its own lighthouse if the request names none.
 
         Raises:
             InputError: naming the offending option and what would be legal.
@@ -126,7 +126,7 @@ class CheckRequest(
 
     @property
     def extent(self) -> Extent:
-        """Class and bounds; without a bound a check takes seconds.
+        """The class and the bounds; the default bounds make a check of some seconds.
 
         Raises:
             InputError: naming the offending bound and what would be legal.
@@ -149,12 +149,12 @@ class GateCell(doc.Document):
 
     @property
     def agrees(self) -> bool:
-        """Whether as many were visited as the source counts, and those that are listed."""
+        """Whether the maps are as many as the source counts, with the fingerprint that is known."""
         return self.counted == self.enumerated and self.listed in ("", self.fingerprint)
 
 
 LISTED_EDGES = 5
-"""The largest m whose maps are enumerated once more in each check, to compare which they are."""
+"""The most edges of maps that each check lists once more, to compare their fingerprints."""
 
 
 def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
@@ -168,11 +168,10 @@ def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
 
 
 def count_gate(extent: classes.Extent, edges: int, tally: Tally) -> list[GateCell]:
-    """The enumerated maps of a level: their number beside that of an independent source.
+    """Compare the number of a level's maps with that of an independent source.
 
-    Which maps they are is compared, too, as far as another enumeration has listed them.
-
-    There are none under a condition that has no source.
+    Their fingerprints are compared, too, if another enumeration has listed the maps.  There are no
+    comparisons under a condition that has no source.
     """
     source = count_source.source_of(extent)
     if source is None:
@@ -195,16 +194,16 @@ def count_gate(extent: classes.Extent, edges: int, tally: Tally) -> list[GateCel
 
 
 SMALLEST = {"loop-edge": "loop", "parallel-edge": "dipole-2"}
-"""For each event that needs no explorer the smallest map in which it occurs."""
+"""For each event that does not depend on the explorer, the smallest map in which it occurs."""
 
 
 def missing_witnesses(
     extent: classes.Extent, subject: loading.Subject, task: Task, seen: Mapping[str, int]
 ) -> tuple[str, ...]:
-    """The events that a check of the whole extent must have seen and has not.
+    """The events that must occur in a check of the whole extent, and did not.
 
-    Those of the explorer itself are about maps: with another task a run may be over before, and
-    under a condition they may not occur.
+    Events of the explorer must occur only if the task is the map, since other runs may end earlier,
+    and only without a condition, under which they may not occur.
     """
     simple, last = extent.map_class.simple, extent.levels[-1]
     required = {event for event, least in SMALLEST.items() if extent.include(named_map(least))}
@@ -428,7 +427,7 @@ class CheckReport(PortionReport):
 
     @property
     def checked_laws(self) -> tuple[str, ...]:
-        """The laws of which something was checked."""
+        """The laws that were checked in at least one run."""
         return checked_laws(self.asked.rules.judged, self.tally.runs, self.tally.checkpoints)
 
     @property
@@ -454,9 +453,9 @@ def _remarks(tally: Tally) -> Iterator[str]:
 
 
 def most_expensive_runs(report: CheckReport) -> Iterator[single.SingleRun]:
-    """The most expensive run of each size, ascending; empty if the explorer has no name.
+    """The most expensive run of each size, ascending; none if the explorer has no name.
 
-    Of several it is the least.
+    Of equally expensive runs it is the smallest.
 
     Cost: an episode each.
     """

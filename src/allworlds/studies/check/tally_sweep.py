@@ -1,6 +1,7 @@
 """The common part of studies of one explorer in many worlds.
 
-How run directories know it, its findings confirmed, and findings of earlier checks.
+It has the explorer's record in a run directory, the confirmation of findings, and findings of
+earlier checks.
 """
 
 import hashlib
@@ -33,18 +34,18 @@ from allworlds.studies.user_corpus import corpus_of
 # ---------------------------------------------------------------- confirmed findings
 
 LOCATED = 10
-"""The number of findings, smallest first, of which lines of code are told."""
+"""The number of findings, smallest first, that get lines of the explorer's code."""
 
 UNREPEATED = "what happened to the explorer was not repeated by a fresh process"
 
 
 class Confirmation(Struct, frozen=True):
-    """How the findings of a job are confirmed: each is played again in a fresh process.
+    """The confirmation of a job's findings: each is played again in a fresh process.
 
     Attributes:
-        subject, limits, scope: of the job.
-        deadline: past it findings are left as they are.
-        kept: what is noted there is believed, so that a finding is the same whoever reports it.
+        subject, limits, scope: those of the job.
+        deadline: the time after which findings are no longer played again.
+        kept: earlier confirmations, which are used again, so that all reports of a job agree.
     """
 
     subject: loading.Subject
@@ -61,10 +62,10 @@ class Confirmation(Struct, frozen=True):
         ]
 
     def settle(self, tally: tally.Tally, known: Callable[[Finding], bool] | None = None) -> bool:
-        """Confirm the findings of a tally. Return whether there is more to report than they say.
+        """Confirm the findings of a tally; return whether remarks have replaced some of them.
 
         A crash or a time-out that a fresh process does not repeat refutes nothing: it becomes a
-        remark.  Those that are known already stay as they are.
+        remark.  Findings that are known already stay as they are.
         """
         kept, remarks = list[Finding](), list[str]()
         for found in tally.findings:
@@ -92,14 +93,14 @@ class Confirmation(Struct, frozen=True):
         return self.deadline is not None and time.monotonic() > self.deadline
 
     def _again(self, found: Finding, *, number: int) -> Finding:
-        """Confirm in a fresh process; find the lines of the first findings, and more of one."""
+        """Confirm a finding; add lines of code to the first findings, more to the very first."""
         again = single.played_again(found, self.subject, self.limits)
         if number == 0:
             return hints.hinted(again, self.subject, self.limits, self.scope)
         return hints.located(again, self.subject, self.limits) if number < LOCATED else again
 
     def _settled(self, found: Finding, *, number: int) -> Finding | str:
-        """Confirm in a fresh process. A crash that is not repeated becomes a remark."""
+        """Confirm a finding in a fresh process; a crash that is not repeated becomes a remark."""
         again = self._again(found, number=number)
         if again.law not in LOST or not self.subject.importable or again.confirmed:
             return again
@@ -117,9 +118,9 @@ class Confirmation(Struct, frozen=True):
     def _recorded(
         self, name: str, found: Finding, settle: Callable[[Finding], Finding | str]
     ) -> Finding | str:
-        """The finding or remark on record, or a new one, which is then recorded.
+        """The recorded finding or remark, or a new one, which is then recorded.
 
-        After the deadline nothing new is made.
+        After the deadline the finding is returned as it is.
         """
         plain = replace(found, minimal=False)
         digest = hashlib.sha256(canonical(tally.finding_to_record(plain)).encode()).hexdigest()
@@ -144,7 +145,7 @@ class Confirmation(Struct, frozen=True):
 
 
 def is_inside(finding: Finding, scope: units.Scope) -> bool:
-    """Whether a check of that scope could have found this itself."""
+    """Whether a finding is in the scope of a check."""
     rules, own, world = scope.rules, finding.rules, finding.world
     return (
         scope.extent.include(world.map)
@@ -183,13 +184,13 @@ def _retry(finding: Finding, subject: loading.Subject, limits: Limits) -> Findin
 
 
 def rules_record(rules: Rules) -> dict[str, Any]:
-    """Record of those rules that may come from the explorer."""
+    """The record of the rules that may depend on the explorer."""
     names = ("lighthouse", "step_budget", "promised", "own_bound", "shared_file")
     return {name: requests.as_json(getattr(rules, name)) for name in names}
 
 
 def rules_known(request: Any, record: Mapping[str, Any]) -> Rules:
-    """The rules of a request of many worlds, under a condition, with this record."""
+    """The rules of a request, with those of the record that may depend on the explorer."""
     names = [each.name for each in fields(RuleOptions)]
     asked = {name: getattr(request, name) for name in names}
     asked["step_budget"] = record["step_budget"]
@@ -199,10 +200,10 @@ def rules_known(request: Any, record: Mapping[str, Any]) -> Rules:
 
 
 def record_of(subject: loading.Subject) -> dict[str, Any]:
-    """Record of an explorer, identified by its content.
+    """The record of an explorer, which identifies it by its content.
 
     Raises:
-        InputError: if it cannot be.
+        InputError: if the explorer has no content that identifies it.
     """
     return {
         "name": subject.name,
@@ -212,7 +213,7 @@ def record_of(subject: loading.Subject) -> dict[str, Any]:
 
 
 def subject_of_record(record: Mapping[str, Any]) -> loading.Subject:
-    """The explorer of such a record. Its code is not loaded, because its results are known."""
+    """The explorer of a record, without its code, since all its runs are done."""
     return loading.Subject(record["name"], frozenset(record["keywords"]))
 
 
@@ -226,12 +227,12 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
         request: what was asked for.
         scope: the worlds, the rules and the schedules.
         subject: the explorer.
-        keep: how many findings are kept.
-        extent: the worlds, where they are all of a class.
+        keep: the number of findings to keep.
+        extent: the worlds, if they are all worlds of a class.
 
     Attributes:
-        job: all of that, for an engine.
-        corpus: where past findings are and new ones go; None without one.
+        job: the job for an engine.
+        corpus: the user's corpus of past and new findings; None without one.
     """
 
     def __init__(
@@ -250,7 +251,7 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
         self.corpus = corpus_of(request.corpus, request.run, Finding.from_json)
 
     def retry_past(self, total: tally.Tally) -> outcome.Ending | None:
-        """Try past findings. Those that stand are in the total; enough of them end the job."""
+        """Try past findings; add those that are reproduced, and end the job if they are enough."""
         job = self.job
         if self.corpus is not None:
             again = partial(_retry, subject=job.subject, limits=job.limits)
@@ -261,7 +262,7 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
         return None
 
     def keep_new(self, total: tally.Tally) -> None:
-        """Add new findings to the corpus; a remark tells what it could not take."""
+        """Add new findings to the corpus, with a remark for each that could not be written."""
         if self.corpus is not None:
             for lost in self.corpus.write(total.findings):
                 total.remark(lost)

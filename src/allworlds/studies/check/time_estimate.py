@@ -1,4 +1,4 @@
-"""How long a check will take, guessed from pieces of its last level."""
+"""An estimate of a check's duration, from a sample of its last level."""
 
 import time
 from contextlib import suppress
@@ -18,22 +18,22 @@ from allworlds.studies.check.exhaustive import job_of
 from allworlds.studies.check.report import CheckRequest
 
 SECONDS = 2.0
-"""Seconds that a sample takes from its first piece on."""
+"""The seconds of a sample, from its first piece on."""
 
 MOST_SECONDS = 4.0
-"""Seconds that it takes at most, besides compiling, once on a machine; samples are at most two.
-Where no piece is done by then there is no guess."""
+"""The most seconds of a sample, without compiling; an estimate has at most two samples.
+If no piece is done by then, there is no estimate."""
 
 FEW, MANY = 200, 200_000
 """The most worlds in a piece of the sample, played in Python, or by compiled code."""
 
 LONGEST = 1e300
-"""Seconds; what takes longer is said to take as long."""
+"""The largest number of seconds of an estimate."""
 
 PIECES = 2000
 
 COUNTABLE = 16
-"""Levels of more edges are not counted for this; that they are many is said without it."""
+"""The most edges of a level whose maps are counted for an estimate."""
 
 
 Largest: TypeAlias = Annotated[doc.Positive, doc.about("of the largest worlds")]
@@ -54,7 +54,7 @@ Rate: TypeAlias = Annotated[
 
 
 class _Lasting:
-    """The time that so many ``worlds`` take at that ``rate``."""
+    """The time for the number of ``worlds`` at the ``rate``."""
 
     worlds: int
     rate: float | None
@@ -98,16 +98,17 @@ class TimeEstimate(Report, _Lasting):
 
 
 def worlds_of(job: Job) -> int:
-    """The number of worlds to be tried; for a shard an estimate."""
+    """The number of worlds of a job; for a shard an estimate."""
     extent = job.scope.extent
     worlds = sum(units.level_size(extent, edges) for edges in extent.levels)
     return worlds // job.scope.portion.count
 
 
 def estimated(job: Job, engine: EngineKind) -> Guess:
-    """A guess from pieces of the last level, which are drawn like its maps.
+    """An estimate from random pieces of the last level.
 
-    What starts workers and compiles is not counted; the sample takes some seconds.
+    It does not include the time for compiling and for starting workers.  The sample takes some
+    seconds.
     """
     engine.ready(job)  # compiles, where that is still to be done
     ready = engine.ready(doc.replace(job, deadline=time.monotonic() + MOST_SECONDS))
@@ -138,7 +139,7 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
 
 
 def one_larger(job: Job) -> classes.Extent | None:
-    """The extent with one edge more; None where that holds no more worlds, or too many to count."""
+    """The extent with one edge more; None if it has no more worlds, or too many to count."""
     extent = job.scope.extent
     if extent.edges is None or extent.edges >= COUNTABLE:
         return None
@@ -151,7 +152,7 @@ def one_larger(job: Job) -> classes.Extent | None:
 def estimate(request: CheckRequest) -> TimeEstimate:
     """Estimate the duration of :func:`check` with these options, from a sample of some seconds.
 
-    And with one edge more, by the engine that would do it.
+    The duration with one edge more is estimated, too.
 
     Raises:
         InputError: naming the offending option and what would be legal.

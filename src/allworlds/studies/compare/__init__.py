@@ -1,10 +1,10 @@
 """Comparison of explorers in the same worlds, and in worlds that grow.
 
 Each explorer is run under its own lighthouse unless one is named, and every run is judged.  In a
-rooted map an explorer's cost is the mean over the places of its lighthouse; a map in which one of
-the explorers has no place is left out for all.  Of a growing family a few members of each size are
-drawn from seeds, and isomorphic ones count once; every member has a name that gives it back
-(``allworlds run algorithm1 --family torus:6x6 --seed 1``).
+rooted map an explorer's cost is the mean over the places of its lighthouse; a map in which the
+lighthouse of one explorer has no place is left out for all.  A few members of each size of a
+growing family are drawn from seeds, and isomorphic ones count once; every member has a name by
+which it can be run (``allworlds run algorithm1 --family torus:6x6 --seed 1``).
 
 ``entrants``
     the request, the explorers that are run in the same worlds, their costs, and the common report;

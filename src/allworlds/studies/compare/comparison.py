@@ -160,9 +160,9 @@ class SameWorlds(Contest[Comparison]):
     """The sweep of a comparison through every world of a class, or through one of a family.
 
     Args:
-        entrants: who walks.
-        request: what is asked for.
-        member: the one world; None for every world of a class.
+        entrants: the explorers.
+        request: the request.
+        member: the one world of a family; None for every world of a class.
     """
 
     def __init__(
@@ -213,7 +213,7 @@ class SameWorlds(Contest[Comparison]):
                 yield UnitOfOne(number, unit)
 
     def _placed(self, one: Entrant, map_: CombinatorialMap) -> tuple[tuple[World, int], ...]:
-        """The one world, with every place of an entrant's lighthouse."""
+        """The one world with an entrant's lighthouse at every place, each with its number."""
         places = enumerate(one.rules.kind.places(map_, 0))
         return tuple((World(map_, lighthouse, 0), place) for place, lighthouse in places)
 
@@ -234,7 +234,7 @@ class SameWorlds(Contest[Comparison]):
         return outcome.Stopped("a law is broken", final=True) if broken else None
 
     def _compare(self, map_: CombinatorialMap, found: Sequence[Mapping[int, int]]) -> None:
-        """Take in the costs of each explorer in one rooted map."""
+        """Add the costs of each explorer in one rooted map."""
         first, *others = means = [_mean(costs) for costs in found]
         difference = max(abs(other - first) for other in others)
         if difference > self._difference:
@@ -267,7 +267,7 @@ class SameWorlds(Contest[Comparison]):
 def row_of(
     edges: int, vertices: int, names: Sequence[str], maps: Sequence[Sequence[Mapping[int, int]]]
 ) -> ComparedRow:
-    """The row of one size, from the costs by place of each explorer in each rooted map."""
+    """The row of one size, from each explorer's costs in each rooted map, by place."""
     by_explorer = dict(zip(names, zip(*maps, strict=True), strict=True))
     means = {name: [_mean(costs) for costs in found] for name, found in by_explorer.items()}
     first, *others = names

@@ -1,6 +1,6 @@
-"""The request of ``compare``, and what worlds of a class and worlds that grow have in common.
+"""The request of ``compare``, and the common part of both comparisons.
 
-Explorers that are run in the same worlds, their shares of a job, their costs, and the report.
+It has the explorers that are run in the same worlds, their units, their costs, and the report.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -142,7 +142,7 @@ class CompareRequest(
 
 
 def ensure_unnamed(request: CompareRequest, names: Iterable[str], of: str) -> None:
-    """Raise InputError if one of these options is given, which has no effect there."""
+    """Raise InputError if one of these options is given, since it would have no effect."""
     for name in names:
         if (value := getattr(request, name)) is not None:
             raise InputError(f"{name} = {show(as_json(value))} has no effect on {of}")
@@ -154,16 +154,16 @@ MapKey: TypeAlias = tuple[int, int, tuple[int, ...], tuple[int, ...]]
 
 @dataclass(slots=True)
 class CostTally(Tally):
-    """A tally that knows every run.
+    """A tally that keeps the cost of every run.
 
     Attributes:
-        costs: of each rooted map by the number of the lighthouse's place in it.
+        costs: the costs in each rooted map, by the number of the lighthouse's place.
     """
 
     costs: dict[MapKey, dict[int, int]] = entry(default_factory=dict)
 
     def add(self, other: Tally) -> None:
-        """Take in another part's tally; no run is in two of them."""
+        """Add the tally of another part, which has other runs."""
         # Zero-argument super() does not know a class with slots.
         Tally.add(self, other)
         if isinstance(other, CostTally):
@@ -172,7 +172,7 @@ class CostTally(Tally):
 
 
 class CostEngine(RunCounter, frozen=True):
-    """The counter that returns the cost of every run, too."""
+    """The run counter that also keeps the cost of every run."""
 
     def tally(self) -> CostTally:
         """An empty tally."""
@@ -194,13 +194,13 @@ class InWorld(NamedTuple):
     """An explorer's runs in one world.
 
     Attributes:
-        map: rooted at dart 0.
-        member: the words that name the world in a family; empty where there is no family.
-        explorer: its name.
-        costs: traversals by the number of the lighthouse's place.
+        map: the map, rooted at dart 0.
+        member: the name of the world in its family; empty without a family.
+        explorer: the name of the explorer.
+        costs: the traversals of each run, by the number of the lighthouse's place.
         places: the number of all places.
-        bound: on the traversals of a run, the same in each place; None without one.
-        drawn_from: the number of different worlds of this size that seeds draw, where it is known.
+        bound: the bound on the traversals of a run, the same for each place; None without one.
+        drawn_from: the number of different worlds of this size that seeds can draw, if known.
     """
 
     map: combinatorial.CombinatorialMap
@@ -225,12 +225,12 @@ class UnitOfOne(Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        """Key of the unit in a run directory: ``NUMBER/KEY``."""
+        """The key of the unit in a run directory: ``NUMBER/KEY``."""
         return f"{self.number}/{self.unit.key}"
 
 
 class CostsOfAll(Struct):
-    """Costs of the runs of each entrant, by its number. They add up in any order."""
+    """The costs of each entrant's runs, by its number; they can be added in any order."""
 
     of: dict[int, CostTally] = field(default_factory=dict)
 
@@ -269,7 +269,7 @@ class SideBySide:
     def map(
         self, engines: Sequence[CostEngine], given: Iterable[UnitOfOne]
     ) -> Iterator[units.PartialResult]:
-        """Yield the parts of all units as they come. The units of an entrant stand together."""
+        """Yield the parts of all units as they come; the units of one entrant are consecutive."""
         for number, own in groupby(given, key=lambda unit: unit.number):
             transport = self._transports[number]
             for part in transport.map(engines[number], (each.unit for each in own)):
@@ -288,7 +288,9 @@ class Entrant(Struct, frozen=True):
     """An explorer with the rules by which its runs are played and judged.
 
     Attributes:
-        at: the lighthouse that stands behind its name; empty where none does.
+        subject: the explorer.
+        rules: the rules of its runs.
+        at: the lighthouse in its name, behind ``@``; empty without one.
     """
 
     subject: loading.Subject
@@ -317,7 +319,7 @@ def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
     """The explorers, each under its own lighthouse unless the request names one.
 
     Raises:
-        InputError: for one that is none or is there twice, or for an option.
+        InputError: for a name that is no explorer or comes twice, or for an illegal option.
     """
     entrants: list[Entrant] = []
     for given in request.explorers:
@@ -334,8 +336,8 @@ def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
 def _with_lighthouse(explore: object) -> tuple[Any, LighthouseKind | None]:
     """An explorer, and the lighthouse behind its name, if there is one.
 
-    Paths and commands may hold the sign, too: so it is one only before a lighthouse, and an error
-    where the text before it is the name of an explorer.
+    Paths and commands may contain the sign, too.  So it counts only before the name of a
+    lighthouse; any other text behind the name of an explorer and the sign is an error.
     """
     name, at, lighthouse = explore.rpartition(AT) if isinstance(explore, str) else ("", "", "")
     try:
@@ -419,10 +421,10 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
     """The sweep of several entrants through the same worlds.
 
     Args:
-        entrants: who walks.
-        request: for the effort, and for all that the identity holds.
-        extent: holds every world.
-        every: these are all worlds of the extent.
+        entrants: the explorers.
+        request: the request.
+        extent: the extent that has every world.
+        every: whether the worlds are all worlds of the extent.
     """
 
     verb, asked, result = "compare", CompareRequest, CostsOfAll
@@ -472,7 +474,7 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
 
     @override
     def leave(self, level: units.SweptLevel, total: CostsOfAll) -> None:
-        """Store the findings: the smallest of each entrant, in each family that grows."""
+        """Keep the smallest finding of each entrant, in each growing family."""
         family = getattr(level.of, "number", 0)
         for number, tally in total.of.items():
             known = self._found.setdefault((family, number), CostTally(keep=1))

@@ -1,4 +1,4 @@
-"""Explorers in larger and larger worlds: families that grow, the runs in them, and cost by size."""
+"""Explorers in worlds of growing size: families, the runs in their members, and cost by size."""
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -23,23 +23,23 @@ from allworlds.world.named import map_of_family
 from allworlds.world.world import World
 
 WORLDS, PLACES, SEED = 30, 8, 1
-"""Defaults: seeds of a size, places in a world, and the first seed."""
+"""The default numbers of seeds for a size and of places in a world, and the first seed."""
 
 LEAST, SIZES = 12, 6
-"""No size has fewer edges, and there are no more sizes."""
+"""The least number of edges of a size, and the largest number of sizes."""
 
 HOLES = "10%"
-"""Of a dense map, which else would have one member of each size."""
+"""The share of edges that is removed from dense maps, so that a size has several members."""
 
 
 class Growing(Struct, frozen=True):
     """A family by its name on the command line, with its members numbered by size.
 
     Attributes:
-        form: how it is written; ``:D`` stands for a degree.
+        form: the form of its name; ``:D`` stands for a degree.
         member: the text of a member, from its number and the degree.
-        degree: the degree where none is named; None where a name has none.
-        holes: the share of edges to be removed.
+        degree: the default degree; None if the name has no degree.
+        holes: the share of edges to remove.
     """
 
     form: str
@@ -72,7 +72,7 @@ FORMS = ", ".join(growing.form for growing in GROWING.values())
 
 
 class Member(Struct, frozen=True):
-    """One world of a family, with the words that name it on the command line."""
+    """One world of a family, with its name on the command line."""
 
     text: str
     holes: str | None
@@ -80,7 +80,7 @@ class Member(Struct, frozen=True):
 
     @property
     def name(self) -> str:
-        """Words that name the world: ``torus:6x6 --seed 1``."""
+        """The name of the world: ``torus:6x6 --seed 1``."""
         holes = f" --holes {self.holes}" if self.holes else ""
         return f"{self.text}{holes} --seed {self.seed}"
 
@@ -90,14 +90,14 @@ class Member(Struct, frozen=True):
 
 
 def member_named(name: str) -> Member:
-    """The member of :attr:`Member.name`."""
+    """The member with a name of the form of :attr:`Member.name`."""
     words, _, seed = name.partition(" --seed ")
     text, _, holes = words.partition(" --holes ")
     return Member(text, holes or None, int(seed))
 
 
 def distinct(members: Iterable[Member]) -> dict[Member, CombinatorialMap]:
-    """The members with their maps; of those that are isomorphic as rooted maps the first."""
+    """The members with their maps; for isomorphic rooted maps the first member alone."""
     seen: dict[Code, Member] = {}
     maps = {member: member.map() for member in members}
     for member, map_ in maps.items():
@@ -122,7 +122,7 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
     The sizes are the largest members with at most ``to``, ``to / 2``, ``to / 4``, ... edges.
 
     Raises:
-        InputError: for a text that is none of the families.
+        InputError: for a text that names no growing family.
     """
     known = form_of(family)
     if known is None:
@@ -353,11 +353,11 @@ class _Size(Struct, frozen=True):
     """The members of a family of one size.
 
     Attributes:
-        number: of the family.
-        edges: of a member before holes are made.
+        number: the number of the family.
+        edges: the number of edges of a member before edges are removed.
         seeds: the number of members that were drawn.
-        maps: those of the different members that are walked in.
-        drawn_from: the number of different members that seeds draw; None if it is not known.
+        maps: the maps of the different members in which explorers run.
+        drawn_from: the number of different members that seeds can draw; None: unknown.
     """
 
     number: int
@@ -369,13 +369,13 @@ class _Size(Struct, frozen=True):
 
 
 class GrowingWorlds(entrants.Contest[Growth]):
-    """The sweep of explorers through growing worlds, from the smallest size of any family on.
+    """The sweep of explorers through growing worlds, the sizes of all families in ascending order.
 
-    So what is finished when the time is up is a part of each family.
+    So at a time limit the finished sizes are a part of each family.
 
     Args:
-        entrants: who walks.
-        request: for families of :data:`GROWING`, with a degree where they have one: ``regular:6``.
+        entrants: the explorers.
+        request: the request, with families of :data:`GROWING`, as ``regular:6`` with a degree.
         to: the largest number of edges.
 
     Raises:
@@ -423,7 +423,7 @@ class GrowingWorlds(entrants.Contest[Growth]):
             yield SweptLevel(edges, runs, self._units(mine), mine)
 
     def _units(self, size: _Size) -> Iterator[entrants.UnitOfOne]:
-        """A unit for each entrant and world, with the places of the lighthouse that are run."""
+        """A unit for each entrant and world, with the chosen places of the lighthouse."""
         for number, one in enumerate(self.entrants):
             for member, map_ in size.maps.items():
                 _, ran = self._chosen(one, member, map_)
@@ -435,9 +435,9 @@ class GrowingWorlds(entrants.Contest[Growth]):
     def _chosen(
         self, one: entrants.Entrant, member: Member, map_: CombinatorialMap
     ) -> tuple[int, dict[int, Lighthouse]]:
-        """The number of places of a lighthouse in a world, and those that are run, by number.
+        """The number of a lighthouse's places in a world, and the chosen ones, by number.
 
-        Of more than are asked for they are drawn by the name of the world.
+        If there are more than the request wants, a generator seeded by the world's name draws them.
         """
         places = [*one.rules.kind.places(map_, 0)]
         drawn: Sequence[int] = range(len(places))
@@ -495,7 +495,7 @@ class GrowingWorlds(entrants.Contest[Growth]):
 
 
 def _ensure_grows(who: Sequence[entrants.Entrant], request: entrants.CompareRequest) -> None:
-    """Raise InputError for an option without effect on worlds that grow, and for none to run."""
+    """Raise InputError for an option without effect on growing worlds, or without explorers."""
     names = ("edges", "vertices", "holes", "worlds", "graph", "where")
     entrants.ensure_unnamed(request, names, "worlds that grow")
     if request.map_class is not classes.MapClass.MAPS:

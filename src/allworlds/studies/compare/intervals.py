@@ -1,16 +1,17 @@
 """Intervals of means, ratios and exponents of positive costs, by Student's t on logarithms.
 
-The worlds of one size are a sample, unless they are all there are: then their mean is exact, and
-has no interval.  Fewer than :data:`LEAST_WORLDS` different ones have none either, nor has a sample
-where scipy is not installed.  A ratio is a geometric mean, whose logarithm is the mean of
-logarithms.  The logarithm of a mean scatters, to the first order, as the mean does, as a share of
-it.  Of samples of 5, 10 and 30 costs whose logarithms are normal with the deviation 0.3, 95% of the
-intervals of a ratio hold the true one, and 94.6%, 94.4% and 94.8% of those of a mean; with the
-deviation 0.6 of a mean 93%.  BCa intervals, by a bootstrap, hold that with 0.3 in 85%, 91% and 92%.
+The worlds of one size are a sample, unless they are all worlds of that size: then their mean is
+exact, and has no interval.  A sample has no interval if it has fewer than :data:`LEAST_WORLDS`
+different worlds, or if scipy is not installed.  A ratio is a geometric mean, whose logarithm is the
+mean of logarithms.  To first order, the logarithm of a mean has the relative deviation of the mean.
+In samples of 5, 10 and 30 costs whose logarithms are normal with deviation 0.3, the intervals
+contain the true ratio in 95%, and the true mean in 94.6%, 94.4% and 94.8% of the samples; with
+deviation 0.6 the true mean in 93%.  BCa intervals, by a bootstrap, contain the true mean with
+deviation 0.3 in 85%, 91% and 92%.
 
-An exponent is the slope of a straight line, by least squares through a point for each size: the
-logarithms of its edges and of its mean cost.  Its interval is that of a linear regression.  It has
-none where sizes are few, or where the points bend: no power of the edges grows like them.
+An exponent is the slope of a line that least squares fit to a point for each size: the logarithms
+of its edges and of its mean cost.  Its interval is that of a linear regression.  There is no
+interval for few sizes, or if the points bend, since then the cost is no power of the edges.
 """
 
 from collections.abc import Mapping, Sequence
@@ -32,18 +33,18 @@ LEAST_SIZES = 5
 """The least number of sizes from which an exponent is fitted."""
 
 CLOSE = 0.01
-"""The largest deviation from a power, as a share, in which no bend is looked for."""
+"""The largest relative deviation from a power that is never called a bend."""
 
 Interval: TypeAlias = tuple[float, float]
 
 
 def lack() -> str:
-    """The words that there is no interval for want of scipy; empty if it is installed."""
+    """The reason that scipy is not installed, for a missing interval; empty if it is installed."""
     return lack_of("scipy", "figures")
 
 
 def mean_interval(values: Sequence[float]) -> Interval | None:
-    """The interval of the mean of a sample; None for too few values, for a 0 or without scipy."""
+    """The interval of a sample's mean; None for too few values, for a value 0, or without scipy."""
     if not _has_interval(values):
         return None
     mean = fmean(values)
@@ -51,7 +52,7 @@ def mean_interval(values: Sequence[float]) -> Interval | None:
 
 
 def ratio_interval(values: Sequence[float]) -> Interval | None:
-    """The interval of the geometric mean of a sample; None as for :func:`mean_interval`."""
+    """The interval of a sample's geometric mean; None in the cases of :func:`mean_interval`."""
     if not _has_interval(values):
         return None
     return _interval(geometric_mean(values), stdev(map(log, values)), len(values))
@@ -61,9 +62,9 @@ class Power(Struct, frozen=True):
     """The power of the edges that fits mean costs best.
 
     Attributes:
-        exponent: of the edges; None where none is fitted.
-        interval: of the exponent, or None.
-        lack: the words why there is no interval; empty if there is one.
+        exponent: the exponent of the edges; None if none is fitted.
+        interval: the interval of the exponent, or None.
+        lack: the reason why there is no interval; empty if there is one.
     """
 
     exponent: float | None
@@ -72,7 +73,7 @@ class Power(Struct, frozen=True):
 
 
 def power(costs: Mapping[int, float]) -> Power:
-    """The power law of mean costs by edges: of :data:`LEAST_SIZES` or more, all positive."""
+    """The power law of mean costs by edges, from :data:`LEAST_SIZES` or more positive costs."""
     if len(costs) < LEAST_SIZES:
         return Power(None, None, f"fewer than {LEAST_SIZES} sizes")
     if min(costs.values()) <= 0:
@@ -87,23 +88,23 @@ def power(costs: Mapping[int, float]) -> Power:
 
 
 def _left_by(across: Sequence[float], up: Sequence[float]) -> list[float]:
-    """The part of each height that the best straight line leaves."""
+    """The residuals of the heights after a linear fit."""
     slope, height = linear_regression(across, up)
     return [y - height - slope * x for x, y in zip(across, up, strict=True)]
 
 
 def _reach(left: Sequence[float], across: Sequence[float], degrees: int) -> float:
-    """The half width of the interval of a slope, from what its line leaves."""
+    """The half width of the interval of a slope, from its residuals."""
     middle = fmean(across)
     width = fsum((x - middle) ** 2 for x in across)
     return _student(degrees) * sqrt(fsum(e * e for e in left) / degrees / width)
 
 
 def _bend(sizes: Sequence[float], heights: Sequence[float]) -> str:
-    """The words that the points bend, by a square beside the line; empty if they do not.
+    """The text that the points bend, if a quadratic term is significant; else empty.
 
-    By the theorem of Frisch, Waugh and Lovell its coefficient is the slope of what the line leaves
-    of the heights over what it leaves of the squares.
+    By the theorem of Frisch, Waugh and Lovell its coefficient is the slope of the residuals of the
+    heights over the residuals of the squares.
     """
     left = _left_by(sizes, heights)
     if max(map(abs, left)) < CLOSE:
@@ -121,13 +122,13 @@ def _has_interval(values: Sequence[float]) -> bool:
 
 
 def _interval(middle: float, deviation: float, size: int) -> Interval:
-    """The interval of a value whose logarithm is a mean, of a sample with this deviation."""
+    """The interval of a value whose logarithm is the mean of a sample with this deviation."""
     factor = exp(_student(size - 1) * deviation / sqrt(size))
     return middle / factor, middle * factor
 
 
 def _student(degrees: int) -> float:
-    """The factor of Student's t that leaves out the same share on both sides."""
+    """The two-sided quantile of Student's t with these degrees of freedom."""
     from scipy.special import stdtrit
 
     factor: float = stdtrit(degrees, (1 + LEVEL) / 2)
