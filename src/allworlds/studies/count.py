@@ -25,7 +25,7 @@ from allworlds.studies.swept import SweptOptions, SweptReport, ToldGate
 from allworlds.world.selection import WhereOptions
 
 TOLD_EVERY = 1000
-"""Maps after which the listener is told."""
+"""The number of maps between two reports to the listener."""
 
 UNROOTED_LIMIT = 6
 """The largest number of edges for which unrooted maps are counted."""
@@ -167,8 +167,8 @@ class Counted(Struct):
     """Counts of the maps of a part of a level.
 
     Attributes:
-        cells: rooted maps by vertices and genus.
-        fixed: likewise the sum of their numbers of automorphisms, where these are counted.
+        cells: the numbers of rooted maps, by vertices and genus.
+        fixed: the sums of their numbers of automorphisms, likewise, if these are counted.
         mirrored: the sum of their numbers of isomorphisms onto the mirror image.
         dual: the sum of their numbers of isomorphisms onto the dual.
     """
@@ -200,7 +200,7 @@ class Enumerate(Struct, frozen=True):
     extent: classes.Extent
 
     def parts(self, unit: LevelUnit) -> Iterator[Counted]:
-        """Count the maps of the unit, and yield results from time to time."""
+        """Count the maps of the unit; yield the counts in parts."""
         extent = self.extent
         plain = extent.map_class is classes.MapClass.MAPS and extent.where is None
         if plain and unit.edges > UNROOTED_LIMIT and not checks.lack_of(*engine_table.COMPILER):
@@ -224,7 +224,7 @@ def count_compiled(extent: classes.Extent, unit: LevelUnit) -> Counted:
 
 
 def count_one_by_one(extent: classes.Extent, unit: LevelUnit) -> Iterator[Counted]:
-    """Count a unit of any class map by map. Results are yielded from time to time."""
+    """Count a unit of any class map by map; yield the counts in parts."""
     counted = Counted()
     for met, map_ in enumerate(unit.maps(extent), 1):
         cell = map_.vertex_count, map_.genus

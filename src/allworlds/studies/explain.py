@@ -85,8 +85,7 @@ def explain(request: ExplainRequest) -> Explanation | TeamExplanation:
     """Explain the finding in plain words.
 
     Raises:
-        InputError: if the transcript of the finding is no walk in its world, or its answer is
-            none.
+        InputError: if the finding's transcript is no walk in its world, or its answer is illegal.
     """
     finding = request.finding
     if isinstance(finding, TeamFinding):

@@ -9,7 +9,7 @@ from allworlds.robots.team_finding import TeamFinding, is_of_team
 
 
 class ChosenFinding(NamedTuple):
-    """A finding, its number in its report, from 1 on, and the number of findings there."""
+    """A finding, its number in its report (from 1 on), and the number of findings in the report."""
 
     finding: Finding | TeamFinding
     number: int = 1

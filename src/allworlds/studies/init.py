@@ -1,4 +1,4 @@
-"""A skeleton of an explorer, with the gate that CI needs; or of a paper's ledger."""
+"""A skeleton of an explorer with its check in CI, or of a paper's ledger."""
 
 import shlex
 from collections.abc import Mapping
@@ -101,13 +101,13 @@ class InitRequest(Request, kw_only=False):
 def init(request: InitRequest) -> Skeleton | LedgerSkeleton | Header:
     """Write a skeleton of an explorer, its test and a workflow into a directory.
 
-    With ``ledger`` it is the ledger of a paper, with two claims that run.
+    With ``ledger`` write the ledger of a paper, with two claims that run.
 
-    The directory may be there already, with other files in it; no file is overwritten.
+    The directory may exist and have other files; no file is overwritten.
 
     Raises:
-        InputError: if both or neither are asked for, there is no skeleton in that language, one of
-            its files is there already (then nothing is written), or a file cannot be written.
+        InputError: if both or neither are requested, there is no skeleton in that language, one of
+            its files exists already (then nothing is written), or a file cannot be written.
     """
     directory, lang = request.directory, request.lang
     if request.header:
@@ -136,7 +136,7 @@ def _written(directory: str | Path, texts: Mapping[str, str]) -> Path:
     """Write the files of a skeleton, and return its folder.
 
     Raises:
-        InputError: if one of them is there already (then nothing is written), or cannot be written.
+        InputError: if one of them exists already (then nothing is written), or cannot be written.
     """
     folder = a_path("directory", directory)
     there = [name for name in texts if (folder / name).exists() or (folder / name).is_symlink()]

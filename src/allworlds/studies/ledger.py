@@ -1,6 +1,6 @@
-"""``ledger``: the sentences of a paper that can be checked, each with the check that decides it.
+"""``ledger``: sentences of a paper, each with the function that checks it.
 
-Expected verdicts and numbers stand in ``ledger.toml`` alone; the functions that find them do not
+Expected verdicts and numbers are in ``ledger.toml`` alone; the functions that find them do not
 read it.
 """
 
@@ -58,12 +58,12 @@ class Found(Struct, frozen=True):
     """The result of checking a sentence, independent of any expectation.
 
     Attributes:
-        verdict: whether it holds in the scope that was asked for.
-        witnesses: how often each thing was met that the sentence is about; where one of them was
-            never met nothing was checked.
+        verdict: whether the sentence holds in the scope.
+        witnesses: the number of occurrences of each case that the sentence is about; a case without
+            occurrences makes the verdict vacuous.
         figures: the numbers that the sentence names.
         pictures: worlds that show it.
-        told: in words, what refutes it or what is to be seen; may be empty.
+        told: the refutation or an explanation, in words; may be empty.
     """
 
     verdict: Truth
@@ -80,15 +80,15 @@ class NotChecked(Struct, frozen=True):
 
 
 class Unfinished(RuntimeError):
-    """Raised where another part of the program gives no answer: the claim counts as refuted."""
+    """Raised if a check inside a claim has no answer; the claim counts as refuted."""
 
 
 class Means(Struct, frozen=True):
     """Resources for checking claims.
 
     Attributes:
-        workers: processes, or threads.
-        budget: how much may be done.
+        workers: the number of processes, or of threads.
+        budget: the amount of work, ``quick`` or ``full``.
     """
 
     workers: int
@@ -96,7 +96,7 @@ class Means(Struct, frozen=True):
 
 
 Check: TypeAlias = Callable[..., Found | NotChecked]
-"""Takes the means, and the bounds of its scope as keywords."""
+"""The function of a claim, which takes the means, and the bounds of the scope as keywords."""
 
 
 def truth(holds: object) -> Truth:
@@ -105,10 +105,10 @@ def truth(holds: object) -> Truth:
 
 
 def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
-    """The outcome of an exhaustive check. Its worlds, runs and named events are witnesses.
+    """The outcome of an exhaustive check; its worlds, runs and the named events are witnesses.
 
     Raises:
-        Unfinished: where it neither holds nor is refuted.
+        Unfinished: if the check neither holds nor is refuted.
     """
     whole = report.uninterrupted()
     if whole.verdict not in (outcome.Verdict.HOLDS, outcome.Verdict.REFUTED):
@@ -130,9 +130,9 @@ def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
 
 
 class ClaimScope(doc.Document, kw_only=True):
-    """The scope of a claim under a budget, and the numbers that must be found there.
+    """The scope of a claim under a budget, and the expected numbers.
 
-    The bounds are the keywords of its function.
+    The bounds are the keywords of the claim's function.
     """
 
     bounds: dict[str, Any] = doc.key(default_factory=dict)
@@ -157,7 +157,7 @@ class Sentence(doc.Document):
 class Claim(Sentence):
     """A sentence and its expected outcome: a table of ``ledger.toml``.
 
-    ``{names}`` in the scope are those of the bounds.
+    ``{name}`` in the scope stands for the bound of that name.
     """
 
     quick: ClaimScope
@@ -174,15 +174,15 @@ class Claim(Sentence):
 
     @property
     def function(self) -> str:
-        """The name of the function that decides it: the id with ``_`` for ``-``."""
+        """The name of the function that checks it: the id with ``_`` for ``-``."""
         return self.id.replace("-", "_")
 
 
 def claims_in(file: Path) -> tuple[Claim, ...]:
-    """The claims of a ``ledger.toml``, as they stand in it.
+    """The claims of a ``ledger.toml``, in its order.
 
     Raises:
-        InputError: naming the file, the claim and what is wrong with it.
+        InputError: naming the file, the claim and its error.
     """
     text = read_text(str(file))
     try:
@@ -219,10 +219,10 @@ Seen: TypeAlias = Literal["holds", "refuted", "vacuous", "not-checked", "error"]
 Standing: TypeAlias = Literal["as-expected", "unexpected", "vacuous", "not-checked"]
 
 LEDGER, CLAIMS = "ledger.toml", "claims.py"
-"""The files of a ledger: what is claimed, and a function for each claim."""
+"""The files of a ledger: the claims, and a function for each claim."""
 
 FAULTS = (Unfinished, outcome.Disagreement, tally.EnginesDisagree)
-"""The faults of this program that refute the claim that meets them."""
+"""The errors of this program that refute the claim in whose check they are raised."""
 
 
 QUICK = 0.5
@@ -230,7 +230,7 @@ QUICK = 0.5
 
 
 Outcome: TypeAlias = Found | NotChecked | Exception
-"""The outcome of a claim, as the ledger keeps it: also the fault or error that its check met."""
+"""The outcome of a claim in the ledger, which may be the error that its check has raised."""
 
 
 class CheckedClaim(Sentence):
@@ -416,7 +416,7 @@ def _checks(file: Path, claims: Sequence[Claim]) -> Mapping[str, Check]:
     """The function of each claim, by its id.
 
     Raises:
-        InputError: if the file is not there, does not import, or lacks a function.
+        InputError: if the file does not exist, cannot be imported, or lacks a function.
     """
     source = text_of(str(file))
     assert source is not None
@@ -437,8 +437,8 @@ def entry_of(claim: Claim, check: Check, means: Means) -> CheckedClaim:
     """Check the claim and return its entry; a quick one is checked twice.
 
     Raises:
-        InputError: naming the claim, if it ends the process, returns no outcome, or another one
-            when it is checked again.
+        InputError: naming the claim, if its function ends the process, returns no outcome, or
+            returns another outcome the second time.
     """
     began = time.monotonic()
     entry = entry_with(claim, means.budget, _outcome_of(claim, check, means))
@@ -455,7 +455,7 @@ def entry_of(claim: Claim, check: Check, means: Means) -> CheckedClaim:
 
 
 def _outcome_of(claim: Claim, check: Check, means: Means) -> Outcome:
-    """The outcome of a claim, whose function is a model."""
+    """The outcome of a claim, from one call of its function."""
 
     def act() -> Any:
         try:
@@ -508,7 +508,7 @@ def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0)
 
 
 def _ensure_named(option: str, names: Iterable[str], legal: Sequence[str]) -> None:
-    """Raise InputError, naming the first that is none, unless all of these are claims."""
+    """Raise InputError for the first of these names that is no claim."""
     for name in names:
         if name not in legal:
             some = f"; the first of {len(legal)} are {', '.join(legal[:3])}"

@@ -1,4 +1,4 @@
-"""Run directories: joined by ``merge``, their progress shown by ``status``."""
+"""Run directories: ``merge`` joins them, ``status`` shows their progress."""
 
 import time
 from collections.abc import Iterator, Sequence
@@ -29,7 +29,7 @@ class MergeRequest(RowOptions, ListenerOptions):
 
 
 def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
-    """The class of what goes through the units of a verb that a run directory keeps."""
+    """The class of the sweep of a verb."""
     from allworlds.studies.ambiguity.census_sweep import CensusSweep
     from allworlds.studies.check.exhaustive import CheckSweep
     from allworlds.studies.compare.comparison import SameWorlds
@@ -49,10 +49,10 @@ def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
 def shards_of(
     runs: Sequence[str | Path],
 ) -> Iterator[tuple[kept_units.Identity, run_directory.Merged]]:
-    """The identity of one job, and the finished units of all its shards.
+    """The job's identity, and the finished units of all its shards.
 
     Raises:
-        InputError: if they are not of one job, or overlap.
+        InputError: if the directories are not of one job, or overlap.
         Gap: if a shard is missing.
     """
     if not runs:
@@ -100,17 +100,17 @@ def _merged(request: MergeRequest) -> Any:
 
 @takes_fields(MergeRequest, several="runs", answered=_merged)
 def merge(*runs: str | Path, by: str | None = None, listener: Listener | None = None) -> Any:
-    """Merge the shards of a job, which were kept in run directories, into one report.
+    """Merge the shards of a job, each in a run directory, into one report.
 
-    Counts are compared with their source, and witnesses looked for, as if it had been one job.
-    No explorer is needed, and none is run: findings were confirmed by those who found them.
+    Counts are compared with their source, and witnesses are required, as in a job without shards.
+    No explorer is needed or run: each shard has confirmed its own findings.
 
     Returns:
-        the report that the verb would have made by itself.
+        The report of the verb, as if the job had no shards.
 
     Raises:
-        InputError: if they are not of one job, overlap, or are damaged.
-        Gap: if something is missing.
+        InputError: if the directories are not of one job, overlap, or are damaged.
+        Gap: if a shard or a unit is missing.
     """
     return _merged(MergeRequest(runs=runs, by=by, listener=listener))
 
@@ -186,7 +186,7 @@ def status(request: StatusRequest) -> Standing:
     """Report the progress of a run directory, from every unit in it.
 
     Raises:
-        InputError: if it is none, or is damaged.
+        InputError: if it is no run directory, or is damaged.
     """
     path = a_path("run", request.run)
     running = run_directory.in_use(path)
@@ -234,4 +234,4 @@ def status(request: StatusRequest) -> Standing:
 
 
 NAMED = ("edges", "vertices", "map_class", "family", "to", "where", "lighthouse", "task")
-"""The fields of requests that the text of a status names by themselves."""
+"""The fields of requests that the text of a status names in sentences of their own."""

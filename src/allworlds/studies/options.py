@@ -1,4 +1,4 @@
-"""Options of studies besides their limits: parts of requests."""
+"""Parts of requests that several studies share, besides their limits."""
 
 from pathlib import Path
 from typing import Annotated

@@ -1,4 +1,4 @@
-"""Reports of what was finished when a job ended."""
+"""The base of the reports of jobs that ended, completely or not."""
 
 from typing import Self
 
@@ -16,27 +16,27 @@ class EndedReport(Report):
 
     @property
     def whole(self) -> bool:
-        """Whether it is about all of the job, and not a shard of it."""
+        """Whether it is about the whole job, not about a shard."""
         return True
 
     @property
     def agrees(self) -> bool:
-        """Whether the numbers agree with what they were compared with."""
+        """Whether the counts agree with those of the independent source."""
         return True
 
     @property
     def refuted(self) -> bool:
-        """Whether a law is broken, or something is not as it should be."""
+        """Whether a law is broken, or a claim of the study is refuted."""
         return False
 
     @property
     def undecided(self) -> bool:
-        """Whether something was left undone by which the answer could be another one."""
+        """Whether a part that could change the answer was not done."""
         return isinstance(self.ending, outcome.Stopped)
 
     @property
     def empty(self) -> bool:
-        """Whether there was nothing to be answered."""
+        """Whether nothing was tried, so that the verdict is vacuous."""
         return False
 
     @property
@@ -45,10 +45,10 @@ class EndedReport(Report):
         return isinstance(self.ending, outcome.Interrupted)
 
     def uninterrupted(self) -> Self:
-        """Return this report, for callers that can do nothing with a part of it.
+        """Return this report, for callers that cannot use a partial one.
 
         Raises:
-            KeyboardInterrupt: if it was interrupted; who made it has kept that to itself.
+            KeyboardInterrupt: if the user interrupted the job.
         """
         if self.interrupted:
             raise KeyboardInterrupt
@@ -71,5 +71,5 @@ class RowsReport(EndedReport):
 
     @doc.computed
     def complete(self) -> doc.AllRows:
-        """Whether every row is there."""
+        """Whether no row is missing."""
         return isinstance(self.ending, outcome.Completed | outcome.Disagreed)

@@ -1,7 +1,7 @@
-"""One run: ``run`` plays it in one world, step by step, ``replay`` plays it again.
+"""One run: ``run`` plays it in one world, ``replay`` plays the run of a finding again.
 
-A replayed run is that of a finding, or of an entry of the corpus.  In ``play`` the reader is the
-robot, in a page with the cost of Algorithm 1 beside the player's.
+A replayed finding may be an entry of the corpus.  In ``play`` the user is the robot, in a page that
+compares the user's cost with that of Algorithm 1.
 """
 
 import os
@@ -87,13 +87,13 @@ class WorldNames(Report):
 def run(request: RunRequest) -> single.SingleRun:
     """Run an explorer once, and judge the run.
 
-    A user's explorer that another process can import is played in a process of its own, as in a
-    check; any other one in this process. Its hash seed is the one in the environment variable
+    A user's explorer that another process can import is played in its own process, as in a check;
+    any other one in this process. The process has the hash seed of the environment variable
     ``PYTHONHASHSEED``, if it is set.
 
     Raises:
-        InputError: naming the offending option and what would be legal, or the first choice
-            that was not taken.
+        InputError: naming the offending option and what would be legal, or the first choice that
+            the run did not take.
     """
     limits = request.limits
     subject = single.subject_of(request.explore, limits)
@@ -106,13 +106,13 @@ def run(request: RunRequest) -> single.SingleRun:
 
 
 def _located(run: single.SingleRun, subject: Any, limits: limits.Limits) -> single.SingleRun:
-    """The run with the lines of the explorer's code in its finding, if it has one."""
+    """The run, with lines of the explorer's code in its finding, if it has a finding."""
     found = run.finding and hints.located(run.finding, subject, limits)
     return doc.replace(run, finding=found)
 
 
 def _asked_hash_seed() -> int | None:
-    """The hash seed that the environment names; None if it names none."""
+    """The hash seed of the environment variable; None if it is not set."""
     seed = os.environ.get(loading.HASH_SEED, "")
     return int(seed) if re.fullmatch("[0-9]{1,9}", seed) else None
 
@@ -139,7 +139,7 @@ class ReplayRequest(limits.TimeoutOptions, FindingOptions, kw_only=False):
 
 
 TRIES = 8
-"""The number of runs, each in two fresh processes, before ``not-reproduced`` is said."""
+"""The number of runs, each in two fresh processes, until the outcome is ``not-reproduced``."""
 
 
 class Replay(Report):
@@ -189,16 +189,16 @@ class Replay(Report):
 
 @answers(ReplayRequest)
 def replay(request: ReplayRequest) -> Replay | TeamReplay:
-    """Run a finding's world again under its rules, with ``explore`` in place of its explorer.
+    """Run an explorer again in a finding's world, under its rules; by default its own explorer.
 
-    The recorded choices are repeated for the recorded explorer, as far as they fit: it may have
-    been changed since.  Another one answers to the recorded policy.  After a finding of the law
-    ``nondeterministic`` the run is made up to :data:`TRIES` times.  Of a team the world of the
-    finding is searched again.
+    The recorded explorer gets the recorded choices, as far as they fit, since it may have been
+    changed.  Any other explorer, named by ``explore``, gets choices by the recorded policy.  For a
+    finding of the law ``nondeterministic`` the run is made up to :data:`TRIES` times.  For a
+    finding of a team, its world is searched again.
 
     Raises:
-        InputError: if the explorer is not to be found, the finding's transcript is no walk in
-            its world, or it records choices of an explorer that takes none, unless that one is
+        InputError: if the explorer cannot be found, the finding's transcript is no walk in its
+            world, or the finding has choices but its explorer takes none, unless that explorer is
             named by ``explore``, too.
     """
     finding, explore = request.finding, request.explore
@@ -238,17 +238,17 @@ def replay(request: ReplayRequest) -> Replay | TeamReplay:
 
 
 LARGEST = 200
-"""The most edges for which Algorithm 1 takes no more than some seconds."""
+"""The most edges of worlds in which ``play`` runs Algorithm 1, which takes some seconds."""
 
 VARIANTS = {
     BUILT_IN[name].lighthouse: name
     for name in ("algorithm1", "algorithm1-cluster", "algorithm1-natural", "algorithm1-door")
 }
-"""Algorithm 1 for each lighthouse that it is written for."""
+"""The variant of Algorithm 1 for each lighthouse that has one."""
 
 
 def _cost_of_algorithm1(world: World) -> int | None:
-    """The cost of Algorithm 1 in the world; None for a larger one, or where it is not written.
+    """The cost of Algorithm 1 in the world; None for a larger world, or another lighthouse.
 
     Cost: seconds at most.
     """
@@ -309,7 +309,7 @@ def play(request: PlayRequest) -> Play:
     """Let a player walk in the world, action by action.
 
     Raises:
-        InputError: if there is no such world.
+        InputError: if the text names no world.
     """
     world = world_named(request.world, request.lighthouse, request.seed, request.holes)
     player, walk = request.player, Walk.begin(world)

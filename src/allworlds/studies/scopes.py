@@ -1,4 +1,4 @@
-"""The scope of a report: what was asked, as it took effect, and the keys of several scopes."""
+"""The scope of a report, with the values that took effect, and keys that several scopes share."""
 
 from typing import Annotated, Any, TypeAlias, TypeVar
 
@@ -16,7 +16,7 @@ TriedPlaces = Annotated[
 
 
 def tried_places(kind: LighthouseKind, extent: classes.Extent) -> str:
-    """The places of a lighthouse that are tried in an extent, in words; empty: every place."""
+    """The tried places of a lighthouse in an extent, in words; empty if all places are tried."""
     return kind.as_class.tried_in_maps_of(extent.levels[-1])
 
 

@@ -1,4 +1,4 @@
-"""Requests and reports of the studies that go through units; the gate of their counts."""
+"""Requests and reports of the studies that go through units, and their count gate."""
 
 from collections.abc import Sequence
 from typing import Annotated, Any, TypeAlias, get_args
@@ -24,14 +24,14 @@ class SweptOptions(
     TimeLimitOptions,
     ShardOptions,
 ):
-    """The part of a request that says how, and for how long, its units are gone through."""
+    """The part of a request with the shard, the run directory, the cluster and the limits."""
 
 
 _by = a_word("by", get_args(By))
 
 
 class RowOptions(Request):
-    """The part of a request that says for what there are rows."""
+    """The part of a request that chooses the rows of the report."""
 
     by: Annotated[
         Converted[str | None, By | None],
@@ -69,7 +69,7 @@ class PortionReport(EndedReport):
 
     @property
     def portion(self) -> units.Shard:
-        """The part of the job that was to be done."""
+        """The part of the job that the report is about."""
         portion: units.Shard = self.request.shard
         return portion
 
@@ -94,7 +94,7 @@ class SweptReport(PortionReport, RowsReport):
 
     @property
     def rows(self) -> Sequence[Any]:
-        """Rows of all that was finished: a key of each of these reports."""
+        """The rows of the finished levels: a key of each of these reports."""
         raise NotImplementedError
 
     @property

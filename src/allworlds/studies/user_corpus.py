@@ -1,4 +1,4 @@
-"""A directory of findings: those of earlier jobs are tried first, new ones are added."""
+"""The user's corpus: a directory of findings, which are tried first, and to which new ones go."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ class CorpusReport(Document):
 
 
 class LeftOpen(NoResult):
-    """Raised if a finding was tried again, and a limit has left it open."""
+    """Raised if a limit ended the retry of a finding."""
 
 
 class Storable(Protocol):
@@ -82,7 +82,7 @@ class Storable(Protocol):
 
     @property
     def key(self) -> Any:
-        """Its place in the order of findings."""
+        """The key of the finding in the order of findings."""
 
     @property
     def text(self) -> str:
@@ -97,12 +97,12 @@ Found = TypeVar("Found", bound=Storable)
 
 
 class UserCorpus(Struct, Generic[Found]):
-    """A directory of findings in the course of one check.
+    """A directory of findings during one check.
 
     Attributes:
-        directory: need not exist yet.
-        read: the finding of the text of a file.
-        files: their names, by the keys of :class:`CorpusReport`.
+        directory: the path, which need not exist yet.
+        read: the function that makes a finding from the text of its file.
+        files: the names of the files, by the keys of :class:`CorpusReport`.
     """
 
     directory: Path
@@ -113,18 +113,18 @@ class UserCorpus(Struct, Generic[Found]):
     def retry(
         self, again: Callable[[Found], Found | None], is_inside: Callable[[Found], bool]
     ) -> list[Found]:
-        """Try every recorded finding again. Return those that stand, and are within the scope.
+        """Try every recorded finding again; return those that are reproduced and in the scope.
 
-        Each finding is tried by itself, so that one that is lost does no harm to others.
+        Each finding is tried separately, so that a lost player does not affect other findings.
 
         Args:
-            again: makes a finding again; None if it stands no longer. It raises ``OtherText`` if
-                it cannot be tried, and ``LeftOpen`` if a limit leaves it open.
-            is_inside: whether a finding is within the scope of this check.
+            again: a function that returns the reproduced finding, or None if it is fixed. It raises
+                ``OtherText`` if a finding cannot be tried, ``LeftOpen`` if a limit ends the retry.
+            is_inside: whether a finding is in the scope of this check.
 
         Raises:
-            InputError: naming the file that cannot be read, is no finding, or has been changed
-                since it was written.
+            InputError: naming a file that cannot be read, has no finding, or was changed since it
+                was written.
         """
         for name, finding in self._past():
             try:
@@ -190,7 +190,7 @@ class UserCorpus(Struct, Generic[Found]):
                     self.files["written"].append(finding.file_name)
 
     def _write(self, finding: Found) -> None:
-        """Write a finding, unless it is there already: whole or not at all."""
+        """Write a finding, unless it exists already, as a whole or not at all."""
         self.directory.mkdir(parents=True, exist_ok=True)
         path = self.directory / finding.file_name
         if path.exists():
@@ -204,10 +204,10 @@ class UserCorpus(Struct, Generic[Found]):
 def corpus_of(
     named: str | Path | None, run: str | Path | None, read: Callable[[str], Found]
 ) -> UserCorpus[Found] | None:
-    """The corpus that a request names, if it names one.
+    """The corpus that a request names; None if it names none.
 
     Raises:
-        InputError: if the request names a run directory, too.
+        InputError: if the request also names a run directory.
     """
     if named is None:
         return None

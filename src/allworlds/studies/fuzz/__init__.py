@@ -1,9 +1,9 @@
 """``fuzz``: worlds far beyond the exhaustive bound, and the way back to small ones.
 
 ``sample_sweep``
-    the request, the verb, and the sweep through what is drawn and bred;
+    the request, the verb, and the sweep through the drawn and the bred worlds;
 ``sampling``
-    the draws: which worlds the runs of a sample are in;
+    the draws: the random worlds of a sample;
 ``breeding``
     worlds that are bred from draws, towards lines of the explorer that few worlds run;
 ``shrinking``

@@ -1,4 +1,4 @@
-"""Worlds that are bred from draws, towards lines that few worlds run."""
+"""Worlds that are bred from draws, towards lines of code that few worlds run."""
 
 from collections import Counter, deque
 from collections.abc import Iterable, Iterator
@@ -25,38 +25,38 @@ from allworlds.world import world
 from allworlds.world.lighthouses.base import Lighthouse
 
 DRAWS_PER_BLOCK = 256
-"""The draws of a block."""
+"""The number of draws in a block."""
 
 DRAWS_TRACED = 64
-"""The first draws of a block, of which others are bred."""
+"""The number of draws in a block, from the first on, that are parents."""
 
 BRED_PER_BLOCK = 192
-"""The worlds that are bred of them."""
+"""The number of worlds that are bred from a block."""
 
 BRED_PER_GENERATION = 16
-"""The worlds that are bred before their parents are chosen anew."""
+"""The number of worlds in a generation, after which parents are chosen anew."""
 
 RAREST_LINES = 4
-"""The lines of whose last worlds parents are drawn."""
+"""The number of lines, rarest first, whose worlds can be parents."""
 
 PARENTS_PER_LINE = 8
-"""The last worlds of a line that are kept for this."""
+"""The number of worlds that are kept for a line, the last ones."""
 
 TRAVERSALS_TRACED = 20_000
-"""The traversals after which a run is no longer traced."""
+"""The most traversals of a traced run."""
 
 MUTANTS_TRIED = 20
-"""The mutants of a world that may all be outside the class."""
+"""The number of mutants of a world that are tried until one is in the class."""
 
 
 class Bred(Struct, frozen=True):
-    """Worlds that are bred from some draws."""
+    """The unit of the worlds that are bred from a block of draws."""
 
     drawn: Batch
 
     @property
     def key(self) -> str:
-        """Key in a run directory: ``SEED/FIRST/bred``."""
+        """The key in a run directory: ``SEED/FIRST/bred``."""
         return f"{self.drawn.key}/bred"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
@@ -65,7 +65,7 @@ class Bred(Struct, frozen=True):
 
 
 def bred_of(sample: Sample, begins: Iterable[int]) -> Iterator[Bred]:
-    """The worlds bred from the blocks that begin there, of the part of its shard."""
+    """The units of worlds bred from the blocks that begin at these draws, in the sample's shard."""
     for first in begins:
         if first // DRAWS_PER_BLOCK % sample.portion.count == sample.portion.index:
             yield Bred(
@@ -74,7 +74,7 @@ def bred_of(sample: Sample, begins: Iterable[int]) -> Iterator[Bred]:
 
 
 def is_bred_for(subject: loading.Subject) -> bool:
-    """Whether worlds are bred for an explorer: a user's, whose lines can be traced."""
+    """Whether worlds are bred for an explorer: it is a user's, and its lines can be traced."""
     return subject.from_user and not (
         loading.is_program(subject.name) or loading.is_library(subject.name)
     )
@@ -85,16 +85,17 @@ def bred(
 ) -> Iterator[NumberedRun]:
     """Yield the bred worlds that seem to refute, towards lines that few worlds run.
 
-    The first draws of the block are played and their lines traced; then, a generation at a time,
+    The first draws of the block are played and their lines traced; then, generation by generation,
     mutants of worlds that ran one of the rarest lines.  The worlds depend on the explorer and on
-    these draws alone.  A player that is lost ends it.
+    these draws alone.  If the player is lost, breeding ends.
 
-    Only lines are a target, since only they help.  Measured with up to 60 edges: 48 times a slip
-    behind four nested conditions was sought; 256 draws found 4, 64 draws and 192 bred worlds 14.
-    With up to 12 edges one such slip is found from 7 of 8 seeds, by 448 draws from one.  Towards a
-    high cost, or long agreement with a wrong hypothesis, breeding finds less than as many draws:
-    belief after 24 steps, depth first, from 2 and 1 of 6 seeds, draws from 4; a cost above 8,000
-    from 4 and 3, draws from 5; at up to four times the processor time.
+    Rare lines are the only target, since no other one helps.  Measured with up to 60 edges, in 48
+    searches for a slip behind four nested conditions: 256 draws found 4 slips, 64 draws and 192
+    bred worlds 14.  With up to 12 edges breeding found one such slip from 7 of 8 seeds, and 448
+    draws from one seed.  Towards a high cost, or long agreement with a wrong hypothesis, breeding
+    finds less than as many draws: the slip of an explorer that trusts a hypothesis after 24 steps,
+    depth first, from 2 and 1 of 6 seeds, draws from 4; a cost above 8,000 from 4 and 3, draws
+    from 5; at up to four times the processor time.
 
     Cost: 256 traced runs, each some three times a plain one.
     """
@@ -129,10 +130,10 @@ def bred(
 
 
 class _Pool:
-    """The worlds from which others are bred.
+    """The worlds that can be parents.
 
     Attributes:
-        lately: of each line the last worlds that ran it.
+        lately: for each line the last worlds that ran it.
     """
 
     def __init__(self, unit: Bred, extent: Extent, kind: type[Lighthouse]) -> None:
@@ -142,13 +143,13 @@ class _Pool:
         self._random = Random(f"bred/{unit.key}")  # noqa: S311  # reproducible
 
     def add(self, map_: CombinatorialMap, lines: Iterable[Place]) -> None:
-        """Take in a world, which ran these lines."""
+        """Add a world that ran these lines."""
         for line in lines:
             self._often[line] += 1
             self.lately.setdefault(line, deque(maxlen=PARENTS_PER_LINE)).append(map_)
 
     def bred(self) -> Iterator[Placed]:
-        """A generation, each with a random place of the lighthouse."""
+        """Yield the maps of a generation, each with a random place of the lighthouse."""
         rarest = sorted(self.lately, key=lambda line: (self._often[line], line))[:RAREST_LINES]
         for _ in range(BRED_PER_GENERATION):
             parent = self._random.choice(self.lately[self._random.choice(rarest)])
@@ -157,7 +158,7 @@ class _Pool:
             yield child, [self._random.choice(places)] if places else []
 
     def _child(self, parent: CombinatorialMap) -> CombinatorialMap:
-        """A mutant of the extent; the parent where there is none for long."""
+        """A mutant that is in the extent; the parent if no mutant tried is."""
         for _ in range(MUTANTS_TRIED):
             child = mutated(parent, self._extent.levels[-1], self._random)
             if child.edge_count >= self._least and self._extent.include(child):

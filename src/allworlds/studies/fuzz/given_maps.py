@@ -1,4 +1,4 @@
-"""Runs in given maps, and the smallest finding to which they lead."""
+"""Runs in given maps, and the smallest finding that shrinking makes from theirs."""
 
 from collections.abc import Iterable
 
@@ -22,19 +22,19 @@ class MapsRequest(ManyWorlds, sources.ExplorerOptions, selection.WhereOptions):
 
 
 def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Finding | None:
-    """The smallest finding that the shrinker reaches from these maps; None where no law is broken.
+    """The smallest finding that the shrinker reaches from these maps; None if no law is broken.
 
-    The explorer starts at every dart of each map, with every place of the lighthouse.  Maps
-    that are not of the class, or of which the condition is not true, are left out.
+    The explorer starts at every dart of each map, with every place of the lighthouse.  Maps that
+    are not in the class, or do not satisfy the condition, are left out.
 
     Args:
-        maps: of any size.
-        request: for an explorer, the class, a condition, rules and limits.
+        maps: maps of any size.
+        request: the explorer, the class, the condition, the rules and the limits.
 
     Raises:
         InputError: naming the offending option and what would be legal.
         TimeIsUp: at the time limit.
-        Unsettled: if what happened to the explorer cannot be told.
+        Unsettled: if the cause of the explorer's end cannot be decided.
 
     Cost: O(m) runs for each map with m edges.
     """

@@ -1,4 +1,4 @@
-"""The sweep of ``fuzz`` through a sample, and what it was asked for."""
+"""The request of ``fuzz``, and its sweep through a sample."""
 
 from collections.abc import Iterable, Iterator
 from itertools import islice
@@ -92,12 +92,12 @@ class FuzzRequest(
 def fuzz(request: FuzzRequest) -> CheckReport:
     """Run an explorer in random worlds of up to ``edges`` edges; shrink what refutes it.
 
-    The report is a sample's: at best ``not-refuted``, never complete.  The sample depends on
-    the class, ``where``, ``edges``, ``min_edges``, ``mix``, ``runs`` and ``seed`` alone.  Before it
-    a few small worlds are tried, and it ends there if the explorer walks for ever.  It ends after
-    the first 16, 64, 256, ... runs of which one refutes.  The finding is the smallest that
-    the shrinker reaches from the smallest refuting world of these; that may have fewer than
-    ``min_edges`` edges.  Shrinking ends with the time limit.  Of an explorer in Python worlds are
+    The report is about a sample: at best ``not-refuted``, never complete.  The sample depends on
+    the class, ``where``, ``edges``, ``min_edges``, ``mix``, ``runs`` and ``seed`` alone.  A few
+    small worlds are tried first; the search ends there if the explorer walks for ever.  It ends
+    after the first 16, 64, 256, ... runs if one of them refutes.  The finding is the smallest that
+    the shrinker reaches from the smallest refuting world of these; it may have fewer than
+    ``min_edges`` edges.  Shrinking ends at the time limit.  For an explorer in Python worlds are
     bred, too: see :func:`bred`.
 
     Raises:
@@ -124,10 +124,10 @@ def scope_of(request: FuzzRequest, rules: Rules) -> Scope:
 
 
 class SampleCounter(RunCounter, frozen=True, kw_only=True):
-    """The runs of a sample, counted with the features of its worlds; and of bred worlds.
+    """The counter of a sample's runs and its worlds' features, and of the runs in bred worlds.
 
     Attributes:
-        subject, limits: of the explorer, for those who are bred.
+        subject, limits: the explorer and its limits, for breeding.
     """
 
     subject: loading.Subject
@@ -148,12 +148,12 @@ class SampleCounter(RunCounter, frozen=True, kw_only=True):
 class FuzzSweep(TallySweep[CheckReport]):
     """The sweep of a sample.
 
-    Its levels are a few small worlds, for those who walk for ever; waves of draws, each four times
-    as large as all before, and between them worlds bred from the draws.  Every finished part is
-    reported; a level with a finding is the last one.
+    Its levels are a few small worlds, for explorers that walk for ever; then waves of draws, each
+    three times as large as all before together, and between them worlds bred from the draws.  Every
+    finished part is reported; a level with a finding is the last one.
 
     Args:
-        request: what was asked for.
+        request: the request.
         scope: the worlds and the rules.
         subject: the explorer.
     """

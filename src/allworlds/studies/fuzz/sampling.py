@@ -1,4 +1,4 @@
-"""The draws of a sample: waves, batches and their random worlds."""
+"""The draws of a sample: its waves, its batches, and their random worlds."""
 
 from collections.abc import Iterator
 from contextlib import suppress
@@ -17,15 +17,15 @@ from allworlds.notations.given import Placed
 from allworlds.world.lighthouses.base import Lighthouse
 
 RUNS_PER_BATCH = 8
-"""The runs that one worker does at a time."""
+"""The number of runs that a worker does at a time."""
 
 RUNS_OF_FIRST_WAVE = 16
-"""The runs of the first wave.  A wrong explorer in a world with 50 edges may go on until its budget
-of some 500,000 traversals: 64 draws with 40 to 60 edges took more than six minutes of a processor.
+"""The number of runs in the first wave.  It is small, since a wrong explorer in a world of 50 edges
+may use all of its some 500,000 traversals: 64 draws with 40 to 60 edges took over six minutes.
 """
 
 REJECTED_BEFORE_HISTORIES = 100
-"""The number of maps of one part that are rejected before histories are used."""
+"""The number of maps of one part of the mixture that are rejected before histories are used."""
 
 REJECTED_BEFORE_REFUSAL = 2000
 """The number of maps that are rejected before a condition is refused."""
@@ -41,14 +41,14 @@ def waves(runs: int) -> Iterator[tuple[int, int]]:
 
 
 def batches(sample: Sample, begin: int = 0, end: int | None = None) -> "Iterator[Batch]":
-    """These runs of the sample in pieces, or the part of its shard: every so manieth piece.
+    """Runs of a sample in batches; for shard i of k, the batches i, i + k, i + 2k, ...
 
-    They do not depend on the number of workers or shards.
+    The batches do not depend on the number of workers or shards.
 
     Args:
-        sample: the whole, or the part of a shard.
-        begin: the first run, the first one of a piece.
-        end: the run after the last one; by default all.
+        sample: the sample, or its part in a shard.
+        begin: the first run, which begins a batch.
+        end: the run after the last one; by default all runs are done.
     """
     end, portion = sample.runs if end is None else end, sample.portion
     for first in range(begin, end, RUNS_PER_BATCH):
@@ -58,13 +58,13 @@ def batches(sample: Sample, begin: int = 0, end: int | None = None) -> "Iterator
 
 
 SMALL, SMALL_RUNS = 4, 8
-"""The edges, and the number, of the worlds that are tried before the sample."""
+"""The most edges, and the number, of the small worlds that are tried before the sample."""
 
 
 class SmallBatch(Struct, frozen=True):
-    """Small worlds of the mixture, whatever the least number of edges is; none if there are none.
+    """A batch of small worlds of the mixture, which may have fewer edges than ``min_edges``.
 
-    Who walks for ever is found there with some hundred traversals.
+    An explorer that walks for ever is found there with some hundred traversals.
     """
 
     seed: int
@@ -72,18 +72,18 @@ class SmallBatch(Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        """Key in a run directory: ``SEED/small``."""
+        """The key in a run directory: ``SEED/small``."""
         return f"{self.seed}/small"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
-        """One world a run, as of a batch."""
+        """Yield one world for each run, as :meth:`Batch.placed` does."""
         small = replace(extent, edges=min(SMALL, extent.levels[-1]))
         with suppress(InputError):  # the condition may admit none
             yield from Batch(self.seed, 0, SMALL_RUNS, self.mix).placed(small, kind)
 
 
 class Batch(Struct, frozen=True):
-    """The runs ``first .. last - 1`` of the sample with that seed and least number of edges."""
+    """The runs ``first .. last - 1`` of the sample with a seed and a least number of edges."""
 
     seed: int
     first: int
@@ -93,15 +93,15 @@ class Batch(Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        """Key of the batch in a run directory: ``SEED/FIRST``."""
+        """The key of the batch in a run directory: ``SEED/FIRST``."""
         return f"{self.seed}/{self.first}"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
-        """One world a run: a random map with a random place of the lighthouse.
+        """Yield one world for each run: a random map with a random place of the lighthouse.
 
-        The parts of the mixture come in turn, and each has a sequence of its own: it is the same
-        whatever else there is in the mixture.  A map that is not of the extent, or is too small, is
-        drawn again; a part that brings none for long gives way to random histories of the class.
+        The parts of the mixture alternate.  Each part has its own sequence, which does not depend
+        on the other parts.  A map that is too small or not in the extent is drawn again; if many
+        draws of a part fail, random histories of the class take its place.
         """
         mix = self.mix or default_mix(extent)
         for run in range(self.first, self.last):
@@ -113,10 +113,10 @@ class Batch(Struct, frozen=True):
             yield map_, [random.choice(places)] if places else []
 
     def _drawn(self, extent: Extent, part: str, random: Random) -> CombinatorialMap:
-        """A map of the extent; by a history where the part brings none for long.
+        """A random map in the extent; from a history, if many draws of the part fail.
 
         Raises:
-            InputError: if histories bring none for long that the condition admits.
+            InputError: if many histories fail the condition, too.
         """
         generators = generator(part, extent), generator(HISTORIES, extent)
         size = random.randint(self.min_edges, extent.levels[-1])

@@ -1,4 +1,4 @@
-"""The way from a refuting world to ever smaller ones."""
+"""Shrinking: from a refuting world to smaller and smaller ones."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
@@ -22,24 +22,24 @@ Refute: TypeAlias = Callable[[Sequence[GivenWorlds]], Finding | None]
 """The smallest finding among these worlds, or None."""
 
 WORLDS_PER_CHUNK = 50
-"""The worlds that one worker tries at a time."""
+"""The number of worlds that a worker tries at a time."""
 
 CHUNKS_PER_WAVE = 8
-"""The chunks that are tried before the next, larger worlds are begun."""
+"""The number of chunks that are tried before the next, larger worlds."""
 
 
 def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
-    """Yield ever smaller refuting worlds, until no neighbour that is tried refutes.
+    """Yield smaller and smaller refuting worlds, until no neighbour that is tried refutes.
 
-    First pieces of the map are taken away, half of it, a quarter and so on, the start kept.
-    Then an edge is deleted or contracted as long as that is possible; then, with as many
+    First pieces of the map are removed, half of it, a quarter and so on, but never the start.
+    Then edges are deleted or contracted one by one while that is possible; then, with as many
     edges, a dart may move and the start and the marker may turn, towards fewer vertices and
-    the smaller code.  Every neighbour is rooted everywhere and lit from every place, and the
-    smallest refuting one is taken, so the result depends on nothing but the finding.  At last all
+    the smaller code.  Every neighbour is tried with every root and every place of the lighthouse,
+    and the smallest refuting one is taken, so the result depends on the finding alone.  At last all
     worlds with few edges are tried.
 
-    Cost: O(m^3) runs for each step of small worlds, but at most
-    ``NEIGHBOURS_PER_STEP``; large ones are left as they are when no piece of them can go.
+    Cost: O(m^3) runs for each step in small worlds, but at most ``NEIGHBOURS_PER_STEP``; a large
+    world is not changed if no piece can be removed.
     """
     for less in _with_pieces_less(finding, scope, refute):
         yield (finding := less)
@@ -61,33 +61,33 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
 
 
 EDGES_TRIED_IN_FULL = 4
-"""The number of edges up to which every world is tried at last."""
+"""The most edges of the worlds that are all tried at last."""
 
 EDGES_OF_FINE_STEPS = 16
 """The number of edges above which not every neighbour is tried."""
 
 NEIGHBOURS_PER_STEP = 4000
-"""The neighbours that are tried in a step."""
+"""The most neighbours that are tried in a step."""
 
 TIMES_AS_FAR = 2
-"""The walk after which a smaller world is passed over: so many times that of the finding."""
+"""The most traversals in a smaller world, as a multiple of those in the finding."""
 
 TRAVERSALS_BESIDES = 100
-"""The traversals that it may have more than these."""
+"""The number of traversals that are allowed besides that multiple."""
 
 LARGE_WORLDS_PER_CHUNK = 4
-"""The worlds with a piece less that one worker tries at a time."""
+"""The number of worlds without a piece that a worker tries at a time."""
 
 LARGE_CHUNKS_PER_WAVE = 2
-"""The chunks of these that are tried before the next ones are begun."""
+"""The number of chunks of worlds without a piece that are tried before the next ones."""
 
 
 def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
-    """Yield ever smaller refuting worlds, of which a piece was deleted or contracted at a time.
+    """Yield smaller and smaller refuting worlds, by deleting or contracting one piece at a time.
 
-    A piece are edges that follow each other breadth-first from the start; the farthest come first.
-    As long as one of them can go, others of that size are tried, and then those of half the size.
-    The place of the lighthouse keeps its number, if there are so many.
+    A piece is a set of consecutive edges in breadth-first order from the start; the farthest piece
+    comes first.  While a piece can be removed, others of its size are tried; then pieces of half
+    the size.  The lighthouse keeps the number of its place, if the smaller map has that place.
 
     Cost: O(m) runs for each step, but about O(m log m) in all if few edges are needed.
     """
@@ -103,7 +103,7 @@ def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterato
 
 
 def _less_by(piece: int, finding: Finding, scope: Scope) -> Iterator[tuple[world.World, int]]:
-    """The finding's world without so many edges, deleted or contracted, and the place."""
+    """Yield the finding's world without one piece of so many edges, and the lighthouse's place."""
     map_, extent = finding.world.map, scope.extent
     for end in range(map_.edge_count, 0, -piece):
         gone = {d for edge in map_.edges[max(0, end - piece) : end] for d in edge}
@@ -119,7 +119,7 @@ def _less_by(piece: int, finding: Finding, scope: Scope) -> Iterator[tuple[world
 def _smallest(
     refute: Refute, chunks: Sequence[GivenWorlds], at_once: int = CHUNKS_PER_WAVE
 ) -> Finding | None:
-    """The smallest finding of the first wave that has one; of later ones none is tried."""
+    """The smallest finding of the first wave that has one; later waves are not tried."""
     waves = (refute(chunks[i : i + at_once]) for i in range(0, len(chunks), at_once))
     return next((found for found in waves if found), None)
 
@@ -132,7 +132,7 @@ def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
 
 
 def _smaller(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -> list[GivenWorlds]:
-    """The first rootings and places of these maps that are smaller than the finding, ascending."""
+    """The worlds of these maps that are smaller than the finding, the first ones, ascending."""
     size = finding.key[:4]
     placed = takewhile(lambda each: each[0] < size, placed_rootings(maps, scope))
     return in_chunks([each for _, each in islice(placed, NEIGHBOURS_PER_STEP)])
@@ -141,10 +141,10 @@ def _smaller(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -
 def placed_rootings(
     maps: Iterable[CombinatorialMap], scope: Scope
 ) -> Iterator[tuple[tuple[int, int, Code, int], tuple[world.World, int]]]:
-    """Rootings of these maps, each once and with every place; ascending by what is beside them.
+    """Yield the rootings of these maps, each once and with every place, by ascending keys.
 
-    That is: edges, vertices, code, place.  The maps are of the class of the extent, and its
-    condition is true of them; its bounds do not matter.
+    A key has edges, vertices, code and place.  Maps that are not in the class, or do not satisfy
+    the condition, are left out; the bounds of the extent do not matter.
     """
     extent = scope.extent
     rootings = {
@@ -162,17 +162,17 @@ def placed_rootings(
 def in_chunks(
     worlds: Sequence[tuple[world.World, int]], length: int = WORLDS_PER_CHUNK
 ) -> list[GivenWorlds]:
-    """Worlds with the numbers of their places, in pieces that one worker tries at a time."""
+    """Worlds with the numbers of their places, in chunks for one worker each."""
     starts = range(0, len(worlds), length)
     return [GivenWorlds(tuple(worlds[start : start + length])) for start in starts]
 
 
 def smallest_from(finding: Finding, workers: Transport, scope: Scope) -> Finding:
-    """The smallest finding that the shrinker reaches from this one, or has when the time is up.
+    """The smallest finding that the shrinker reaches from this one, within the time limit.
 
-    A wrong explorer often walks until its budget is used up.  Unless it is the budget that it
-    breaks, worlds are passed over in which it walks more than so many times as far as in the
-    finding that is made smaller.
+    A wrong explorer often walks until its budget is used up.  Unless the broken law is the budget,
+    a smaller world does not count if the explorer walks much farther there than in the finding,
+    see ``TIMES_AS_FAR``.
     """
     rules = scope.rules
 

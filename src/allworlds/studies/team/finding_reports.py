@@ -54,10 +54,10 @@ class TeamReplay(Report):
 
 
 def replayed(finding: TeamFinding, explore: Any, limits: TimeoutOptions) -> TeamReplay:
-    """Search the world of a finding again, with another program in place of all if one is named.
+    """Search the world of a finding again; a named program replaces those of all robots.
 
     Raises:
-        InputError: if a program or the model is not to be found, or the model has another text.
+        InputError: if a program or the model cannot be found, or the model has changed.
     """
     programs = (explore,) if explore is not None else finding.team
     request = request_again(finding, programs, limits)
@@ -81,7 +81,7 @@ class TeamExplanation(Report):
 
 
 def sentences_of(finding: TeamFinding) -> Iterator[str]:
-    """A finding in a few sentences."""
+    """Explain a finding in a few sentences."""
     yield f"{LAWS[finding.law]} Here it does not hold: {finding.seen}."
     events = len(finding.events)
     if finding.loop:
@@ -99,7 +99,7 @@ def sentences_of(finding: TeamFinding) -> Iterator[str]:
 
 
 def _stale(finding: TeamFinding) -> Iterator[str]:
-    """The moves between whose look and themselves another robot has moved."""
+    """The moves whose robots looked before another robot moved, in words."""
     looked: dict[int, int] = {}
     moved: dict[int, int] = {}
     for number, event in enumerate(finding.events, 1):

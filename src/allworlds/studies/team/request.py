@@ -73,7 +73,7 @@ def darts_of(text: str) -> tuple[int, ...]:
     """The darts of a text, with commas between.
 
     Raises:
-        InputError: if these are none.
+        InputError: if a part of the text is no integer.
     """
     return tuple(integer_of(part) for part in text.split(","))
 
@@ -256,7 +256,7 @@ class TeamRequest(
     @cached_property
     @override
     def given(self) -> GivenMaps | None:
-        """The given maps: of files, of a graph, or the one that is named.
+        """The given maps: those of files, that of a graph, or the named one; None: a class.
 
         Raises:
             InputError: naming the option.
@@ -305,10 +305,10 @@ class TeamRequest(
         return Timing(scheduler, budget, self.lead, self.start_delay, *limits)
 
     def team(self) -> Team:
-        """The programs, loaded.
+        """Load the programs.
 
         Raises:
-            InputError: naming one that cannot be loaded, or their number.
+            InputError: naming a program that cannot be loaded, or a wrong number of programs.
         """
         given = [*self.explorers]
         if not given:
@@ -333,7 +333,7 @@ class TeamRequest(
 def _one(
     name: str, map_: combinatorial.CombinatorialMap, starts: Sequence[int] | None
 ) -> GivenMaps:
-    """One map, with every root up to automorphism; with given starts in its own numbering."""
+    """One map, with every root up to automorphism; with given starts, rooted at the first one."""
     if starts is not None:
         renamed(map_, starts)
         return held("map", name, "one map", [GivenMap(map_, (starts[0],))])
@@ -344,10 +344,10 @@ def _one(
 
 
 def renamed(map_: combinatorial.CombinatorialMap, starts: Sequence[int]) -> tuple[int, ...]:
-    """The starts in the canonical numbering of the map with its root at the first of them.
+    """The starts in the canonical numbering of the map with its root at the first start.
 
     Raises:
-        InputError: for one that is no dart of the map.
+        InputError: for a start that is no dart of the map.
     """
     for dart in starts:
         if dart not in map_.darts:

@@ -1,4 +1,4 @@
-"""The sweep of the searches of a team, and the gate of their counts."""
+"""The sweep of a team's searches, and their count gate."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
     """The sweep of the searches of a team.
 
     Args:
-        request: what was asked for.
+        request: the request.
         team: the programs.
     """
 
@@ -122,7 +122,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 
     @override
     def begin(self) -> outcome.Ending | None:
-        """Try past findings; enough that stand end the job."""
+        """Try past findings; end the job if enough of them are reproduced."""
         if self.corpus is None:
             return None
         for found in self.corpus.retry(self._again, partial(is_inside, scope=self.scope)):
@@ -132,11 +132,11 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
         return None
 
     def _again(self, finding: TeamFinding) -> TeamFinding | None:
-        """The finding that the programs of today give in that world; None if they give none.
+        """The finding of the present programs in a past finding's world; None if no law is broken.
 
         Raises:
-            OtherText: if its model has another text, or it is of another number of robots.
-            LeftOpen: if a limit ends its search.
+            OtherText: if its model has changed, or it has another number of robots.
+            LeftOpen: if a limit ends the search.
         """
         programs = tuple(self.request.explorers)
         if len(programs) not in (1, len(finding.starts)):
@@ -153,7 +153,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 
     @override
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
-        """Add new findings to the corpus; a remark tells what it could not take."""
+        """Add new findings to the corpus, with a remark for each that could not be written."""
         if self.corpus is not None:
             for lost in self.corpus.write(self._tally.findings):
                 self._tally.remarks[lost] += 1
@@ -196,7 +196,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 
 
 def gate_of(extent: Extent, edges: int, tally: TeamTally) -> Iterator[TeamCell]:
-    """Counts of the maps of a level, beside those of an independent source, if there is one."""
+    """Compare the numbers of a level's maps with those of an independent source, if it has one."""
     source = count_source.source_of(extent)
     if source is None:
         return
@@ -228,10 +228,10 @@ def request_again(
 ) -> TeamRequest:
     """The request that searches the world of a finding again, with these programs.
 
-    ``here`` is a model that no name may lead to; it is taken where the finding is of it.
+    ``here`` is a model that may exist in this process alone; it is used if the finding has it.
 
     Raises:
-        InputError: if the model is not to be found, or has another text.
+        InputError: if the model cannot be found, or has changed.
     """
     time = finding.time
     known = here is not None and here.name == finding.model
@@ -254,7 +254,7 @@ def request_again(
 
 
 def is_inside(finding: TeamFinding, scope: TeamScope) -> bool:
-    """Whether a search of that scope could have found this itself."""
+    """Whether a finding is in the scope of a search."""
     own = scope.model.name, scope.model.digest, len(scope.team.names), TimeDocument.of(scope.timing)
     starts = finding.starts
     if own != (finding.model, finding.model_digest, len(starts), finding.time):
@@ -268,12 +268,12 @@ def is_inside(finding: TeamFinding, scope: TeamScope) -> bool:
 
 
 def _place(map_: CombinatorialMap, starts: Sequence[int]) -> Any:
-    """A map with starts, whatever its numbering."""
+    """A value that is equal for isomorphic maps with starts."""
     return rooted_code(map_.sigma, map_.alpha, starts[0]), renamed(map_, starts)
 
 
 def _rooted_like(map_: CombinatorialMap, extent: Extent) -> Iterator[CombinatorialMap]:
-    """The maps of an extent that are this one, at every root that it has there."""
+    """The maps of an extent that can be this one with another root."""
     if extent.given is not None:
         for unit in units.units_of_level(extent, map_.edge_count, units.WHOLE):
             yield from unit.maps(extent)

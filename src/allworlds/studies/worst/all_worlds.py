@@ -98,7 +98,7 @@ class WorstRequest(
         """The worlds.
 
         Raises:
-            InputError: naming what is too large, or another lighthouse that given worlds have.
+            InputError: naming a bound that is too large, or another lighthouse of given worlds.
         """
         self.lighthouse_of_given(LighthouseKind(Directional.kind))
         usual = self.edges is None and self.given is None
@@ -303,7 +303,7 @@ class SchedulesSweep(sweep.Sweep["ScheduleCostsBySize", WorstReport]):
         )
 
     def _replayed(self, world: World, bound: int) -> tuple[tuple[int, ...], int | None]:
-        """Choices that attain the worst cost, and their cost in the Python engine."""
+        """Choices that attain the worst cost, and the cost of their run in the Python engine."""
         schedules = EverySchedule(world.map, world.start, self.request.transit)
         planned = Planned(schedules.most_expensive_picks())
         episode = play(world, self._subject.player(), planned, default_step_budget(bound))

@@ -1,4 +1,4 @@
-"""The most expensive worlds of a level: the compiled search over schedules as an engine."""
+"""The compiled search over schedules, as the engine for the most expensive worlds of a level."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
@@ -13,7 +13,7 @@ from allworlds.studies.worst.every_schedule import Transit
 
 
 class ScheduleCostsBySize(Struct):
-    """Costs over every schedule, by the number of vertices. They add up in any order."""
+    """Costs over every schedule, by the number of vertices; they can be added in any order."""
 
     by_vertices: dict[int, schedules.ScheduleCosts] = field(default_factory=dict)
 
@@ -30,7 +30,7 @@ class ScheduleCostsBySize(Struct):
 
 
 def _joined(a: schedules.ScheduleCosts, b: schedules.ScheduleCosts) -> schedules.ScheduleCosts:
-    """Sums, maxima, and the least of the worlds that attain the worst cost."""
+    """The sums and maxima of two results, and the least world that attains the worst cost."""
     most_expensive = min(
         (d for d in (a, b) if d.sigma), key=lambda d: (-d.worst, d.sigma, d.alpha), default=a
     )

@@ -1,9 +1,9 @@
 """Every schedule of Algorithm 1 in one world.
 
-In a fixed world S is determined by the set of explored edges.  What the robot knows between
-two passes is that set and the vertex where it stands, and rejected hypotheses add up whatever
-their order.  So the worst and the best cost follow by going back from the explored world.
-The robot's S is spoken of by the darts of the world: S lies in the world by I-1.
+In a fixed world the set of explored edges determines S.  Between two passes the state of the
+robot is that set and the vertex where it stands; the costs of rejected hypotheses add up in any
+order.  So the worst and the best cost follow by dynamic programming, backwards from the explored
+world.  S is described by darts of the world, in which S is embedded by I-1.
 
 Source: Algorithm 1, Section IV.
 """
@@ -23,10 +23,10 @@ T = TypeVar("T")
 _cost = attrgetter("cost")
 
 Transit: TypeAlias = Literal["shortest", "simple"]
-"""How line 4 is read: the robot goes through S on a shortest path, or on any simple path."""
+"""The reading of line 4: the robot goes through S on a shortest path, or on any simple path."""
 
 Explored: TypeAlias = frozenset[Dart]
-"""The darts of the explored edges, both of each."""
+"""The darts of the explored edges, two for each edge."""
 
 Path: TypeAlias = tuple[Dart, ...]
 """The darts by which a simple path in S leaves its vertices."""
@@ -45,13 +45,13 @@ class TestCost(Struct, frozen=True):
 
 
 class PassCosts(Struct, frozen=True):
-    """One pass, but for the way to its dart.
+    """The costs of one pass, without the way to its dart.
 
     Attributes:
         dart: the dart e that leaves U.
         worst, best: the tests of the most expensive and of the cheapest pass.
-        explored: the explored darts after it.
-        robot: the robot's vertex after it.
+        explored: the explored darts after the pass.
+        robot: the robot's vertex after the pass.
     """
 
     dart: Dart
@@ -65,8 +65,8 @@ class PassCost(Struct, frozen=True):
     """The largest cost of a pass.
 
     Attributes:
-        vertices, explored: of S when it begins; the explored edges.
-        cost: traversals, with the way to its dart.
+        vertices, explored: the numbers of vertices of S and of explored edges before the pass.
+        cost: its traversals, with the way to its dart.
     """
 
     vertices: int
@@ -79,8 +79,8 @@ class EverySchedule:
 
     Args:
         map_: the world.
-        start: the dart faced at the start; the costs depend on its vertex alone.
-        transit: how line 4 is read.
+        start: the dart that the robot faces at the start; the costs depend on its vertex alone.
+        transit: the reading of line 4.
     """
 
     def __init__(self, map_: CombinatorialMap, start: Dart, transit: Transit = "simple") -> None:
@@ -101,7 +101,7 @@ class EverySchedule:
 
     @property
     def best(self) -> int:
-        """The traversals of the cheapest schedule; raises as :attr:`worst`."""
+        """The traversals of the cheapest schedule; raises WrongTest as :attr:`worst` does."""
         return self._best(frozenset(), self._v0)
 
     def most_expensive_picks(self) -> list[int]:
@@ -124,7 +124,7 @@ class EverySchedule:
         return picks
 
     def most_expensive_passes(self) -> Iterator[PassCost]:
-        """The most expensive pass with each dart, in each state that a schedule can come to.
+        """The most expensive pass with each dart, in each state that a schedule can reach.
 
         Raises:
             WrongTest: if a false hypothesis can be confirmed.
@@ -141,7 +141,7 @@ class EverySchedule:
                     queue.append(following)
 
     def _number(self, numbers: dict[Dart, int], first: Dart) -> None:
-        """S numbers the darts of a vertex clockwise, from the one it was discovered by."""
+        """Number the darts of a vertex as S does: clockwise from the dart of its discovery."""
         for i in range(self._map.degree_at[first]):
             numbers[self._map.turn(first, i)] = len(numbers)
 
@@ -149,7 +149,7 @@ class EverySchedule:
         return max((self._onward(explored, robot, p) for p in self._passes(explored)), default=0)
 
     def _onward(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
-        """The largest cost of a pass and of all that comes behind it."""
+        """The largest cost of a pass and of all passes after it."""
         return self._most(explored, robot, chosen) + self._worst(chosen.explored, chosen.robot)
 
     def _most(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
@@ -168,12 +168,12 @@ class EverySchedule:
         return min(costs, default=0)
 
     def _transits(self, explored: Explored, robot: int, goal: int) -> Sequence[Path]:
-        """The legal ways to the known end of a dart, ascending by length."""
+        """The legal paths to the known end of a dart, ascending by length."""
         ways = sorted(self._simple_paths(explored, robot, goal), key=len)
         return ways if self._transit == "simple" else ways[:1]
 
     def _find_passes(self, explored: Explored) -> tuple[PassCosts, ...]:
-        """Find the passes that are possible after exploring these edges."""
+        """The passes that are possible after these edges are explored."""
         known = {self._v0} | {self._owner[d] for d in explored}
         unexplored = [d for d in self._map.darts if self._owner[d] in known and d not in explored]
         return tuple(self._pass(explored, known, unexplored, dart) for dart in unexplored)
@@ -204,7 +204,7 @@ class EverySchedule:
         """The tests of a hypothesis on every simple path.
 
         Raises:
-            WrongTest: if its outcome is not its truth.
+            WrongTest: if a test confirms a false hypothesis, or rejects a true one.
         """
         tests = []
         for path in self._simple_paths(explored, self._owner[hypothesis], self._v0):
@@ -227,7 +227,7 @@ class EverySchedule:
         return None
 
     def _sensed(self, dart: Dart) -> tuple[int, Dart | None]:
-        """The percept on arriving by a dart; at v0 the bearing tells the dart."""
+        """The percept after arriving by a dart; at v0 it has the dart, which the bearing tells."""
         marked = self._owner[dart] == self._v0
         return self._map.degree_at[dart], dart if marked else None
 
@@ -246,7 +246,7 @@ class EverySchedule:
 
 
 class Planned(Choices):
-    """An answerer with prepared choices, given as darts of S."""
+    """An answerer that makes prepared choices, which are darts of S."""
 
     def __init__(self, darts: Sequence[Dart]) -> None:
         super().__init__()
