@@ -212,7 +212,7 @@ def census_content(census: census_sweep.AmbiguityCensus) -> parts.ReportContent:
         )
         facts.append(("shard", text))
     if census.agrees:
-        facts += gate_facts(census, "rooted map", rows=bool(rows))
+        facts += gate_facts(census, "rooted map", is_compared=bool(rows))
     tables = [
         parts.Table(["edges", *header], rows, "Marked worlds by edges"),
         parts.Table(["edges", "vertices", *header], cells, "By edges and vertices", keys=2),

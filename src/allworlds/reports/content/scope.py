@@ -89,13 +89,13 @@ def option_facts(report: OfWorlds, said: Iterable[str]) -> list[tuple[str, str]]
     return [("options", " ".join(given))] if given else []
 
 
-def gate_facts(report: Any, what: str, *, rows: bool) -> list[tuple[str, str]]:
+def gate_facts(report: Any, what: str, *, is_compared: bool) -> list[tuple[str, str]]:
     """A fact about the count gate of a report about worlds, where it agrees.
 
     Args:
-        report: of a whole job or of a shard, with the source of its counts.
-        what: was counted, in the plural.
-        rows: whether there is anything to compare.
+        report: the report of a job or of a shard, with the source of its counts.
+        what: the name of what was counted.
+        is_compared: whether a level was finished, and so compared.
     """
     if report.extent.given is not None:
         said = report.extent.given.gate
@@ -103,7 +103,7 @@ def gate_facts(report: Any, what: str, *, rows: bool) -> list[tuple[str, str]]:
         said = f"absent: no source counts the maps that are {report.extent.where}"
     elif not report.whole:
         said = f"of the shard {report.portion} alone; the merge of all shards compares"
-    elif rows:
+    elif is_compared:
         said = f"no {what} was forgotten: {words.counted(report.source)}"
     else:
         said = "no level was finished, so nothing was compared"

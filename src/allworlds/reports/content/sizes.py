@@ -27,7 +27,7 @@ def count_content(census: Census) -> parts.ReportContent:
     table = parts.Table([*header, "rooted by vertices"], rows, "Maps by size")
     facts = [("scope", maps_in_words(census))]
     if census.agrees:
-        facts += gate_facts(census, "map", rows=bool(rows))
+        facts += gate_facts(census, "map", is_compared=bool(rows))
     columns = {"edges": int, "vertices": int, "genus": int, "rooted": int, "unrooted": int}
     return parts.ReportContent(
         "allworlds count",
@@ -118,7 +118,7 @@ def _facts(report: WorstReport) -> list[tuple[str, str]]:
         tested = f"{plural(tests, 'test')} of false hypotheses on every path: {verdict}"
     words = [("scope", scope), ("costs", costs), ("tests", tested)]
     if report.agrees:
-        words += gate_facts(report, "world", rows=bool(report.rows))
+        words += gate_facts(report, "world", is_compared=bool(report.rows))
         if report.rows:
             words.append(("replay", "every worst cost was attained by the python engine"))
     return words
