@@ -9,7 +9,8 @@ From Allworlds Require Import Algorithm Execution OnePass Refinement Policies Sh
 From Allworlds Require Import NumberedWorlds Judge Impossibility DoubleCover Trees PositionTwins.
 From Allworlds Require Import Ambiguity Regluing RegluingCount MassFormula Twins Congruence Log
   Folding OpenDarts.
-From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVertices Cluster Laying.
+From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVertices Cluster.
+From Allworlds Require Import Carrying Laying MovableMarker.
 From Allworlds Require Import NaturalLighthouse FoldingProgram SameWorld Checker TwoVerticesChecker.
 From Allworlds Require Import Shield DecisionTrees Words Sensors OneBit Door Scan Elsewhere.
 From Allworlds Require Import Minimality PlanarMinimality.
@@ -517,13 +518,14 @@ Theorem cluster_right_for_every_schedule (W : lighthouse_world) : one_edge W ->
   (nothing_open c -> [/\ q = edges W, C <= cluster_bound W & robot_knows c]).
 Proof. by move=> H reached q C c; exact: cluster_runs. Qed.
 
-(* The robot lays the cluster itself.  There are no markers at first; it may drop one where it is.  It
+(* The robot lays the cluster itself: three markers are in its hand (Carrying.v).  It
    drops one at v0, tries its darts in turn until one is no loop, drops two behind it, comes back, and
    runs Algorithm 1.  W: the world with `pointed` the first dart that is no loop.  Cost: two traversals
    for each dart tried, and as before; three drops. *)
 Theorem cluster_can_be_laid (W : lighthouse_world) : loops_before W -> one_edge W -> forall pol budget,
   2 * degree (@start W) + cluster_bound W + 3 <= budget -> exists t answer z,
-  [/\ marking_episode (laying_algorithm pol) (@start W) budget = (t, Some answer, z),
+  [/\ carrying_episode 3 (laying_algorithm pol) (@start W) budget
+        = (t, Some answer, (z, [:: alpha (@pointed W); alpha (@pointed W); @start W])),
       traversals t <= 2 * degree (@start W) + cluster_bound W, size t = traversals t + 3,
       valid answer & isomorphic (denote answer) (rooted z)].
 Proof. by move=> l o pol budget; exact: laying_correct. Qed.
@@ -532,6 +534,24 @@ Proof. by move=> l o pol budget; exact: laying_correct. Qed.
 Theorem cluster_can_be_laid_in_simple_worlds (G : combinatorial_map) (d : G) : simple_world G ->
   let W := @LighthouseWorld G d d (connect0 _ d) in loops_before W /\ one_edge W.
 Proof. exact: simple_loops_before. Qed.
+
+(* One marker that can be picked up again, of Dudek, Jenkin, Milios and Wilkes 1991, in every world with
+   at most one edge between two vertices and one loop at each.  Moves, drops and picks are counted; in the
+   end the marker is in the hand. *)
+Theorem movable_marker_is_right (G : combinatorial_map) (d : G) : one_edge_each G -> forall pol budget,
+  edges G * (5 * vertices G + 2 * \max_(x : G) degree x) <= budget -> exists t answer z,
+  [/\ carrying_episode 1 (movable pol) d budget = (t, Some answer, (z, [::])),
+      size t <= edges G * (5 * vertices G + 2 * \max_(x : G) degree x),
+      valid answer & isomorphic (denote answer) (rooted z)].
+Proof. by move=> one pol budget; exact: movable_correct. Qed.
+
+(* With several loops no number of markers is enough: in all worlds with one vertex of one degree a robot
+   does and senses the same. *)
+Theorem markers_do_not_tell_loops (G H : combinatorial_map) (d : G) (e : H) :
+  (forall x y : G, at_same_vertex x y) -> (forall x y : H, at_same_vertex x y) -> degree d = degree e ->
+  forall hand A (X : carrying_explorer A) budget,
+  (carrying_episode hand X d budget).1 = (carrying_episode hand X e budget).1.
+Proof. by move=> oG oH E hand A X budget; exact: one_vertex_alike. Qed.
 
 (* With two edges between v0 and v1 a cluster is not enough. *)
 Theorem cluster_needs_one_edge :

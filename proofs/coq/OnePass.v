@@ -142,12 +142,9 @@ have oe : is_open S e.
   rewrite -mU /e /next_edge; case: ifP => // _.
   by case: (unexplored k) ne => // *; exact: mem_head.
 have [ke _] := andP oe.
-have Hl x y : partner S x = Some y -> known S y.
-  by move=> P; have [_ ? _ _] := embedded_links I (partnerP P).
 have [R g1 sw0] : let way := way_to pol k e in
     [/\ follow S way.1 h0 = Some way.2, way.2.1 = e.1 & size way.1 < size (degrees S)].
-  apply: route_or_elseP => //; have [[w [f [Rw f0]]] _] := Rc h0 kh; have [_ A] := Rc e ke.
-  by have [kf _] := follow_phi I kh Rw; exact: (joined_trans Rw (joined_turn A kf f0)).
+  by apply: (route_or_elseP kh (partner_known I)); exact: (joined_to I).
 rewrite /one_pass -/S -/e; set w0 := (way_to pol k e).1 in R sw0 *.
 set g := (way_to pol k e).2 in R g1 *.
 have [kg _] := follow_phi I kh R; have T := turn_to kg ke g1; set j := (_ + _) in T *.
@@ -164,7 +161,7 @@ have Uh : uniq hs by rewrite (perm_uniq pH) filter_uniq.
 have Hh h : h \in hs -> [/\ is_open S h,
   h != e & leads_home S h (way_home pol k h).1 (way_home pol k h).2].
   rewrite mH => /and3P[he _ oh]; have [kh' _] := andP oh.
-  by have [Ra Rb Rd] := route_or_elseP kh' Hl (choose_home pol k h) (proj1 (Rc h kh')).
+  by have [Ra Rb Rd] := route_or_elseP kh' (partner_known I) (choose_home pol k h) (proj1 (Rc h kh')).
 have [ts [Rj Sb Ut HH]] := test_all_makes kb I Hh Uh (erefl (iter 0 sigma x)).
 case: HH => [[E [c' [z [A C]]]]|[h [c' [z [mh Uh' V A C]]]]].
   exists (augment L k e (senses x) (None, c')), z; do 2 eexists; split.

@@ -155,12 +155,17 @@ Proof. by case/andP; rewrite size_degrees => l1 l2; rewrite -degree_phi. Qed.
 Lemma phi_vertex e : at_same_vertex (nth v0 r e.1) (phi r e).
 Proof. exact: fconnect_iter. Qed.
 
+Lemma same_vertex e f : known S e -> known S f -> at_same_vertex (phi r e) (phi r f) -> e.1 = f.1.
+Proof.
+move=> /knownP[l1 _] /knownP[k1 _] c; apply: (embedded_apart I) => //.
+apply: connect_trans (phi_vertex e) (connect_trans c _).
+by rewrite -/(at_same_vertex _ _) at_same_vertex_sym; exact: phi_vertex.
+Qed.
+
 Lemma phi_inj e f : known S e -> known S f -> phi r e = phi r f -> e = f.
 Proof.
-move=> /knownP[l1 l2] /knownP[k1 k2] E.
-have v1 : e.1 = f.1.
-  apply: (embedded_apart I) => //; apply: connect_trans (phi_vertex e) _.
-  by rewrite E -/(at_same_vertex _ _) at_same_vertex_sym; exact: phi_vertex.
+move=> ke kf E; have [l1 l2] := knownP ke; have [k1 k2] := knownP kf.
+have v1 : e.1 = f.1 by apply: same_vertex; rewrite // E /at_same_vertex connect0.
 have v2 : e.2 = f.2.
   by rewrite -(findex_iter l2) -[iter _ _ _]/(phi r e) E /phi v1 findex_iter.
 by rewrite (surjective_pairing e) v1 v2 -surjective_pairing.
@@ -193,6 +198,9 @@ Proof.
 move=> lv c; exists (v, findex sigma (nth v0 r v) x); last by rewrite /phi /= iter_findex.
 by rewrite /known /= size_degrees lv degree_phi //= findex_max.
 Qed.
+
+Lemma partner_known x y : partner S x = Some y -> known S y.
+Proof. by move/partnerP/(embedded_links I) => []. Qed.
 
 (* where the other end of an open dart can be: a different open dart, or nowhere in S (I-2) *)
 Lemma other_end e f : is_open S e -> known S f -> alpha (phi r e) = phi r f ->

@@ -143,8 +143,7 @@ Lemma transit_to S r d e : embedded S r -> all_joined S -> known S d -> is_open 
 Proof.
 move=> I Rc kd oe; have [ke _] := andP oe.
 have [w [g [R g1 sw]]] : exists w g, [/\ follow S w d = Some g, g.1 = e.1 & size w < size (degrees S)].
-  apply: (simple_path I kd); have [[w [f [Rw f0]]] _] := Rc d kd; have [_ A] := Rc e ke.
-  by have [kf _] := follow_phi I kd Rw; exact: (joined_trans Rw (joined_turn A kf f0)).
+  by apply: (simple_path I kd); exact: (joined_to I).
 have [kg _] := follow_phi I kd R.
 by exists w, (degree_in S g.1 - g.2 + e.2); split=> //; exists g => //; exact: turn_to.
 Qed.

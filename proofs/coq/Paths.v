@@ -45,6 +45,12 @@ Section InWorld.
 Variables (G : combinatorial_map) (v0 : G).
 Local Notation embedded := (@embedded G v0).
 
+Lemma joined_to S r d e : embedded S r -> all_joined S -> known S d -> known S e -> joined S d e.1.
+Proof.
+move=> I J kd ke; have [[w [f [R f0]]] _] := J d kd; have [_ A] := J e ke.
+by have [kf _] := follow_phi I kd R; exact: (joined_trans R (joined_turn A kf f0)).
+Qed.
+
 (* ---- Augmentations keep the paths ---- *)
 Lemma follow_mono S S' r w e f : embedded S r ->
   (forall x, known S x -> degree_in S' x.1 = degree_in S x.1) ->

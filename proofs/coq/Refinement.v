@@ -99,15 +99,13 @@ case=> r [I kh ph _] [_ ES Eh [_ mU] du] U; rewrite ES Eh in I kh ph.
 set S := known_map k in I kh *; set h := at_dart k in kh ph.
 have nopen e : ~~ is_open S e by rewrite -mU U.
 have X := complete_when_nothing_open I nopen.
-have Hl x y : partner S x = Some y -> known S y.
-  by move=> P; have [_ ? _ _] := embedded_links I (partnerP P).
 set t := opposite (degree_in S h.1) (due_turn k).
 have kt : known S (turn S t h) by exact: known_turn.
 have Hd : phi r (turn S t h) = d.
   have [l1 _] := knownP I kh; rewrite (phi_turn I) // -ph -du /t (degree_phi I l1).
   rewrite -(degree_same (phi_vertex v0 r h)) -ph -du.
   by rewrite (degree_same (fconnect_iter sigma _ d)) opposite_turn.
-have J := isomorphic_trans (estimate_denotes t kh nopen Hl) (complete_isomorphic I X kt).
+have J := isomorphic_trans (estimate_denotes t kh nopen (partner_known I)) (complete_isomorphic I X kt).
 rewrite Hd in J; split=> //; first by rewrite /nothing_open ES.
 have nK e : known S e -> number_of S e < size (darts S) by rewrite /number_of index_mem mem_darts.
 have nP g : (forall e, known S e -> known S (g e)) -> forall i, i < size (darts S) ->
@@ -118,7 +116,7 @@ apply: validI; last by rewrite /= !size_map.
 apply: (isomorphic_wellformed J (rooted_wellformed d)) => /=; rewrite ?size_map.
 - exact: nK.
 - by move=> i; apply: nP => e; exact: known_turn.
-move=> i; apply: nP => e ke; case E: (partner S e) => [g|] //=; exact: Hl E.
+move=> i; apply: nP => e ke; case E: (partner S e) => [g|] //=; exact: (partner_known I E).
 Qed.
 
 (* once the first knowledge is there *)

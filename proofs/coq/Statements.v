@@ -139,7 +139,8 @@ From Allworlds Require Import Algorithm Execution OnePass Refinement Policies Sh
 From Allworlds Require Import NumberedWorlds Judge Impossibility DoubleCover Trees PositionTwins.
 From Allworlds Require Import Ambiguity Regluing RegluingCount MassFormula Twins Congruence Log
   Folding OpenDarts.
-From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVertices Cluster Laying.
+From Allworlds Require Import PathWorlds Cycles LowerBounds Enumeration TwoVertices Cluster.
+From Allworlds Require Import Carrying Laying MovableMarker.
 From Allworlds Require Import NaturalLighthouse FoldingProgram SameWorld Checker TwoVerticesChecker.
 From Allworlds Require Import Shield DecisionTrees Words Sensors OneBit Door Scan Elsewhere.
 From Allworlds Require Import Minimality PlanarMinimality.
@@ -499,13 +500,27 @@ Check (@cluster_can_be_laid :
   forall (W : lighthouse_world),
   loops_before W -> one_edge W -> forall pol budget,
   2 * degree (@start W) + cluster_bound W + 3 <= budget -> exists t answer z,
-  [/\ marking_episode (laying_algorithm pol) (@start W) budget = (t, Some answer, z),
+  [/\ carrying_episode 3 (laying_algorithm pol) (@start W) budget
+        = (t, Some answer, (z, [:: alpha (@pointed W); alpha (@pointed W); @start W])),
       traversals t <= 2 * degree (@start W) + cluster_bound W, size t = traversals t + 3,
       valid answer & isomorphic (denote answer) (rooted z)]).
 
 Check (@cluster_can_be_laid_in_simple_worlds :
   forall (G : combinatorial_map) (d : G), simple_world G ->
   let W := @LighthouseWorld G d d (connect0 _ d) in loops_before W /\ one_edge W).
+
+Check (@movable_marker_is_right :
+  forall (G : combinatorial_map) (d : G), one_edge_each G -> forall pol budget,
+  edges G * (5 * vertices G + 2 * \max_(x : G) degree x) <= budget -> exists t answer z,
+  [/\ carrying_episode 1 (movable pol) d budget = (t, Some answer, (z, [::])),
+      size t <= edges G * (5 * vertices G + 2 * \max_(x : G) degree x),
+      valid answer & isomorphic (denote answer) (rooted z)]).
+
+Check (@markers_do_not_tell_loops :
+  forall (G H : combinatorial_map) (d : G) (e : H),
+  (forall x y : G, at_same_vertex x y) -> (forall x y : H, at_same_vertex x y) -> degree d = degree e ->
+  forall hand A (X : carrying_explorer A) budget,
+  (carrying_episode hand X d budget).1 = (carrying_episode hand X e budget).1).
 
 Check (@cluster_needs_one_edge :
   (edges_to_v1 natural_plane = 2 /\ edges_to_v1 natural_torus = 2) /\
