@@ -60,6 +60,26 @@ def test_with_one_marker_every_simple_world_is_mapped_within_the_bound(most):
             assert Counter(events) == +Counter({"new-vertex": n - 1, "back-link": m - n + 1})
 
 
+def ends(map_):
+    """The ends of each edge; one vertex if it is a loop."""
+    vertices = map_.vertex_of
+    return [frozenset({vertices[dart], vertices[map_.alpha[dart]]}) for dart in map_.darts]
+
+
+def test_with_one_marker_a_loop_at_each_vertex_is_mapped_within_the_bound_of_the_theorem():
+    """``movable_marker_is_right`` counts moves, drops and picks."""
+    loops = 0
+    for map_ in all_maps(4):
+        if max(Counter(ends(map_)).values()) > 2:  # each edge has two darts
+            continue
+        answer, dart, actions, _ = explored("dudek91", map_)
+        assert right(map_, answer, dart)
+        most = 5 * map_.vertex_count + 2 * max(map_.degrees)
+        assert len(actions) <= map_.edge_count * most
+        loops += len(min(ends(map_), key=len)) == 1
+    assert loops == 119
+
+
 def test_the_marker_is_in_the_hand_again_at_the_end():
     for map_ in all_maps(2):
         _, _, actions, events = explored("dudek91", map_)
