@@ -1,6 +1,7 @@
 """Random mutants of the source, and how many of them the quick tests kill.
 
     python benchmarks/mutants.py --number 200 --seed 1 [--wing judging ...] [--in DIR] [--out FILE]
+    python benchmarks/mutants.py --number 40 --seed 1 --wing reports/content
     python benchmarks/mutants.py --kernel --number 30 --seed 1 [--out FILE]
 
 A mutant is one small change of one line: another comparison, operator or constant, a bound or a
@@ -13,8 +14,9 @@ whether it is active.  The quick tests run once without any, and tell which test
 which mutant, in whichever process.  Then each mutant becomes active in a fork after the collection
 of the tests, and tests run that meet it: those of the module's own file first, then one of each
 kind, the quickest first, until one fails.  A mutant that makes them take several times as long is
-killed, too, by the deadline.  What is met before the first test, as a default, is tried in a new
-process, with the tests of the own file and of those that name what is changed.
+killed, too, by the deadline, if they end in time without it.  What is met before the first test, as
+a default, is tried in a new process, with the tests of the own file and of those that name what is
+changed.  What no test meets survives.
 
 With --kernel the mutants are of what numba compiles of the two engines of Algorithm 1, which Python
 runs without numba (``tests/support/mutants/interpreted.py``): a mutant is killed if it answers
@@ -95,6 +97,10 @@ class Mutant:
     tests: set[str] = field(default_factory=set)
     tried: int = 0
     killed_by: str = ""
+
+    def is_in(self, place: str) -> bool:
+        """Whether it is in a wing, or in a folder or a module of the package."""
+        return place == self.wing or Path(self.file).is_relative_to(f"{SOURCE}/{place}")
 
     def among(self, known: Sequence[dict[str, Any]]) -> bool:
         """Whether the list of equivalent mutants has it, with its line where others are none."""
@@ -429,22 +435,20 @@ def table(mutants: Sequence[Mutant], known: Sequence[dict[str, Any]]) -> str:
     return text
 
 
-def _tested(options: argparse.Namespace) -> tuple[dict[int, Mutant], dict[int, Mutant]]:
-    """Draw mutants, and try with tests those that are met; return all and these."""
+def _tested(options: argparse.Namespace) -> dict[int, Mutant]:
+    """Draw mutants, and try with tests those that are met."""
     paths = sorted((ROOT / SOURCE).rglob("*.py"))
     texts = {str(each.relative_to(ROOT)): each.read_bytes() for each in paths}
     every = (each for file, text in texts.items() for each in mutants_of(file, text))
-    asked = (each for each in every if not options.wing or each.wing in options.wing)
-    order = drawn(asked, options.seed)[: options.number * 3 // 2]
-    mutants = dict(enumerate(order, start=1))
+    asked = (each for each in every if not options.wing or any(map(each.is_in, options.wing)))
+    mutants = dict(enumerate(drawn(asked, options.seed)[: options.number], start=1))
     with tempfile.TemporaryDirectory() as temporary:
         copy = Copy((options.place or Path(temporary)).resolve())
         copy.make(texts, mutants)
         copy.meet(mutants, options.pytest)
-        met = [number for number, each in mutants.items() if each.tests or each.early]
-        chosen = {number: mutants[number] for number in met[: options.number]}
-        copy.try_all(chosen, options.seconds)
-    return mutants, chosen
+        met = {number: each for number, each in mutants.items() if each.tests or each.early}
+        copy.try_all(met, options.seconds)
+    return mutants
 
 
 def main() -> int:
@@ -453,7 +457,7 @@ def main() -> int:
     parser.add_argument("--number", type=int, default=60, help="how many mutants")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--kernel", action="store_true", help="of the compiled engines alone")
-    parser.add_argument("--wing", action="append", default=[], help="of these folders alone")
+    parser.add_argument("--wing", action="append", default=[], help="of these places alone")
     parser.add_argument("--in", dest="place", type=Path, help="keep the copy here")
     parser.add_argument("--out", type=Path, help="write a JSON document here")
     parser.add_argument("--seconds", type=float, default=60, help="tests of one mutant at most")
@@ -463,20 +467,15 @@ def main() -> int:
     if options.kernel:
         sys.path[:0] = [str(ROOT / "tests/support/mutants"), str(ROOT / "proofs/coq")]
         mutants = dict(enumerate(drawn(of_kernel(), options.seed)[: options.number], start=1))
-        chosen = mutants
-        for each in chosen.values():
+        for each in mutants.values():
             try_kernel(each)
     else:
-        mutants, chosen = _tested(options)
-    idle = [
-        each for number, each in mutants.items() if number < max(chosen) and number not in chosen
-    ]
-    alive = [each for each in chosen.values() if not each.killed_by and not each.among(known)]
+        mutants = _tested(options)
+    alive = [each for each in mutants.values() if not each.killed_by and not each.among(known)]
     for each in alive:
-        print(f"\n{each.file}:{each.line} ({each.tried} tests)\n- {each.before}\n+ {each.after}")
-    for each in idle:
-        print(f"no test meets {each.file}:{each.line}")
-    print(f"\n{table(list(chosen.values()), known)}")
+        met = f"{each.tried} tests" if each.tried or options.kernel else "no test meets it"
+        print(f"\n{each.file}:{each.line} ({met})\n- {each.before}\n+ {each.after}")
+    print(f"\n{table(list(mutants.values()), known)}")
     if options.out:
         rows = [{**vars(each), "tests": len(each.tests)} for each in mutants.values()]
         options.out.write_text(json.dumps({"seed": options.seed, "mutants": rows}, indent=1))

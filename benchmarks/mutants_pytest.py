@@ -17,6 +17,9 @@ from typing import Any
 ACTIVE = int(os.environ.get("MUTANT", "0"))
 """The number of the active mutant; 0: none."""
 
+LATE = "the deadline"
+"""What has killed a mutant whose tests do not end."""
+
 TRYING = "MUTANTS_TO_TRY" in os.environ
 """Whether mutants are tried; else the tests that meet them are noted."""
 
@@ -80,10 +83,10 @@ def pytest_runtestloop(session: Any) -> bool | None:
     items = {item.nodeid: item for item in session.items}
     for number, tests, seconds in to_try:
         tried = [items[each] for each in tests if each in items]
-        pid = os.fork()
-        if pid == 0:
-            _try(session, number, tried)
-        note("ended", number, _killed(pid, seconds))
+        killer = _killed(session, number, tried, seconds)
+        if killer == LATE and _killed(session, 0, tried, seconds):
+            killer = ""  # without it they do not end well, either
+        note("ended", number, killer)
     return True
 
 
@@ -110,8 +113,11 @@ def _try(session: Any, number: int, items: list[Any]) -> None:
         os._exit(code)
 
 
-def _killed(pid: int, seconds: float) -> str:
-    """Wait for a fork; return what has killed its mutant otherwise than by a test."""
+def _killed(session: Any, number: int, items: list[Any], seconds: float) -> str:
+    """Run tests with a mutant in a fork; return what has killed it; empty: nothing."""
+    pid = os.fork()
+    if pid == 0:
+        _try(session, number, items)
     end = time.monotonic() + seconds
     ended, status = 0, 0
     while not ended and time.monotonic() < end:
@@ -121,6 +127,6 @@ def _killed(pid: int, seconds: float) -> str:
         os.killpg(pid, signal.SIGKILL)
     if not ended:
         os.waitpid(pid, 0)
-        return "the deadline"
+        return LATE
     code = os.waitstatus_to_exitcode(status)
     return {0: "", 1: "a test"}.get(code, f"exit code {code}")

@@ -103,6 +103,11 @@ def test_a_start_and_a_marker_that_matter_are_kept():
     assert found.first.degree == 2
 
 
+def test_no_world_is_drawn_of_a_map_without_a_place_for_the_lighthouse():
+    found = drawn(strategies.worlds(strategies.maps(max_edges=2), lighthouse="natural"), 50)
+    assert {*found}
+
+
 def test_a_lighthouse_that_is_none_is_refused_at_once():
     with pytest.raises(InputError, match="'lamp' is not one of"):
         strategies.worlds(lighthouse="lamp")

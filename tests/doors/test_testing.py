@@ -1,6 +1,7 @@
 """Assertions for authors' test suites: what they let pass, and what they say when they fail."""
 
 import sys
+from inspect import signature
 from traceback import walk_tb
 from types import SimpleNamespace
 
@@ -228,3 +229,8 @@ def test_a_failure_shows_the_authors_own_lines_alone(monkeypatch):
     found = [frame for call in calls for frame in frames_of_ours(call)]
     assert {hidden for _, hidden in found} == {True}, found
     assert {name for name, _ in found} == HIDDEN
+
+
+def test_by_default_the_kit_is_as_large_as_its_page_says():
+    given = {name: each.default for name, each in signature(conformance).parameters.items()}
+    assert (given["edges"], given["drawn"], given["drawn_edges"]) == (4, 50, 10)

@@ -103,6 +103,16 @@ def test_no_scheduler_is_refused(refused, monkeypatch):
         assert f"dask '{address}': no scheduler answers there: {why}" in said
 
 
+def test_the_thread_for_the_cluster_ends_with_what_it_was_for(refused, monkeypatch):
+    from distributed.utils import LoopRunner
+
+    monkeypatch.setattr(cluster, "PATIENCE", 0.5)
+    stop, stopped = LoopRunner.stop, []
+    monkeypatch.setattr(LoopRunner, "stop", lambda one: stopped.append(one) or stop(one))
+    refused("worst", "--edges", "1", "--dask", "foo")
+    assert len(stopped) == 1
+
+
 @contextmanager
 def another_service(words):
     """The address of one that says these words to whoever comes, and nothing else."""

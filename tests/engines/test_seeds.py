@@ -1,7 +1,11 @@
 """Both plays have hash seeds of their own, and there are not too many of them."""
 
+from random import Random
+from types import SimpleNamespace
+
 import pytest
 
+from allworlds import log as entries
 from allworlds.engines import more_seeds, units
 from allworlds.engines.hash_seeds import SIX_MORE
 from allworlds.engines.judges import SMALL
@@ -66,3 +70,22 @@ def test_a_loop_of_links_is_no_model(tmp_path, option):
     loop.symlink_to(loop)
     with pytest.raises(InputError, match=r"loop\.py' is a loop of links"):
         check(edges=1, **{option: f"{loop}:Model"})
+
+
+def test_what_differs_under_another_seed_is_explained_once():
+    explained = []
+    settler = SimpleNamespace(
+        judge=SimpleNamespace(
+            counter=SimpleNamespace(tally=lambda: "tally"), records_message=lambda *_: None
+        ),
+        plays=SimpleNamespace(anew=lambda *_: ([bytes((entries.OVER,))] * 2, ())),
+        differ=lambda one, _: one == "another",
+        explain_under=lambda _, batch, rows: explained.append((batch, *[row for row, _ in rows])),
+    )
+    outcomes = [SimpleNamespace(log="equal"), SimpleNamespace(log="another")]
+    work = SimpleNamespace(unit="unit")
+    batch = SimpleNamespace(work=work, record=str, outcome=outcomes.__getitem__)
+    seeds = more_seeds.MoreSeeds(settler, Random(1), wanted=True)
+    seeds._kept = [(batch, 0), (batch, 1)]
+    assert seeds.end() == "tally"
+    assert explained == [(batch, 1)]

@@ -9,7 +9,7 @@ from allworlds.documents.report import Report
 from allworlds.outcome import Verdict
 from allworlds.reports.content.plain import plain_content
 from allworlds.reports.formats import FORMATS
-from allworlds.reports.plain_text import content_line, content_text, entry
+from allworlds.reports.plain_text import _shortened, content_line, content_text, entry
 from allworlds.verbs import ROWS
 
 
@@ -64,3 +64,9 @@ def test_every_form_of_rows_shows_it(form):
 def test_an_option_is_not_broken_at_its_hyphens():
     lines = entry("scope", "all were tried with --time-limit", 40)
     assert lines == ["scope      all were tried with", "           --time-limit"]
+
+
+def test_of_a_long_diagram_the_last_third_of_the_room_is_for_its_end():
+    lines = [*map(str, range(20))]
+    assert _shortened(lines, 9).split() == [*"01234", "...", "17", "18", "19"]
+    assert _shortened(lines, 20).split() == lines

@@ -1,5 +1,7 @@
 """Every schedule: the compiled program, its readable twin, and every run of the Python engine."""
 
+from types import SimpleNamespace
+
 import pytest
 
 from allworlds import run
@@ -9,8 +11,9 @@ from allworlds.explorers.loading import load
 from allworlds.inputs.checks import InputError
 from allworlds.judging.referee import Examiner
 from allworlds.judging.rules import Rules
-from allworlds.maps import MapClass, rooted_maps
+from allworlds.maps import CombinatorialMap, MapClass, rooted_maps
 from allworlds.maps.counting import rooted_maps as counted
+from allworlds.reports.content.sizes import _mismatch
 from allworlds.reports.formats import text
 from allworlds.studies.worst import compiled_engine
 from allworlds.studies.worst.all_worlds import worst
@@ -164,3 +167,21 @@ def test_threads_change_nothing():
 def test_bad_options_are_refused_by_name(options, value):
     with pytest.raises(InputError, match=value):
         worst(**options)
+
+
+def test_the_passes_of_a_path_cost_more_the_further_they_lead():
+    path = CombinatorialMap((0, 2, 1, 4, 3, 5), (1, 0, 3, 2, 5, 4))
+    passes = EverySchedule(path, 0).most_expensive_passes()
+    met = [(each.vertices, each.explored, each.cost) for each in passes]
+    assert met == [(1, 0, 1), (2, 1, 1), (3, 2, 1)]
+    back = EverySchedule(path, 2).most_expensive_passes()
+    assert {(each.vertices, each.explored) for each in back} == {(1, 0), (2, 1), (3, 2)}
+
+
+def test_of_several_rows_the_first_that_does_not_agree_is_told():
+    rows = [
+        SimpleNamespace(edges=2, vertices=n, agrees=n < 2, counted=5, worlds=4 + (n < 2))
+        for n in (1, 2, 3)
+    ]
+    said = _mismatch(SimpleNamespace(disagreement="", rows=rows, source="Tutte"))
+    assert said == ("of maps with 2 edges and 2 vertices 4 were enumerated, but Tutte counts 5")

@@ -21,7 +21,7 @@ from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Estimate
 from allworlds.studies.check import exhaustive as checker
 from allworlds.studies.check.report import _remarks
-from allworlds.studies.check.tally_sweep import is_inside
+from allworlds.studies.check.tally_sweep import Confirmation, is_inside
 from allworlds.studies.run import run
 from allworlds.world import Directional, World, worlds
 from bruteforce import rooted_maps_by_permutations as every_rooted_map
@@ -408,3 +408,11 @@ def test_a_remark_is_told_with_its_number_and_that_of_hashes_without():
     tally = Tally(1)
     tally.remarks.update({GOES_BY_HASHES: 3, "x": 2, "y": 1})
     assert [*_remarks(tally)] == [*sorted(["x (2 times)", "y", GOES_BY_HASHES])]
+
+
+def test_what_a_fresh_process_does_not_repeat_is_remarked_and_is_no_finding(monkeypatch):
+    monkeypatch.setattr(Confirmation, "_recorded", lambda *_: "a crash that came once")
+    tally = Tally(1)
+    tally.findings = ["crash"]
+    assert Confirmation(None, None, None, None, None).settle(tally)
+    assert (tally.findings, dict(tally.remarks)) == ([], {"a crash that came once": 1})

@@ -1,16 +1,22 @@
 """The verb ``team``: counts, findings, refusals, and the same report however it is made."""
 
 import json
+from copy import deepcopy
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 import allworlds
 from allworlds.inputs.checks import InputError
 from allworlds.outcome import Verdict
+from allworlds.reports.content.team import diagram
+from allworlds.robots.search_lane import SearchLane
+from allworlds.robots.team_finding import TeamFinding
 from allworlds.robots.models.meeting import Meeting
 from allworlds.robots.team import Team
 from allworlds.studies.team.request import TeamRequest
+from allworlds.studies.team.retold import told_of
 from allworlds.studies.team.search_sweep import TeamSweep
 from allworlds.testing import assert_team
 
@@ -323,3 +329,45 @@ def test_the_limits_hold_for_each_search_of_a_past_finding(tmp_path, monkeypatch
     (again,) = seen
     assert again.world
     assert (again.time_limit, again.memory) == (77, 4321)
+
+
+@pytest.mark.processes
+def test_who_senses_what_is_answered_in_two_ways_is_blamed():
+    found = team("changes_at_ends", model="meeting", budget=6, max_findings=99).findings
+    blamed = [each for each in found if each.law == "nondeterministic"]
+    assert len(blamed) > 5
+    for each in blamed:
+        assert each.map.degree_at[each.events[-2].darts[each.robot]] == 1
+
+
+def test_the_searches_of_a_unit_are_counted_once_however_many_are_made_at_once(monkeypatch):
+    whole, turn = team("waits", "searches", edges=2), SearchLane.turn
+    monkeypatch.setattr("allworlds.robots.lane.AT_ONCE", 1)
+    monkeypatch.setattr(SearchLane, "turn", lambda *lane: deepcopy(turn(*lane)))  # as if sent
+    assert team("waits", "searches", edges=2).total == whole.total
+
+
+def test_robots_with_tokens_walk():
+    assert team("waits", "other_end", edges=1, model="tokens").verdict is Verdict.HOLDS
+
+
+def test_a_move_that_comes_late_is_told_with_both_events():
+    phases = [("look", 0), ("move", 1), ("look", 1), ("move", 0), ("move", 1)]
+    turns = [SimpleNamespace(phase=phase, robot=robot) for phase, robot in phases]
+    events = [SimpleNamespace(robots=[turn], world="") for turn in turns]
+    late = SimpleNamespace(law="deadlock", seen="they wait", loop=0, events=events)
+    *_, told = told_of(late)
+    assert told == (
+        "A move is done by what was sensed earlier: robot 0 looks in event 1 and moves in event 4; "
+        "robot 1 looks in event 3 and moves in event 5."
+    )
+
+
+def test_of_a_long_run_the_first_and_the_last_events_are_drawn(monkeypatch):
+    monkeypatch.setattr("allworlds.reports.content.team.SHOWN_EVENTS", 2)
+    (found,) = team("waits", "polls", edges=1, within=5).findings
+    assert [line[0] for line in diagram(found)] == [" ", "1", "2", "3", "4", "5"]
+    (found,) = team("waits", "polls", edges=1, within=6).findings
+    lines = diagram(found)
+    assert [line[0] for line in lines] == [" ", "1", "2", ".", "5", "6"]
+    assert lines[3] == "... 2 events: all of them are in the JSON"

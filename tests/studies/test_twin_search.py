@@ -3,6 +3,7 @@ import os
 import stat
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -10,6 +11,7 @@ import allworlds
 from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap
 from allworlds.studies.ambiguity import solvers, twin_search as searching
+from allworlds.studies.ambiguity.question import Size, Sizes
 from allworlds.studies.ambiguity.twin_search import bisimulation
 from allworlds.world import Directional, Position, World
 from allworlds.world.bisimulation import flaw
@@ -254,3 +256,23 @@ def test_a_search_without_a_result_leaves_no_temporary_directory(tmp_path, monke
     with pytest.raises(error):
         allworlds.search(lighthouse="position", vertices=2, edges=2)
     assert [*tmp_path.iterdir()] == []
+
+
+class Fewer(searching._TwinsSearch):
+    """A search that finds pairs with ever fewer vertices, down to 3 and 2."""
+
+    def _decide(self, sizes):
+        most = [size.most for size in sizes]
+        return SimpleNamespace(twins=pair_of(*most) if min(most) > 1 else None, status="unsat")
+
+
+def pair_of(*counts):
+    """Two worlds with so many vertices."""
+    worlds = (SimpleNamespace(map=SimpleNamespace(vertex_count=count)) for count in counts)
+    return SimpleNamespace(pair=[*worlds], counts=counts)
+
+
+def test_a_pair_is_made_smaller_until_none_has_fewer_vertices():
+    search = Fewer(question("position", "maps", 5, 4), None, Path(), None, None)
+    both = Sizes(Size(4, 1, 5), Size(4, 1, 5))
+    assert search._fewer_vertices(both, pair_of(5, 4)).counts == (3, 2)

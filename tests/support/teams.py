@@ -112,6 +112,13 @@ forgetful = Automaton(0, _impure)
 """An automaton whose step depends on how often it was called."""
 
 
+def changes_at_ends(first):
+    """Goes on, once it has moved, by the seed of its process where the degree is 1."""
+    seen = yield Move(0)
+    while True:
+        seen = yield Move(hash("where") % 997 if seen.degree == 1 else 0)
+
+
 def says_a_number(first):
     """Says what is no action."""
     yield 5

@@ -578,3 +578,9 @@ def tried(notation, content):
     except InputError as error:
         refusal = str(error)
         assert len(refusal.splitlines()) == 1
+
+
+def test_a_name_behind_those_that_a_refusal_lists_is_found(tmp_path, monkeypatch):
+    monkeypatch.setattr("allworlds.notations.table.SHOWN", 1)
+    path = file_of(tmp_path, "lines", *(Entry(NAMED.map) for _ in range(3)))
+    assert entry_named(path, "3").map == NAMED.map

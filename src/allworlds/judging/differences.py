@@ -113,7 +113,7 @@ def nondeterministic(seen: str) -> Violation:
 def _meaning(log: Log) -> object:
     """The part of the ending that both plays must share: the answer, or the law of the fault."""
     if log.ending[0] in (entries.BEYOND, entries.REFUSED):
-        return entries.REFUSED  # of a refused action no percept was recorded
+        return None  # of a refused action no percept was recorded
     fault = fault_of(log)
     return fault.law if fault else log.ending
 
