@@ -69,6 +69,26 @@ def test_a_new_process_begins_after_a_fault(program):
     assert episode(program)[1].here != first.here
 
 
+SPEAKS = """
+import sys, json
+if json.loads(sys.stdin.readline())["percept"]["degree"] == 9:
+    print("nine", file=sys.stderr, flush=True)
+    print("{}", flush=True)
+    sys.stdin.readline()
+"""
+
+
+def test_what_a_process_said_is_not_told_of_the_next_one(tmp_path):
+    script = tmp_path / "script.py"
+    script.write_text(SPEAKS)
+    program, details = Program(f"{sys.executable} {script}", 5.0), []
+    for degree in (9, 8):
+        with pytest.raises(ExplorerFault) as fault:
+            next(program.explore(Percept(degree)))
+        details.append(fault.value.detail)
+    assert ["nine" in detail for detail in details] == [True, False]
+
+
 def test_a_new_process_begins_after_an_episode_that_was_broken_off(program):
     _, first = episode(program)
     walk = program.explore(Percept(1))
