@@ -2,6 +2,7 @@ import pytest
 
 from allworlds.documents.document import replace
 from allworlds.maps import named_map
+from allworlds.reports.content.sensors import _drawn
 from allworlds.reports.formats import text as text_of
 from allworlds.studies.ambiguity import census, class_of, twins
 from allworlds.world import Position, World
@@ -121,3 +122,13 @@ def test_a_mismatch_with_the_source_is_named(counted):
 def test_a_restricted_census_names_its_universe():
     found = census(edges=1, map_class="simple")
     assert "every rooted map of the class simple" in flat(census_text(found, 80))
+
+
+def test_the_order_of_sensors_is_drawn_in_lines_of_90_columns():
+    names = ["a" * 40, "b" * 47, "c", "d"]
+    pairs = [(one, other) for one in names[:2] for other in names[:2]]
+    pairs += [(one, "c") for one in names[:2]] + [("c", "d"), *((one, "d") for one in names[:2])]
+    assert [*_drawn(pairs, names)] == [f"{names[0]} = {names[1]}", "   c", "      d"]
+    names[1] += "b"
+    pairs = [(one, other) for one in names[:2] for other in names[:2]]
+    assert [*_drawn(pairs, names)] == [f"{names[0]} =", f" = {names[1]}"]

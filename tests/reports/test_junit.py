@@ -15,7 +15,7 @@ from allworlds.explorers.loading import built_in
 from allworlds.inputs.checks import InputError
 from allworlds.judging.rules import law_names
 from allworlds.outcome import Completed, Disagreed, Interrupted, Stopped
-from allworlds.reports.formats import file_of
+from allworlds.reports.formats import content_of, file_of
 from allworlds.reports.plain_text import finding_in_words as finding_text
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.check.report import CheckRequest, GateCell
@@ -188,6 +188,7 @@ def test_a_mismatch_of_the_count_gate_is_an_error(holds):
     report = replace(holds, cells=(replace(first, counted=99), *others))
     assert outcomes(report)[0][1] == "error"
     assert "counts 99" in suite_of(report).find(".//error").get("message")
+    assert "their number equals" not in str(dict(content_of(report).short)["gate"])
 
 
 def test_other_worlds_in_the_same_number_are_an_error(holds):

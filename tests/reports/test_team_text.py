@@ -1,0 +1,326 @@
+"""What ``team``, and ``replay`` and ``explain`` of its findings, say in words, to the letter."""
+
+from types import SimpleNamespace
+
+import pytest
+
+from allworlds.outcome import Verdict
+from allworlds.reports.content import team as content
+from allworlds.reports.content.team import (
+    _cases,
+    _gate,
+    _rows_of,
+    headline_of,
+    sensed_in_words,
+    sequence_of,
+    team_content,
+    team_explain_content,
+    team_replay_content,
+    verdict_of,
+)
+from allworlds.reports.formats import file_of, text
+from allworlds.studies.team.retold import TeamExplanation
+from studies.test_team import PROGRAMS, team
+
+HOLDS = """\
+HOLDS      44 worlds with starts, 2 robots, every fsync schedule, at most 5 activations each; 69
+           configurations
+
+What was searched
+
+programs   PROGRAMS:waits, PROGRAMS:searches
+model      meeting:apart=false
+scope      every start of its model in every map of the class maps with at most 2 edges; every fsync
+           schedule
+gate       no map was forgotten: their number equals an independent count (log-series of
+           permutations)
+schedules  44
+
+Finished levels
+edges  vertices  maps  worlds  configurations  most  longest
+    1         1     1       2               2     1        0
+    1         2     1       2               3     2        1
+    2         1     3      12              12     1        0
+    2         2     5      20              34     6        5
+    2         3     2       8              18     5        4
+"""
+
+ASYNC = """\
+REFUTED    law progress is broken: for ever without the goal; 14 configurations
+
+Finding 1: progress, 1 edge and 2 vertices
+
+broken     progress: for ever without the goal
+map        sigma [0, 1], alpha [1, 0]
+starts     robot 0 at dart 0 of v0, robot 1 at dart 1 of v1
+model      meeting, scheduler async
+
+    robot 0               robot 1               world
+1*  degree 1: move 0 ...  |
+2*  |                     degree 1: move 0 ...
+3*  '-> move 0            '-> move 0            0 at v1, 1 at v0
+4*  degree 1: move 0 ...  degree 1: move 0 ...
+5*  '-> move 0            '-> move 0            0 at v0, 1 at v1
+(the events with * repeat for ever)
+
+Again
+  allworlds team PROGRAMS:other_end --model meeting --robots 2 --scheduler async --budget 1000 \
+--world '{"sigma":[0,1],"alpha":[1,0]}' --starts 0,1
+
+What was searched
+
+programs   PROGRAMS:other_end, PROGRAMS:other_end
+model      meeting
+scope      every start of its model in every map of the class maps with at most 1 edge; every async
+           schedule
+gate       no map was forgotten: their number equals an independent count (log-series of
+           permutations)
+anonymous  starts that differ by the numbers of robots are searched by themselves
+
+Finished levels
+edges  vertices  maps  worlds  configurations  most  longest
+    1         1     1       0               0     0        0
+    1         2     1       1              14    14        0
+"""
+
+SEQUENCE = """\
+@startuml
+title progress: for ever without the goal
+participant "robot 0" as r0
+participant "robot 1" as r1
+participant "world" as w
+loop for ever
+r0 --> w : degree 1: move 0 ...
+r1 --> w : degree 1: move 0 ...
+r0 -> w : '-> move 0
+r1 -> w : '-> move 0
+r0 --> w : degree 1: move 0 ...
+r1 --> w : degree 1: move 0 ...
+r0 -> w : '-> move 0
+r1 -> w : '-> move 0
+end
+@enduml
+"""
+
+
+@pytest.fixture(scope="module")
+def holds():
+    return team("waits", "searches", edges=2)
+
+
+@pytest.fixture(scope="module")
+def refuted():
+    return team("other_end", model="meeting", scheduler="async", edges=1)
+
+
+@pytest.fixture(scope="module")
+def cut_off():
+    return team("waits", "polls", edges=1, budget=4)
+
+
+def shown(report):
+    # The name of the file is of any length: lines are made anew with a short one.
+    whole = text(report, 400 + len(str(PROGRAMS))).replace(str(PROGRAMS), "PROGRAMS")
+    return whole.rstrip("\n")
+
+
+def unfolded(expected):
+    """An expected text, with each line that goes on in the column of words in one piece."""
+    return expected.replace("\n           ", " ").rstrip("\n")
+
+
+def test_what_holds_is_told_with_its_scope_and_its_counts(holds):
+    assert shown(holds) == unfolded(HOLDS)
+
+
+def test_a_finding_is_told_with_its_run(refuted):
+    assert shown(refuted) == unfolded(ASYNC)
+
+
+def test_a_run_is_a_sequence_diagram_of_plantuml(refuted):
+    assert sequence_of(refuted.findings[0]) == SEQUENCE
+
+
+def test_a_finding_has_a_line_of_its_own(refuted):
+    said = headline_of(refuted.findings[0]).replace(str(PROGRAMS), "PROGRAMS")
+    assert said == "PROGRAMS:other_end breaks the law 'progress' with 1 edge and 2 vertices"
+
+
+def test_the_events_of_a_run_are_rows_of_the_page(refuted):
+    start, *_, before, last = _rows_of(refuted.findings[0])
+    assert (start.name, start.robots, start.world, start.darts) == ("", (), "", (0, 1))
+    assert (before.name, before.world, before.darts, before.moved) == ("0L+1L", "", (1, 0), [])
+    assert last.name == "0M+1M"
+    assert last.robots == ["robot 0: '-> move 0", "robot 1: '-> move 0"]
+    assert (last.world, last.darts, last.moved) == ("0 at v0; 1 at v1", (0, 1), [0, 1])
+    assert last.repeats
+
+
+def test_a_run_that_is_cut_off_is_told_and_is_no_finding(cut_off):
+    said = shown(cut_off)
+    assert said.startswith(
+        "INCONCLUSIVE no law is broken, but 1 run went on after 4 activations of each robot; "
+        "4 worlds with starts, 2 robots, every fsync schedule; 8 configurations\n"
+    )
+    assert "\nA run that is cut off, with 1 edge and 2 vertices\n" in said
+    assert "\n2  |                degree 1: wait\n" in said
+    assert "schedules" not in said
+    assert "repeat for ever" not in said
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (
+            {"configurations": 2},
+            "INCONCLUSIVE no law is broken, but 1 world had more than 2 configurations; 4 worlds ",
+        ),
+        (
+            {"where": "cubic"},
+            "VACUOUS    the scope holds no start of the robots, or no state at the start",
+        ),
+        ({"within": 4}, "REFUTED    law budget is broken: the goal is not reached within 4 "),
+    ],
+)
+def test_the_first_line_says_what_came_out(options, said):
+    assert shown(team("waits", "polls", edges=1, **options)).startswith(said)
+
+
+def test_where_no_robot_is_activated_nobody_is_said_to_be():
+    at_once = team("waits", "polls", edges=1, world="loop")
+    assert verdict_of(at_once).text == (
+        "2 worlds with starts, 2 robots, every fsync schedule; 2 configurations"
+    )
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        ({"within": 1}, "within 1 activation of each robot"),
+        ({"lead": 2, "scheduler": "ssync"}, "nobody more than 2 activations ahead"),
+        ({"start_delay": 2}, "robot 1 up to 2 rounds later"),
+    ],
+)
+def test_the_schedules_are_told_with_their_bounds(options, said):
+    report = team("waits", "polls", edges=1, **({"budget": 4} | options))
+    scope = dict(content.scope_words(report))["scope"]
+    assert scope.endswith(f"; every {report.asked.time.scheduler} schedule, {said}")
+
+
+def test_of_given_starts_it_is_said_that_they_are_given():
+    report = team("waits", world='{"sigma":[0,1],"alpha":[1,0]}', starts=(0, 1), budget=4)
+    said = dict(content.scope_words(report))
+    assert said["scope"].startswith("the given starts in ")
+    assert said["anonymous"] == ""
+    assert said["gate"] == report.extent.given.gate
+
+
+def test_robots_with_programs_of_their_own_are_not_anonymous(holds, refuted):
+    assert dict(content.scope_words(holds))["anonymous"] == ""
+    assert dict(content.scope_words(refuted))["anonymous"]
+
+
+def test_the_gate_names_the_first_size_that_differs():
+    cells = [
+        SimpleNamespace(edges=2, vertices=n, agrees=n == 1, enumerated=n, counted=9, source="Tutte")
+        for n in (1, 2, 3)
+    ]
+    report = SimpleNamespace(extent=SimpleNamespace(given=None), whole=True, cells=cells)
+    assert _gate(report) == (
+        "MISMATCH: of maps with 2 edges and 2 vertices 2 were enumerated, but Tutte counts 9"
+    )
+    report.whole = False
+    assert _gate(report) == "deferred to the merge of all shards"
+
+
+def test_each_number_of_edges_is_a_case(holds, refuted, cut_off):
+    assert [(case.name, case.result) for case in _cases(holds)] == [
+        ("every world with 1 edge", "passed"),
+        ("every world with 2 edges", "passed"),
+    ]
+    (failed,) = _cases(refuted)
+    assert (failed.result, failed.kind) == ("failure", "progress")
+    assert failed.message == "for ever without the goal"
+    assert [section.name for section in failed.sections] == ["finding-1"]
+    (left,) = _cases(cut_off)
+    assert (left.result, left.message) == ("skipped", "a budget leaves the verdict open")
+
+
+def test_the_command_names_each_program_once_where_all_are_one(refuted, holds):
+    said = team_content(refuted).command.replace(str(PROGRAMS), "PROGRAMS")
+    assert said == "PROGRAMS:other_end --edges 1 --scheduler async"
+    assert team_content(holds).command.count(str(PROGRAMS)) == 2
+
+
+def test_the_rows_have_the_counts_of_each_size(holds):
+    rows = file_of("csv", holds).splitlines()
+    assert rows[0].startswith("edges,vertices,maps,worlds,configurations,")
+    assert rows[-1].startswith("2,3,2,8,18,")
+
+
+REPLAYED = [
+    ("progress", "reproduced", "REPRODUCED", "law 'progress' is broken again"),
+    ("budget", "reproduced", "REPRODUCED", "law 'budget' is broken, not 'progress'"),
+    (None, "reproduced", "REPRODUCED", "law 'progress' is broken again"),
+    (None, "fixed", "FIXED", "a, b: no law is broken in the recorded world"),
+    (
+        *(None, "not-reproduced", "NOT REPRODUCED"),
+        "a, b: a budget leaves it open whether a law is broken in the recorded world",
+    ),
+]
+
+
+@pytest.mark.parametrize(("now", "outcome", "word", "said"), REPLAYED)
+def test_a_replay_says_what_is_broken_now(now, outcome, word, said):
+    again = SimpleNamespace(explorers=["a", "b", "a"], findings=[])
+    replay = SimpleNamespace(again=again, law="progress", law_now=now, outcome=outcome)
+    told = team_replay_content(replay)
+    assert (told.headline.word, told.headline.text) == (word, said)
+
+
+def test_an_explanation_has_sentences_and_the_run(refuted):
+    explained = TeamExplanation(finding=refuted.findings[0], number=1, findings=1)
+    words, run = team_explain_content(explained).sections
+    assert [block.text for block in words.blocks] == [*explained.sentences]
+    assert (run.name, run.title) == ("run", "The run")
+
+
+def test_a_percept_is_told_in_few_words():
+    turn = SimpleNamespace(sensed={"degree": 3, "marks": 0, "bearing": None})
+    assert sensed_in_words(turn, 7) == "degree 3"
+    turn.sensed = [1, {"a": 2}]
+    assert sensed_in_words(turn, 11) == '[1,{"a":2}]'
+    assert sensed_in_words(turn, 10) == '[1,{"a":..'
+
+
+def test_where_robots_come_or_go_no_move_is_told():
+    assert [*content._moved((0, 1), (0, 1, 2), (0, 0, 1))] == []
+    assert [*content._moved((0, 1), (2, None), (0, 0, 1))] == ["0 at v1", "1 is no more"]
+
+
+def test_a_search_that_is_stopped_gives_its_reason(holds):
+    ending = SimpleNamespace(stopped=True, reason="the time is over")
+    stopped = SimpleNamespace(
+        verdict=Verdict.INCONCLUSIVE,
+        ending=ending,
+        total=SimpleNamespace(worlds=3, configurations=4, longest=0, cut_off=1, full=1),
+        explorers=("a", "b"),
+        asked=holds.asked,
+    )
+    assert verdict_of(stopped).text == (
+        "the time is over; 3 worlds with starts, 2 robots, every fsync schedule; 4 configurations"
+    )
+
+
+@pytest.mark.parametrize(("robots", "whole"), [(2, 19), (3, 8), (4, 7)])
+def test_percepts_are_cut_where_the_columns_of_all_robots_would_be_too_wide(robots, whole):
+    def cell(length):
+        turn = SimpleNamespace(robot=0, phase="whole", sensed="x" * (length - 2), did="wait")
+        event = SimpleNamespace(robots=[turn], darts=(), world="")
+        found = SimpleNamespace(
+            starts=(0,) * robots, map=SimpleNamespace(vertex_of=(0,)), loop=0, events=[event]
+        )
+        return content.diagram(found)[1].split()[1]
+
+    assert cell(whole) == f'"{"x" * (whole - 2)}":'
+    assert cell(whole + 1) == f'"{"x" * (whole - 3)}..:'
