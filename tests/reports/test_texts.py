@@ -209,6 +209,7 @@ def test_laws_of_checkpoints_alone_are_vacuous_for_an_explorer_without_checkpoin
         told = brief(report, 40)
         assert told.startswith("VACUOUS: nothing was checked: the explorer shows no checkpoint")
         assert "invariant-1 and variant" in told
+        assert text_of(report, 400).count("needed for invariant-1 and variant") == 2
     spoken = run("algorithm1", "theta", **silent)
     assert (spoken.verdict, spoken.exit_code) == ("holds", 0)
 

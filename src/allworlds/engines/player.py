@@ -135,7 +135,7 @@ class _Server:
 
     def serve(self, batch: dict[str, Any]) -> None:
         """Play a batch, and send its logs."""
-        self._beat[0], self._beat[1] = NO_RUN, 0
+        self._beat[0] = NO_RUN
         try:
             if batch["kind"] == "native":
                 self._native(batch)
