@@ -1,12 +1,12 @@
-"""All runs of small levels, one after the other in both orders: what one leaves behind for another.
+"""All runs of small levels, one after the other in both orders: does one run change a later one?
 
     one process:      run 1, run 2, ..., run N
     another process:  run N, ..., run 2, run 1; with few edges run 1, run 2, ..., run N once more
 
-So of any two runs, of whatever units, each is played before the other in a process that has played
-nothing else before.  If a log is another one, the earlier runs are cut down by bisection to those
-without which the difference does not show.  These plays count nothing: every run has a unit of its
-own.
+So each of two runs, of the same unit or of different units, is played before the other one, in a
+process that has played nothing but these runs.  If a run has a different log in the two processes,
+a bisection finds the fewest earlier runs that cause the difference.  These plays are not counted,
+because each run is counted in another unit.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -35,14 +35,14 @@ MOST_EARLIER = 4
 """The largest number of earlier runs that a finding names."""
 
 FEW = 3
-"""The number of runs with different logs whose earlier runs are looked for."""
+"""The number of runs with different logs for which the earlier runs are searched."""
 
 At: TypeAlias = tuple[CombinatorialMap, int]
-"""A map with the number of the place."""
+"""A map, and the number of the lighthouse's place."""
 
 
 class FirstLog(NamedTuple):
-    """A run in the unit of its own with its log, and whether it breaks no law."""
+    """A run with its log in the unit that counts it, and whether the run breaks no law."""
 
     due: Due
     log: bytes
@@ -50,7 +50,7 @@ class FirstLog(NamedTuple):
 
 
 def remember(batch: RunBatch, known: dict[At, FirstLog]) -> None:
-    """Remember the logs of small worlds that one process has played, in their order."""
+    """Remember the logs of a batch of small worlds, in the order of their plays."""
     unit, logs, broken = batch.work.unit, batch.logs[FIRST], {*batch.broken}
     small = isinstance(unit, LevelUnit | GivenUnit) and unit.edges <= ACROSS
     if small and batch.plain:  # a library draws the order
@@ -66,8 +66,8 @@ class _Play:
     Attributes:
         seed: the hash seed.
         order: the indices of the runs; some may be there twice.
-        logs: in this order, once it is whole.
-        player: at work; None if the logs are known.
+        logs: the logs in this order, once all are known.
+        player: the player at work; None if the logs are known.
     """
 
     def __init__(self, seed: int, player: PlayerProcess | PlayerHere | None) -> None:
@@ -83,19 +83,19 @@ class _Play:
 
 
 class Across:
-    """The plays of one such unit.
+    """The plays of one :class:`AcrossUnit`.
 
     Args:
         setup: the explorer.
-        judge: of its runs.
+        judge: the judge of its runs.
         work: the unit.
         seeds: the hash seeds of the two processes.
 
     Attributes:
         batch: all runs.
-        begun: whether the plays are.
-        found: the outcomes of the runs that refute, by their indices.
-        odd: runs whose logs differ, with the second ones, if no earlier run explains it.
+        begun: whether the plays have begun.
+        found: the outcomes of the runs that refute the explorer, by their indices.
+        odd: the runs whose logs differ without an earlier run as the cause, with the second logs.
     """
 
     def __init__(
@@ -113,8 +113,8 @@ class Across:
         """Begin the plays, once the units of the runs are done.
 
         Args:
-            known: the logs of one process that has played nothing else, in the order in which it
-                has; if all are there, that is the first play.
+            known: the logs of one process that has played nothing else, in the order of its plays;
+                if they include all runs, they are the first play.
         """
         assert isinstance(self.work.unit, AcrossUnit)
         self.begun = True
@@ -153,10 +153,10 @@ class Across:
         return [play.player for play in self._plays if play.player]
 
     def hear(self, note: Callable[[Work, Lost], None]) -> bool:
-        """Hear the players; return whether there is nothing more to be heard.
+        """Hear the players; return whether all plays have ended.
 
         Args:
-            note: takes a loss that is not repeated; then the play begins anew.
+            note: the function that notes a loss which is not repeated; then the play begins anew.
         """
         for play in self._plays:
             if play.player:
@@ -174,12 +174,12 @@ class Across:
         return not self.players
 
     def close(self) -> None:
-        """End the players; what they have not played is not compared."""
+        """End the players; runs that they have not played are not compared."""
         for play in self._plays:
             play.end()
 
     def _is_repeated(self, play: _Play, player: Any, lost: Lost) -> bool:
-        """Whether the run in which a player was lost refutes: by itself, or after earlier ones."""
+        """Whether the run in which a player was lost refutes, alone or after earlier runs."""
         position = player.beat[0]
         if player.description is None or not 0 <= position < len(play.order):
             return False
@@ -190,12 +190,12 @@ class Across:
         return not self._differ(self._after(play.seed, [], index), lost_log(b"", lost))
 
     def _after(self, seed: int, earlier: Sequence[int], index: int) -> bytes:
-        """The log of a run after others, by a fresh player; empty if that is lost in another."""
+        """The log of a run after others, by a fresh player; empty if another run loses it."""
         logs = self._fresh(seed, [*earlier, index])
         return logs[-1] if len(logs) > len(earlier) else b""
 
     def _fresh(self, seed: int, order: Sequence[int]) -> list[bytes]:
-        """The logs of a fresh player; if it is lost, that of this run last, and empty ones."""
+        """The logs of a fresh player; if it is lost, empty ones and the log of the lost run."""
         player = started(self._setup, seed)
         try:
             return [*answered(player, self._in_order(order))]
@@ -205,7 +205,7 @@ class Across:
             player.close()
 
     def _differ(self, one: bytes, other: bytes) -> bool:
-        """Whether two logs differ; one that is empty is not known."""
+        """Whether two logs differ; an empty log is unknown, and differs from none."""
         if one == other or not (one and other):
             return False
         return difference_of(Log(one), Log(other), choices=self._judge.every) is not None
@@ -213,7 +213,7 @@ class Across:
     # ---------------------------------------------------------------- differences
 
     def settle(self) -> None:
-        """Find the smallest run that others change, or that breaks a law."""
+        """Find the smallest run that earlier runs change, or that breaks a law."""
         first, second = self._plays
         if not (first.logs and second.logs):
             return
@@ -226,14 +226,14 @@ class Across:
             if index not in by_order and self._after(first.seed, [], index) == forwards[index]:
                 self.found[index] = self.batch.outcome(index).outcome  # by itself
                 return
-            every = sorted(first.order, key=self._size)  # whatever the order was in these plays
+            every = sorted(first.order, key=self._size)  # not in the order of these plays
             for earlier in (every, first.order[:index], second.order[: by_order.get(index, 0)]):
                 if named := self._named(index, earlier):
                     self.found, self.odd = {index: named}, []
                     return
 
     def _unlike(self, forwards: Sequence[bytes]) -> dict[int, int]:
-        """The runs whose logs in the second play are others than these, with their places there."""
+        """The runs whose second logs differ from these, each with its position in that play."""
         second, found = self._plays[1], dict[int, int]()
         assert second.logs is not None
         for position, (index, log) in enumerate(zip(second.order, second.logs, strict=True)):
@@ -251,14 +251,14 @@ class Across:
         ]
 
     def _size(self, index: int) -> tuple[Any, ...]:
-        """The order of findings in these runs."""
+        """The key by which findings in these runs are ordered."""
         _, place, world, _ = self.batch.runs[index]
         map_ = world.map
         code = rooted_code(map_.sigma, map_.alpha, world.start)
         return map_.edge_count, map_.vertex_count, code, place
 
     def _named(self, index: int, earlier: Sequence[int]) -> Outcome | None:
-        """The outcome of a run that is another one after earlier runs; None if it is the same."""
+        """The outcome of a run that earlier runs change, and that names them; None if none do."""
         alone = self._after(self._seed, [], index)
         needed = self._needed(alone, index, earlier)
         after, again = (self._after(self._seed, needed, index) for _ in range(2))
@@ -269,9 +269,9 @@ class Across:
         return after_worlds(wrong, [canonical_world(self.batch.runs[i].world) for i in needed])
 
     def _needed(self, alone: bytes, index: int, earlier: Sequence[int]) -> list[int]:
-        """The fewest of the earlier runs after which a run has another log than by itself.
+        """The fewest earlier runs after which a run has a different log than alone.
 
-        Empty if it has the same, or not always the same by itself, or if they are too many.
+        Empty if its log does not change, if it varies even alone, or if too many are needed.
         """
 
         def shows(indices: Sequence[int]) -> bool:

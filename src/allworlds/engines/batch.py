@@ -1,7 +1,7 @@
-"""A batch: some runs of a unit on their way, with their logs; and what judges it.
+"""Batches, which are some runs of a unit with their logs, and the protocol of their judges.
 
-A batch is data.  What stands in it is laid out and judged by its judge, given to the players by
-their owner, and settled by the lane.
+A batch is data.  Its judge lays out the runs and judges the logs, the owner of the players gives
+them the runs, and the lane settles the batch.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -32,7 +32,7 @@ LogsByIndex: TypeAlias = dict[int, bytes] | Sequence[bytes]
 
 
 class Due(NamedTuple):
-    """A run that is due: its number in its unit, its place, its world, and its first choices."""
+    """A run to be played: its number in the unit, its place, its world, and its first choices."""
 
     number: int
     place: int
@@ -41,13 +41,13 @@ class Due(NamedTuple):
 
 
 class Recorded(NamedTuple):
-    """A run without its world, of which only the size counts, and what was told.
+    """A run as the second player gets it: its percepts in place of its world.
 
     Attributes:
-        percepts: at the start and after each action.
-        world: of the run.
+        percepts: the percept at the start and after each action.
+        world: the world; only its size and what its lighthouse tells are passed on.
         script: the first choices.
-        over: whether the run was ended, since all was done.
+        over: whether the task ended the run, because all was done.
     """
 
     percepts: Iterable[Percept]
@@ -57,18 +57,18 @@ class Recorded(NamedTuple):
 
     @classmethod
     def of(cls, due: Due, episode: Episode) -> "Recorded":
-        """The record of an episode of that run."""
+        """The run with the percepts of an episode of it."""
         over = isinstance(episode.ending, Over)
         return cls(episode.walk.percepts, due.world, due.script, over)
 
 
 class Judged(NamedTuple):
-    """A log, judged.
+    """A run that the judge in Python has judged.
 
     Attributes:
-        log: what it says.
-        outcome: of the run.
-        fits: whether it made the choices that were due.
+        log: the log of the run.
+        outcome: the outcome of the run.
+        fits: whether the log makes the choices that were due.
     """
 
     log: Log
@@ -78,15 +78,15 @@ class Judged(NamedTuple):
 
 @dataclass(slots=True)
 class Work:
-    """A unit at work.
+    """A unit that a lane is doing.
 
     Attributes:
-        unit: what is to be done.
-        tally: what was counted since a part was handed over.
-        batches: that are still to be laid out; None if there are no more.
-        more: runs with further schedules.
-        open: the number of batches that are under way.
-        best: of each run the cost of its cheapest schedule, where every schedule is tried.
+        unit: the unit.
+        tally: the counts since the last partial result was returned.
+        batches: the batches that have not been laid out yet; None if there are no more.
+        more: the runs with further schedules.
+        open: the number of batches that are being played.
+        best: the cost of the cheapest schedule of each run, if every schedule is tried.
     """
 
     unit: UnitOfRuns
@@ -101,14 +101,14 @@ class RunBatch:
     """Some runs of a unit, with their logs once they are judged.
 
     Attributes:
-        by: what judges it.
+        by: the judge.
         work: the unit.
-        tally: of these runs; it counts once both plays of each are compared.
-        logs: of the first and of the second play.
+        tally: the counts of these runs; they are added once the two plays of each are compared.
+        logs: the logs of the first and of the second play.
         plain: whether Python plays the runs.
-        broken: the runs that break a law, or did not make the choices that were due; of those that
-            compiled code has judged the least.
-        lost: the runs in which a player was lost, and so is their walk, or its end.
+        broken: the runs that break a law, or that did not make the choices that were due; if
+            compiled code has judged the batch, only the least of them.
+        lost: the runs in which a player was lost; the end of their walk, or all of it, is unknown.
         judged: the runs that the Python judge has judged.
     """
 
@@ -134,7 +134,7 @@ class RunBatch:
         return len(self.runs)
 
     def take(self, which: int, indices: Indices, logs: Sequence[bytes]) -> None:
-        """Take the logs of these runs, by one of the plays."""
+        """Store the logs of these runs in one of the two plays."""
         if isinstance(logs, Logs) and len(logs) == len(self):
             self.logs[which] = logs
             return
@@ -144,7 +144,7 @@ class RunBatch:
         known.update(zip(indices, logs, strict=True))
 
     def unplayed(self, which: int, indices: Indices) -> list[int]:
-        """Those of these runs of which a play is not known."""
+        """The runs among these that have no log of this play yet."""
         known = self.logs[which]
         return [index for index in indices if index not in known] if isinstance(known, dict) else []
 
@@ -155,11 +155,11 @@ class RunBatch:
         return self.judged[index]
 
     def record(self, index: int) -> Recorded:
-        """Return the record of a run: all that the second player gets of it."""
+        """Return the percepts of a run, which is all that the second player gets."""
         return Recorded.of(self.due(index), self.outcome(index).outcome.episode)
 
     def follow_ups(self) -> list[Due]:
-        """The runs with the next schedules, where every schedule is due."""
+        """The runs with their next schedules; none unless every schedule is due."""
         if not self.by.every:
             return []
         logs = ((due, self.outcome(index).log) for index, due in enumerate(self.runs))
@@ -168,10 +168,10 @@ class RunBatch:
 
 
 class Judge(Protocol):
-    """A judge lays out the runs of a unit, says what players are told, and judges their logs.
+    """A judge lays out the runs of a unit, makes messages to players, and judges their logs.
 
     Attributes:
-        counter: counts, and knows the scope.
+        counter: the counter of the runs, with the scope.
         every: whether every schedule is due.
     """
 
@@ -179,7 +179,7 @@ class Judge(Protocol):
     every: bool
 
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[RunBatch]:
-        """The runs of a unit, so many at a time."""
+        """Yield the runs of a unit in batches of this size."""
 
     def judge(self, batch: RunBatch) -> bool:
         """Judge the first logs of a batch, and count them; return whether it can read them all."""
@@ -191,4 +191,4 @@ class Judge(Protocol):
         """The message to a player that plays these runs in their worlds."""
 
     def percepts(self, batch: RunBatch, indices: Indices, order: Indices = ()) -> Message:
-        """The message to a player that plays recorded percepts; nothing of a world."""
+        """The message to a player that plays these runs by their percepts, without a world."""

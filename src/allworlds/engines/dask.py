@@ -1,8 +1,8 @@
 """Units on the workers of a Dask cluster.
 
-A task is some units with an engine and the transport on the worker; its results are whole, so a
-unit whose worker is lost is done again, by another worker.  A *lane* is such a transport, which
-outlives the tasks: the processes of a user's explorer are started once for each thread of a worker.
+A task consists of some units, an engine, and a transport that a worker makes.  A task returns whole
+results, so if a worker is lost, another one does its units again.  Such a transport outlives the
+tasks and is called a *lane*: each thread of a worker starts a user's explorer only once.
 """
 
 import asyncio
@@ -28,20 +28,20 @@ from allworlds.inputs.checks import InputError, ensure_installed, show
 from allworlds.version import __version__
 
 PATIENCE, SILENCE, IDLE = 10.0, 60.0, 120.0
-"""Seconds in which a scheduler must answer at first, after which a silent part of a cluster is
-given up, and after which unused lanes are closed."""
+"""Seconds: within the first a scheduler must give its first answer; after the second a silent part
+of a cluster is given up; after the third unused lanes are closed."""
 
 
 class Dask:
     """The transport to a Dask scheduler; leaving the context cancels the unfinished tasks.
 
     Args:
-        address: of the scheduler, or :data:`LOCAL`.
-        workers: processes of a local cluster.
+        address: the address of the scheduler, or :data:`LOCAL`.
+        workers: the number of processes of a local cluster.
         deadline: on the monotonic clock, or None.
-        inside: makes the transport on a worker; picklable.
-        probe: returns the reason against a worker; picklable.
-        order: of the units.
+        inside: the picklable function that makes the transport on a worker.
+        probe: the picklable function that returns the reason why a worker cannot do the job.
+        order: the function that orders the units.
     """
 
     def __init__(
@@ -67,11 +67,11 @@ class Dask:
     def __enter__(self) -> Self:
         utils, address = self._distributed.utils, self._address
         with self._stack as stack:
-            # What befalls a cluster is told in one line, and not in Dask's own.
+            # An error of a cluster is reported in one line, without Dask's own logs.
             stack.enter_context(utils.silence_logging_cmgr(logging.CRITICAL))
             if address == LOCAL:
                 address = stack.enter_context(local_cluster(self._workers))
-            # Only the loop's thread waits for the cluster, so that the caller can be interrupted.
+            # The loop's thread alone waits for the cluster, so that the caller can be interrupted.
             self._runner = utils.LoopRunner()
             self._runner.start()
             stack.callback(self._runner.stop)
@@ -85,7 +85,7 @@ class Dask:
         self._stack.__exit__(*error)
 
     def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult]:
-        """Yield the results of all units, each of them whole, as they come.
+        """Yield the whole result of each unit, as they come.
 
         Raises:
             TimeIsUp: when the time limit has been reached.
@@ -97,7 +97,7 @@ class Dask:
         self._cost *= 16  # as it grows with a level
         while True:
             while len(at_work) < 3 * max(2, self._threads):
-                # A task has some milliseconds of its own, a scheduler bears a hundred a second.
+                # A task costs some milliseconds by itself, and a scheduler manages a hundred a second.
                 number = int(max(0.25, self._threads / 100) / self._cost)
                 if not (batch := [*islice(waiting, max(1, number))]):
                     break
@@ -116,7 +116,7 @@ class Dask:
         return asyncio.run_coroutine_threadsafe(work, self._runner.loop.asyncio_loop)
 
     def _leave(self, kind: type[BaseException] | None, *_: object) -> None:
-        # Who is in a hurry does not wait for the cluster; it notices by itself.
+        # After an interrupt the caller does not wait long: the cluster notices the end by itself.
         seconds = 2.0 if kind is None or issubclass(kind, Exception) else 0.2
         with suppress(Exception):
             self._runner.run_sync(self._goodbye, callback_timeout=seconds)
@@ -129,7 +129,7 @@ class Dask:
         distributed, kind, why = self._distributed, "", f"it is silent for {PATIENCE:g} s"
         security = distributed.Security().get_connection_args("client")
         try:
-            # A client of Dask waits without end for a silent scheduler.
+            # A Dask client would wait forever for a silent scheduler.
             async with distributed.rpc(address, connection_args=security) as server:
                 kind = (await asyncio.wait_for(server.identity(), PATIENCE))["type"]
             why = f"a {kind.lower()} answers there, which is no scheduler"
@@ -143,7 +143,7 @@ class Dask:
     async def _watch(self) -> NoReturn:
         """Count the threads, and give up the workers that are silent for too long.
 
-        One that was stopped keeps its connection: its heartbeats tell, by the scheduler's clock.
+        A stopped worker keeps its connection, so the times of its heartbeats are read.
         """
         scheduler, limit = self._client.scheduler, SILENCE
         silence = f"for {limit:g} s"
@@ -180,7 +180,7 @@ class Dask:
 
 @lru_cache(8)
 def _unpacked(job: str, version: str, packed: bytes) -> tuple[Any, Any]:  # noqa: ARG001  # each its own
-    """The maker of lanes on this worker, and the engine: once for all tasks of a level."""
+    """The function that makes lanes on this worker, and the engine; cached for a level's tasks."""
     from distributed import get_worker, protocol
 
     said = f"has allworlds {__version__}, not {version}"
@@ -192,7 +192,7 @@ def _unpacked(job: str, version: str, packed: bytes) -> tuple[Any, Any]:  # noqa
 
 
 class _Job:
-    """The state of one job on a worker: the engine at work, and idle lanes."""
+    """The state of one job on a worker: the engine, and the idle lanes."""
 
     def __init__(self) -> None:
         self.turn, self.timer = Lock(), Timer(IDLE, self.close)
@@ -211,7 +211,7 @@ _JOBS: dict[str, _Job] = {}
 
 
 def done(job: str, version: str, packed: bytes, batch: list[Any]) -> tuple[list[Any], float]:
-    """Do some units on a worker: their results and the seconds.
+    """Do some units on a worker; return their results and the seconds that they took.
 
     Raises:
         InputError: if this worker cannot do the job.
@@ -255,9 +255,9 @@ def end_job(job: str) -> None:
 
 @contextmanager
 def local_cluster(workers: int) -> Iterator[str]:
-    """The address of a cluster of so many processes, which are killed at the end.
+    """The address of a local cluster with this number of processes, which are killed at the end.
 
-    All are children of one process, so that no answer is waited for.
+    All are children of one process, so that they can be killed without waiting for answers.
     """
     start = f"import sys; sys.path[:] = {sys.path}; from {__name__} import serve; serve({workers})"
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
@@ -269,7 +269,7 @@ def local_cluster(workers: int) -> Iterator[str]:
             env=os.environ
             | {"DASK_DISTRIBUTED__WORKER__PROFILE__ENABLED": "False"}
             | {"DASK_TEMPORARY_DIRECTORY": folder},
-            start_new_session=True,  # a Ctrl-C is for the owner
+            start_new_session=True,  # only the owner gets a Ctrl-C
         )
         try:
             if not (address := process.stdout.readline().decode().strip()):
@@ -289,7 +289,7 @@ def serve(workers: int) -> None:
     from distributed import LocalCluster
 
     stdout = os.dup(1)
-    os.dup2(2, 1)  # what workers print is not for the owner
+    os.dup2(2, 1)  # the owner must not read what workers print
     more = {"dashboard_address": "127.0.0.1:0", "silence_logs": logging.CRITICAL}
     with LocalCluster(n_workers=workers, threads_per_worker=1, **more) as cluster:  # type: ignore[no-untyped-call]
         os.write(stdout, f"{cluster.scheduler_address}\n".encode())

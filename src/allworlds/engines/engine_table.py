@@ -1,7 +1,7 @@
 """**The** table of the engines, the job of an engine, and the transports of this process.
 
-The checks that the compiled engine cannot do are told here.  A new engine is an entry; no compiled
-code is loaded.
+This module knows the checks that the compiled engine cannot do, and loads no compiled code.  A new
+engine is a new entry.
 """
 
 import os
@@ -28,7 +28,7 @@ from allworlds.world.lighthouses import base, marked
 
 
 def _parts(engine: UnitEngine, unit: Any) -> Iterator[PartialResult]:
-    """The parts of a unit's result; the last one says that it is."""
+    """The parts of a unit's result; the last one is marked as the last."""
     parts = iter(engine.parts(unit))
     result = next(parts)
     for following in parts:
@@ -38,7 +38,7 @@ def _parts(engine: UnitEngine, unit: Any) -> Iterator[PartialResult]:
 
 
 class ThisThread:
-    """The transport in this thread; the engine's work here cannot be stopped from outside."""
+    """The transport in this thread; nothing from outside can stop the engine's work here."""
 
     def __init__(self, deadline: float | None = None) -> None:
         self._deadline = deadline
@@ -60,7 +60,7 @@ class ThisThread:
 def local_or_dask(
     cluster: str | None, deadline: float | None, workers: int = 0, batch: int = 1
 ) -> Transport:
-    """The transport to the cluster, or to threads; without workers to this one, or to all cores."""
+    """The transport to a cluster, or to threads; 0 workers mean all cores, or this thread."""
     if cluster is None:
         return Threads(workers, deadline, batch) if workers else ThisThread(deadline)
     from allworlds.engines.dask import Dask
@@ -69,12 +69,12 @@ def local_or_dask(
 
 
 class Threads:
-    """A pool of threads; leaving the context has the engine ``halt()`` the work that is running.
+    """A pool of threads; at the end of the context the engine's ``halt()`` stops the work.
 
     Args:
         workers: the number of threads.
         deadline: on the monotonic clock, or None.
-        batch: units that a thread does at a time; many small ones cost less to hand over so.
+        batch: the number of units that a thread gets at a time; larger batches cost less.
     """
 
     def __init__(self, workers: int, deadline: float | None = None, batch: int = 1) -> None:
@@ -91,8 +91,8 @@ class Threads:
         self._ended.set()
         if self._engine is not None:
             self._engine.halt()
-        # Who is in a hurry does not wait for what cannot be given up, such as a compiler; after
-        # any other error nothing is left that goes on behind the next job's back.
+        # After an interrupt or a time limit nobody waits for work that cannot be stopped, such as
+        # a compiler.  After any other error all work must have ended before the next job.
         patient = isinstance(error, Exception | None) and not isinstance(error, TimeIsUp)
         self._pool.shutdown(wait=patient, cancel_futures=True)
 
@@ -100,7 +100,7 @@ class Threads:
         """Yield the parts of all units, in the order in which their batches are done.
 
         Raises:
-            Exception: of the engine, in the first unit that raises one, in the order of units.
+            Exception: the engine's exception in the first unit, in their order, that raises one.
         """
         self._engine = engine
         waiting = iter(units)
@@ -120,7 +120,7 @@ class Threads:
 
 
 def _done(engine: UnitEngine, batch: Iterable[Any], ended: Event) -> list[PartialResult]:
-    """The parts of some units; of fewer, once the context has ended."""
+    """The parts of some units; after the context has ended the rest is left out."""
     return [
         part
         for unit in takewhile(lambda _: not ended.is_set(), batch)
@@ -129,30 +129,30 @@ def _done(engine: UnitEngine, batch: Iterable[Any], ended: Event) -> list[Partia
 
 
 COMPILED_FROM = 5
-"""The least m of a check that is worth the compiling; smaller ones end before it would."""
+"""The least m for which compiling pays; a smaller check ends before the compiler does."""
 
 WORTH_LOADING = 2000
-"""The number of worlds of a level from which on the compiled judge of users' explorers pays: they
-have some 10,000 runs."""
+"""The number of worlds of a level from which the compiled judge of users' explorers pays.  Such a
+level has some 10,000 runs."""
 
 WALKED_FROM = 6
-"""The least m whose maps are walked once for every bearing, where that can be done.  Up to
-there every bearing is walked."""
+"""The least m for which one walk in a map is counted for every bearing, if that is possible.  Below
+it every bearing is walked."""
 
 COMPILER = "numba", "fast"
-"""The package without which there is no compiled engine, and the extra that brings it."""
+"""The package that the compiled engine needs, and the extra that installs it."""
 
 
 class Job(Struct, frozen=True):
-    """A check as an engine gets it.
+    """The data of a check that an engine needs.
 
     Attributes:
-        scope, subject: of the check.
-        limits: of workers and of time.
+        scope, subject: the scope of the check, and the explorer.
+        limits: the limits of workers and of time.
         keep: the number of findings that are kept.
         deadline: on the monotonic clock, or None.
-        notice: takes a text that the user reads at once.
-        cluster: the address of the scheduler of Dask that is to do the work; None: without Dask.
+        notice: the function that shows the user a text at once.
+        cluster: the address of the Dask scheduler that does the work; None without Dask.
     """
 
     scope: Scope
@@ -165,10 +165,10 @@ class Job(Struct, frozen=True):
 
 
 class ReadyEngine(Struct, frozen=True):
-    """An engine made ready, and the transport by which units get to it and tallies back."""
+    """An engine that is ready, and the transport that brings it units and returns its results."""
 
     transport: Transport
-    engine: Any  # what the transport takes; None where every unit is kept
+    engine: Any  # of the kind that the transport takes; None if every unit is kept
 
 
 def obstacle(scope: Scope, subject: Subject) -> str:
@@ -226,34 +226,34 @@ def walks(scope: Scope, subject: Subject, edges: int) -> bool:
 
 
 class EngineKind:
-    """The Python engine: every explorer, every option; and the base of other kinds."""
+    """The Python engine, which knows every explorer and every option; the base of other kinds."""
 
     name = "python"
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # never
-        """Return the reason why one run may be counted for several; empty if each is played."""
+        """Return the reason why one run may count for several; empty if each run is played."""
         return ""
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # none
-        """Return the reason why it cannot do a check; empty if it can."""
+        """Return the reason why this engine cannot do a check; empty if it can."""
         return ""
 
     def ready(self, job: Job) -> ReadyEngine:
         """Return the engine for this job.
 
         Raises:
-            EnginesDisagree: if a comparison shows that it is wrong.
+            EnginesDisagree: if a comparison with another engine shows an error.
         """
         return ReadyEngine(players_for(job), tally.RunCounter(job.scope, job.keep))
 
 
 class Compiled(EngineKind):
-    """The judge in compiled code: built-in explorers in threads, users' ones in processes."""
+    """The compiled engine: built-in explorers in threads, users' explorers in processes."""
 
     name = "kernel"
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:
-        """The reason why in large maps one walk is counted for all bearings."""
+        """The reason why in large maps one walk counts for all bearings."""
         if not walks(scope, subject, scope.extent.levels[-1]):
             return ""
         from allworlds.engines.compiled_engine import SYMMETRY
@@ -261,18 +261,18 @@ class Compiled(EngineKind):
         return SYMMETRY
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
-        """Return the first option that it does not know, in a sentence; else what it lacks."""
+        """Return a clause about the first option that it does not know, or about what it lacks."""
         if subject.from_user and not subject.importable and subject.native is None:
             return f"judges no explorer that lives in this process alone, as {show(subject.name)}"
         return obstacle(scope, subject) or lack_of(*COMPILER)
 
     def ready(self, job: Job) -> ReadyEngine:
-        """Threads, after both engines have agreed on every small world.
+        """Return the engine with threads, after both engines have agreed on every small world.
 
-        For a user's explorer processes, where the engines are compared on the way.
+        A user's explorer gets processes instead; there the engines are compared during the check.
         """
         if job.subject.from_user:
-            # Who asks for it by name gets it in small worlds, too.
+            # An engine that is asked for by its name is used in small worlds, too.
             least = WORTH_LOADING if job.scope.extent.levels[-1] >= COMPILED_FROM else 0
             return ReadyEngine(players_for(job), tally.RunCounter(job.scope, job.keep, least))
         from allworlds.engines.compiled_engine import BATCH, CompiledEngine
@@ -313,9 +313,9 @@ EngineName: TypeAlias = Annotated[str, one_of(*ENGINES)]
 
 
 def why_not_compiled(scope: Scope, subject: Subject, memory: int | None = None) -> str:
-    """The reason why a large check is not done in compiled code, though that was to be expected.
+    """The reason why a large check does not use the compiled engine, if the user expects it.
 
-    That is so of native explorers, and of all where a compiler is all that is missing.
+    The user expects it for native explorers, and for all if only the compiler is missing.
     """
     most = scope.extent.levels[-1]
     if most < COMPILED_FROM or _is_kept_out(subject, memory):
@@ -327,14 +327,14 @@ def why_not_compiled(scope: Scope, subject: Subject, memory: int | None = None) 
 
 
 def _is_kept_out(subject: Subject, memory: int | None) -> bool:
-    """Whether a limit of memory keeps compiled code out: its address space is hundreds of MB."""
+    """Whether a limit of memory rules out compiled code, whose addresses take hundreds of MB."""
     return memory is not None and subject.from_user and not subject.compiled
 
 
 def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = None) -> EngineKind:
-    """The engine of that name; of ``auto`` the one that suits the check.
+    """The engine of that name; for ``auto`` the engine that suits the check.
 
-    A limit of ``memory``, in MB, is one of the compiled code, too.
+    A limit of ``memory``, in MB, holds for the compiled code, too.
 
     Raises:
         InputError: for an unknown name, or for an engine that cannot do the check.

@@ -1,12 +1,12 @@
-"""Hash seeds: those under which runs are played, and the meaning of plays that then differ.
+"""The hash seeds of the plays, and the meaning of two plays of a run that differ.
 
     ==================================================  ======================================
-    both plays are repeated, each time, by fresh        the seeds explain that they differ: the
-    players under their own two seeds                   run is right if it is with each seed
-    any is not, or the seed is the same one             the explorer is nondeterministic
+    under each seed, fresh players repeat the play      the seeds explain the difference: the run
+    of that seed every time                             is right if it is right with each seed
+    a play is not repeated, or both seeds are equal     the explorer is nondeterministic
     ==================================================  ======================================
 
-Python allows an explorer to go by the order of a set of texts; that it goes so is a remark.
+Python allows an explorer to depend on the order of a set of texts: that is a remark, not a fault.
 """
 
 from collections.abc import Callable, Iterable
@@ -21,7 +21,7 @@ Seeds: TypeAlias = tuple[int, int]
 """The hash seeds of the two plays of a run."""
 
 OTHER_SEED = 2
-"""The hash seed of all runs in the other order, which no other play of a check has."""
+"""The hash seed of the plays in the other order; no other play of a check has it."""
 
 SIX_MORE = (OTHER_SEED, 3, 4, 5, 6, 7)
 """Further seeds under which some runs of larger worlds are played again."""
@@ -33,7 +33,7 @@ Play = TypeVar("Play")
 
 
 def seeds_of(subject: Subject, wanted: Seeds = (FIRST, SECOND)) -> Seeds:
-    """The hash seeds of both players: one for both if no process has an explorer in Python."""
+    """The hash seeds of both players; they are equal unless a process loads a Python explorer."""
     apart = subject.from_user and subject.importable and not subject.compiled
     return wanted if apart else (wanted[FIRST], wanted[FIRST])
 
@@ -44,7 +44,7 @@ def are_more_tried(subject: Subject, seeds: Seeds) -> bool:
 
 
 def across(seeds: Seeds) -> Seeds:
-    """The seeds of all runs in both orders."""
+    """The seeds of the plays of all runs in both orders."""
     return FIRST, seeds[SECOND] and OTHER_SEED
 
 
@@ -53,19 +53,19 @@ def explain(
     plays: Iterable[tuple[Play, Iterable[Play]]],
     differ: Callable[[Play, Play], bool],
 ) -> bool:
-    """Whether seeds explain that plays differ: fresh players repeat each under its seed.
+    """Whether the seeds explain that plays differ: fresh players repeat each under its seed.
 
     Args:
-        seeds: of the two plays.
-        plays: each with those by fresh players under the same seed.
-        differ: whether two of them do.
+        seeds: the seeds of the two plays.
+        plays: each play, with the plays of fresh players under the same seed.
+        differ: the function that tells whether two plays differ.
     """
     repeated = not any(differ(play, fresh) for play, again in plays for fresh in again)
     return repeated and seeds[FIRST] != seeds[SECOND]
 
 
 def by_seed(seeds: Seeds, first: Outcome, second: Outcome) -> Outcome | None:
-    """The outcome that refutes, with its seed; None if the run is right with each."""
+    """The outcome that refutes the explorer, with its seed; None if both outcomes are right."""
     for seed, outcome in zip(seeds, (first, second), strict=True):
         if outcome.violation is not None:
             return replace(outcome, hash_seed=seed)

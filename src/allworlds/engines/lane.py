@@ -3,9 +3,9 @@
     unit --> first player (in worlds) --> logs --> judge --> tally, findings
                                           second player (percepts only) --> the same logs?
 
-The lane is the loop: it gives the players what they have room for, hears them, and goes on with
-each batch of which a play is whole.  How a batch is judged (``judge``), what the loss of a player
-means (``losses``), and what two plays that differ mean (``settling``, ``hash_seeds``) is elsewhere.
+The lane is the loop: it gives the players batches, hears them, and goes on with each batch once one
+of its plays is complete.  Other modules judge a batch (``judge``), and define what a lost player
+means (``losses``) and what two plays that differ mean (``settling``, ``hash_seeds``).
 """
 
 import time
@@ -26,7 +26,7 @@ from allworlds.engines.settling import Settler
 from allworlds.explorers.loading import Subject
 
 LEAST, MOST = 16, 256
-"""The number of runs of a batch: at first, and at most."""
+"""The number of runs in the first batch, and the largest number in any batch."""
 
 
 class Lane:
@@ -34,16 +34,16 @@ class Lane:
 
     Args:
         subject: the explorer.
-        counter: counts, and knows the scope.
-        limits: of the time for an answer, and of memory.
-        given: the choices of the only run, whose record is not played under other seeds; None for
-            those that the scope asks for.
+        counter: the counter of the runs, with the scope.
+        limits: the limits of the time for an answer, and of memory.
+        given: the choices of the only run, which is not played again under further seeds; None if
+            the scope determines the choices.
         seeds: the hash seeds of both players.
-        first_lane: whether it is the one of all lanes that compiles, and that tries six seeds.
-        deadline: past which no play is waited for, or None.
+        first_lane: whether this lane, alone among all, starts the compiler and tries six seeds.
+        deadline: the time after which the lane waits for no play, or None.
 
     Attributes:
-        given_up: why too much is silent to go on; empty where it is not.
+        given_up: the reason why the lane has given up after too much silence; else empty.
     """
 
     def __init__(
@@ -89,7 +89,7 @@ class Lane:
 
     @property
     def hungry(self) -> bool:
-        """Whether another unit could be begun."""
+        """Whether the lane could begin another unit."""
         return len(self._works) < 2 * DEPTH and all(work.batches is None for work in self._works)
 
     @property
@@ -99,14 +99,14 @@ class Lane:
 
     @property
     def keeps(self) -> bool:
-        """Whether there is something left to be played under other seeds."""
+        """Whether runs are left that are to be played under further seeds."""
         return bool(self._more_seeds)
 
     def turn(self, others: Sequence[int] = ()) -> list[units.PartialResult]:
         """Go on for a moment; return the parts of units that are done.
 
         Args:
-            others: descriptors; the turn ends when something has come there.
+            others: descriptors; the turn ends when one of them is readable.
 
         Raises:
             InputError: if the explorer cannot be loaded, or of a model of the user's.
@@ -126,7 +126,7 @@ class Lane:
         return self._done()
 
     def end(self) -> tally.Tally:
-        """The tally of what other seeds show at the end, and of nothing else."""
+        """The tally of the plays under further seeds, which come at the end."""
         return self._more_seeds.end()
 
     def close(self) -> None:
@@ -136,7 +136,7 @@ class Lane:
             self._across.close()
 
     def _done(self) -> list[units.PartialResult]:
-        """The units that are done, and at intervals what was counted of the others."""
+        """The results of the finished units, and at intervals the counts of the others so far."""
         late = bool(self.given_up) or time.monotonic() > self._reported + tally.REPORT_EVERY
         parts = list[units.PartialResult]()
         for work in [*self._works]:
@@ -157,13 +157,13 @@ class Lane:
     # ---------------------------------------------------------------- batches
 
     def _give(self) -> None:
-        """Give the players what they have room for."""
+        """Give each player batches until it has no more room."""
         while self._plays.has_room(FIRST) and (batch := self._next()):
             self._due += len(batch)
             self._plays.give(FIRST, batch, range(len(batch)))
         while self._waiting and self._plays.has_room(SECOND):
             batch = self._waiting.popleft()
-            # Of a run in which a player was lost there is nothing to compare.
+            # A run in which a player was lost is not compared: the second log is the first.
             for index in batch.lost:
                 batch.take(SECOND, [index], [batch.logs[FIRST][index]])
             if indices := batch.unplayed(SECOND, range(len(batch))):
@@ -200,7 +200,7 @@ class Lane:
             self._size = max(1, self._size // 2) if slow else min(MOST, 2 * self._size)
 
     def _played(self, which: int, batch: RunBatch) -> None:
-        """Go on with a batch of which one more play is whole, if it is."""
+        """Go on with a batch if this play of it is complete."""
         if len(batch.logs[which]) < len(batch):
             return
         if which == SECOND:
@@ -219,7 +219,7 @@ class Lane:
                 self._settle(batch)
 
     def _settle(self, batch: RunBatch) -> None:
-        """Find what is wrong with a batch, and count it."""
+        """Find the faults of a batch, and count it."""
         self._settler.settle(batch, twice=self._twice)
         self._settled += len(batch)
         batch.work.tally.add(batch.tally)
@@ -227,9 +227,9 @@ class Lane:
         self._more_seeds.keep(batch)
 
     def _lose(self, which: int, lost: Lost) -> None:
-        """Go on after the loss of a player: its run is tried once more alone."""
+        """Go on after the loss of a player: a fresh player plays its run once more, alone."""
         if which == FIRST:
-            self._first_logs.clear()  # they are of several processes
+            self._first_logs.clear()  # the logs of one process alone are wanted
         batch, index = self._plays.lost_in(which)
         if batch is not None and index is None:
             self._losses.remark(batch.work, lost)
@@ -249,9 +249,10 @@ class Lane:
     # ---------------------------------------------------------------- across units
 
     def _hear_across(self, across: Across) -> None:
-        """Hear all runs that are played in both orders; settle them when they are whole.
+        """Hear the plays of all runs in both orders; settle them once they are complete.
 
-        If a loss was repeated, the explorer is refuted, and would be lost in these plays, too.
+        If a loss was repeated, the explorer is refuted; then these plays, which would be lost, too,
+        are given up.
         """
         if not (across.begun or self._losses.repeated):
             across.begin(self._first_logs)

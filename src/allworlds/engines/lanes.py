@@ -1,9 +1,9 @@
 """The transport into lanes: here, or each in a process of its own.
 
-One lane is here, if no model of the user's, which could end the process, judges its runs; with
-more workers it goes before the others, since a small job is done before they are ready.  Others
-are forked when everything is loaded; a lane that is lost takes no verdict with it, for its units
-are done again.  Units are dealt one at a time, as lanes can begin them.
+One lane is in this process, unless a model of the user's, which could end the process, judges the
+runs.  With more workers this lane begins first, because a small job ends before the others are
+ready.  The others are forked after everything is loaded.  If a lane is lost, its units are done
+again, so that no verdict is lost.  A lane gets one unit at a time, as soon as it can begin it.
 """
 
 from __future__ import annotations
@@ -41,50 +41,50 @@ if TYPE_CHECKING:
     from multiprocessing.connection import Connection  # loaded where there are processes
 
 AT_A_TIME = 4096
-"""The number of units among which the order is drawn."""
+"""The number of units whose order is drawn at a time."""
 
 MOST_ATTEMPTS = 2
-"""The number of lanes that are lost over one unit before it is given up."""
+"""The number of lanes that may be lost over one unit before the job is given up."""
 
 AHEAD = 2
-"""The number of units that a lane has."""
+"""The largest number of units that a lane in a process has at a time."""
 
 ALONE = 1.5
-"""The seconds for which the lane here is the only one."""
+"""Seconds during which the lane of this process is the only one."""
 
 FIRST_LEVELS = 0.8
-"""The seconds in which the lane here takes levels; a later one is begun by the others at once."""
+"""Seconds during which the lane of this process takes levels; later levels go to the others."""
 
 _KNOWN = (InputError, players.Unsettled, tally.EnginesDisagree, players.HarnessError)
 
 
 class _Process:
-    """A lane in a process of its own, forked from this one beside the others."""
+    """A lane in a process of its own, which was forked from this one."""
 
     def __init__(self, lanes: Lanes, others: Sequence[_Process]) -> None:
         from multiprocessing.connection import Pipe
 
         self.link, theirs = Pipe()
-        self.units: list[UnitOfRuns] = []  # the same one may be there twice
+        self.units: list[UnitOfRuns] = []  # a unit may occur twice
         for stream in (sys.stdout, sys.stderr):
             with suppress(Exception):
                 stream.flush()
         gc.freeze()
         parent = os.getpid()
-        with interrupts_held():  # a fork that is interrupted at once would go on as its owner does
+        with interrupts_held():  # an interrupted fork would go on with its owner's program
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore", DeprecationWarning)  # other threads take no part
                 self.pid = os.fork()
             if self.pid == 0:
                 linux.end_with_parent(parent)
-                for other in (self, *others):  # whose owner hangs up when this process ends, too
+                for other in (self, *others):  # so that each link closes when the owner ends
                     other.link.close()
                 _serve(theirs, lanes, first_lane=not others)
         gc.unfreeze()
         theirs.close()
 
     def end(self) -> str:
-        """End the process and its players; return how it had ended."""
+        """End the process and its players; return the way in which it ended."""
         self.link.close()
         deadline = time.monotonic() + 2.0
         pid, status = os.waitpid(self.pid, os.WNOHANG)
@@ -100,7 +100,7 @@ class _Process:
 
 
 def _heard(processes: Sequence[_Process], seconds: float) -> list[_Process]:
-    """Wait until something has come from one of them; return those from which it has."""
+    """Wait until some of these processes have sent a message; return those."""
     if not processes:
         return []
     from multiprocessing.connection import wait
@@ -116,10 +116,10 @@ class Lanes(Struct):
         subject: the explorer.
         limits: the number of lanes, and the limits of each.
         deadline: on the monotonic clock, or None.
-        here: whether one is here, which goes before the others.
-        apart: whether there are others.
+        here: whether one lane is in this process; it begins before the others.
+        apart: whether other lanes are in processes of their own.
         models: whether models of the user's judge the runs, or choose the worlds.
-        make: makes a lane.
+        make: the function that makes a lane.
     """
 
     subject: Subject
@@ -165,7 +165,7 @@ class Lanes(Struct):
                 if unit and not again:
                     again, unit = [unit], next(waiting, None)
                 process.units.append(again.pop())
-                with suppress(OSError):  # it is lost, and that is seen below
+                with suppress(OSError):  # then it is lost, which is noticed below
                     process.link.send((counter, process.units[-1]))
             at_work = [process for process in self._processes if process.units]
             busy = first is not None and first.busy
@@ -191,7 +191,7 @@ class Lanes(Struct):
             yield PartialResult(last, first.end(), last=False)
 
     def _lane_here(self, counter: tally.RunCounter) -> Lane | None:
-        """One lane as long as the same is asked for; None once others have begun."""
+        """The lane of this process for the counter; None once other lanes have begun."""
         self._began = self._began or time.monotonic()
         late = self.apart and time.monotonic() > self._began + FIRST_LEVELS
         apart = not self.here or late or bool(self._processes)
@@ -209,7 +209,7 @@ class Lanes(Struct):
             self._lane = None
 
     def _idle(self) -> _Process | None:
-        """A lane that can take a unit: the one with the fewest, or a new one; None if all have."""
+        """The lane with the fewest units, or a new lane; None if each has enough units."""
         least = min(self._processes, key=lambda one: len(one.units), default=None)
         if least is None or (least.units and len(self._processes) < self.limits.workers):
             self._processes.append(_Process(self, self._processes))
@@ -217,11 +217,11 @@ class Lanes(Struct):
         return least if len(least.units) < AHEAD else None
 
     def _replace(self, process: _Process) -> list[UnitOfRuns]:
-        """The units of a lane that was lost.
+        """Remove a lane that was lost; return its units.
 
         Raises:
-            InputError: if lanes are lost over one unit again, and a model of the user's judges.
-            Unsettled: if none does.
+            InputError: if a unit has lost too many lanes, and a model of the user's judges runs.
+            Unsettled: if a unit has lost too many lanes, and no such model does.
         """
         self._processes.remove(process)
         how, left = process.end(), process.units
@@ -236,7 +236,7 @@ class Lanes(Struct):
 
 
 def _serve(link: Connection, lanes: Lanes, *, first_lane: bool) -> NoReturn:
-    """Be a lane: take units, and send parts, until the owner hangs up."""
+    """Run a lane: take units and send parts of results, until the owner closes the link."""
     status = 1
     try:
         os.setsid()
@@ -277,9 +277,9 @@ def _lane_of(link: Connection, lanes: Lanes, *, first_lane: bool) -> None:
 
 
 def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:
-    """The units in an order that is drawn anew each time, :data:`AT_A_TIME` of them at a time.
+    """The units in a random order, which is drawn for :data:`AT_A_TIME` units at a time.
 
-    Those of all runs of small levels come last: a lane has judged most of their logs by then.
+    An :class:`AcrossUnit` comes last, because a lane has judged most of its logs by then.
     """
     every, order = iter(units), Random()  # noqa: S311  # from the system; no verdict depends on it
     while some := list(islice(every, AT_A_TIME)):
@@ -303,9 +303,9 @@ def workers_for(
         limits: the number of lanes, and the limits of each.
         deadline: on the monotonic clock, or None.
         models: whether models of the user's judge the runs.
-        make: makes a lane.
+        make: the function that makes a lane.
     """
-    players.child_path()  # who has lost the current directory hears of it before a process starts
+    players.child_path()  # raises for a missing current directory, before any process starts
     only_here = subject.from_user and not subject.importable
     limited = limits.memory is not None and not subject.from_user
     apart = not only_here and (limits.workers > 1 or models or limited)

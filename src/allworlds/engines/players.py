@@ -1,8 +1,8 @@
-"""The owner's side of a player: it is started, gets batches, is heard, and perhaps lost.
+"""The owner's side of a player: starting it, giving it batches, hearing it, and losing it.
 
-A player is a process with an explorer (:mod:`allworlds.engines.player`); an explorer that no other
-process can find plays :class:`PlayerHere`.  Sixteen shared bytes tell the run in progress and the
-explorer's turn in it, so that a batch of logs can be one message, and silence is seen all the same.
+A player is a process with an explorer (:mod:`allworlds.engines.player`).  An explorer that no other
+process can import plays in :class:`PlayerHere`.  Sixteen shared bytes hold the run in progress and
+the explorer's turn in it, so that silence is noticed although all logs of a batch are one message.
 """
 
 import marshal
@@ -38,13 +38,13 @@ from allworlds.protocol.actions import Player as Explorer
 from allworlds.protocol.playing import AN_ACTION
 
 GRACE = 2.0
-"""Extra seconds for a user's program, whose silence its player notices itself, and for an end."""
+"""Extra seconds for a user's program, whose silence the player itself notices, and for its end."""
 
 NATIVE_MEMORY = 2048
-"""MB of address space that a shared library has, unless another limit is named."""
+"""The default limit of the address space of a shared library, in MB."""
 
 RELAYED = 1 << 16
-"""The number of bytes of what an explorer prints while it is loaded that are shown."""
+"""The largest number of bytes that are shown of an explorer's prints while it is loaded."""
 
 _BOOT = (
     "import gc, sys; gc.disable(); sys.path[:] = sys.argv[1:]; del sys.argv[1:]; "
@@ -53,11 +53,11 @@ _BOOT = (
 
 
 class HarnessError(RuntimeError):
-    """Raised if a process without user's code has failed, so that no explorer is to blame."""
+    """Raised if a process has failed by our own code, so that no explorer is at fault."""
 
 
 class Unsettled(outcome.NoResult):
-    """Raised if processes are lost again and again, so that there is no verdict on the explorer."""
+    """Raised if so many processes are lost that there is no verdict on the explorer."""
 
 
 class Lost(Exception):
@@ -82,15 +82,15 @@ class Description(NamedTuple):
 
 
 class Logs(Sequence[bytes]):
-    """The logs of a batch, in one piece, which is not copied.
+    """The logs of a batch in one message, which is not copied.
 
     Args:
-        message: the length of each, as four bytes, and the logs.
-        runs: their number.
-        at: the place where they begin in the message.
+        message: the length of each log, as four bytes, and then the logs.
+        runs: the number of the logs.
+        at: the index in the message where they begin.
 
     Raises:
-        ValueError: if these are not so many.
+        ValueError: if the message does not hold this number of logs.
     """
 
     def __init__(self, message: bytes | bytearray, runs: int, at: int = 0) -> None:
@@ -102,7 +102,7 @@ class Logs(Sequence[bytes]):
 
     @classmethod
     def of(cls, logs: Sequence[bytes]) -> "Logs":
-        """These logs."""
+        """The logs as one message."""
         return (
             logs if isinstance(logs, Logs) else cls(b"".join(player.logs_message(logs)), len(logs))
         )
@@ -117,17 +117,17 @@ class Logs(Sequence[bytes]):
 
 
 Answer: TypeAlias = tuple[Any, Sequence[bytes] | None]
-"""A job, and its logs; None if the second ones of a library do not fit."""
+"""A job and its logs; None if the second logs of a library do not fit into memory."""
 
 
 class Setup(Struct, frozen=True):
-    """An explorer as players are told of it.
+    """An explorer with the limits under which it is played.
 
     Attributes:
         subject: the explorer.
-        limits: of its effort.
+        limits: the limits of its effort.
         prints: whether its prints are recorded.
-        deadline: past which nobody waits for an answer, on the monotonic clock; or None.
+        deadline: on the monotonic clock, after which nobody waits for an answer; or None.
     """
 
     subject: Subject
@@ -149,7 +149,7 @@ class Setup(Struct, frozen=True):
 
     @property
     def patience(self) -> float:
-        """The seconds after which a silent player is given up."""
+        """The number of seconds after which a silent player is given up."""
         return self.limits.answer_timeout + (GRACE if is_program(self.subject.name) else 0.0)
 
 
@@ -161,10 +161,10 @@ class PlayerProcess:
         seed: its hash seed.
 
     Attributes:
-        jobs: given, with their messages, and not answered yet.
-        part: the log so far of a run of which each turn is sent.
-        prints: of the explorer, if they are recorded.
-        description: of the explorer, once it is loaded.
+        jobs: the jobs without an answer so far, each with its message.
+        part: the log so far of a run whose turns are sent one by one.
+        prints: the prints of the explorer, if they are recorded.
+        description: the description of the explorer, once it is loaded.
     """
 
     def __init__(self, setup: Setup, seed: int) -> None:
@@ -199,12 +199,12 @@ class PlayerProcess:
 
     @property
     def files(self) -> tuple[int, ...]:
-        """The descriptors on which something may come."""
+        """The descriptors on which messages or prints come."""
         link = self._link.fileno()
         return (link,) if self.prints.ended else (link, self._printed)
 
     def give(self, job: Any, message: dict[str, Any]) -> None:
-        """Give it a batch; ``job`` is what its answer is about."""
+        """Give the player a batch; its answer is returned together with ``job``."""
         if not self.jobs:
             self._seen, self._since = None, time.monotonic()
         self.jobs.append((job, message))
@@ -226,14 +226,14 @@ class PlayerProcess:
         except BlockingIOError:
             pass
         except OSError:
-            self._out.clear()  # it is lost, and that shows when it is read from
+            self._out.clear()  # then it is lost, which the next read notices
 
     def heard(self) -> list[Answer]:
         """The answers that have come by now.
 
         Raises:
-            Lost: if it is silent for too long, or has died.
-            InputError: if the explorer cannot be loaded, or of a model of the user's.
+            Lost: if the player is silent for too long, or has died.
+            InputError: if the explorer cannot be loaded, or by a model of the user's.
             HarnessError: if the player itself has failed.
         """
         self._write()
@@ -250,7 +250,7 @@ class PlayerProcess:
         return answers
 
     def _hear_stack(self) -> None:
-        """Let a silent player print where it is, if its prints are kept: never for a verdict."""
+        """Let a silent player print its stack, if its prints are kept; no verdict depends on it."""
         name, deadline = self.setup.subject.name, time.monotonic() + GRACE
         if not self.setup.prints or is_program(name) or is_library(name):
             return
@@ -262,7 +262,7 @@ class PlayerProcess:
             self._hear_prints()
 
     def _read(self) -> bool:
-        """Read what has been written; return whether that was the end."""
+        """Read the available bytes; return whether the stream has ended."""
         # A process that was forked by the explorer may hold the link open.
         ended = self._code() is not None
         try:
@@ -321,7 +321,7 @@ class PlayerProcess:
             self.prints.ended = True
 
     def _silent_for(self) -> float:
-        """Seconds without a turn of the explorer, while an answer is due."""
+        """The seconds since the explorer's latest turn, while an answer is due."""
         now = time.monotonic()
         if self.description is None:
             limit = self.setup.limits.start_timeout
@@ -336,7 +336,7 @@ class PlayerProcess:
         return now - self._since
 
     def _died(self) -> Lost:
-        """The loss that the end of the process means."""
+        """The loss that follows from the end of the process."""
         deadline = time.monotonic() + GRACE
         while (code := self._code()) is None and time.monotonic() < deadline:
             time.sleep(0.005)
@@ -366,7 +366,7 @@ class PlayerProcess:
         return self._code() is None
 
     def again(self) -> None:
-        """Start anew, with the batches whose answers are due; a first message is not one."""
+        """Start a new process, and give it the batches without an answer so far."""
         self.close()
         if self.description is not None:
             self._tries, self.description = 0, None
@@ -390,10 +390,10 @@ class PlayerProcess:
         return self.description
 
     def close(self) -> None:
-        """End the process, and all that it has started."""
+        """End the process, and all processes that it has started."""
         below = linux.descendants(self.pid)
         self._link.close()
-        if is_program(self.setup.subject.name):  # it ends its program
+        if is_program(self.setup.subject.name):  # so that it ends its program
             deadline = time.monotonic() + GRACE
             while self._code() is None and time.monotonic() < deadline:
                 time.sleep(0.01)
@@ -405,7 +405,7 @@ class PlayerProcess:
         if self._code() is None:
             _, status = os.waitpid(self.pid, 0)
             self._status = os.waitstatus_to_exitcode(status)
-        for pid in below:  # who was adopted is ours to wait for
+        for pid in below:  # adopted processes must be waited for
             with suppress(ChildProcessError):
                 os.waitpid(pid, 0)
         self._hear_prints()
@@ -414,16 +414,16 @@ class PlayerProcess:
 
 
 class PlayerHere:
-    """An explorer that plays in this process, where a silent one cannot be stopped.
+    """An explorer that plays in this process, where it cannot be stopped if it is silent.
 
     Args:
         explorer: the explorer.
-        of_user: whether it is a user's, whose prints are dropped.
-        subject: of the explorer, if it is a program that is asked turn by turn.
+        of_user: whether it is a user's explorer, whose prints are dropped.
+        subject: the subject of the explorer, if the program is asked turn by turn.
 
     Attributes:
-        beat, description, files, part: as of a player.
-        prints: those of the last job, if they are recorded.
+        beat, description, files, part: as in :class:`PlayerProcess`.
+        prints: the prints of the last job, if they are recorded.
     """
 
     description = Description(frozenset(), has_shield=False)
@@ -476,17 +476,17 @@ class PlayerHere:
 
 
 _spare: list[PlayerProcess] = []
-"""Players that have loaded an explorer, and played nothing yet."""
+"""Players that have loaded an explorer and have not played yet."""
 
 
 def keep(player: PlayerProcess, subject: Subject) -> None:
-    """Keep a player for who asks for one like it first; unused, it ends with its subject."""
+    """Keep a player for the next request for such a player; unused, it ends with its subject."""
     _spare.append(player)
     finalize(subject, _let_go, player)
 
 
 def fresh(setup: Setup, seed: int) -> PlayerProcess:
-    """A player that has played nothing: one that was kept, or a new one."""
+    """A player that has not played yet: a kept one or a new one."""
     wanted = os.getpid(), seed, setup.message()
     for spare in [*_spare]:
         if (spare.owner, spare.seed, spare.setup.message()) == wanted:
@@ -506,7 +506,7 @@ def _let_go(player: PlayerProcess) -> None:
 def wait(
     players: Sequence[PlayerProcess | PlayerHere], seconds: float, others: Sequence[int] = ()
 ) -> bool:
-    """Wait until something may have come; return whether one of the others is ready."""
+    """Wait for messages of the players or others; return whether one of the others is ready."""
     poll = select.poll()
     for one in players:
         if isinstance(one, PlayerHere):
@@ -522,7 +522,7 @@ def wait(
 
 
 def started(setup: Setup, seed: int, notice: Any = None) -> PlayerProcess | PlayerHere:
-    """A player of the explorer: a process of its own, if it can be played there."""
+    """A player of the explorer: a process of its own, if another process can load it."""
     subject = setup.subject
     if subject.from_user and subject.importable:
         return fresh(setup, seed)
@@ -532,11 +532,11 @@ def started(setup: Setup, seed: int, notice: Any = None) -> PlayerProcess | Play
 
 
 def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> Sequence[bytes]:
-    """The logs that answer a message to a player that has no other job.
+    """The logs with which a player without another job answers a message.
 
     Raises:
-        Lost: if it is lost.
-        TimeIsUp: past the deadline.
+        Lost: if the player is lost.
+        TimeIsUp: after the deadline.
     """
     if isinstance(player, PlayerProcess) and player.setup.prints:
         player.loaded()  # what is printed then is not of the run
@@ -545,7 +545,7 @@ def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> Seq
 
 
 def logs_from(player: PlayerProcess | PlayerHere) -> Sequence[bytes]:
-    """The logs that answer its only job; raises as :func:`answered` does."""
+    """The logs with which a player answers its only job; raises as :func:`answered` does."""
     while True:
         wait([player], POLL)
         if isinstance(player, PlayerProcess):
@@ -561,7 +561,7 @@ def logs_from(player: PlayerProcess | PlayerHere) -> Sequence[bytes]:
 
 
 def lost_log(part: bytes, lost: Lost) -> bytes:
-    """The log of a run that was lost, as far as it is known."""
+    """The log of a lost run: its known part, and the loss."""
     return part + fault(lost.law, AN_ACTION, lost.seen, machine=lost.machine)
 
 
@@ -569,7 +569,7 @@ def lost_log(part: bytes, lost: Lost) -> bytes:
 
 
 def _shared(size: int) -> tuple[mmap.mmap, int]:
-    """Memory that another process can share, and its descriptor."""
+    """Memory that is shared with another process, and its descriptor."""
     if hasattr(os, "memfd_create"):
         file = os.memfd_create("allworlds")
     else:
@@ -586,11 +586,11 @@ def _shared(size: int) -> tuple[mmap.mmap, int]:
 
 
 _spawners: list[tuple[int, ThreadPoolExecutor]] = []
-"""This process, and the thread that starts all players: they end when it does."""
+"""This process, and its thread that starts all players, which end with that thread."""
 
 
 def _in_thread(act: Callable[[], int]) -> int:
-    """The result of a function that is called in that thread."""
+    """The result of the function, called in the thread that starts players."""
     if not _spawners or _spawners[0][0] != os.getpid():
         _spawners[:] = [(os.getpid(), ThreadPoolExecutor(1, initializer=linux.adopt))]
     try:

@@ -1,7 +1,7 @@
-"""Both plays of the runs of a lane: two players, and fresh ones for runs that are played anew.
+"""The two plays of each run of a lane: its two players, and fresh players for further plays.
 
-The first player plays in worlds.  The second is another process, perhaps with another hash seed; it
-plays what the judge has recorded, in an order that is drawn, and holds no world.
+The first player plays in worlds.  The second player is another process, perhaps with another hash
+seed; it holds no world, and plays by the percepts that the judge has computed, in a random order.
 """
 
 from collections.abc import Callable, Sequence
@@ -23,10 +23,10 @@ from allworlds.engines.players import (
 from allworlds.log import Log
 
 DEPTH = 2
-"""The batches that a player has: it begins the next one while its answer is judged."""
+"""The number of batches that a player has: it plays one while the other one is judged."""
 
 Attempt: TypeAlias = tuple[Sequence[bytes], Lost | None]
-"""The logs of a fresh player, and its loss, whose log is then the only one."""
+"""The logs of a fresh player, or the log of the run in which it was lost, with the loss."""
 
 
 class RunsToPlay(NamedTuple):
@@ -37,12 +37,12 @@ class RunsToPlay(NamedTuple):
 
 
 class BothPlays:
-    """The two players of a lane, and the fresh ones.
+    """The two players of a lane, and fresh players.
 
     Args:
         setup: the explorer.
         seeds: the hash seeds of both players.
-        random: draws orders.
+        random: the source of random orders.
     """
 
     def __init__(self, setup: Setup, seeds: Seeds, random: Random) -> None:
@@ -51,7 +51,7 @@ class BothPlays:
 
     @property
     def players(self) -> list[PlayerProcess | PlayerHere]:
-        """The players that are started."""
+        """The players that have been started."""
         return [*self._players.values()]
 
     @property
@@ -83,21 +83,21 @@ class BothPlays:
         if not batch.plain and len(indices) == len(batch):  # compiled code draws the order
             return batch.by.percepts(batch, indices)
         order = self._random.sample(range(len(indices)), len(indices))
-        if self._random.getrandbits(1):  # who counts runs does not know which comes
+        if self._random.getrandbits(1):  # so that an explorer that counts runs cannot know the next
             order.insert(self._random.randrange(len(order)), self._random.choice(order))
         return batch.by.percepts(batch, indices, order)
 
     def _notice(self, event: str) -> None:
-        """Count an event of a built-in explorer, in the batch that is being played."""
+        """Count an event of a built-in explorer in the batch that it is playing."""
         job, _ = self._players[FIRST].jobs[0]
         job.batch.tally.witnesses[event] += 1
 
     def hear(self, which: int) -> list[RunBatch]:
-        """Take the logs that have come from a player; return the batches that got some.
+        """Store the logs that have come from a player; return the batches with new logs.
 
         Raises:
-            Lost: if it is lost.
-            InputError, HarnessError: as a player does.
+            Lost: if the player is lost.
+            InputError, HarnessError: as in :meth:`PlayerProcess.heard`.
         """
         heard = list[RunBatch]()
         for job, logs in self._players[which].heard() if which in self._players else ():
@@ -110,7 +110,7 @@ class BothPlays:
         return heard
 
     def longest_walk(self) -> tuple[int, int] | None:
-        """The explorer's turns in the longest run that is being played, and the run's budget."""
+        """The explorer's turns in the longest run in progress, and the step budget of that run."""
         walks = list[tuple[int, int]]()
         for player in self.players:
             if not player.jobs:
@@ -123,7 +123,7 @@ class BothPlays:
         return max(walks, default=None)
 
     def lost_in(self, which: int) -> tuple[RunBatch | None, int | None]:
-        """The batch, and the run of it, in which a player was lost, if it was in one."""
+        """The batch in which a player was lost, and the index of the run; None if in no run."""
         player = self._players[which]
         if not player.jobs or player.description is None:
             return None, None
@@ -132,7 +132,7 @@ class BothPlays:
         return batch, indices[number] if 0 <= number < len(indices) else None
 
     def go_on(self, which: int) -> None:
-        """Replace a player that was lost; of its first batch it plays what has no log yet."""
+        """Replace a player that was lost; the new one plays the runs that have no log yet."""
         player = self._players[which]
         if player.jobs:
             (batch, indices), _ = player.jobs.popleft()
@@ -144,24 +144,24 @@ class BothPlays:
     # ---------------------------------------------------------------- fresh ones
 
     def alone(self, which: int, batch: RunBatch, index: int) -> Attempt:
-        """The log of a run as one of the plays, by a fresh player, and perhaps its loss."""
+        """The log of a run in one of the two plays, by a fresh player, and perhaps its loss."""
         message = batch.by.worlds if which == FIRST else batch.by.percepts
         return self.anew(self.seeds[which], message(batch, [index]))
 
     def again(self, which: int, seed: int, batch: RunBatch, indices: Indices) -> dict[int, Log]:
-        """The logs of these runs as one of the plays, by a fresh player under a seed."""
+        """The logs of these runs in one of the two plays, by a fresh player under a seed."""
         message = batch.by.worlds if which == FIRST else batch.by.percepts
         return self.fresh(seed, partial(message, batch), indices)
 
     def fresh(self, seed: int, make: Callable[[Indices], Message], runs: Indices) -> dict[int, Log]:
-        """The logs of these runs by a fresh player; each alone if it is lost over them."""
+        """The logs of these runs by a fresh player; if it is lost, each run is played alone."""
         logs, lost = self.anew(seed, make(runs))
         if lost and len(runs) > 1:
             return {index: self.fresh(seed, make, [index])[index] for index in runs}
         return dict(zip(runs, map(Log, logs), strict=True))
 
     def anew(self, seed: int, message: Message) -> Attempt:
-        """The logs of a fresh player that answer a message, or its loss."""
+        """The logs with which a fresh player answers a message, or its loss."""
         player = started(self.setup, seed)
         try:
             return answered(player, message | {"hear": message["runs"] == 1}), None

@@ -1,6 +1,6 @@
 """The runs of a batch that break a law, once both plays of them are known.
 
-If plays differ, both are repeated by fresh players, twice, in two orders, each under its own seed.
+If two plays of a run differ, fresh players repeat each twice, in two orders, under its own seed.
 """
 
 from collections.abc import Sequence
@@ -19,7 +19,7 @@ from allworlds.judging.referee import Outcome
 from allworlds.log import Log
 
 MOST_SETTLED = 16
-"""The number of runs of a batch whose plays differ that are played anew."""
+"""The largest number of runs of a batch that are played anew because their plays differ."""
 
 OTHER_CHOICES = (
     "the choices of one schedule are not those of the next, as far as they are asked for"
@@ -35,8 +35,8 @@ class Settler:
     """A settler finds the runs of batches that break a law.
 
     Args:
-        judge: of the runs.
-        plays: those of the runs, and fresh ones.
+        judge: the judge of the runs.
+        plays: the two players of the lane, and fresh players.
     """
 
     def __init__(self, judge: PythonJudge, plays: BothPlays) -> None:
@@ -47,8 +47,8 @@ class Settler:
         return difference_of(one, other, choices=self.judge.every) is not None
 
     def settle(self, batch: RunBatch, *, twice: bool) -> None:
-        """Find what is wrong with a batch that was played once, or twice."""
-        # Compiled code writes logs without words or choices; that of a lost player has them.
+        """Find the faults of a batch that was played once, or twice."""
+        # Compiled code writes logs without texts and choices; the log of a lost player has them.
         without_words = [] if batch.plain else [*batch.broken]
         outcomes = {i: self._in_words(batch, i) for i in without_words if i not in batch.lost}
         outcomes = {index: self._own(batch, index) for index in batch.broken} | outcomes
@@ -57,14 +57,14 @@ class Settler:
         self.find(batch, outcomes)
 
     def find(self, batch: RunBatch, outcomes: dict[int, Outcome]) -> None:
-        """Find the runs of a batch with outcomes that break a law."""
+        """Count those runs of a batch whose outcomes break a law as findings."""
         counter, referee = self.judge.counter, self.judge.referee
         for index, outcome in sorted(outcomes.items()):
             due = batch.due(index)
             counter.settle(referee, due.world, due.place, outcome, batch.work.tally)
 
     def give_up(self, which: int, batch: RunBatch) -> None:
-        """Find what is wrong with the runs of a batch that is not finished; nothing is counted."""
+        """Find the faults of the runs of an unfinished batch; the batch itself is not counted."""
         outcomes = dict[int, Outcome]()
         for index in batch.lost:
             one = self.judge.judged(batch.due(index), batch.logs[FIRST][index])
@@ -73,12 +73,12 @@ class Settler:
         self.find(batch, outcomes)
 
     def explain_under(self, seed: int, batch: RunBatch, differing: Differing) -> None:
-        """Find what is wrong with runs whose second logs, under this seed, differ."""
+        """Find the faults of runs whose second logs, which were made under this seed, differ."""
         seeds = self.plays.seeds[FIRST], seed
         self.find(batch, self._explained(batch, differing, seeds))
 
     def _differing(self, batch: RunBatch) -> Differing:
-        """The runs whose logs differ, with the second ones."""
+        """The runs whose two logs differ, with their second logs."""
         found = list[tuple[int, Log]]()
         first, again = batch.logs
         if isinstance(first, Logs) and isinstance(again, Logs) and first.message == again.message:
@@ -98,7 +98,7 @@ class Settler:
         return one.outcome
 
     def _in_words(self, batch: RunBatch, index: int) -> Outcome:
-        """The outcome of a run whose log compiled code has written, by a play in Python."""
+        """The outcome of a run that compiled code has played, by a new play in Python."""
         before, batch.plain = batch.outcome(index), True
         (log,), _ = self.plays.alone(FIRST, batch, index)
         one = self.judge.judged(batch.due(index), log)
@@ -107,7 +107,7 @@ class Settler:
         return replace(one.outcome, violation=nondeterministic(PLAYED_ONCE_MORE))
 
     def _explained(self, batch: RunBatch, differing: Differing, seeds: Seeds) -> dict[int, Outcome]:
-        """The outcomes of runs whose plays, under these seeds, differ."""
+        """The outcomes of runs whose plays under these seeds differ."""
         few, plays = dict(differing[:MOST_SETTLED]), self.plays
         orders = [*few], [*few][::-1]
         firsts = [plays.again(FIRST, seeds[FIRST], batch, order) for order in orders]
@@ -120,7 +120,7 @@ class Settler:
         return {index: self._of_plays(batch, index, other, seeds) for index, other in few.items()}
 
     def _of_plays(self, batch: RunBatch, index: int, other: Log, seeds: Seeds) -> Outcome:
-        """The outcome of a run by two plays that differ, or by later ones that are alike."""
+        """The outcome of a run by its two plays, which differ, or by two later plays that agree."""
         one, anew = batch.outcome(index), None
         faults = fault_of(one.log), fault_of(other)
         if any(fault and fault.machine for fault in faults):  # it may be the machine's
@@ -128,10 +128,10 @@ class Settler:
         return anew or overruled(one.outcome, one.log, other, choices=self.judge.every)
 
     def _alike(self, batch: RunBatch, index: int, other: Log, seeds: Seeds) -> Outcome | None:
-        """The outcome of a run by two later plays of it alone; None if they are not alike.
+        """The outcome of a run by two later plays of it alone; None if these differ.
 
-        What has happened once, and in no fresh process, refutes nothing.  The second play has the
-        record of the later one: that of the run may be too short.
+        An event that happened once, and in no fresh process, refutes nothing.  The second of these
+        plays gets the percepts of the first, because the percepts of the run may be too few.
         """
         due, one = batch.due(index), batch.outcome(index).log
         log = self.plays.again(FIRST, seeds[FIRST], batch, [index])[index]
@@ -150,7 +150,7 @@ class Settler:
         return self.judge.referee.outcome(due.world, episode, tuple(log.choices))
 
     def _by_seed(self, batch: RunBatch, indices: list[int], seeds: Seeds) -> dict[int, Outcome]:
-        """The outcomes of runs of an explorer that goes by hashes, in their worlds by each seed."""
+        """The outcomes of runs that depend on the hash seed, by plays in their worlds."""
         batch.work.tally.remark(hash_seeds.GOES_BY_HASHES)
         again = self.plays.again(FIRST, seeds[SECOND], batch, indices)
         outcomes = {
@@ -161,7 +161,7 @@ class Settler:
 
 
 def _is_refused(without_words: Log, in_words: Log) -> bool:
-    """Whether both logs end with an illegal action, which the one without words leaves out."""
+    """Whether both logs end with an illegal action; the log without texts omits the action."""
     known = without_words.actions
     faults = fault_of(without_words), fault_of(in_words)
     illegal = all(fault and fault.law == "illegal-action" for fault in faults)

@@ -1,6 +1,6 @@
 """The scope of a check, and the units into which its levels are cut.
 
-A scope is every option that the counts and the verdict depend on.  Units fall to shards.
+A scope holds every option on which the counts and the verdict depend.  A shard is a set of units.
 """
 
 import re
@@ -31,7 +31,7 @@ from allworlds.world.world import World
 
 
 class Unit(Protocol):
-    """A piece of work, which does not depend on the workers or their number."""
+    """A piece of work; its content does not depend on the workers or their number."""
 
     @property
     def key(self) -> str:
@@ -53,11 +53,11 @@ class PartialResult(Struct, frozen=True):
     """A part of a unit's result.
 
     Attributes:
-        unit: of which it is a part.
-        result: to be added to those before.
-        last: whether it completes the unit.
-        anew: whether the unit is begun anew, so that those before count no more.
-        walk: of the longest run in progress the explorer's turns, and the step budget; or None.
+        unit: the unit.
+        result: the result, which is added to the earlier parts.
+        last: whether the part completes the unit.
+        anew: whether the unit is begun anew, so that its earlier parts are dropped.
+        walk: the explorer's turns in the longest run in progress, and its step budget; or None.
     """
 
     unit: Any
@@ -68,14 +68,14 @@ class PartialResult(Struct, frozen=True):
 
 
 class UnitEngine(Protocol):
-    """The engine that does a unit."""
+    """An engine does the units of a job."""
 
     def parts(self, unit: Any) -> Iterator[Any]:
         """Yield the unit's result in parts, at least one; they add up to the whole."""
 
 
 class Transport(Protocol):
-    """A transport brings units to engines; a context, after which no work goes on."""
+    """A transport brings units to engines; after its context no work goes on."""
 
     def __enter__(self) -> Self: ...
 
@@ -92,8 +92,8 @@ class Transport(Protocol):
 class Shard(Struct, frozen=True):
     """The part of number ``index`` when every level is dealt out to ``count`` parts.
 
-    As the coverage of a scope it says, as :class:`Sample` does, whether worlds are drawn, by what
-    words those that were finished are called, and the least number of edges.
+    As the coverage of a scope it has the attributes of :class:`Sample`: whether worlds are drawn,
+    the words for the finished worlds, and the least number of edges.
 
     Raises:
         InputError: naming what is out of range.
@@ -217,7 +217,7 @@ class LevelUnit(Struct, frozen=True):
             yield map_, list(enumerate(kind.places(map_, 0)))
 
     def weight(self, extent: Extent) -> int:
-        """The number of these maps, counted; in simple classes and under conditions at most."""
+        """The number of these maps; in simple classes and under conditions an upper bound."""
         gluing = Gluing(self.edges, extent.map_class, extent.vertices, extent.where)
         for decision in self.prefix:
             gluing.apply(decision)
@@ -225,16 +225,16 @@ class LevelUnit(Struct, frozen=True):
 
 
 DEPTHS = ((6, 1), (9, 2), (inf, 3))
-"""The number of decisions that make a unit, below each number of edges; a unit takes some
-milliseconds of the compiled engine, so that keeping its result costs little."""
+"""Bounds of the number of edges, each with the number of decisions that make a unit below it.  The
+compiled engine does a unit in some milliseconds, so that keeping the result costs little."""
 
 SIMPLE_DEPTHS = ((4, 1), (7, 2), (inf, 5))
-"""Numbers of decisions for the simple classes: weights are upper bounds there, with smaller errors
-for smaller units, and the errors of many units make up for each other."""
+"""The same numbers for the simple classes.  Weights are upper bounds there; smaller units have
+smaller errors, and the errors of many units compensate each other."""
 
 
 class GivenUnit(Struct, frozen=True):
-    """Some of the given maps of a level, with the number of the piece."""
+    """A numbered piece of the given maps of a level."""
 
     edges: int
     number: int
@@ -250,7 +250,7 @@ class GivenUnit(Struct, frozen=True):
         return (map_ for map_, _ in self.placed(extent, Nothing))
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
-        """The maps, each with every place that is left open."""
+        """The maps, each with its given place, or with every place if none is given."""
         for each in self.given:
             if extent.include(each.map):
                 yield from each.placed(kind)
@@ -259,10 +259,10 @@ class GivenUnit(Struct, frozen=True):
 def units_of_level(
     extent: Extent, edges: int, portion: Shard = WHOLE, finer: int = 0
 ) -> Iterator[LevelUnit | GivenUnit]:
-    """The pieces of a level, or those of a shard; independent of the number of workers.
+    """The units of a level, or those of a shard; they do not depend on the number of workers.
 
-    A shard gets about as many worlds as any other: the weights are counted beforehand.  Where a
-    world takes long, ``finer`` is the number of further decisions that make a unit.
+    All shards get about the same number of worlds: the weights of the units are counted first.  If
+    one world takes long, ``finer`` is the number of further decisions that make a unit.
     """
     given = extent.given
     if isinstance(given, GivenMaps):
@@ -280,9 +280,10 @@ def units_of_level(
 
 
 def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator[LevelUnit]:
-    """An endless sequence of pieces of a level, of at most ``most`` maps, drawn as its maps are.
+    """Yield without end units of a level with at most ``most`` maps, each drawn by its weight.
 
-    A piece is drawn the more often the more maps it has; pieces without a map are left out.
+    The probability of a unit is proportional to its number of maps; units without a map are left
+    out.
     """
     while True:
         gluing, prefix = Gluing(edges, extent.map_class, extent.vertices, extent.where), list[int]()
@@ -298,34 +299,34 @@ def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator
 
 
 def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:
-    """The rooted maps of a level by vertices, as the independent source counts them.
+    """The number of rooted maps of a level for each number of vertices, by an independent source.
 
-    Under a condition without a source: at most so many, those of the class.
+    Under a condition without a source these are the numbers of the class: upper bounds.
     """
     cells = (count_source.source_of(extent) or counting.SOURCES[extent.map_class]).cells(edges)
     return {n: cells.get(n, 0) for n in range(1, extent.vertex_limit(edges) + 1)}
 
 
 def is_counted(extent: Extent | None) -> bool:
-    """Whether the worlds of an extent are counted beforehand, and not at most so many."""
+    """Whether an independent source gives the number of worlds itself, not an upper bound."""
     return extent is None or count_source.source_of(extent) is not None
 
 
 def level_size(extent: Extent, edges: int) -> int:
-    """The number of all rooted maps of the level; under a condition without a source at most."""
+    """The number of rooted maps of the level; under a condition without a source a bound of it."""
     if extent.given is not None:
         return extent.given.starts.get(edges, 0)
     return sum(cells_of_level(extent, edges).values())
 
 
 class SweptLevel(Struct, frozen=True):
-    """Units that are done as one: their result is reported if all of them are finished.
+    """Units that are reported together, once all of them are finished.
 
     Attributes:
-        edges: of the largest of its worlds.
-        worlds: the number of results that are counted in it; of a shard, those of the whole.
-        units: those of this shard, made while they are asked for.
-        of: further data by which the study knows it.
+        edges: the number of edges of its largest worlds.
+        worlds: the number of worlds that are counted in the whole level, also for a shard.
+        units: the units of this shard, made on demand.
+        of: further data by which the study identifies the level.
     """
 
     edges: int
@@ -335,9 +336,9 @@ class SweptLevel(Struct, frozen=True):
 
 
 def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
-    """Tell before the first level is begun if there are too many worlds to be soon done with.
+    """Tell the user, before the first level begins, if the number of worlds is large.
 
-    Cost: some milliseconds; a level of which most worlds lie beyond the extent ends the counting.
+    Cost: some milliseconds; the counting ends at a level with most worlds beyond the extent.
     """
     if extent.given is not None:
         return  # the user knows
@@ -366,7 +367,7 @@ class UnitOfRuns(Unit, Protocol):
 
 
 class GivenWorlds(Struct, frozen=True):
-    """Chosen worlds, each with its own place; their start is dart 0."""
+    """Chosen worlds, each with one place of its own; the start is dart 0."""
 
     worlds: tuple[tuple[World, int], ...]
     key: str = ""
@@ -378,13 +379,13 @@ class GivenWorlds(Struct, frozen=True):
 
 
 ACROSS, TWICE = 4, 3
-"""The largest m whose every run is played after every other one, and once more after itself."""
+"""The largest m of which each run is played after each other run, and also after itself."""
 
 
 class AcrossUnit(Struct, frozen=True):
-    """All runs of the levels up to this one, for what one leaves behind for another.
+    """All runs of the levels up to this one; it shows whether one run changes a later one.
 
-    It counts no world: each has a unit of its own.
+    The unit counts no world, because each world is counted in another unit.
     """
 
     edges: int
@@ -403,21 +404,21 @@ class AcrossUnit(Struct, frozen=True):
 
 
 def across_level(extent: Extent, edges: int, portion: Shard) -> Iterator[AcrossUnit]:
-    """The unit of all runs up to a level: of the last small ones, and of the first shard."""
+    """The unit of all runs up to a level; only the last small levels and shard 0 have one."""
     small = [each for each in extent.levels[:ACROSS] if each <= ACROSS]
     if portion.index == 0 and edges in small and (edges >= TWICE or edges == small[-1]):
         yield AcrossUnit(edges)
 
 
 class NumberedRun(Struct, frozen=True):
-    """A run of a unit: its number there, and where it takes place.
+    """A run of a unit: its number there, and its world.
 
     Attributes:
-        number: from 0 on; a world without a place counts as one.
-        map: rooted at dart 0.
+        number: the number, from 0 on; a world without a place counts as one run.
+        map: the map, rooted at dart 0.
         place: the number of the lighthouse's place.
-        lighthouse: None if the world has no place for it.
-        first: whether it is the first of its world.
+        lighthouse: the lighthouse; None if the world has no place for it.
+        first: whether it is the first run of its world.
     """
 
     number: int
@@ -430,7 +431,7 @@ class NumberedRun(Struct, frozen=True):
 def numbered_runs(
     worlds: UnitOfRuns, extent: Extent, kind: type[Lighthouse]
 ) -> Iterator[NumberedRun]:
-    """Every run of a unit, in its order, by which parent and worker speak of it."""
+    """Yield the runs of a unit in order; parent and workers name a run by its number."""
     number = 0
     for map_, places in worlds.placed(extent, kind):
         for i, (place, lighthouse) in enumerate(places or [(0, None)]):
@@ -442,10 +443,10 @@ MOST_RUNS = 10**12
 
 
 class Sample(Struct, frozen=True):
-    """A number of random worlds, drawn from a seed, each with a least number of edges.
+    """A number of random worlds, drawn from a seed, with a least number of edges.
 
-    The parts of the mixture, by default those of the class, come in turn.  A shard is a range of
-    the worlds.
+    The worlds are drawn from the parts of the mixture in turn; the default is the mixture of the
+    class.  A shard is a range of the worlds.
 
     Raises:
         InputError: for numbers out of range.
@@ -480,10 +481,10 @@ class Scope(Struct, frozen=True):
     """A class of worlds with its bounds, and the rules.
 
     Attributes:
-        extent: class and bounds.
+        extent: the class and its bounds.
         rules: the rules by which each run is played and judged.
         schedules: ``one`` (the policy's) or ``all`` (every sequence of choices).
-        coverage: the part of these worlds that is tried.
+        coverage: the part of the worlds that is tried.
     """
 
     extent: Extent
@@ -497,11 +498,11 @@ class Scope(Struct, frozen=True):
         return self.coverage == WHOLE and self.extent.given is None
 
     def like(self, world: World) -> Iterable[World]:
-        """The given worlds that are this one in another numbering; none where none are given."""
+        """The given worlds that equal this world up to the numbering of darts."""
         return () if self.extent.given is None else self.extent.given.like(world)
 
     def labelled(self, finding: Finding) -> Finding:
-        """The finding with the names of the given world that its world is, if one is given."""
+        """The finding with the labels of the given world that is equal to its world, if any."""
         world = finding.world
         return replace(finding, world=labelled(world, self.like(world)))
 
