@@ -1,6 +1,6 @@
 """Predicates and lighthouses of the user's, asked again in fresh processes.
 
-Each process must make the same worlds, and sense the same on the walk of a finding.
+All processes must make the same worlds, and the same percepts on the walk of a finding.
 """
 
 from collections.abc import Sequence
@@ -15,11 +15,11 @@ from allworlds.maps.classes import Extent
 from allworlds.world.lighthouses.kinds import kind_of
 
 PROCESSES = 8
-"""The number of fresh processes, each with a hash seed of its own.  A predicate that goes by one
-coin in each process is the same in all of them once in 128 times."""
+"""The number of fresh processes, each with a hash seed of its own.  A predicate that tosses a coin
+in each process has the same value in all of them with probability 1/128."""
 
 SMALL, DRAWN = 4, 16
-"""The largest m whose units are all asked about, and the number of units of a larger level."""
+"""The largest m of which all units are asked again, and the number of units of a larger level."""
 
 
 def ensure_same_worlds(extent: Extent | None, asked: Sequence[Any], deadline: float | None) -> None:
@@ -42,9 +42,9 @@ def ensure_same_worlds(extent: Extent | None, asked: Sequence[Any], deadline: fl
 
 
 def ensure_same_senses(finding: Finding) -> None:
-    """Raise InputError if a lighthouse of the user's senses or tells fresh processes other things.
+    """Raise InputError if a user's lighthouse senses or tells something else in fresh processes.
 
-    They walk as the finding says, in its world made anew.
+    Each process makes the world of the finding anew, and follows its walk there.
     """
     world, transcript = finding.world, finding.transcript
     kind = kind_of(world.lighthouse)
@@ -63,11 +63,11 @@ def ensure_same_senses(finding: Finding) -> None:
 def _asked_in_processes(
     kind: str, content: Any, number: int, said: str, deadline: float | None
 ) -> list[Any]:
-    """The answers of fresh processes to a message of this kind, each in an order of its own.
+    """The answers of fresh processes to a message of this kind; each answers in its own order.
 
     Raises:
         TimeIsUp: when the time limit has been reached.
-        InputError: if one of them is lost, or of a model of the user's.
+        InputError: if one of them is lost, or by a model of the user's.
     """
     patient = limits.Limits(answer_timeout=limits.MOST["answer-timeout"])
     setup = players.Setup(load("algorithm1"), patient)

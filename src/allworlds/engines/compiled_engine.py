@@ -1,11 +1,11 @@
-"""The compiled engine of a check of a built-in explorer, compared with the examiner first.
+"""The compiled engine of a check of a built-in explorer, which is first compared with the examiner.
 
 In small worlds every run is played and judged by itself.  From
-:data:`allworlds.engines.engine_table.WALKED_FROM` edges on Algorithm 1 with its directional
-lighthouse is walked once in each rooted map, and the walk is counted for every bearing, because the
-marker's direction only tells the darts of v0 apart.  That premise, and the kernel itself, are
-compared with the examiner, world by world, before the first level; it plays its runs while another
-process compiles the kernel.  A broken law is reported only as the examiner finds it.
+:data:`allworlds.engines.engine_table.WALKED_FROM` edges Algorithm 1 with its directional lighthouse
+walks each rooted map once, and this walk counts for every bearing, because the marker's direction
+only distinguishes the darts of v0.  Before the first level the examiner plays all small worlds, and
+the kernel must agree with it, run by run and by single walks; another process compiles the kernel
+meanwhile.  A broken law is reported only as the examiner finds it.
 """
 
 from collections.abc import Iterator
@@ -34,12 +34,12 @@ from allworlds.world.lighthouses.marked import Cluster, Natural
 from allworlds.world.world import World
 
 UNBOUNDED = 1 << 40
-"""The number in place of no bound: more than any walk costs."""
+"""The number that stands for no bound; no walk costs that much."""
 
 
 @cache
 def level_of(explorer: str, rules: Rules, extent: classes.Extent, edges: int) -> arrays.Level:
-    """The kernel's question for a level."""
+    """The request to the kernel for a level."""
     return arrays.Level(
         edges,
         extent.vertex_limit(edges),
@@ -55,9 +55,10 @@ def level_of(explorer: str, rules: Rules, extent: classes.Extent, edges: int) ->
 
 
 def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
-    """The largest legal costs by vertices, degree of v0 and largest degree, as the kernel's.
+    """The largest legal costs by number of vertices, degree of v0 and largest degree.
 
-    No verdict changes by their limits, as every walk costs 0 or more.
+    They are cut to the range from -1 to :data:`UNBOUNDED`, which changes no verdict, because each
+    walk costs at least 0.
     """
 
     def value(n: int, d0: int, largest: int) -> int:
@@ -73,7 +74,7 @@ def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
 
 
 def tally_of(sums: arrays.Sums, unit: LevelUnit, scope: Scope, tally: Tally) -> Tally:
-    """The empty tally with the kernel's counts, without the events and the findings."""
+    """Add the kernel's counts, but neither events nor findings, to the empty tally."""
     most_expensive = {
         n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in sums.most_expensive
     }
@@ -96,28 +97,28 @@ def tally_of(sums: arrays.Sums, unit: LevelUnit, scope: Scope, tally: Tally) -> 
         tally.witnesses["loop-edge"] += counts.loops
         tally.witnesses["parallel-edge"] += counts.parallels
     for n, d0, largest in sums.met:
-        # Where a run has a bound without a value, this says so.
+        # If the bound of a run has no value, this raises InputError.
         bound = scope.rules.the_bound.value(n, unit.edges, d0, largest, 0, 0)
         tally.row(unit.edges, n).bound_of(bound)
-    tally.witnesses = +tally.witnesses  # as the Python engine has them: without zeros
+    tally.witnesses = +tally.witnesses  # without zeros, as in the Python engine
     return tally
 
 
 AGREEMENT_EDGES = 4
-"""The largest m for which a check begins with a comparison of both engines, world by world."""
+"""The largest m whose worlds a check first uses for the comparison of both engines."""
 
 AGREEMENT_EDGES_SIMPLE = 6
-"""The limit in simple classes under lighthouses at two vertices, which few small worlds have."""
+"""The same limit in simple classes for lighthouses at two vertices, which have few small worlds."""
 
 
 def compare_engines(scope: Scope, subject: Subject) -> None:
-    """Raise EnginesDisagree unless both engines agree on every small world, one by one.
+    """Raise EnginesDisagree unless both engines agree on each small world.
 
-    Where the scope has levels that are walked once for every bearing, the walks are compared, too:
-    with the runs that the kernel plays at every bearing.
+    If a level of the scope has one walk for all bearings, the kernel's walks are also compared with
+    the runs that it plays at every bearing.
 
     Raises:
-        EnginesDisagree: naming the first world in which they do not.
+        EnginesDisagree: naming the first world in which they differ.
     """
     extent = scope.extent
     levels = [m for m in extent.levels if m <= compared_to(scope)]
@@ -130,7 +131,7 @@ def compare_engines(scope: Scope, subject: Subject) -> None:
         for m in levels
         for history in enumeration.prefixes(m, extent.map_class, extent.vertices, depth=2 * m)
     ]
-    # The general engine plays its runs while the kernel is compiled, by another process.
+    # The general engine plays its runs while another process compiles the kernel.
     with ThreadPoolExecutor(1) as beside, linux.compilers_ended():
         compiling = None
         if not is_compiled(examine):
@@ -164,7 +165,7 @@ def _compare_in(
 
 
 def played_tally(scope: Scope, subject: Subject, unit: UnitOfRuns) -> Tally:
-    """The tally of a unit by the general engine; it has a finding of each law that is broken."""
+    """The tally of a unit by the general engine, with a finding for each broken law."""
     counter, examiner = RunCounter(scope, keep=len(LAWS)), Examiner(subject, scope.rules)
     tally = counter.tally()
     for run in counter.runs(unit):
@@ -186,7 +187,7 @@ def compare(kernels: Tally, sums: arrays.Sums, pythons: Tally, unit: LevelUnit) 
 
 
 def _counts_of(tally: Tally) -> object:
-    """All that is counted of the runs of a unit."""
+    """All counts of the runs of a unit."""
     sizes = sorted(tally.rows.items())
     most = [(size, row.most_expensive and row.most_expensive[:3]) for size, row in sizes]
     return [row for _, row in sizes], most, tally.left_out, tally.checkpoints, +tally.witnesses
@@ -200,11 +201,11 @@ def compared_to(scope: Scope) -> int:
 
 
 AGREED: set[object] = set()
-"""The comparisons that have succeeded in this process."""
+"""The comparisons that have already succeeded in this process."""
 
 
 BATCH = 8
-"""Units that a thread does at a time, so that handing them over costs little."""
+"""The number of units that a thread gets at a time, so that the transport costs little."""
 
 SYMMETRY = (
     f"from m = {WALKED_FROM} on each rooted map is walked once, at bearing 0, and counted for "
@@ -217,8 +218,8 @@ class CompiledEngine(Struct, frozen=True):
     """The engine in which the kernel plays and judges, or walks, all runs of a unit.
 
     Attributes:
-        scope, subject, keep: as for the general engine.
-        flag: its entry 0 tells the kernel to give up.
+        scope, subject, keep: as in the general engine.
+        flag: an array; if its entry 0 is set, the kernel gives up.
     """
 
     scope: Scope
@@ -231,7 +232,7 @@ class CompiledEngine(Struct, frozen=True):
         """The engine, after it has been compared with the general one.
 
         Raises:
-            EnginesDisagree: naming the first world in which they do.
+            EnginesDisagree: naming the first world in which they differ.
         """
         if not is_compiled(examine):
             job.notice(capabilities.COMPILING)
@@ -239,15 +240,15 @@ class CompiledEngine(Struct, frozen=True):
         return cls(job.scope, job.subject, job.keep)
 
     def halt(self) -> None:
-        """Make all threads give up their work."""
+        """Stop the work of all threads."""
         self.flag[0] = 1
 
     def parts(self, unit: LevelUnit) -> Iterator[Tally]:
-        """The tally of the unit, equal to the general engine's.
+        """The tally of the unit, which equals the general engine's tally.
 
         Raises:
             EnginesDisagree: if the general engine does not confirm a broken law.
-            InputError: for a bound that has no value in a world.
+            InputError: if the bound has no value in a world.
         """
         scope = self.scope
         level = level_of(self.subject.name, scope.rules, scope.extent, unit.edges)
@@ -261,7 +262,7 @@ class CompiledEngine(Struct, frozen=True):
         yield tally
 
     def _blame(self, broken: arrays.BrokenRun, tally: Tally) -> None:
-        """Find the runs by the general engine in which the kernel finds a law broken.
+        """Find by the general engine the runs in which the kernel finds a broken law.
 
         Raises:
             EnginesDisagree: if the general engine finds another law broken, or none.
@@ -288,7 +289,7 @@ class CompiledEngine(Struct, frozen=True):
 
 
 def load_native() -> None:
-    """Load or compile the code that judges, and that libraries need, but for the lighthouses."""
+    """Load or compile the code of the judge and of libraries, except for the lighthouses."""
     level = level_of("", Rules(), classes.Extent(classes.MapClass.MAPS, 1), 1)
     with uncollected():
         stretch = arrays.Stretch.of(level.edges)
@@ -298,11 +299,11 @@ def load_native() -> None:
 
 
 def is_kept() -> bool:
-    """Whether this code has been compiled before."""
+    """Whether the compiled code is kept on disk."""
     return all(map(is_compiled, (library_player.play, examine)))
 
 
 def compile_apart() -> None:
-    """Let another process compile it, which is not waited for, and makes way for all others."""
+    """Start another process, of low priority, that compiles the code; do not wait for it."""
     code = f"import os; os.nice(19); from {__name__} import load_native; load_native()"
     kernel.in_another_process(code)

@@ -1,8 +1,8 @@
-"""The judge in compiled code, of the laws that it knows; its twin judges in Python.
+"""The judge in compiled code, for the laws that it knows; its twin judges in Python.
 
-Both take the same logs.  They are compared on every log of the smallest worlds that a lane has seen
-before it loads this one, and on its first batch.  A run in which this judge finds a law broken is
-judged by the other one from the same bytes, and that alone makes the finding.
+Both judges take the same logs.  A lane compares them on all logs of the smallest worlds, which it
+keeps until it loads this judge, and on this judge's first batch.  If this judge finds a broken law,
+its twin judges the same bytes again, and only the twin makes the finding.
 """
 
 from array import array
@@ -22,15 +22,15 @@ from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
 from allworlds.world.world import World
 
 LIBRARIES = 8
-"""The batches of libraries are so many times as large."""
+"""The factor by which batches of libraries are larger."""
 
 
 class CompiledBatch(RunBatch):
-    """Some runs that compiled code has laid out; what Python needs of them is made when asked for.
+    """Some runs that compiled code has laid out; their values for Python are made on demand.
 
     Attributes:
-        laid: their bounds in the unit.
-        heads, tables: of each run, as the kernel has laid them out.
+        laid: the bounds of the runs in the unit.
+        heads, tables: the head and the world of each run, as the kernel has laid them out.
     """
 
     def __init__(
@@ -48,7 +48,7 @@ class CompiledBatch(RunBatch):
         return self.laid.runs
 
     def due(self, index: int) -> Due:
-        """A run, as Python has it: the map that was laid out, with the lighthouse of Python."""
+        """A run as a value of Python: the map that was laid out, with its lighthouse."""
         table = self.tables[index].reshape(-1, arrays.WIDE).tolist()
         sigma = [first + (d + 1 - first) % deg for d, (first, _, deg, *_) in enumerate(table)]
         map_ = CombinatorialMap(sigma, [dart[arrays.PARTNER] for dart in table])
@@ -58,12 +58,12 @@ class CompiledBatch(RunBatch):
 
 
 class CompiledJudge:
-    """The judge of units of a level.
+    """The judge in compiled code of the units of levels.
 
     Args:
         python: its twin.
-        seed: draws seeds for the order in which a library plays.
-        native: whether the explorer is a library, which compiled code plays, too.
+        seed: the function that draws a seed for the order in which a library plays.
+        native: whether the explorer is a library, which compiled code also plays.
     """
 
     every = False
@@ -75,7 +75,7 @@ class CompiledJudge:
         self.judged, self._compared = python.judged, False
 
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[CompiledBatch]:
-        """The runs of a unit, so many at a time."""
+        """Yield the runs of a unit in batches of about this size."""
         unit = work.unit
         assert isinstance(unit, LevelUnit)
         scope, edges = self.counter.scope, unit.edges
@@ -95,9 +95,9 @@ class CompiledJudge:
                 work.tally.add(batch.tally)
 
     def judge(self, batch: RunBatch) -> bool:
-        """Judge the first logs of a batch, and count them; those of one unit in their order.
+        """Judge and count the first logs of a batch; the batches of a unit come in their order.
 
-        Return False if compiled code has written logs that only Python knows how to write.
+        Return False if Python must play the runs, because compiled code cannot write their logs.
         """
         assert isinstance(batch, CompiledBatch)
         if self.native and batch.plain:
@@ -116,7 +116,7 @@ class CompiledJudge:
         for broken in sums.broken:
             batch.broken.append(self._index_of(batch, (broken.sigma, broken.alpha), broken.place))
             law = batch.outcome(batch.broken[-1]).outcome.violation
-            unknown = broken.law == "illegal-action"  # of a run without an answer Python knows why
+            unknown = broken.law == "illegal-action"  # Python tells why a run has no answer
             if law is None or (law.law != broken.law and not unknown):
                 raise EnginesDisagree(
                     f"the kernel says that {broken.law} is broken, the python engine that "
@@ -142,7 +142,7 @@ class CompiledJudge:
         return sums, good and size >= 0
 
     def _by_python(self, batch: CompiledBatch) -> None:
-        """Count a batch by the Python judge: there is something in its logs that is new here."""
+        """Count a batch by the Python judge, since its logs hold entries unknown here."""
         batch.tally.add(self._python_tally(batch))
         batch.broken.extend(
             index for index in range(len(batch)) if batch.outcome(index).outcome.violation
@@ -183,12 +183,12 @@ class CompiledJudge:
         return self.python.message("table", _entries(batch, indices, packed))
 
     def percepts(self, batch: RunBatch, indices: Indices, order: Indices = ()) -> Message:
-        """The message to a player that plays recorded percepts; a library's draws the order."""
+        """The message to a player that plays by percepts; a library's player draws the order."""
         assert isinstance(batch, CompiledBatch)
         if len(indices) == len(batch) and not batch.plain:
             again = {"again": True, "percepts": batch.percepts, "starts": batch.starts}
             return self._native(batch, indices, batch.motioned) | again
-        if not batch.percepts:  # Python has judged them
+        if not batch.percepts:  # the Python judge has judged them
             return self.python.percepts(batch, indices, order)
         sensed = (batch.percepts[batch.starts[i] : batch.starts[i + 1]] for i in indices)
         return self.python.message("record", _entries(batch, indices, sensed), order)
@@ -206,7 +206,7 @@ class CompiledJudge:
     # ---------------------------------------------------------------- its twin
 
     def compare_with(self, batches: Iterable[RunBatch]) -> None:
-        """Compare both judges on whole units of logs.
+        """Compare both judges on all logs of some units.
 
         Raises:
             EnginesDisagree: if they count differently.
@@ -232,7 +232,7 @@ class CompiledJudge:
 def _entries(
     batch: CompiledBatch, indices: Indices, around: Iterable[bytes]
 ) -> list[tuple[Any, ...]]:
-    """The entries of a message: a world or percepts, and the numbers of each run."""
+    """The entries of a message: the world or the percepts of each run, and its other data."""
     said = batch.heads[[*indices]][:, [arrays.RUN_BUDGET, arrays.RUN_TOLD]].tolist()
     return [
         (world, None if number < 0 else number, False, budget, "", ())

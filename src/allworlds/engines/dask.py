@@ -97,7 +97,7 @@ class Dask:
         self._cost *= 16  # as it grows with a level
         while True:
             while len(at_work) < 3 * max(2, self._threads):
-                # A task costs some milliseconds by itself, and a scheduler manages a hundred a second.
+                # A task itself costs some milliseconds; a scheduler does a hundred a second.
                 number = int(max(0.25, self._threads / 100) / self._cost)
                 if not (batch := [*islice(waiting, max(1, number))]):
                     break

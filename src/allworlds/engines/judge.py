@@ -1,7 +1,7 @@
-"""The judge in Python: it takes runs and their logs, and knows every law, lighthouse and task.
+"""The judge in Python, which knows every law, lighthouse and task.
 
-It lays out the runs of a unit in batches, and walks each log anew in the true map; the percepts on
-the way are what the second player gets.  It imports files of models, never an explorer.
+It lays out the runs of a unit in batches, and walks each log anew in the true map.  The second
+player gets the percepts of this walk.  The judge imports users' models, but never an explorer.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -23,12 +23,12 @@ from allworlds.world.world import World
 
 
 class PythonJudge:
-    """The judge of a scope.
+    """The judge in Python of the runs of a scope.
 
     Args:
-        counter: counts, and knows the scope.
-        explorer: its name.
-        given: the choices of each run; None for those that the scope asks for.
+        counter: the counter of the runs, with the scope.
+        explorer: the explorer's name.
+        given: the choices of each run; None if the scope determines them.
     """
 
     name = "python"
@@ -42,7 +42,7 @@ class PythonJudge:
         self._given = given or ()
 
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[RunBatch]:
-        """The runs of a unit, so many at a time."""
+        """Yield the runs of a unit in batches of this size."""
         batch = RunBatch(self, work, ())
         for run in self.counter.runs(work.unit):
             world = self.counter.count_run(run, batch.tally)
@@ -53,11 +53,11 @@ class PythonJudge:
                 batch = RunBatch(self, work, ())
         if batch.runs:
             yield batch
-        else:  # perhaps worlds without a place
+        else:  # worlds without a place may have been counted
             work.tally.add(batch.tally)
 
     def judge(self, batch: RunBatch) -> bool:
-        """Judge the first logs of a batch, and count them; return True: it can read them all."""
+        """Judge and count the first logs of a batch; return True: this judge reads all logs."""
         work = batch.work
         for index, due in enumerate(batch.runs):
             one = batch.outcome(index)
@@ -70,10 +70,10 @@ class PythonJudge:
         return True
 
     def judged(self, due: Due, log: bytes) -> Judged:
-        """One run with its log."""
+        """One run with its log, judged."""
         read, rules, world = Log(log), self.rules, due.world
         episode = self.episode(world, read)
-        # Of a run that was lost the choices may be known less far than they were due.
+        # The log of a lost run may hold fewer choices than were due.
         lost = isinstance(episode.ending, Fault) and episode.ending.law in LOST
         choices = max(tuple(read.choices), due.script if lost else (), key=len)
         outcome = self.referee.outcome(world, episode, choices)
@@ -106,7 +106,7 @@ class PythonJudge:
         return self.worlds_message([batch.due(index) for index in indices])
 
     def percepts(self, batch: RunBatch, indices: Indices, order: Indices = ()) -> Message:
-        """The message to a player that plays recorded percepts; nothing of a world."""
+        """The message to a player that plays these runs by their percepts, without a world."""
         return self.percepts_message([batch.record(index) for index in indices], order)
 
     def worlds_message(self, runs: Sequence[Due]) -> Message:
@@ -121,13 +121,13 @@ class PythonJudge:
         return self.message(kind, content)
 
     def percepts_message(self, runs: Sequence[Recorded], order: Sequence[int] = ()) -> Message:
-        """The message to a player that plays these runs against recorded percepts."""
+        """The message to a player that plays these runs by their percepts."""
         sensed = [playing.numbers_of(each.percepts) for each in runs]
         content = [self._entry(run, s, over=run.over) for run, s in zip(runs, sensed, strict=True)]
         return self.message("record", content, order)
 
     def _entry(self, run: Due | Recorded, around: Any, *, over: bool = False) -> tuple[Any, ...]:
-        """The entry of a run in a message: its world or percepts, and what it is played with."""
+        """The entry of a run in a message: its world or percepts, and its other data."""
         rules, world = self.rules, run.world
         told: Any = world.told
         if not (told is None or type(told) is int):  # marshal writes no other mapping
@@ -156,7 +156,7 @@ def table_of(world: World) -> bytes | tuple[int, ...]:
     """The world as a table; see :class:`allworlds.protocol.playing.TableWorld`.
 
     Args:
-        world: with a lighthouse that is static.
+        world: a world with a static lighthouse.
     """
     map_, numbers = world.map, list[int]()
     first = _vertex_by_vertex(map_, world.start)
@@ -175,9 +175,9 @@ BACK = actions.Move(0)
 
 @lru_cache(1)
 def _vertex_by_vertex(map_: CombinatorialMap, start: Dart) -> dict[Dart, int]:
-    """The darts, from the start on; each with the place of the first one of its vertex.
+    """The darts from the start on, each with the position of the first dart of its vertex.
 
-    Those of each vertex stand one behind the other, clockwise.
+    The darts of each vertex are consecutive, and clockwise.
     """
     first: dict[Dart, int] = {}
     for dart in (start, *map_.darts):

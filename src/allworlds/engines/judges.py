@@ -1,4 +1,4 @@
-"""The judge that takes a unit: in Python, or in compiled code where that is worth it."""
+"""The choice of the judge of a unit: in Python, or in compiled code if that pays."""
 
 from functools import partial
 from random import Random
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from allworlds.engines.compiled_judge import CompiledJudge
 
 SMALL = 3
-"""The largest m whose every log both judges read."""
+"""The largest m of which both judges read every log."""
 
 
 class Judges:
@@ -20,9 +20,9 @@ class Judges:
 
     Args:
         python: the judge in Python.
-        random: draws seeds.
+        random: the source of seeds.
         native: whether the explorer is a library.
-        compiles: whether it is the lane of all that does.
+        compiles: whether this lane, alone among all, starts the compiler.
     """
 
     def __init__(
@@ -35,13 +35,13 @@ class Judges:
         self._small: list[RunBatch] = []
 
     def of(self, unit: units.UnitOfRuns) -> Judge:
-        """The judge in compiled code if the level is worth its loading, and it is compiled."""
+        """The judge of a unit: in compiled code if its level is large enough and it is compiled."""
         counter = self.python.counter
         least = counter.compiled_from
         if least is None or not isinstance(unit, units.LevelUnit):
             return self.python
         extent = counter.scope.extent
-        following = min(unit.edges + 1, extent.levels[-1])  # it is kept for them, too
+        following = min(unit.edges + 1, extent.levels[-1])  # the compiled judge is kept for them
         if max(units.level_size(extent, edges) for edges in (unit.edges, following)) < least:
             return self.python
         if self._compiled is None and (least == 0 or self._is_compiled()):
@@ -53,7 +53,7 @@ class Judges:
         return self._compiled or self.python
 
     def _is_compiled(self) -> bool:
-        """Whether compiled code is kept; if not, another process compiles, and this one goes on."""
+        """Whether the compiled code is kept on disk; if not, let another process compile it."""
         from allworlds.engines.compiled_engine import compile_apart, is_kept
 
         kept = is_kept()

@@ -1,8 +1,8 @@
 """The identity of a job, its finished units, and their results as JSON.
 
-The form of a result follows from the types of its fields.  A struct, or a dataclass, is kept by
-its fields; a counter, or a dictionary whose keys are no texts, as pairs; and whatever has a
-``from_json`` as that reads it.  Everything else is msgspec's business.
+The form of a result follows from the types of its fields.  A struct or a dataclass is kept by its
+fields.  A counter, or a dictionary whose keys are not texts, is kept as a list of pairs.  A type
+with a ``from_json`` is kept as this function reads it.  Every other type is left to msgspec.
 """
 
 import hashlib
@@ -23,7 +23,7 @@ from allworlds.inputs.checks import InputError, show
 from allworlds.version import __version__
 
 FORMAT = 5
-"""The format of identities and of what is kept under them: raised whenever either changes."""
+"""The format of identities and of kept units; it is raised whenever one of them changes."""
 
 
 class Identity(doc.Document):
@@ -63,7 +63,7 @@ class Identity(doc.Document):
 
     @property
     def code(self) -> dict[str, str]:
-        """The user's code that it needs, as it was recorded: see ``as_recorded``."""
+        """The user's code that the job needs, as it was recorded; see ``as_recorded``."""
         code: dict[str, str] = self.parameters.get("code", {})
         return code
 
@@ -73,9 +73,9 @@ class Identity(doc.Document):
         return self.portion.count
 
     def difference(self, other: "Identity") -> str:
-        """The difference of the other one, as a clause about the other; empty if there is none.
+        """The first difference, as a clause about the other identity; empty if there is none.
 
-        The number of a shard makes no difference here; the number of all shards does.
+        The index of a shard makes no difference here, but the number of shards does.
         """
         if other.format != self.format:
             return f"is of format {other.format}, not {self.format}"
@@ -103,21 +103,21 @@ class Identity(doc.Document):
 
 
 def _in_words(value: Any) -> str:
-    """A parameter as the command line has it: without a value the default, a list with commas."""
+    """A parameter as on the command line: None as the default, a list with commas."""
     if value is None:
         return "the default"
     return ",".join(map(str, value)) if isinstance(value, list | tuple) else show(value)
 
 
 canonical = json.JSONEncoder(sort_keys=True, separators=(",", ":")).encode
-"""The canonical text of a JSON value, equal for equal values."""
+"""The function from a JSON value to its canonical text, which is equal for equal values."""
 
 ENDED = "complete"
 """The value that is noted under ``ended`` when the job is complete."""
 
 
 class KeptUnits:
-    """The finished units of a job, and what was noted of it; this base keeps nothing.
+    """The finished units and the notes of a job; this base keeps nothing.
 
     Attributes:
         added: the number of units that were added.
@@ -147,11 +147,11 @@ WHAT = "what is kept of a unit"
 
 
 class Form(NamedTuple):
-    """How the values of a type are kept; beside a type it goes before what would follow from it.
+    """The form in which values of a type are kept; in an annotation it overrides the type's form.
 
     Attributes:
-        write: the JSON value of a value.
-        read: the value of that; raises InputError for anything else.
+        write: the function from a value to its JSON value.
+        read: the function from this JSON value to the value; raises InputError for others.
     """
 
     write: Callable[[Any], Any]
@@ -165,7 +165,7 @@ def to_kept(result: object) -> Any:
 
 
 def from_kept(kept: object, kind: type[T]) -> T:
-    """The result of that class of which this is :func:`to_kept`'s value.
+    """The result of this class that :func:`to_kept` has written.
 
     Raises:
         InputError: for any other value.
@@ -181,7 +181,7 @@ def _form(kind: Any) -> Form:
 
 
 def _own_form(kind: Any) -> Form | None:
-    """The form of a type that msgspec cannot read and write by itself; None where it can."""
+    """The form of a type that msgspec cannot read and write by itself; None if it can."""
     origin, parts = get_origin(kind), get_args(kind)
     if origin is Annotated:
         return next((note for note in parts if isinstance(note, Form)), None) or _own_form(parts[0])

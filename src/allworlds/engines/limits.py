@@ -29,7 +29,7 @@ POLL = 0.1
 """Seconds between two checks of other threads and processes, and the shortest time-out."""
 
 START_TIMEOUT = 60.0
-"""Seconds in which an explorer must be imported, unless others are named."""
+"""The default number of seconds in which an explorer must be imported."""
 
 MOST = {
     "workers": 10_000,
@@ -39,7 +39,7 @@ MOST = {
     "memory": 10**9,
     "max-findings": 10**9,
 }
-"""The largest legal value of each limit: an operating system does not count further."""
+"""The largest legal value of each limit; an operating system cannot count further."""
 
 
 def worker_count(text: str) -> int:
@@ -52,7 +52,7 @@ def worker_count(text: str) -> int:
 
 
 def positive(name: str) -> Callable[[Any], Any]:
-    """Return what takes a limit of that name: a positive number, or none where there can be none.
+    """Return the function that takes a limit of that name, which is a positive number or None.
 
     That function raises InputError, naming the value.
     """
@@ -78,12 +78,12 @@ def positive(name: str) -> Callable[[Any], Any]:
 
 
 def _seconds(about: str, panel: str = RARE_EFFORT) -> Option:
-    """An option of a time that does not change what a job means."""
+    """An option with a number of seconds that does not change the meaning of a job."""
     return Option(panel, "S", about, parse=seconds_of, apart=True)
 
 
 class TimeoutOptions(Request):
-    """The part of a request that says how long explorers are waited for."""
+    """The part of a request with the time-outs of explorers."""
 
     answer_timeout: Annotated[
         Converted[float, float],
@@ -147,7 +147,7 @@ class Limits(TimeLimitOptions, WorkerOptions, TimeoutOptions):
 
 
 LOCAL = "local"
-"""The word in place of an address: a cluster of this machine alone, for the time of the job."""
+"""The word that stands for the address of a new cluster on this machine, for one job."""
 
 
 class TimeIsUp(OutOfTime):
@@ -155,11 +155,11 @@ class TimeIsUp(OutOfTime):
 
 
 class ClusterLost(outcome.NoResult):
-    """Raised if workers are lost again and again, or the scheduler is lost."""
+    """Raised if too many workers are lost, or if the scheduler is lost."""
 
 
 def deadline_after(time_limit: float | None) -> float | None:
-    """The end of a time limit, in seconds, that begins now; on the monotonic clock."""
+    """The end, on the monotonic clock, of a time limit in seconds that begins now."""
     return None if time_limit is None else time.monotonic() + time_limit
 
 
@@ -167,7 +167,7 @@ def check_deadline(deadline: float | None) -> None:
     """Raise TimeIsUp once the deadline has passed.
 
     Raises:
-        TimeIsUp: after it.
+        TimeIsUp: after the deadline.
     """
     if deadline is not None and time.monotonic() > deadline:
         raise TimeIsUp
@@ -175,9 +175,9 @@ def check_deadline(deadline: float | None) -> None:
 
 @contextmanager
 def models_bounded(deadline: float | None) -> Iterator[None]:
-    """Raise TimeIsUp in a model of the user's that is called in here when the deadline passes.
+    """A context in which a user's model is interrupted by TimeIsUp when the deadline passes.
 
-    In a thread beside the main one, or if the alarm has another use, the model ends by itself.
+    Outside the main thread, or if the alarm has another use, the model is not interrupted.
     """
     here = threading.current_thread() is threading.main_thread()
     if deadline is None or not here or signal.getsignal(signal.SIGALRM) != signal.SIG_DFL:

@@ -1,4 +1,4 @@
-"""The calls of Linux alone: all of them are extras, and elsewhere do nothing.
+"""Calls that only Linux has; all of them are extras, and do nothing on other systems.
 
 Source: prctl(2), PR_SET_PDEATHSIG and PR_SET_CHILD_SUBREAPER; proc(5); getrlimit(2), RLIMIT_AS.
 """
@@ -14,16 +14,16 @@ from contextlib import contextmanager, suppress
 from allworlds.inputs.checks import InputError
 
 HERE = sys.platform == "linux"
-"""Whether it is there.  A test switches it off."""
+"""Whether the system is Linux.  A test switches it off."""
 
 DEATH_SIGNAL, SUBREAPER = 1, 36
 
 COMPILER = "ALLWORLDS_COMPILER"
-"""The variable by which a process that compiles is known."""
+"""The environment variable that marks a process which compiles."""
 
 
 def end_with_parent(parent: int, number: int = signal.SIGKILL) -> None:
-    """Send this process a signal when the thread that has started it ends; its process is named."""
+    """Send this process a signal when the thread of process ``parent`` that started it ends."""
     if HERE:
         _control(DEATH_SIGNAL, number)
         if os.getppid() != parent:
@@ -37,7 +37,7 @@ def adopt() -> None:
 
 
 def descendants(pid: int) -> list[int]:
-    """The processes that a process has started, and those that these have started."""
+    """The processes that a process has started, and their descendants."""
     found = _children(pid) if HERE else []
     for one in found:
         found += _children(one)
@@ -45,10 +45,10 @@ def descendants(pid: int) -> list[int]:
 
 
 def end_adopted(token: str) -> None:
-    """Kill the children of this process in whose environment this text stands.
+    """Kill the children of this process whose environment contains this text.
 
-    They are what a player has left behind in other groups, and lost by an end in between; what
-    another part of this program has started is not touched.
+    A player has started them in other process groups, and their parents have ended.  Processes
+    that another part of this program has started are not touched.
     """
     while HERE and (left := [pid for pid in _children(os.getpid()) if _has(pid, token)]):
         for pid in left:
@@ -91,7 +91,7 @@ def _control(option: int, value: int) -> None:
 
 
 def address_space() -> int:
-    """MB of address space of this process; 0 if unknown."""
+    """The address space of this process in MB; 0 if unknown."""
     with suppress(OSError, ValueError), open("/proc/self/statm") as file:  # noqa: PTH123
         return int(file.read().split()[0]) * mmap.PAGESIZE >> 20
     return 0
@@ -101,7 +101,7 @@ def limit_memory(megabytes: int) -> None:
     """Bound the address space of this process.
 
     Raises:
-        InputError: if it is larger already; the limit would then act only on further growth.
+        InputError: if the address space is already larger than the limit.
     """
     if not HERE:
         return
@@ -109,7 +109,7 @@ def limit_memory(megabytes: int) -> None:
 
     _, most = resource.getrlimit(resource.RLIMIT_AS)
     size = min(megabytes << 20, sys.maxsize if most == resource.RLIM_INFINITY else most)
-    # With such a limit the process would come to its end when its stack grows.
+    # With such a limit a growing stack would end the process.
     too_small = size < address_space() << 20
     if not too_small:
         resource.setrlimit(resource.RLIMIT_AS, (size, size))

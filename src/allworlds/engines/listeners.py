@@ -21,5 +21,4 @@ class Listener:
 
 
 NOBODY = Listener()
-"""The listener where none is named, and that of a report, which is equal to another if all else
-is."""
+"""The default listener, and the listener of every report, so that equal reports compare equal."""

@@ -1,13 +1,13 @@
 """The meaning of the loss of a player.
 
     ======================================================  ====================================
-    a fresh player, with the run alone, is lost, too        the run breaks the law of the loss
-    it is not: no machine does such a thing, or it was      the run breaks it after other runs
-    silence, and not the first that was not repeated
+    a fresh player is also lost in this run alone           the run breaks the law of the loss
+    it is not, and the machine cannot be the cause, or      the run breaks it after other runs
+    a silence was not repeated for the second time
     it is not, otherwise                                    a remark: it refutes nothing
     ======================================================  ====================================
 
-Once one law of a loss is repeated, further losses by that law count at once.
+Once a loss by a law has been repeated, further losses by that law count at once.
 """
 
 from collections import Counter
@@ -19,10 +19,10 @@ from allworlds.engines.players import Lost, Unsettled, lost_log
 from allworlds.engines.plays import Attempt
 
 MOST_LOSSES = 20
-"""The number of losses that are put down to the machine, if no fresh player repeats them."""
+"""The number of losses without a repetition that are attributed to the machine."""
 
 SILENT_RUNS, MOST_WAITED = 4, 60.0
-"""The silent runs, and the seconds in them, after both of which no other run is waited for."""
+"""The number of silent runs, and their seconds, after both of which the lane gives up."""
 
 AFTER = " when it was played after others; by itself it was not"
 
@@ -39,8 +39,8 @@ def meaning(lost: Lost, *, again: bool, before: int) -> Meaning:
     """The meaning of a loss.
 
     Args:
-        lost: how.
-        again: whether a fresh player was lost, too, or has been by this law.
+        lost: the loss.
+        again: whether a fresh player was also lost, in this run or earlier by this law.
         before: the number of earlier losses by this law that no fresh player repeated.
     """
     if again:
@@ -51,7 +51,7 @@ def meaning(lost: Lost, *, again: bool, before: int) -> Meaning:
 
 
 def given_up(silences: int, timeout: float) -> str:
-    """The reason why after so many silent runs no other one is waited for; empty if one is."""
+    """The reason to give up after this number of silent runs; empty if there is none."""
     if silences < SILENT_RUNS or silences * timeout < MOST_WAITED:
         return ""
     waited = f"the explorer was silent in {silences} runs, for {timeout:g} s each"
@@ -62,8 +62,8 @@ class Losses:
     """The losses of the players of a lane.
 
     Attributes:
-        silences: the number of runs in which one was silent.
-        repeated: the laws by which a fresh player was lost, too.
+        silences: the number of runs in which a player was silent.
+        repeated: the laws by which a fresh player was also lost.
     """
 
     def __init__(self) -> None:
@@ -74,10 +74,10 @@ class Losses:
         """The log of a run in which a player was lost.
 
         Args:
-            lost: how.
-            batch: of the run.
-            run: its index there.
-            alone: has a fresh player play it alone; returns its log, and its loss.
+            lost: the loss.
+            batch: the batch of the run.
+            run: the index of the run there.
+            alone: the function by which a fresh player plays the run alone.
         """
         self.silences += lost.law == "timeout"
         known = lost.law in self.repeated
@@ -96,10 +96,10 @@ class Losses:
         return log
 
     def remark(self, work: Work, lost: Lost) -> None:
-        """Remark on a loss that a fresh process has not repeated: it refutes nothing.
+        """Remark on a loss that a fresh process has not repeated, and that refutes nothing.
 
         Raises:
-            Unsettled: if there are too many of them.
+            Unsettled: if there are too many such losses.
         """
         fresh = "and a fresh one was not: no refutation"
         work.tally.remark(f"a player was lost ({lost.seen}), {fresh}")

@@ -17,9 +17,9 @@ class MoreSeeds:
     """The runs whose percepts are kept, and their plays under further seeds.
 
     Args:
-        settler: of the lane.
-        random: draws orders.
-        wanted: whether any are.
+        settler: the settler of the lane.
+        random: the source of random orders.
+        wanted: whether any runs are kept.
     """
 
     def __init__(self, settler: Settler, random: Random, *, wanted: bool) -> None:
@@ -38,7 +38,7 @@ class MoreSeeds:
             self._kept += [(batch, index) for index in range(len(batch))][: KEPT - len(self._kept)]
 
     def end(self) -> Tally:
-        """The tally of what other seeds show, and of nothing else; then no more are tried."""
+        """The tally of the plays under further seeds, up to the first seed that shows a fault."""
         judge = self._settler.judge
         kept, self._kept = self._kept, []
         work = Work(kept[0][0].work.unit, judge.counter.tally())
@@ -46,7 +46,7 @@ class MoreSeeds:
         for seed in SIX_MORE:
             order = self._random.sample(range(len(runs)), len(runs))
             logs, lost = self._settler.plays.anew(seed, judge.percepts_message(runs, order))
-            # What is lost is tried in the other players, too.
+            # A loss is not settled here: the other players meet it, too.
             for (batch, index), log in () if lost else zip(kept, logs, strict=True):
                 if self._settler.differ(batch.outcome(index).log, Log(log)):
                     batch.work, self._wanted = work, False

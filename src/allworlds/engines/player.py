@@ -2,10 +2,10 @@
 
     python -P -c "...; main(PARENT)" PATH...       (descriptor 3: the link; 4: the beat)
 
-It is told an explorer, then batches of runs, until the link is closed.  Each message is its length
-and bytes that marshal has written; an answer is its length, a letter and bytes, in which nothing is
-believed but logs.  It loads what it needs, and nothing else of the package: an explorer in Python
-without choices costs some 50 ms.
+It gets an explorer and then batches of runs, until the link is closed.  A message consists of its
+length and of bytes that marshal has written.  An answer consists of its length, a letter and bytes;
+the owner trusts no answers but logs.  The program loads only those modules of the package that it
+needs: an explorer in Python without choices costs some 50 ms.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
-# What is needed is loaded before users' code, which may spoil the import path.
+# All modules are loaded before users' code, which may spoil the import path.
 from allworlds.engines.linux import address_space, end_with_parent, limit_memory
 from allworlds.inputs.checks import InputError, NestedCheck, leave_interrupts_to_owner
 from allworlds.log import BEYOND
@@ -41,26 +41,26 @@ LINK, BEAT = 3, 4
 
 READY, LOGS, PART, REFUSAL, FAILURE, NO_ROOM = b"RLPEFN"
 """The letters of the answers: the explorer is loaded; the logs of a batch; the log so far; bad
-input; a mistake of ours; the second logs of a library do not fit."""
+input; an error of our code; the second logs of a library do not fit into memory."""
 
 TURNS = "turns", "histories"
-"""The kinds of messages that ask a program of a robot turn by turn."""
+"""The kinds of messages that ask a robot's program turn by turn."""
 
 PICKLED = ("model", "maps", "walk")
-"""The kinds of messages with worlds whose code the player loads."""
+"""The kinds of messages with pickled worlds, whose code the player loads."""
 
 NO_RUN = -1
-"""The number of the run in progress where there is none."""
+"""The number that stands for no run in progress."""
 
 STACK = signal.SIGUSR1
-"""Asks a silent player whose prints are kept to print where it is."""
+"""The signal upon which a silent player prints its stack, if its prints are kept."""
 
 TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
-"""Timers that an explorer may leave behind to go off when it is not its turn."""
+"""The timers that are cleared after a batch, so that none goes off outside the explorer's turn."""
 
 
 def main(parent: int) -> None:
-    """Serve until the owner, the process of that number, hangs up."""
+    """Serve the owner, which is the process ``parent``, until it closes the link."""
     end_with_parent(parent)
     leave_interrupts_to_owner()
     setup = _read()
@@ -77,7 +77,7 @@ def main(parent: int) -> None:
         _answer(REFUSAL, reason.encode(errors="surrogatepass"))
         return
     if os.getpid() != own:
-        os._exit(0)  # a copy that the explorer has forked when it was imported
+        os._exit(0)  # this is a copy that the explorer has forked during its import
     if program := subject.program:  # here is no user's code, and it must end, too
         signal.signal(signal.SIGTERM, lambda *_: _leave(program))
         end_with_parent(parent, signal.SIGTERM)
@@ -102,7 +102,7 @@ def main(parent: int) -> None:
 
 
 def _loaded(setup: dict[str, Any]) -> Subject:
-    """The explorer that is asked for.
+    """The explorer of this message, loaded.
 
     Raises:
         InputError: if it cannot be loaded.
@@ -125,7 +125,7 @@ def _loaded(setup: dict[str, Any]) -> Subject:
 
 
 class _Server:
-    """The explorer that is loaded here, and the beat of its runs."""
+    """The loaded explorer, and the shared bytes that tell its run and turn."""
 
     def __init__(self, subject: Subject, beat: Any) -> None:
         self._subject, self._beat, self._pid = subject, beat, os.getpid()
@@ -147,7 +147,7 @@ class _Server:
             _answer(REFUSAL, str(error).encode(errors="surrogatepass"))
         except OSError:
             raise
-        except Exception:  # noqa: BLE001  # explorers' errors never get here: it is ours
+        except Exception:  # noqa: BLE001  # it is our error: explorers' errors are caught elsewhere
             import traceback
 
             _answer(FAILURE, traceback.format_exc().encode(errors="replace"))
@@ -188,12 +188,12 @@ class _Server:
         try:
             self._library = self._library or LibraryPlayer(native, self._beat)
             logs = self._library.play(batch)
-        except actions.ExplorerFault:  # which each run will tell
+        except actions.ExplorerFault:  # each run will report it
             logs = None
         if os.getpid() != self._pid:
             os._exit(0)
         if logs is None and not batch["again"]:
-            logs = logs_message([bytes((BEYOND,))] * batch["runs"])  # which nobody can judge
+            logs = logs_message([bytes((BEYOND,))] * batch["runs"])  # so that Python plays
         _answer(NO_ROOM) if logs is None else _answer(LOGS, *logs)
 
 
@@ -203,9 +203,9 @@ def played(
     beat: Any,
     hear: Callable[[bytearray], None] | None = None,
 ) -> list[bytes]:
-    """Play the runs of a batch, whose kind is none of a library; return their logs.
+    """Play the runs of a batch that is not for a library; return their logs.
 
-    Where lines are asked for, these come last, in place of a log.
+    If the batch asks for lines of code, the last entry is these lines instead of a log.
     """
     own, explorer = os.getpid(), player
     logs: list[bytes] = [b""] * batch["runs"]
@@ -231,7 +231,7 @@ def played(
 
 
 def turns_of(subject: Subject, player: Player, beat: Any) -> Turns:
-    """The program as one asks it turn by turn, from the beginning."""
+    """The explorer as a program that is asked turn by turn, at its beginning."""
     from allworlds.protocol.turns import Turns
 
     if subject.program:
@@ -240,14 +240,14 @@ def turns_of(subject: Subject, player: Player, beat: Any) -> Turns:
 
 
 def turns_taken(turns: Turns, batch: dict[str, Any]) -> list[bytes]:
-    """The words of a program in the turns, or in the histories, of a batch."""
+    """The words of a program in the turns or histories of a batch."""
     if batch["kind"] == "histories":
         return turns.plays(batch["content"])
     return turns.answers(batch["content"], known=batch["known"])
 
 
 def maps_made(batch: dict[str, Any]) -> list[bytes]:
-    """The maps of each unit in an extent, in a form that is short, and equal if they are."""
+    """A digest of the maps of each unit in an extent; equal maps have equal digests."""
     import hashlib
 
     from allworlds.world.lighthouses.composed import Nothing
@@ -262,7 +262,7 @@ def maps_made(batch: dict[str, Any]) -> list[bytes]:
 
 
 def senses(world: World, made: Sequence[actions.Action]) -> bytes:
-    """Return what the explorer is told, and senses on this walk, in the world made anew."""
+    """Return as bytes what the world, made anew, tells the robot, and the percepts of the walk."""
     from allworlds.judging.walk import Walk
 
     anew = type(world)(world.map, world.lighthouse, world.start)
@@ -273,12 +273,12 @@ def senses(world: World, made: Sequence[actions.Action]) -> bytes:
 
 
 def in_bytes(told: actions.Told, transcript: actions.Transcript) -> bytes:
-    """Bytes that are equal if these are."""
+    """The two values as bytes, equal for equal values."""
     return repr((told, transcript.to_json())).encode()
 
 
 def _around(kind: str, world: Any, told: Any, over: bool) -> Any:
-    """The surroundings of a run, in a batch of that kind."""
+    """The surroundings of a run in a batch of this kind: a table, a record, or a world."""
     if kind == "table":
         return playing.TableWorld(world, told)
     if kind == "record":
@@ -312,7 +312,7 @@ def logs_message(logs: Sequence[bytes]) -> tuple[bytes, bytes]:
 
 
 def _read() -> Any:
-    """The next message; None if the owner has hung up."""
+    """The next message; None if the owner has closed the link."""
     head = _bytes(4)
     return marshal.loads(_bytes(int.from_bytes(head, "little"))) if head else None  # noqa: S302
 
@@ -337,14 +337,14 @@ def _answer(letter: int, *parts: Any) -> None:
 
 
 def _flush() -> None:
-    """Print what the explorer has printed by now."""
+    """Flush the explorer's prints so far."""
     for stream in (sys.stdout, sys.stderr):
         with suppress(Exception):  # whatever an explorer has made of it
             stream.flush()
 
 
 def _leave(program: Program) -> None:
-    """End the user's program, and this process, as the signal would have ended it."""
+    """End the user's program, and then this process, as the signal would have ended it."""
     program.close()
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     signal.raise_signal(signal.SIGTERM)

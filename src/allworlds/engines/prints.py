@@ -1,4 +1,4 @@
-"""Prints of explorers, escaped and limited, and a stderr that may be lost: never for a verdict."""
+"""Prints of explorers, escaped and limited, and a stderr that may fail; no verdict uses them."""
 
 import io
 import sys
@@ -8,17 +8,17 @@ from itertools import accumulate
 from typing import Any, TextIO
 
 KEPT = 4096
-"""The largest number of bytes of the text; of longer prints it has the beginning and the end."""
+"""The largest number of bytes of the text, which has the beginning and the end of longer prints."""
 
 SIGN = "\n[... {} bytes more ...]\n"
 """The line between the two; the number has at most 15 digits."""
 
 
 class Prints:
-    """A record of bytes of limited size, and its text.
+    """A limited number of printed bytes, and their text.
 
     Attributes:
-        ended: whether nobody can print any more.
+        ended: whether no further prints can come.
     """
 
     def __init__(self) -> None:
@@ -26,7 +26,7 @@ class Prints:
         self._first, self._last, self._size = bytearray(), bytearray(), 0
 
     def add(self, printed: bytes) -> None:
-        """Add bytes to the record; drop bytes from its middle if it is full."""
+        """Add bytes; if there are too many, drop bytes from the middle."""
         self._size += len(printed)
         room = KEPT - len(self._first)
         self._first += printed[:room]
@@ -47,7 +47,7 @@ class Prints:
 
 
 def _letters(printed: bytes | bytearray) -> list[tuple[int, str]]:
-    """The letters of the text, each with the number of bytes that it is made of."""
+    """The letters of the text, each with its number of bytes."""
     letters = []
     for letter in printed.decode(errors="surrogateescape").replace("\r\n", "\n"):
         raw = letter.encode(errors="surrogateescape")
@@ -57,14 +57,14 @@ def _letters(printed: bytes | bytearray) -> list[tuple[int, str]]:
 
 
 def _fitting(letters: Sequence[tuple[int, str]], room: int) -> tuple[list[str], int]:
-    """The letters that fit into so many bytes, and the number of bytes that they are made of."""
+    """The letters that fit into this number of bytes, and the number of bytes that they take."""
     sizes = accumulate(len(shown.encode()) for _, shown in letters)
     fitting = letters[: sum(size <= room for size in sizes)]
     return [shown for _, shown in fitting], sum(size for size, _ in fitting)
 
 
 class _PrintStream(io.BytesIO):
-    """A stream of bytes that ends in a sink."""
+    """A stream whose bytes go to a sink."""
 
     name = "<the explorer's prints>"
 
@@ -80,7 +80,7 @@ class _PrintStream(io.BytesIO):
 
 @contextmanager
 def printing_to(sink: Prints) -> Iterator[None]:
-    """Send what Python prints in this process to a sink; other prints go where they did."""
+    """Send Python's prints in this process to a sink; other prints are not redirected."""
     written = io.TextIOWrapper(
         _PrintStream(sink), "utf-8", "backslashreplace", newline="", write_through=True
     )
@@ -89,10 +89,10 @@ def printing_to(sink: Prints) -> Iterator[None]:
 
 
 def patient_stderr() -> TextIO:
-    """Stderr as a text stream that drops texts which cannot be written, if it is full or unread.
+    """Stderr as a text stream that drops texts if it is full or nobody reads it.
 
-    Otherwise ``print`` would raise in the code that calls it: an explorer would be refuted, or
-    bad input have the exit code of an internal error.
+    Otherwise ``print`` would raise in the code that calls it: an explorer would be refuted, or bad
+    input would have the exit code of an internal error.
     """
     return io.TextIOWrapper(
         io.BufferedWriter(_Patient(2, "w", closefd=False)),
@@ -106,7 +106,7 @@ class _Patient(io.FileIO):
     """A file whose writing never fails."""
 
     def write(self, data: Any) -> int:
-        """Write, and report the whole length as written."""
+        """Write the bytes as far as possible, and report all of them as written."""
         try:
             return super().write(data)
         except OSError:

@@ -1,8 +1,8 @@
-"""A run directory: the finished units of a job in a file, whose every row has a checksum.
+"""Run directories: the finished units of a job in an SQLite file, each with a checksum.
 
-Results are put together only if the identities of their jobs are equal.  The file, of SQLite, holds
-JSON texts, and no code.  Each unit is one transaction: a killed process loses the unit that it was
-at, and nothing else.  Every row is checked when it is read.
+Results are merged only if the identities of their jobs are equal.  The file holds JSON texts and no
+code.  Each unit is written in one transaction, so that a killed process loses only the unit that it
+was doing.  The checksum of a row is checked when the row is read.
 """
 
 import fcntl
@@ -28,13 +28,13 @@ from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.version import __version__
 
 in_order = json.JSONEncoder(separators=(",", ":")).encode
-"""A JSON value as a text that keeps the order of keys, in which a report tells them."""
+"""The function from a JSON value to a text that keeps the order of keys, as reports need it."""
 
 
 FILE, DRAFT = "units.sqlite", "draft.sqlite"
 
 APPLICATION = 0x616C6C77
-"""The number in the header of the file that marks a run directory."""
+"""The number in the header of the file that marks it as a run directory's."""
 
 SCHEMA = 2
 """The version of the tables below, and of their content."""
@@ -53,12 +53,12 @@ BUSY = 10.0
 
 
 def named(path: Path) -> str:
-    """A run directory, as messages name it."""
+    """The name of a run directory in messages."""
     return f"run directory {show(str(path))}"
 
 
 def damaged(path: Path, how: str) -> InputError:
-    """The error for a run directory that is not as it was written."""
+    """The error for a run directory that has changed since it was written."""
     return InputError(
         f"{named(path)} is damaged: {how}; remove it and begin again, or bring it back from a copy"
     )
@@ -66,7 +66,7 @@ def damaged(path: Path, how: str) -> InputError:
 
 @contextmanager
 def saying_where(path: Path) -> Iterator[None]:
-    """A context in which errors of SQLite become errors about the directory, in one line."""
+    """A context in which an error of SQLite becomes a one-line error about the directory."""
     try:
         yield
     except sqlite3.OperationalError as error:
@@ -76,7 +76,7 @@ def saying_where(path: Path) -> Iterator[None]:
 
 
 class Database:
-    """An open file of units, in a directory, with the identity of its job."""
+    """The open file of a run directory, with the identity of its job."""
 
     def __init__(self, path: Path, connection: sqlite3.Connection, identity: Identity) -> None:
         self.path, self.identity, self._connection = path, identity, connection
@@ -85,7 +85,7 @@ class Database:
 
     @property
     def is_there(self) -> bool:
-        """Whether its file is the one that was opened: it was neither removed nor replaced."""
+        """Whether the opened file is still there, neither removed nor replaced."""
         try:
             return os.path.samestat((self.path / FILE).stat(), self._file)
         except OSError:
@@ -99,13 +99,13 @@ class Database:
         """The JSON value of a finished unit; None of any other.
 
         Raises:
-            InputError: if it is not as it was written.
+            InputError: if it has changed since it was written.
         """
         row = self._first("SELECT * FROM units WHERE key = ?", key)
         return None if row is None else json.loads(self._sound(f"unit {key}", *row)[3])
 
     def units(self) -> Iterator[tuple[str, int, float, Any]]:
-        """Of every finished unit its key, worlds, time and result, in no order."""
+        """Yield the key, worlds, time and result of each finished unit, in no order."""
         with saying_where(self.path):
             for row in self._connection.execute("SELECT * FROM units"):
                 key, worlds, finished, result, _ = self._sound(f"unit {row[0]}", *row)
@@ -114,8 +114,7 @@ class Database:
     def keep(self, key: str, worlds: int, finished: float, result: Any) -> None:
         """Write a finished unit, in a transaction of its own.
 
-        If another command writes the unit, too, because its lock was removed, the results are
-        equal.
+        If the lock was removed and another command writes the same unit, both results are equal.
 
         Raises:
             sqlite3.OperationalError: if there is no room for it.
@@ -129,7 +128,7 @@ class Database:
         return None if row is None else json.loads(self._sound(f"its {name}", *row)[1])
 
     def note(self, name: str, value: Any) -> None:
-        """Note a JSON value under a name, in place of what was there.
+        """Note a JSON value under a name, in place of an earlier one.
 
         Raises:
             sqlite3.OperationalError: if there is no room for it.
@@ -138,11 +137,11 @@ class Database:
         self._connection.execute("INSERT OR REPLACE INTO meta VALUES (?, ?, ?)", row)
 
     def begin_session(self, now: float) -> None:
-        """Note the time at which a process begins to add to it."""
+        """Note the time at which a process begins to add units."""
         self._first("INSERT INTO sessions VALUES (?)", now)
 
     def last_session(self) -> float:
-        """The time at which a process last began to add to it."""
+        """The latest time at which a process began to add units."""
         (started,) = self._first("SELECT max(started) FROM sessions")
         return float(started or 0)
 
@@ -161,12 +160,12 @@ class Database:
 
 
 def checksum(seal: str, *row: Any) -> str:
-    """A digest of a row, and of its job."""
+    """A digest of a row and of the identity of its job."""
     return hashlib.sha256(repr((seal, *row)).encode(errors="backslashreplace")).hexdigest()[:32]
 
 
 def created(path: Path, identity: Identity) -> Database:
-    """The new file of a directory that has none; it is there whole, or not at all."""
+    """The new file of a directory without one; it appears complete or not at all."""
     draft = path / DRAFT
     with saying_where(path):
         for file in path.glob(f"{DRAFT}*"):
@@ -187,10 +186,10 @@ def created(path: Path, identity: Identity) -> Database:
 
 
 def opened(path: Path) -> Database:
-    """Open the file of a directory to add to it.
+    """Open the file of a directory to add units.
 
     Raises:
-        InputError: if it is no run directory's, of another version, or damaged.
+        InputError: if the file is of no run directory, of another version, or damaged.
     """
     with saying_where(path):
         connection = _connected(path / FILE, "rw")
@@ -205,10 +204,10 @@ def opened(path: Path) -> Database:
 
 @contextmanager
 def reading(path: Path) -> Iterator[Database]:
-    """A context with the file of a directory, open for reading, even while a process adds to it.
+    """A context with the file of a directory, open for reading, also while a process adds units.
 
     Raises:
-        InputError: as :func:`opened`; and if there is none.
+        InputError: as :func:`opened`; and if there is no file.
     """
     if not (path / FILE).is_file():
         raise InputError(f"{show(str(path))} is no run directory: it holds no {FILE}")
@@ -220,7 +219,7 @@ def reading(path: Path) -> Iterator[Database]:
             stack.callback(connection.close)
             connection.execute("SELECT count(*) FROM sqlite_master")
         except sqlite3.OperationalError:
-            # Where nothing can be written the log of the last additions cannot be looked into.
+            # If nothing can be written, SQLite cannot read its log of the latest additions.
             for file in path.glob(f"{FILE}*"):
                 if not file.name.endswith("-shm"):
                     shutil.copyfile(file, copies / file.name)
@@ -238,12 +237,12 @@ def _connected(file: Path, mode: str) -> sqlite3.Connection:
 
 def _write_ahead(connection: sqlite3.Connection) -> None:
     connection.execute("PRAGMA journal_mode = WAL")
-    # A killed process loses nothing; a machine that loses its power the last units at most.
+    # A killed process loses no unit; a power failure loses the latest units at most.
     connection.execute("PRAGMA synchronous = NORMAL")
 
 
 def _looked_through(path: Path, connection: sqlite3.Connection) -> Identity:
-    """The identity in the file, after a check of all its pages."""
+    """The identity in the file, after all pages of the file have been checked."""
     (application,) = connection.execute("PRAGMA application_id").fetchone()
     if application != APPLICATION:
         raise InputError(f"{show(str(path))} is no run directory: its {FILE} is somebody else's")
@@ -266,10 +265,10 @@ def _looked_through(path: Path, connection: sqlite3.Connection) -> Identity:
 
 
 LOCK = "lock"
-"""The name of the file that is locked; it is made where it is missing."""
+"""The name of the file that is locked; it is made if it is missing."""
 
 PATIENCE = 3.0
-"""Seconds to wait for a command that is about to end, before another one is refused."""
+"""Seconds to wait for another command that is ending, before this command is refused."""
 
 
 class Gap(outcome.NoResult):
@@ -282,12 +281,12 @@ class Gap(outcome.NoResult):
 class RunDirectory(KeptUnits):
     """The finished units of a job that goes on after an interruption.
 
-    If there is no room for a unit, or the directory was removed, it is lost with a notice; the job
-    goes on.
+    If there is no room for a unit, or the directory was removed, the unit is lost with a notice,
+    and the job goes on.
 
     Attributes:
-        database: its file.
-        notice: takes messages to the user.
+        database: the open file.
+        notice: the function that shows the user a message.
     """
 
     database: Database
@@ -380,8 +379,8 @@ def kept_in(
 
     Args:
         run: the directory.
-        identity: of the job, asked for once the directory is locked.
-        notice: takes messages to the user.
+        identity: the function that returns the job's identity, called with the directory locked.
+        notice: the function that shows the user a message.
 
     Raises:
         InputError: if the directory is of another job, in use, damaged, or cannot be written.
@@ -436,7 +435,7 @@ def _locked(path: Path) -> Iterator[None]:
 
 
 def _is_taken(lock: int, how: int) -> bool:
-    """Whether somebody else has a lock; if not, it is taken."""
+    """Whether another process has the lock; if none has, take it."""
     try:
         fcntl.flock(lock, how | fcntl.LOCK_NB)
     except BlockingIOError:
@@ -445,7 +444,7 @@ def _is_taken(lock: int, how: int) -> bool:
 
 
 def in_use(path: Path) -> bool:
-    """Whether a process adds to the directory now."""
+    """Whether a process is adding units to the directory."""
     with suppress(OSError):
         lock = os.open(path / LOCK, os.O_RDONLY | os.O_CLOEXEC)
         try:

@@ -1,4 +1,4 @@
-"""Single runs: one that is told, and findings that are played again."""
+"""Single runs: the run of the verb ``run``, and findings that are played again."""
 
 from collections.abc import Callable, Iterable, Sequence
 from functools import cached_property
@@ -126,7 +126,7 @@ class SingleRun(Report):
 
 
 def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
-    """The first of these choices that a run has not taken, and why; empty if it has taken all."""
+    """The first given choice that a run has not taken, and the reason; empty if it took all."""
     for i, index in enumerate(choices):
         if run.outcome.choices[i : i + 1] != (index,):
             asked = len(run.outcome.choices)
@@ -139,11 +139,11 @@ def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
 def subject_of(explore: str | Callable[..., Any], limits: limits.Limits) -> loading.Subject:
     """The subject for a name or a generator function.
 
-    A named explorer is loaded in a process of its own: users' code does not get into this one.
+    A named explorer is loaded in a process of its own, so that users' code stays out of this one.
 
     Raises:
-        InputError: if there is no such explorer, it cannot be imported, or it is no explorer; or
-            if nothing may be played here.
+        InputError: if no such explorer exists, if it cannot be imported or is no explorer, or if
+            this process must not play.
     """
     ensure_outermost()
     if not isinstance(explore, str):
@@ -154,7 +154,7 @@ def subject_of(explore: str | Callable[..., Any], limits: limits.Limits) -> load
     if explore in BUILT_IN:
         return loading.built_in(explore)
     if loading.is_program(explore):
-        # What cannot be run is refused here.
+        # Here an explorer that cannot be played is refused.
         program.Program(loading.command_or_path(explore), limits.answer_timeout)
         return loading.Subject(explore, frozenset({"told"}))
     subject = loading.Subject(explore, frozenset(), source=loading.source_of(explore))
@@ -171,11 +171,11 @@ def subject_of(explore: str | Callable[..., Any], limits: limits.Limits) -> load
 
 
 REPEATED = 5
-"""The number of plays of the record of a finding in a process."""
+"""The number of times that a process plays a finding by its percepts."""
 
 
 class OutcomeCounter(RunCounter, frozen=True):
-    """The counter that keeps the outcomes of its run, the last one when all is settled."""
+    """The counter that keeps the outcomes of its run; the last one is the settled one."""
 
     outcomes: list[Outcome] = field(default_factory=list)
 
@@ -198,7 +198,7 @@ def _outcome_of(
     limits: limits.Limits,
     hash_seed: int | None,
 ) -> Outcome:
-    """The judged run of a user's explorer in a canonical world."""
+    """The outcome of a user's explorer in a canonical world."""
     counter = OutcomeCounter(Scope(Extent(MapClass.MAPS, world.map.edge_count), rules), keep=1)
     seeds = (FIRST, SECOND) if hash_seed is None else (hash_seed, hash_seed)
     lane = Lane(subject, counter, limits, given=script, seeds=seeds)
@@ -220,10 +220,10 @@ def single_run(
     hash_seed: int | None = None,
     after: Sequence[World] = (),
 ) -> SingleRun:
-    """One episode in which the script answers the first choices, as far as it fits.
+    """One episode; the script makes its first choices, as long as they are legal.
 
-    Both players of a user's explorer have the hash seed, if one is given.  If it is to be another
-    run after these worlds, it is played after them, too.
+    If a hash seed is given, both players of a user's explorer have it.  If ``after`` names worlds,
+    the run is also played after runs in these worlds.
     """
     if subject.from_user:
         canonical = canonical_world(world)
@@ -256,7 +256,7 @@ def single_run(
 class Plays:
     """Plays of one run by fresh players, whose prints are recorded.
 
-    Each plays the worlds of ``after`` before.
+    Each player first plays in the worlds of ``after``.
     """
 
     def __init__(
@@ -274,7 +274,7 @@ class Plays:
         self.judge = PythonJudge(counter, subject.name)
 
     def in_world(self, script: tuple[int, ...], seed: int) -> tuple[Log, str]:
-        """The log of the run in its world, as far as it gets, and the prints."""
+        """The log of the run in its world, up to a loss, and the prints."""
         message = self.judge.worlds_message([Due(0, 0, self._world, script)])
         (log,), printed = self._played(message | {"hear": True}, seed)
         return log, printed
@@ -282,13 +282,13 @@ class Plays:
     def again(
         self, actions: Iterable[Action], script: tuple[int, ...], seed: int, times: int = 1
     ) -> tuple[list[Log], str]:
-        """The logs of plays of the record of these actions, and the prints."""
+        """The logs of plays by the percepts of these actions, and the prints."""
         walk = Walk.of(self._world, actions)
         record = Recorded(walk.percepts, self._world, script, self._rules.task.is_over(walk))
         return self._played(self.judge.percepts_message([record] * times), seed)
 
     def traced(self, runs: Sequence[Due]) -> Sequence[bytes]:
-        """The logs of these runs, and behind them the lines of code through which they went."""
+        """The logs of these runs, and as last entry the lines of code that ran in them."""
         message = self.judge.worlds_message(runs)
         return self._logs(message | {"lines": True, "runs": len(runs) + 1}, FIRST)[0]
 
@@ -310,14 +310,13 @@ class Plays:
 
 
 def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limits) -> Finding:
-    """The finding with the prints of a fresh process, and whether that repeated the run.
+    """The finding with the prints of a fresh process, and whether that process repeats the run.
 
-    A run that was lost is played in its world once more, and so gets its walk.  An explorer that
-    no other process can import is not confirmed; it plays once more in this process, for its
-    prints.
+    A lost run is played once more in its world, which yields its walk.  An explorer that no other
+    process can import is not confirmed; it plays once more in this process, for its prints.
 
     Raises:
-        InputError: if a lighthouse of the user's is not the same when it is asked again.
+        InputError: if a user's lighthouse gives another answer when it is asked again.
     """
     ensure_same_senses(finding)
     rules, world, choices = finding.rules, finding.world, finding.choices
@@ -342,7 +341,7 @@ def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limi
 
 
 def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
-    """The finding of a run that was lost, with its walk, and whether it was lost again."""
+    """The finding of a lost run, with its walk, and whether the run was lost again."""
     episode = plays.judge.episode(finding.world, log)
     ending = episode.ending
     return doc.replace(
@@ -354,10 +353,10 @@ def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
 
 
 def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: int) -> Finding:
-    """The finding, and whether fresh processes repeat the run, from the recorded percepts alone.
+    """The finding, and whether fresh processes repeat the run by its percepts alone.
 
-    If a process does something else, the explorer is nondeterministic; such a one is confirmed by
-    plays that differ; ``later`` are those after the worlds before it.
+    If a process plays differently, the explorer is nondeterministic, which plays that differ
+    confirm.  The plays of ``later`` come after runs in other worlds.
     """
     record = finding.transcript.actions, finding.choices
     if finding.after:
@@ -379,7 +378,7 @@ def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: in
 
 
 def _unlike(finding: Finding, again: Log) -> Finding:
-    """The finding of an explorer that does something else in a fresh process."""
+    """The finding of an explorer that plays differently in a fresh process."""
     if finding.law in LOST:
         return doc.replace(finding, confirmed=False)
     broken = nondeterministic(f"it breaks the law {finding.law} in some plays only")
@@ -402,7 +401,7 @@ def _same_walk(finding: Finding, log: Log) -> bool:
 
 
 def _ends_alike(finding: Finding, log: Log) -> bool:
-    """Whether a play ends as the finding says; of a refused action nothing is recorded."""
+    """Whether a play ends as the finding says; a log does not contain a refused action."""
     end = ending_of(log)
     if isinstance(end, Fault):
         return end.law == finding.law

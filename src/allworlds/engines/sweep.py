@@ -1,8 +1,8 @@
 """The sweep: **the** loop of the studies, through all units of a job, level by level.
 
-A study is a :class:`Sweep`: it defines its levels, the engine of a unit, the result of a unit, and
-the use of a finished level.  The rest is here: kept units, listeners, endings before the time, and
-the report of all that was finished by then.
+A study is a :class:`Sweep`: it defines its levels, the engine and the result of a unit, and the use
+of a finished level.  This module does the rest: it keeps units, tells listeners, ends early, and
+reports all finished parts.
 """
 
 import time
@@ -30,7 +30,7 @@ from allworlds.inputs import checks, requests
 from allworlds.maps import classes
 
 By: TypeAlias = Literal["size", "world", "run"]
-"""Rows for programs: one for each size, each world, or each run, and explorer."""
+"""The unit of rows for programs: there is one for each explorer and size, world, or run."""
 
 
 Total = TypeVar("Total", bound=units.Sum)
@@ -51,8 +51,8 @@ def gather(
     A unit that is whole is added to ``kept``.
 
     Raises:
-        TimeIsUp: when the time limit has been reached; ``total`` holds the results till then.  If
-            no unit could be kept, it says so, and how long one takes.
+        TimeIsUp: when the time limit has been reached; ``total`` holds the results so far.  If no
+            unit could be kept, the message says so, and how long a unit takes.
     """
     begun: dict[str, units.Sum] = {}
     started, unit = time.monotonic(), None
@@ -64,7 +64,7 @@ def gather(
             whole, worlds = begun.setdefault(unit.key, result), result.worlds
             if whole is not result:
                 whole.add(result)
-            listener.progress(worlds)  # which may end the job: the part is counted by then
+            listener.progress(worlds)  # this may end the job, so the part was counted before
             if part.walk:
                 listener.walk(*part.walk)
             if part.last:
@@ -87,18 +87,18 @@ class Sweep(ABC, Generic[Total, Answer]):
     """A study that goes through all units of its levels.
 
     Args:
-        request: of the study; of its fields ``listener``, ``time_limit`` and ``shard`` mean the
-            same for every study.
-        extent: of the worlds, if they are all of a class.
+        request: the request of the study; the fields ``listener``, ``time_limit`` and ``shard``
+            have the same meaning in every study.
+        extent: the extent of the worlds, if they are all worlds of a class.
 
     Attributes:
         verb: the study's name on the command line.
         asked: the class of its requests.
-        result: the class of its results, where it needs nothing but what was kept.
-        finer: the further decisions that make a unit.
-        narrowed: the extent whose condition is asked again.
+        result: the class of its results, if its constructor needs no arguments.
+        finer: the number of further decisions that make a unit.
+        narrowed: the extent whose condition is asked again in fresh processes.
         portion: the part of the units that is done.
-        seconds: those that each finished level took.
+        seconds: the seconds that each finished level took.
         deadline: on the monotonic clock, or None.
         kept: the finished units of the job, while it goes on.
     """
@@ -121,27 +121,27 @@ class Sweep(ABC, Generic[Total, Answer]):
     def known(
         cls, identity: Identity, portion: units.Shard, listener: Listener
     ) -> "Sweep[Any, Any]":
-        """Return the sweep of that identity, or of a shard of it, without loading an explorer."""
+        """Return the sweep of a job or of a shard of it, without loading an explorer."""
         return cls(cls.asked_then(identity, portion, listener))
 
     @classmethod
     def asked_then(cls, identity: Identity, portion: units.Shard, listener: Listener) -> Any:
-        """Return the request of that identity, for a portion."""
+        """Return the request of the job with this identity, for a portion."""
         options = requests.remembered(cls.asked, identity.parameters)
         return cls.asked(**options, shard=portion, listener=listener)
 
     def list_by(self, by: By) -> None:
-        """Have rows for programs for each of these.
+        """Choose the rows for programs: one for each size, world, or run.
 
         Raises:
-            InputError: if there are none to choose from.
+            InputError: if the study offers no choice.
         """
         raise checks.InputError(f"by {by} has no effect on a job of {self.verb}")
 
     # ------------------------------------------------------------ what a study says
 
     def identity(self) -> Identity:
-        """Return everything that its report depends on."""
+        """Return the identity of the job: everything on which its report depends."""
         return Identity(
             verb=self.verb,
             parameters=self.parameters(),
@@ -150,11 +150,11 @@ class Sweep(ABC, Generic[Total, Answer]):
         )
 
     def parameters(self) -> dict[str, Any]:
-        """Return everything that its report depends on but the explorer: by default all options."""
+        """Return everything but the explorer on which the report depends; default: all options."""
         return requests.meant(self.request)
 
     def explorer(self) -> dict[str, Any]:
-        """Return the data of the explorer: by default there is none."""
+        """Return the data of the explorer; default: there is none."""
         return {"name": ""}
 
     def levels(self) -> Iterable[units.SweptLevel]:
@@ -169,46 +169,46 @@ class Sweep(ABC, Generic[Total, Answer]):
         """Return the engine of a unit, and its transport."""
 
     def empty(self) -> Total:
-        """Return a result to which those of units are added."""
+        """Return an empty result, to which the results of units are added."""
         made: Total = self.result()
         return made
 
     def read(self, kept: Any) -> Total:
-        """Return the result of a unit of which this was kept."""
+        """Return the result of a unit from its kept JSON value."""
         made: Total = from_kept(kept, self.result)
         return made
 
     @abstractmethod
     def finish(self, level: units.SweptLevel, total: Total) -> outcome.Ending | None:
-        """Take in a finished level; an ending ends the job with it."""
+        """Use a finished level; if an ending is returned, the job ends with this level."""
 
     @abstractmethod
     def report(self, ending: outcome.Ending) -> Answer:
-        """Return the report of all that was taken in."""
+        """Return the report of all finished levels."""
 
     def ended(self, ending: outcome.Ending, extent: classes.Extent | None = None) -> dict[str, Any]:
-        """Return the keywords of every report; the extent where the sweep has no other."""
+        """Return the keywords of every report; ``extent`` is for a sweep without an extent."""
         asked = doc.replace(requests.without_effort(self.request), listener=NOBODY)
         return {"ending": ending, "request": asked, "extent": extent or self.extent}
 
     def begin(self) -> outcome.Ending | None:
-        """Do what comes before the first level; an ending ends the job before it."""
+        """Prepare the first level; if an ending is returned, the job ends before this level."""
         return None
 
     def leave(self, level: units.SweptLevel, total: Total) -> None:
-        """Take in the finished units of an unfinished level: by default none."""
+        """Use the finished units of an unfinished level; by default they are dropped."""
 
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
-        """Do what comes after the last level; return the ending, if that is now another one."""
+        """Do the work after the last level; return the new ending, if it has changed."""
 
     def costs(self, total: Total) -> Iterable[tuple[int, int, int]]:  # noqa: ARG002  # none
-        """Return numbers of edges and of vertices, each with the largest cost of such worlds."""
+        """Return triples: edges, vertices, and the largest cost of the worlds of this size."""
         return ()
 
     # ------------------------------------------------------------ what a sweep does
 
     def answer(self, run: str | Path | None) -> Answer:
-        """Return the report; what is finished is kept in a directory, where one is named.
+        """Return the report; finished units are kept in the directory, if one is named.
 
         Raises:
             InputError: if the directory is of another job, in use, damaged, or not writable.
@@ -225,7 +225,7 @@ class Sweep(ABC, Generic[Total, Answer]):
             return self._answered(kept, self._from_the_beginning)
 
     def merged(self, kept: KeptUnits) -> Answer:
-        """Return the report of the kept units, which must be all.
+        """Return the report of the kept units, which must be all units of the job.
 
         Raises:
             Gap: if a unit is missing.
@@ -247,7 +247,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         return self._guarded(lambda: self.conclude(ending)) or ending
 
     def _guarded(self, job: Callable[[], outcome.Ending | None]) -> outcome.Ending | None:
-        """Return the ending of a part of the job, or of the interruption that has stopped it."""
+        """Return the ending of a part of the job, or the ending by an interruption."""
         try:
             with limits.models_bounded(self.deadline):
                 return job()
@@ -292,7 +292,7 @@ class Sweep(ABC, Generic[Total, Answer]):
     def _undone(
         self, level: units.SweptLevel, total: Total, drawn: list[units.Unit]
     ) -> Iterable[units.Unit]:
-        """Yield the units that were not finished before; draw from all of them."""
+        """Yield the units that were not finished before; keep a random sample in ``drawn``."""
         for number, unit in enumerate(level.units):
             if level.edges <= SMALL or number < DRAWN:
                 drawn.append(unit)
@@ -302,7 +302,7 @@ class Sweep(ABC, Generic[Total, Answer]):
                 yield unit
 
     def _is_kept(self, unit: units.Unit, total: Total) -> bool:
-        """Return whether a unit was finished before; then its result is added to the total."""
+        """Return whether a unit was finished before; if so, add its result to the total."""
         result = self.kept.result(unit.key)
         if result is None:
             return False

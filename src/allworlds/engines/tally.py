@@ -23,12 +23,12 @@ from allworlds.world.world import World
 
 
 def finding_to_record(finding: Finding) -> dict[str, Any]:
-    """A finding with what its own document leaves out, but without the rules."""
+    """The document of a finding, with the values that it omits, but without the rules."""
     return {**finding.to_json(), "machine": finding.machine}
 
 
 def finding_from_record(document: Mapping[str, Any]) -> Finding:
-    """The finding of :func:`finding_to_record`'s document, but for its rules."""
+    """The finding, without its rules, that :func:`finding_to_record` has written."""
     return replace(Finding.from_json(document), machine=document["machine"])
 
 
@@ -49,18 +49,18 @@ class Row:
     """The counts of the worlds with one number of edges and of vertices.
 
     Attributes:
-        worlds: rooted maps.
-        runs: worlds x places.
-        episodes: runs x schedules.
-        traversals: summed over the episodes.
-        traversals_rooted: summed over the first place of each rooted map only.
+        worlds: the number of rooted maps.
+        runs: the number of pairs of a world and a place.
+        episodes: the number of pairs of a run and a schedule.
+        traversals: the traversals, summed over the episodes.
+        traversals_rooted: the traversals, summed over the first place of each rooted map only.
         max_cost: the largest cost of an episode.
         bound: the largest bound of a run; None without a bound.
         best_cost: the largest, over the runs, of the cost of the cheapest schedule; None unless
             every schedule is tried.
-        fingerprint: those of the worlds, summed modulo 2^62.
-        most_expensive: the least run that attains the largest cost; None without a run.  Rows are
-            compared without it.
+        fingerprint: the sum of the worlds' fingerprints modulo 2^62.
+        most_expensive: the least run that attains the largest cost; None without a run.  The
+            comparison of rows ignores it.
     """
 
     worlds: int = 0
@@ -75,7 +75,7 @@ class Row:
     fingerprint: int = 0
 
     def add(self, other: "Row") -> None:
-        """Take in the counts of another part."""
+        """Add the counts of another part."""
         self.worlds += other.worlds
         self.fingerprint = (self.fingerprint + other.fingerprint) % FINGERPRINTS
         self.runs += other.runs
@@ -89,19 +89,19 @@ class Row:
         self.best_of(other.best_cost)
 
     def cost_of(self, cost: int, where: AtRun) -> None:
-        """Take in the largest cost at a run."""
+        """Update the largest cost and its run by the cost of a run."""
         if cost > self.max_cost or self.most_expensive is None:
             self.max_cost, self.most_expensive = cost, where
         elif cost == self.max_cost:
             self.most_expensive = min(self.most_expensive, where)
 
     def bound_of(self, run: int | None) -> None:
-        """Take in the bound of a run, which may be negative; None if it has none."""
+        """Update the largest bound by the bound of a run, which may be negative, or None."""
         if run is not None:
             self.bound = run if self.bound is None else max(self.bound, run)
 
     def best_of(self, run: int | None) -> None:
-        """Take in the cost of a run's cheapest schedule; None if it is not known."""
+        """Update the best cost by the cost of a run's cheapest schedule; None if unknown."""
         if run is not None:
             self.best_cost = max(run, self.best_cost or 0)
 
@@ -112,13 +112,13 @@ class Tally:
 
     Attributes:
         keep: the number of findings that are kept, each the smallest of its law and map.
-        rows: by (edges, vertices).
+        rows: the counts by (edges, vertices).
         witnesses: the number of occurrences of each event.
-        left_out: worlds without a place for the lighthouse.
-        checkpoints: the number of published ones.
-        findings: the smallest, ascending.
-        remarks: events that refute nothing, each with its number of occurrences.
-        covered: of a sample the number of its worlds with each value of a feature.
+        left_out: the number of worlds without a place for the lighthouse.
+        checkpoints: the number of published checkpoints.
+        findings: the smallest findings, ascending.
+        remarks: the events that refute nothing, each with its number of occurrences.
+        covered: for a sample, the number of its worlds with each value of each feature.
     """
 
     keep: int
@@ -143,7 +143,7 @@ class Tally:
         return (edges, vertices) <= self.findings[-1].key[:2]
 
     def find(self, finding: Finding) -> None:
-        """Keep the finding if it is the smallest of its kind, and that is among the smallest."""
+        """Keep the finding if it is the smallest of its kind, and among the smallest of all."""
         if len(self.findings) >= self.keep and finding.rank >= self.findings[-1].rank:
             return
         for at, kept in enumerate(self.findings):
@@ -160,7 +160,7 @@ class Tally:
         self.remarks[text] += 1
 
     def add(self, other: "Tally") -> None:
-        """Take in another part's tally."""
+        """Add another part's tally."""
         for (edges, vertices), row in other.rows.items():
             self.row(edges, vertices).add(row)
         self.witnesses.update(other.witnesses)
@@ -172,7 +172,7 @@ class Tally:
             self.find(finding)
 
     def under(self, rules: Rules) -> Self:
-        """Return the tally under the rules of the job, which are not kept with each finding."""
+        """Set the rules of the job in all findings, which are kept without them; return self."""
         self.findings = [replace(found, under=rules) for found in self.findings]
         return self
 
@@ -199,7 +199,7 @@ class Tally:
 
 
 REPORT_EVERY = 0.25
-"""Seconds after which a part of a unit is handed over."""
+"""Seconds after which a partial result is returned."""
 
 
 class EnginesDisagree(Exception):
@@ -207,13 +207,13 @@ class EnginesDisagree(Exception):
 
 
 class RunCounter(Struct, frozen=True):
-    """The runs of units, and their counting.
+    """The counter of the runs of units.
 
     Attributes:
         scope: the worlds and the rules of the check.
         keep: the number of findings that are kept.
-        compiled_from: the number of worlds of a level from which on compiled code judges the runs
-            of a user's explorer; None: never.
+        compiled_from: the least number of worlds of a level whose runs of a user's explorer are
+            judged by compiled code; None: never.
     """
 
     scope: units.Scope
@@ -230,7 +230,7 @@ class RunCounter(Struct, frozen=True):
         return Tally(self.keep)
 
     def count_run(self, run: units.NumberedRun, tally: Tally) -> World | None:
-        """Count a run, and return its world; None if that has no place for the lighthouse."""
+        """Count a run; return its world, or None if the map has no place for the lighthouse."""
         edges, vertices = run.map.edge_count, run.map.vertex_count
         if run.first:
             tally.row(edges, vertices).add(Row(1, fingerprint=fingerprint(run.map)))
@@ -261,7 +261,7 @@ class RunCounter(Struct, frozen=True):
     def settle(
         self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
     ) -> None:
-        """Find a run that may break a law, once it is known what both plays of it mean."""
+        """Keep the finding of a run that breaks a law, once its two plays have been compared."""
         if outcome.violation and tally.wants(world.map.edge_count, world.map.vertex_count):
             tally.find(referee.finding(world, place, outcome))
 
