@@ -1,9 +1,10 @@
 """Algorithm 1, compiled: an explorer behind the C interface, one call for each percept.
 
-Tests that have matched to the end are left to the variant: with a direction they are proved.
-Without one v0 and a neighbour v1 of it can be recognised: before its first pass the robot searches
-the dart of v0 that leads to v1, and a test that has come to v0 is proved by the query: out by that
-dart, and back.  Hypotheses are tried in the order of S, on the first of the shortest paths.
+The variants differ in the proof of a test that has matched to its end.  With a direction such a
+test is already proved.  Without one the robot can recognise v0 and one neighbour v1: before its
+first pass it searches the dart of v0 that leads to v1, and after a test that has come to v0 it
+makes the query: out by that dart, and back.  Hypotheses are tried in the order of S, on the first
+of the shortest paths.
 
 The twin is :mod:`allworlds.explorers.builtin.algorithm1`.
 
@@ -93,7 +94,7 @@ def next_pass(robot, action):
 
 @inner
 def sense(robot, degree, marks, bearing, action):
-    """Lines 5-16 and 20-21, as far as the next step."""
+    """Lines 5-16 and 20-21, up to the next step."""
     if robot.phase == FOLLOWING:
         _follow(robot, action)
     elif robot.phase == CROSSING:
@@ -149,7 +150,7 @@ def _expected(robot, dart, degree, marks, bearing):
 
 @inner
 def next_hypothesis(robot, action):
-    """Lines 7-9: the next test, or where all have failed the new vertex."""
+    """Lines 7-9: the next test, or the new vertex if all tests have failed."""
     if robot.tried == robot.alike:
         _augment_by_vertex(robot, action)
         return
@@ -190,7 +191,7 @@ def reject(robot, action):
 def retrace(robot, action):
     """Line 15: undo the last motion that is left, or go on with the next hypothesis.
 
-    While the robot goes back, ``turned`` is what the next step begins with.
+    While the robot goes back, ``turned`` is the first part of the next motion.
     """
     if robot.done == 0:
         robot.turned = -robot.turned
@@ -218,7 +219,7 @@ def confirm(robot, here, action):
 
 @inlined
 def _augment_by_vertex(robot, action):
-    """Lines 20-21: v_u is a new vertex; its first dart is the one of entry."""
+    """Lines 20-21: v_u is a new vertex; its first dart is the dart of entry."""
     robot.events[names.NON_LOOP] += 1
     v, entry = robot.vertices, robot.darts
     degree = robot.seen_degree
@@ -232,7 +233,7 @@ def _augment_by_vertex(robot, action):
 
 @inner
 def _add_vertex(robot, degree, marks, bearing):
-    """Add a vertex to S, whose darts are in U."""
+    """Add a vertex to S; its darts are in U."""
     entry, v = robot.darts, robot.vertices
     for dart in range(entry, entry + degree):
         robot.sigma[dart] = dart + 1
@@ -362,14 +363,14 @@ def _is(robot, degree, marks, own_degree, own_marks):
 
 @inner
 def _search(robot, dart, action):
-    """Leave by this dart of v0, to search v1."""
+    """Leave v0 by this dart, in search of v1."""
     robot.phase, robot.pointed = SEARCHING, dart
     action.kind, action.motion = names.MOVE, dart - robot.here
 
 
 @inner
 def _ask(robot, action):
-    """Begin the query: leave by the dart that should be the pointed one."""
+    """Begin the query: leave by the dart that should be the dart to v1."""
     towards = offset(robot, robot.pointed)
     robot.phase = ASKING
     action.kind, action.motion = names.MOVE, towards - robot.turned

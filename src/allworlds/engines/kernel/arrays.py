@@ -22,18 +22,18 @@ if TYPE_CHECKING:
 
 
 class Level(Struct, frozen=True, eq=False):
-    """The common data of all units of a level.
+    """The data that all units of a level share.
 
     Attributes:
         edges: m, at most MOST_EDGES.
         limit: the largest number of vertices, at most m + 1.
-        simple, planar: the class.
+        simple, planar: whether the class has these properties.
         explorer: one of :data:`allworlds.engines.kernel.capabilities.EXPLORERS`.
         lighthouse: one of :data:`allworlds.engines.kernel.capabilities.LIGHTHOUSES`.
         policy: ``fifo``, ``lifo`` or ``nearest``.
-        laws: the checked ones; those before ``map`` always are.
-        bounds: the largest legal costs by vertices, degree of v0 and largest degree; the latter two
-            have one entry where the bound does not depend on them.
+        laws: the checked laws; the laws before ``map`` are always checked.
+        bounds: the largest legal costs by vertices, degree of v0 and largest degree; a degree on
+            which the bound does not depend has one entry.
         budgets: the largest number of traversals, by vertices from 0 on; at most MOST_BUDGET.
     """
 
@@ -54,15 +54,15 @@ class Counts(Struct, frozen=True):
 
     Attributes:
         vertices: n.
-        worlds: rooted maps.
-        runs: worlds x places.
-        traversals: summed over the runs.
-        traversals_rooted: summed over the first place of each rooted map only.
+        worlds: the number of rooted maps.
+        runs: the number of pairs of a world and a place.
+        traversals: the traversals, summed over the runs.
+        traversals_rooted: the traversals, summed over the first place of each rooted map only.
         largest: the largest cost of a run.
-        checkpoints: the number of published ones.
-        left_out: worlds without a place for the lighthouse.
-        loops, parallels: worlds with a loop, and with two edges that have the same two ends.
-        fingerprint: those of the worlds, summed modulo 2^62.
+        checkpoints: the number of published checkpoints.
+        left_out: the number of worlds without a place for the lighthouse.
+        loops, parallels: the numbers of worlds with a loop, and with parallel edges.
+        fingerprint: the sum of the worlds' fingerprints modulo 2^62.
     """
 
     vertices: int
@@ -97,8 +97,8 @@ class BrokenRun(Struct, frozen=True):
     """A run that breaks a law, in canonical numbering, as :class:`At`.
 
     Attributes:
-        place: None for every place.
-        law: the law's name; empty if the engine does not tell laws apart.
+        place: the number of the place; None stands for every place.
+        law: the law's name; empty if the engine does not distinguish laws.
     """
 
     vertices: int
@@ -109,13 +109,13 @@ class BrokenRun(Struct, frozen=True):
 
 
 class Sums(Struct, frozen=True):
-    """The outcome of a piece of work.
+    """The sums of a unit, or of a batch.
 
     Attributes:
-        counts: for each number of vertices that occurs.
+        counts: the counts for each number of vertices that occurs.
         events: the number of occurrences of each event of Algorithm 1.
-        met: (n, d0, D) for all runs, with 0 for numbers on which the bound does not depend.
-        most_expensive: for each number of vertices the least of the runs that cost most.
+        met: the triples (n, d0, D) of all runs, with 0 if the bound does not depend on the number.
+        most_expensive: for each number of vertices the least of the most expensive runs.
         broken: the least runs that break a law, ascending.
     """
 
@@ -127,34 +127,34 @@ class Sums(Struct, frozen=True):
 
 
 DARTS = 32
-"""Room for the darts of a world, and for its vertices."""
+"""The largest number of darts of a world, and of its vertices."""
 
 DEPTHS = 16
-"""Room for the decisions of a gluing: one for each edge, and the root's degree."""
+"""The largest number of decisions of a gluing: one for each edge, and the root's degree."""
 
 FOLDED = LONG // 16
-"""Room for the nodes of an unfolded log: more than the traversals of the largest budget."""
+"""The largest number of nodes of an unfolded log, above the traversals of the largest budget."""
 
 NONE = -1
-"""The entry for no dart, no bearing, no number told."""
+"""The entry that stands for no dart, no bearing, or no told number."""
 
 
 def _record(*fields: tuple[Any, ...]) -> Any:
-    """The record of these fields: of each group the kind, its names, and perhaps the shape."""
+    """The type of a structured array; each group of fields has a type, names, and maybe a shape."""
     every = ((names.split(), kind, shape) for kind, names, *shape in fields)
     return dtype([(name, kind, *of) for names, kind, of in every for name in names], align=True)
 
 
 GLUING = _record(
-    # What is asked for; the address of the class's rule, or 0; what that says of the last decision.
+    # The request; the address of the class's rule, or 0; the rule's word on the latest decision.
     (int64, "edges limit simple planar rule possible"),
-    # The partial map: partners (NONE: open), vertices of darts, first darts and degrees.
+    # The partial map: partner (NONE: open) and vertex of each dart, first darts and degrees.
     (int64, "alpha owner first degree", DARTS),
     (int64, "open darts vertices depth"),
-    # By depth: the dart decided about, its partner, the degree of a vertex added, and what
-    # is still to be tried: partners as a set, then degrees.
+    # By depth: the oldest open dart, its partner, the degree of an added vertex, and the choices
+    # that are left: a set of partners, then a range of degrees.
     (int64, "oldest partner added untried degree_next degree_last", DEPTHS),
-    # Of the rule: by vertices, those joined to each, and its open darts.
+    # For the rule, by vertices: the set of neighbours, and the number of open darts.
     (int64, "neighbours unmatched", DARTS),
 )
 """The enumeration: a partial map that grows by decisions and takes them back."""
@@ -162,11 +162,11 @@ GLUING = _record(
 WORLD = _record(
     # The lighthouse: the number of its place, its dart at v0, what it tells.
     (int64, "darts vertices place pointed told"),
-    # By darts: the first dart of the vertex, the one behind its last, the vertex, and the degree
-    # there; what is sensed on arriving.  By vertices: the first dart.
+    # By darts: the first dart of the vertex, the dart after its last one, the vertex, its degree,
+    # and the percept on arriving.  By vertices (root): the first dart.
     (int64, "first end owner degree sigma alpha marks bearing root", DARTS),
-    # The canonical order of the darts, and the place of each in it.  Of the compass: the vertices
-    # in that order, and the number of the dart of each.
+    # The canonical order of the darts, and the position of each dart in it.  For the compass: the
+    # vertices in that order, and the number of each one's dart.
     (int64, "order number met choice", DARTS),
 )
 """A map with a lighthouse in it."""
@@ -180,19 +180,19 @@ ANSWER = _record(
     (int64, "sigma alpha"),
     (int32, "darts here"),
 )
-"""An answer, or the S that is shown."""
+"""An answer, or the S of a checkpoint."""
 
 EXPLORER = _record(
-    # Addresses: of its functions and of its state.
+    # The addresses of its functions, and of its state.
     (int64, "start step answer state"),
-    # What is handed to and fro.
+    # The values that are exchanged with it.
     (PERCEPT, "percept"),
     (ACTION, "action"),
 )
 """An explorer behind its C interface."""
 
 ROBOT = _record(
-    # How choices are answered; whether v0 and v1 are told apart by their degrees.
+    # The policy of choices; whether v0 and v1 are distinguished by their degrees.
     (int64, "policy natural"),
     # Its S: sigma, alpha (itself: open), vertex and expected percept of each dart; first
     # dart of each vertex, and the first of its darts that leads nearer to v0.
@@ -204,55 +204,56 @@ ROBOT = _record(
     (int64, "known"),
     (int64, "hypotheses", LONG),
     (int64, "alike"),
-    # Where it stands in S, and how far from the dart of entry it is turned.  What it is doing: the
-    # dart e explored, the hypothesis tested, a path and how much of it is done, what was sensed
-    # behind e, and what stands for the pointed dart.
+    # Its dart in S, and its turn from the dart of entry.  Its work: the phase, the dart e, the
+    # hypothesis under test, a path and the number of its steps that are done, the percept behind e,
+    # and the dart that stands for the pointed one.
     (int64, "here turned phase goal partner tried"),
     (int64, "path motions", LONG),
     (int64, "steps done seen_degree seen_marks seen_bearing"),
     (int64, "pointed matched degree_of_v0 degree_of_v1"),
     # Room for walks through S.
     (int64, "length queue", LONG),
-    # How often each event has occurred, in all episodes.
+    # The number of occurrences of each event, in all episodes.
     (int64, "events", 8),
 )
-"""Algorithm 1 on its way."""
+"""The state of Algorithm 1 in a run."""
 
 LOG = _record(
     # The robot's true dart at the end, and the darts of the edges walked, as a set.
     (int64, "checkpoints dart walked cost"),
-    # The dart arrived by after each motion.
+    # The dart of arrival after each motion.
     (int64, "arrived", LONG),
-    # The answer, or the S that is shown.
+    # The answer, or the S of a checkpoint.
     (ANSWER, "published"),
 )
 """A transcript."""
 
 FOLD = _record(
-    # How many darts lead nowhere; the robot's node, and how many nodes there are.
+    # The number of darts that lead nowhere so far, the robot's node, and the number of nodes.
     (int64, "open node nodes"),
-    # By nodes: the set of darts that lead somewhere, and the node that it has been merged with.
+    # By nodes: the set of darts that lead to a node, and the node into which it was merged.
     (int64, "linked parent", FOLDED),
-    # By darts, ``DARTS`` for each node: the node that one of that set leads to.
+    # By darts, ``DARTS`` for each node: the node to which a dart of that set leads.
     (int64, "link", FOLDED * DARTS),
     (int64, "todo", 2 * LONG),
 )
-"""A log that is being folded."""
+"""The state of a log that is being folded."""
 
 JUDGED = _record(
-    # Of the checkpoints so far: the laws that they break, as a set; whether there was one,
-    # and t at the last.
+    # For the checkpoints so far: the set of the laws that they break, whether there was one, and t
+    # at the latest.
     (int64, "broken shown t"),
-    # Room for images, for what is still to be looked at, and for claims.
+    # Room for images, for a queue of darts, and for claims.
     (int64, "to queue", LONG),
     (int64, "claim", DARTS),
 )
-"""The judge's memory of a run on its way."""
+"""The judge's state in a run."""
 
 JOB = _record(
-    # What is asked for: the address of the lighthouse, and the laws that are checked, as a set.
+    # The request: the address of the lighthouse, and the set of the checked laws.
     (int64, "lighthouse laws"),
-    # The next run, the one from which on no world is begun; whether a bound has no value.
+    # The number of the next run, the number from which no world is begun, and whether a bound
+    # has no value.
     (int64, "number until undefined"),
     (GLUING, "gluing"),
     (WORLD, "world"),
@@ -261,102 +262,102 @@ JOB = _record(
     (JUDGED, "judged"),
     (FOLD, "fold"),
 )
-"""A unit of work on its way."""
+"""The state of a unit that is being done."""
 
 LIBRARY = _record(
-    # Addresses: of its functions, its state, what is exchanged, and what answers its choices.
+    # The addresses of its functions, its state, the exchanged values, the function for choices.
     (int64, "start step answer choose state percept action here pick"),
-    # Sigma and alpha, and how many darts they hold.
+    # The addresses of sigma and alpha, and the number of darts for which they have room.
     (int64, "sigma alpha room"),
-    # How choices are answered, and whether one was illegal.
+    # The policy of choices, and whether a choice was illegal.
     (int64, "policy wrong"),
 )
-"""A native explorer, as a player calls it."""
+"""A native explorer with the values that a player exchanges with it."""
 
 READER = _record(
-    # Where the logs are, how many bytes, and where that of each run begins; the same of the
-    # percepts, which are noted; the next run, and how many logs are not to be judged here.
+    # The address of the logs, their size, and the beginnings of the runs' logs; the same for the
+    # percepts, which are written; the next run, and the number of logs that are not judged here.
     (int64, "logs size begins percepts noted starts run strange"),
-    # Room for an answer, or the S that is shown.
+    # Room for an answer, or the S of a checkpoint.
     (int32, "sigma alpha", 256),
 )
-"""An explorer that repeats the logs of another one."""
+"""A reader of logs, which takes the part of an explorer."""
 
 WALKED = 80
-"""Room for more than the darts of a world, so that a robot that errs stays in its buffers."""
+"""A number above the darts of a world, so that a wrong robot stays within its buffers."""
 
 NOW = _record(
-    # Where the walk stands, and the dart that it is about to cross.
+    # The phase of the walk, and the dart that it is about to cross.
     (uint8, "stage y"),
-    # The world W: its open darts, and how many darts and vertices there are.
+    # The world W: the set of its open darts, and its numbers of darts and vertices.
     (int64, "open"),
     (uint8, "darts vertices"),
-    # The robot's S: how many darts and vertices; its U; which vertices of W are in it; for
-    # each vertex its distance to v0 and the first dart that leads nearer, packed.
+    # The robot's S: its numbers of darts and vertices, U, the set of the vertices of W in it, and
+    # packed for each vertex its distance to v0 and the first dart that leads nearer.
     (uint8, "s_darts s_vertices"),
     (int64, "unexplored in_s level parent"),
     (uint8, "position passes"),
-    # The pass: the dart e, what it led to, the hypotheses left, the one tested, the steps
-    # of the test, and the dart in which the next one should end.
+    # The pass: the dart e, the dart of W to which it led, the hypotheses that are left, the one
+    # under test, the steps of the test, and the dart in which the next step should end.
     (uint8, "e x"),
     (int64, "hypotheses"),
     (uint8, "candidate steps t"),
     # The cost and the counters of the walk, packed.
     (int64, "total"),
-    # Under fifo the fingerprint of S, as far as it is known: at the end that of W.
+    # Under fifo the fingerprint of S so far, which at the end is the fingerprint of W.
     (int64, "code"),
 )
-"""The state to which a walk goes back to decide a dart in another way."""
+"""The state to which a walk goes back when it decides a dart in another way."""
 
 CHOICE = _record((int64, "untried degree"), (NOW, "now"))
-"""A dart that must be decided: partners and degrees to be tried, and the walk up to there."""
+"""A dart that must be decided: the partners and degrees that are left, and the walk so far."""
 
 WALK = _record(
     (NOW, "now"),
     (int64, "edges limit policy fuel"),
     (int64, "bound", DARTS),
     (uint8, "viable", (DARTS, 2 * DARTS)),
-    # What has been met, by vertices.
+    # The counts, by vertices.
     (int64, "counts", (DARTS, DEPTHS)),
-    # W, by darts: the partner, the vertex, the degree there, and the dart behind the last one of
-    # the vertex.
+    # W, by darts: the partner, the vertex, its degree, and the dart after the last one of the
+    # vertex.
     (uint8, "partner owner degree end", WALKED),
-    # The canonical order of its darts, and the place of each in it.
+    # The canonical order of its darts, and the position of each in it.
     (uint8, "order number", WALKED),
-    # S, by darts: the partner, the vertex, the degree that is expected there, the image in
-    # W.  By vertices: the darts, and the vertices joined to each.  By degrees: the darts.
+    # S, by darts: the partner, the vertex, the expected degree, the image in W.  By vertices: the
+    # sets of their darts and of their neighbours.  By degrees: the sets of darts.
     (uint8, "s_partner s_owner s_degree image", WALKED),
     (int64, "own of_degree adjacent", WALKED),
-    # The two ends of the edge that each pass has added to S.
+    # The two darts of the edge that each pass has added to S.
     (uint8, "one_end other_end", WALKED),
-    # The decisions that can still be taken otherwise.
+    # The decisions with choices that are left.
     (int64, "depth"),
     (CHOICE, "choices", WALKED),
-    # Room for a world that is to be blamed.
+    # Room for a world that breaks a law.
     (WORLD, "world"),
 )
-"""Algorithm 1 on its way through all worlds at once."""
+"""The state of Algorithm 1 on its walk through all worlds at once."""
 
 SCHEDULES = _record(
     (GLUING, "gluing"),
     (WORLD, "world"),
     (int64, "transit"),
-    # By darts: the number of the edge; the most expensive and the cheapest way to go on.
+    # By darts: the number of the edge, and the largest and the least cost of going on there.
     (int64, "edge_of most least", DARTS),
-    # By vertices: those joined in S, and lengths of paths.  A path on its way.
+    # By vertices: the set of neighbours in S, and lengths of paths.  By steps: a path so far.
     (int64, "adjacent near far at robot turned visited", DARTS),
-    # Steps until a mismatch; different tests, and those of a false hypothesis that matched.
+    # Steps until a mismatch; the number of tests, and of those in which a false hypothesis matched.
     (int64, "shortest longest tests wrong"),
 )
-"""All schedules in one world after the other."""
+"""The state of a search of all schedules in one world after the other."""
 
 
 class Kept(NamedTuple):
-    """Runs that are kept, as rows: n, the code, the place, the law's number, the unrooted code."""
+    """Kept runs, as rows: n, the code, the place, the law's number, the unrooted code."""
 
-    # By n, the least of the runs that cost most; without an unrooted code.
+    # By n, the least of the most expensive runs, without unrooted codes.
     most_expensive: Any
-    # The least runs that break a law, ascending; room for one of them.
+    # The least runs that break a law, ascending; a row for one more.
     least: Any
     row: Any
 
@@ -372,22 +373,22 @@ def new(kind: Any) -> Any:
 RUN_BUDGET, RUN_TOLD, RUN_NUMBER, RUN_PLACE, RUN_MOTIONS = range(5)
 HEAD = 5
 
-# The columns of a laid-out world, for each dart: the first dart of its vertex, its partner, and
-# what is sensed on arriving by it.
+# The columns of a laid-out world, for each dart: the first dart of its vertex, its partner, and the
+# percept on arriving by it.
 FIRST, PARTNER, DEGREE, MARKS, BEARING = range(5)
 WIDE = 5
 
 MOST_PLACES = 64
-"""A number above that of a lighthouse's places in one map."""
+"""A number above the number of a lighthouse's places in one map."""
 
 LONGEST_STRETCH = 2048
-"""The largest number of runs in a batch, but for those of its last world."""
+"""The largest number of runs in a batch, without the runs of its last world."""
 
 MOST_RUNS = LONGEST_STRETCH + MOST_PLACES
-"""Room for the runs of a batch, and of its last world."""
+"""The largest number of runs in a batch, with the runs of its last world."""
 
 LOG_BYTES = 1 << 20
-"""Room for the logs of a batch, and as much for its percepts: 512 bytes a run."""
+"""The size of the memory for the logs of a batch, and for its percepts: 512 bytes a run."""
 
 
 class Stretch(NamedTuple):

@@ -1,6 +1,6 @@
-"""The names and numbers that the kernel knows, and the sizes that it has room for.
+"""The names and numbers that the kernel knows, and the largest sizes for which it has room.
 
-No compiled code is loaded here, so that a process can ask what the kernel could do.
+This module loads no compiled code, so that a process can ask for these without the kernel.
 """
 
 EXPLORERS = ("algorithm1", "algorithm1-cluster", "algorithm1-natural")
@@ -9,11 +9,11 @@ EXPLORERS = ("algorithm1", "algorithm1-cluster", "algorithm1-natural")
 LIGHTHOUSES = frozenset(
     {"none", "position", "directional", "door", "compass", "cluster", "cluster-single", "natural"}
 )
-"""The lighthouses by the names of their kinds; a new one is an entry, and a function of that name
-in ``lighthouses``, with ``_`` for ``-``."""
+"""The names of the kinds of lighthouses.  A new kind needs an entry here and a function in
+``worlds`` of the same name, with ``_`` for ``-``."""
 
 CHECKED = frozenset({"map", "pose", "invariant-1", "invariant-2", "variant", "folding", "bound"})
-"""The laws that can be chosen, and that the judge checks."""
+"""The laws that a user can choose and that the compiled judge checks."""
 
 FIFO, LIFO, NEAREST = range(3)
 
@@ -27,14 +27,14 @@ CASE_1, CASE_2, CASE_3, AT_V0, EMPTY_H, LOOP, NON_LOOP = range(7)
 EVENTS = ("case-1", "case-2", "case-3", "v0-hypothesis", "empty-H", "loop", "non-loop")
 
 MOST_EDGES = 12
-"""The largest number of edges for which every packed number has its room."""
+"""The largest number of edges for which all packed numbers fit into their bits."""
 
 LONG = 1 << 18
-"""Room for all that grows with a walk: the darts that an explorer may believe in, the darts
-of an unfolded log, and so the darts of a world times the traversals of its budget."""
+"""The length of each array that grows with a walk: the darts of an explorer's map, the darts of an
+unfolded log, and so the darts of a world times the traversals of its budget."""
 
 MOST_BUDGET = LONG // (2 * MOST_EDGES) - 2
-"""The largest number of traversals that a run has room for."""
+"""The largest number of traversals for which a run has room."""
 
 COMPILING = "compiling the kernel; this is done once and takes some seconds"
 """The notice for a first use."""

@@ -4,19 +4,19 @@ from allworlds.engines.kernel.arrays import NONE
 from allworlds.engines.kernel.compiling import inlined, inner
 
 FACTOR, LESS = 0x1E3779B97F4A7C15, (1 << 62) - 1
-"""Those of :mod:`allworlds.maps.enumeration`, so that sums of two stay below 2^63."""
+"""The numbers of :mod:`allworlds.maps.enumeration`; sums of two fingerprints stay below 2^63."""
 
 
 @inlined
 def mixed(code, decision):
-    """The number of a history with one decision more."""
+    """The code of a history after one more decision."""
     code = (code ^ decision) * FACTOR & LESS
     return code ^ code >> 31
 
 
 @inner
 def fingerprint(world, alpha):
-    """The fingerprint of the rooted map, in any numbering in which a vertex's darts follow.
+    """The fingerprint of the rooted map, if the darts of each vertex are consecutive.
 
     The twin is :func:`allworlds.maps.enumeration.fingerprint`.
     """
@@ -89,7 +89,7 @@ def _encode_unrooted(world, row, start):
 
 @inner
 def note(world, law, row):
-    """Write a run as a row, but for its map's code without a root."""
+    """Write a run as a row, except for the unrooted code of its map."""
     row[0] = world.vertices
     encode(world, 0, row, 1)
     row[1 + 2 * world.darts] = world.place
@@ -98,7 +98,7 @@ def note(world, law, row):
 
 @inner
 def blame(world, law, least, row):
-    """Keep a run that breaks a law, if it is among the least; one of each law and map."""
+    """Keep a run that breaks a law if it is among the least; keep one run of each law and map."""
     note(world, law, row)
     if not _before(row, least, least.shape[0] - 1):
         return
@@ -116,9 +116,9 @@ def blame(world, law, least, row):
 
 @inner
 def is_less(world, kept, spot):
-    """Whether the canonical code of the world is less than that of a row, or that is empty.
+    """Whether the canonical code of the world is less than the code of a row, or the row is empty.
 
-    The code is not written: the first difference, which is early in most cases, decides.
+    The code is not written, because the first difference decides, and is early in most cases.
     """
     if kept[spot, 0] == 0:
         return True
@@ -146,7 +146,7 @@ def is_less(world, kept, spot):
 def keep_least(least, row):
     """Sort a row into the ascending rows of ``least``; the greatest falls out.
 
-    A row begins with its number of vertices; 0 there marks a row that is empty.
+    A row begins with its number of vertices; 0 there marks an empty row.
     """
     spot = least.shape[0]
     while spot > 0 and _before(row, least, spot - 1):
@@ -161,7 +161,7 @@ def keep_least(least, row):
 
 @inlined
 def _before(row, least, spot):
-    """Whether the row is lexicographically smaller than that of this place, or that is empty."""
+    """Whether the row is lexicographically less than the one at this spot, or that one is empty."""
     if least[spot, 0] == 0:
         return True
     for i in range(len(row)):

@@ -1,14 +1,14 @@
 """The compilation of the engines, the reuse of earlier compilations, and instructions.
 
 numba keeps compiled code beside the sources (or in the user's cache), but checks only the source
-file of the outermost function.  Here every source is checked from which something is compiled in.
+file of the outermost function.  This module checks all source files of the kernel.
 
-No compiled function makes an array or counts references, and only those that Python calls are
-wrapped for Python: that saves a third of the time of compiling.
+No compiled function makes an array or counts references, and only functions that Python calls are
+wrapped for Python, which saves a third of the time of compiling.
 
 The instructions are calls by address, bytes in memory, and sets as bit masks.  The arguments of a C
-function are pointers (a record, or an address as an integer) and 32-bit integers, and nothing or a
-32-bit integer is returned: that is called alike on every platform.
+function are pointers (to a structured array, or an address as an integer) and 32-bit integers; it
+returns nothing or a 32-bit integer.  Such a function is called in the same way on every platform.
 """
 
 import gc
@@ -28,7 +28,7 @@ _njit = partial(njit, nogil=True, error_model="numpy", no_cfunc_wrapper=True, _n
 
 
 def inlined(function: Callable[..., Any]) -> Any:
-    """A function that is called from one place: it becomes a part of its caller."""
+    """A function that is called from one place only; it is compiled into its caller."""
     return _njit(no_cpython_wrapper=True, inline="always")(function)
 
 
@@ -59,7 +59,7 @@ def callback(function: Callable[..., Any], signature: Any) -> int:
 
 @contextmanager
 def uncollected() -> Iterator[None]:
-    """Switch the garbage collector off: it would take a tenth of the time of compiling."""
+    """Switch off the garbage collector, which would take a tenth of the time of compiling."""
     enabled = gc.isenabled()
     gc.disable()
     try:
@@ -70,28 +70,28 @@ def uncollected() -> Iterator[None]:
 
 
 def is_compiled(function: Any) -> bool:
-    """Whether compiled code of ``function`` is kept from an earlier use, and still valid.
+    """Whether valid compiled code of ``function`` is kept from an earlier use.
 
-    The stamp of the kept code is checked, not its age: a later installation of equal sources uses
-    it, too.
+    The stamp of the kept code is checked, not its age, so that a later installation of equal
+    sources uses it, too.
     """
     file = _file_of(function)
     return file is not None and bool(file._load_index())  # noqa: SLF001  # there is no public way
 
 
 RECORD = from_dtype
-"""The type of a C function's argument that points to a record."""
+"""The type of a C function's argument that points to a structured array."""
 
 _ALIVE: list[CFunc] = []
-"""The functions with addresses, which must not be freed."""
+"""The functions whose addresses are in use, and which must not be freed."""
 
 
 def _stamped(function: Any) -> Any:
-    """The function; its kept code is valid as long as no source of this package changes."""
+    """The function; its kept code is valid until a source file of this package changes."""
     file = _file_of(function)
     if file is not None:
         file._source_stamp = _stamp()  # noqa: SLF001  # there is no public way
-        # It is compared before the rest is read, which may name classes that are gone.
+        # The stamp is compared before the rest is read, which may name classes that are gone.
         file._version = f"{file._version} {_stamp()}"  # noqa: SLF001  # as above
     return function
 
@@ -117,7 +117,7 @@ _NOT_EMPTY = ir.Constant(ir.IntType(1), 0)
 
 
 def _lowered(builder: Any, kind: Any, value: Any) -> Any:
-    """The value in the form that C takes."""
+    """The value in the form in which C takes it."""
     if isinstance(kind, types.Record):
         return builder.bitcast(value, _POINTER)
     if kind == types.int64:
@@ -127,7 +127,7 @@ def _lowered(builder: Any, kind: Any, value: Any) -> Any:
 
 
 def _call(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> Any:
-    """The code of a call of the address that is the first value, with the tuple behind it."""
+    """The code of a call of the address in the first value, with the tuple in the second."""
     address, arguments = values
     lowered = [
         _lowered(builder, kind, value)
@@ -152,7 +152,7 @@ def ask(_context, address, arguments):
 
 
 def expression(function: Callable[..., Any]) -> Any:
-    """Make a function of 64-bit integers of the builder of its instructions."""
+    """Make a function of 64-bit integers from the function that builds its instructions."""
 
     @wraps(function)
     def typed(_context: Any, *arguments: Any) -> Any:
@@ -171,13 +171,13 @@ def number(value: int) -> Any:
 
 @expression
 def lowest(builder, mask):
-    """The least element of a set of numbers below 63 that is not empty."""
+    """The least element of a nonempty set of numbers below 63."""
     return builder.cttz(mask, _NOT_EMPTY)
 
 
 @expression
 def highest(builder, mask):
-    """The greatest element of a set that is not empty."""
+    """The greatest element of a nonempty set."""
     return builder.sub(number(63), builder.ctlz(mask, _NOT_EMPTY))
 
 
@@ -189,7 +189,7 @@ def size(builder, mask):
 
 @inlined
 def neighbours(graph, front):
-    """The vertices that are joined in ``graph.adjacent`` to one of the front, as a set."""
+    """The set of vertices that are joined to the set ``front`` by ``graph.adjacent``."""
     joined = 0
     while front:
         joined |= graph.adjacent[lowest(front)]
@@ -198,26 +198,26 @@ def neighbours(graph, front):
 
 
 def _at(builder: Any, address: Any, index: Any, kind: Any) -> Any:
-    """The pointer to the number of that kind with this index, from the address on."""
+    """The pointer to entry ``index`` of an array of this kind at the address."""
     return builder.gep(builder.inttoptr(address, kind.as_pointer()), [index])
 
 
 @expression
 def entry_of(builder, address, index):
-    """The 32-bit integer number ``index`` of the array at the address."""
+    """Entry ``index`` of the array of 32-bit integers at the address."""
     return builder.sext(builder.load(_at(builder, address, index, _INT)), _LONG)
 
 
 @expression
 def put_entry(builder, address, index, value):
-    """Write the 32-bit integer number ``index`` from the address on; return it."""
+    """Write entry ``index`` of the array of 32-bit integers at the address; return it."""
     builder.store(builder.trunc(value, _INT), _at(builder, address, index, _INT), align=1)
     return value
 
 
 @expression
 def byte_of(builder, address, index):
-    """The byte number ``index`` from the address on."""
+    """Byte ``index`` of the array at the address."""
     return builder.zext(builder.load(_at(builder, address, index, _BYTE)), _LONG)
 
 
@@ -234,7 +234,7 @@ def address_of(_context, array):
 
 @intrinsic
 def copy(_context, target, source):
-    """Copy the source record to the target."""
+    """Copy the structured array ``source`` to ``target``."""
     assert target == source, (target, source)
 
     def generate(context, builder, signature, values):

@@ -1,16 +1,16 @@
-"""The demand-driven check of Algorithm 1: every rooted map, decided only where the robot looks.
+"""The demand-driven check of Algorithm 1 in all rooted maps, which are decided as the robot looks.
 
 Two partial maps grow side by side: the world W, with decided and open darts, and the robot's S and
-U, with ``image``: for each dart of S the dart of W that it stands for.
-The robot walks until it is about to cross an open dart of W.  Then every way to decide that
-dart is tried in turn: gluing it to another open dart, or to the first dart of a new vertex.
-Only decisions from which W can be finished are tried.  A walk that ends has met one world, and
-each finished map ends exactly one walk.
+U.  ``image`` maps each dart of S to the dart of W for which it stands.
+The robot walks until it is about to cross an open dart of W.  Then each decision for that dart is
+tried in turn: it is glued to another open dart, or to the first dart of a new vertex.  Only
+decisions after which W can be finished are tried.  Each finished walk belongs to one world, and
+each world to one finished walk.
 
-Each pass checks what makes I-1, I-2 and the variant hold after it: a new vertex of S has not been
-in S, and a dart closed to a loop leads in W where it leads in S.  The robot closes a loop only on
-an arrival at v0 in the dart that the path ends with; that merges the log's node with v0, too, so
-the folded log holds every edge of S.  At the end S must be all of W.
+Each pass checks conditions that imply I-1, I-2 and the variant after it: a new vertex of S has not
+been in S, and a dart that is closed to a loop leads in W to the same dart as in S.  The robot
+closes a loop only on an arrival at v0 in the last dart of the path.  That arrival also merges the
+log's node with v0, so the folded log holds every edge of S.  At the end S must be all of W.
 
 Source: Algorithm 1, Sections IV and V.
 """
@@ -35,7 +35,7 @@ ONE_LOOP, ONE_PARALLEL = 1 << 52, 1 << 53
 
 EDGE, PATH, PICK, NEXT, ENDED, FAILED = range(6)
 """The phases of a walk: before crossing e; before a step of a path; before the choice of e; before
-the choice of a hypothesis; ended; failed, so that only the worlds with the failure are left."""
+the choice of a hypothesis; ended; failed, so that all further worlds of the walk have failed."""
 
 # The columns of the tally, by vertices: worlds, the cost summed and the largest, events summed,
 # worlds with a loop and with parallel edges, their fingerprints, and walks that failed.
@@ -48,7 +48,7 @@ _FEW = 0xFF
 def explore(w, prefix, kept, halt):
     """Walk and tally every world whose gluing begins with ``prefix``, once each.
 
-    Worlds are kept as runs at place 0 that break the law 0.
+    A broken world is kept as a run at place 0 that breaks law 0.
     """
     s = w.now
     _begin(w, s, prefix)
@@ -108,7 +108,7 @@ def _begin(w, s, prefix):
 
 @inner
 def _add_vertex(w, s, degree):
-    """Add a vertex to W, whose darts are open."""
+    """Add a vertex with open darts to W."""
     v, first = s.vertices, s.darts
     for dart in range(first, first + degree):
         w.owner[dart], w.end[dart], w.degree[dart] = v, first + degree, degree
@@ -126,7 +126,7 @@ def _glue(w, s, z):
 
 @inlined
 def _choose(w, s):
-    """Take the next way to decide y; return whether there was one, else drop the choice."""
+    """Take the next decision for y; if there is none, drop the choice, and return False."""
     choice = w.choices[w.depth - 1]
     if choice.untried:
         z = lowest(choice.untried)
@@ -176,7 +176,7 @@ def _tally(w, s, kept):
 
 @inlined
 def _fingerprint(w, s):
-    """The fingerprint of W, which is numbered anew but under fifo."""
+    """The fingerprint of W; unless the policy is fifo, W is numbered anew for it."""
     if w.policy == FIFO and s.stage != FAILED:
         return s.code
     return fingerprint(w, w.partner)
@@ -202,7 +202,7 @@ def _blame(w, s, kept):
 
 @inlined
 def _go_back(w, s):
-    """Take the walk back to where the last choice was opened."""
+    """Take the walk back to the latest choice."""
     now = w.choices[w.depth - 1].now
     while s.passes > now.passes:
         s.passes -= 1
@@ -235,7 +235,7 @@ def _walk(w, s):
 
 @inlined
 def _pick(w, s):
-    """Lines 2-5: the dart e, and the way to it; or the end."""
+    """Lines 2-5: the dart e and the way to it, or the end."""
     if s.total & COST > w.fuel:
         s.stage = FAILED
         return
@@ -269,7 +269,7 @@ def _arrive(w, s):
     """Line 6: the dart e leads somewhere."""
     z = w.partner[s.y]
     if z < w.end[0]:
-        # The direction tells which dart of v0 this is: a test without a step.
+        # The direction tells the dart of v0, so this test needs no step.
         s.total += ONE_AT_V0
         s.candidate = z
         _augment_by_loop(w, s)
@@ -283,7 +283,7 @@ def _arrive(w, s):
 
 @inlined
 def _test_all(w, s):
-    """Lines 7-17 and 20-21: whether the pass is done; else a dart must be decided, or it failed."""
+    """Lines 7-17, 20-21: whether the pass is done; else it failed, or a dart must be decided."""
     while s.stage != FAILED:
         if s.stage == NEXT:
             if s.total & COST > w.fuel:
@@ -302,8 +302,8 @@ def _test_all(w, s):
         if s.open >> s.y & 1:
             if not at_home:
                 return False
-            # The last step would have to end in t, which has its partner: it cannot match,
-            # wherever y leads.
+            # The last step would have to end in t, which already has a partner: the test cannot
+            # match, wherever y leads.
             s.total += s.steps + 2 + ONE_CASE_2
             s.stage = NEXT
             continue
@@ -326,7 +326,7 @@ def _test_all(w, s):
 
 @inlined
 def _aim(w, s, dart, x):
-    """Plan the next step on the way home, from this dart of S, and x of W."""
+    """Plan the next step on the way home, from this dart of S and the dart x of W."""
     p = s.parent >> (5 * (w.s_owner[dart] - 1)) & 31
     turn = p - dart
     if turn < 0:
@@ -376,7 +376,7 @@ def _augment_by_vertex(w, s):
 
 @inlined
 def _augment_by_loop(w, s):
-    """Lines 18-19: the dart e closes to a loop with the candidate."""
+    """Lines 18-19: the dart e is closed to a loop with the candidate."""
     e, dart = s.e, s.candidate
     if not s.unexplored >> dart & 1 or w.partner[w.image[e]] != w.image[dart]:
         s.stage = FAILED
@@ -425,7 +425,7 @@ def _distance(w, start, goal):
 
 @inner
 def _ways_home(w, s):
-    """For each vertex of S its distance to v0, and the first dart that leads nearer, packed."""
+    """Pack for each vertex of S its distance to v0, and the first dart that leads nearer."""
     level = parent = 0
     reached = front = 1
     steps = 0

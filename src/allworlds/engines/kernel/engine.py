@@ -1,11 +1,11 @@
-"""A piece of a level, done by one of the compiled engines: plain numbers in, plain sums out.
+"""The compiled engines for a unit of a level; requests are plain numbers, results plain sums.
 
 :func:`judge` plays and judges every run; :func:`walk` walks Algorithm 1 once in each rooted map
 and counts the walk for every bearing of the lighthouse.
 
-Runs of a user's explorer are laid out and judged here, and played in other processes.  They are
-laid out first, so that a player needs no enumeration, and can take the runs in any order.  A
-library plays in :mod:`allworlds.engines.kernel.library_player`.
+For a user's explorer this module lays out runs and judges their logs, and other processes play.
+The runs are laid out first, so that a player needs no enumeration and can play them in any order.
+A library plays in :mod:`allworlds.engines.kernel.library_player`.
 """
 
 import json
@@ -56,7 +56,7 @@ def judge(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = Non
         level: the request.
         prefix: the first decisions, at least one (:func:`allworlds.maps.enumeration.prefixes`).
         keep: the number of broken runs that are kept, each the least of its law and map.
-        halt: an array; once its entry 0 is not 0 the work is given up, and its result is void.
+        halt: an array; if its entry 0 is set, the work is given up, and its result is void.
 
     Cost: some microseconds a run; constant memory.
     """
@@ -106,15 +106,15 @@ def _rooms(edges: int, keep: int) -> Kept:
 
 
 def compile_apart(explorer: str) -> None:
-    """Let another process compile an explorer, and leave it in the cache.
+    """Let another process compile an explorer into the cache.
 
-    Without a cache that can be written to, this has no effect.
+    Without a writable cache this has no effect.
     """
     in_another_process(f"from {__name__} import explorer_addresses as a; a({explorer!r})").wait()
 
 
 def in_another_process(code: str) -> subprocess.Popen[bytes]:
-    """The process, which runs the code; it finds the same modules, and its prints are dropped."""
+    """A new process that runs the code with the same import path; its prints are dropped."""
     program = f"import json, sys; sys.path[:] = json.loads(sys.argv[1]); {code}"
     command, no = [sys.executable, "-c", program, json.dumps(sys.path)], subprocess.DEVNULL
     marked = {**os.environ, COMPILER: "1"}
@@ -138,7 +138,7 @@ def set_up(job: Any, robot: Any, level: Level) -> None:
 
 
 def _at(row: list[int], darts: int) -> At:
-    """The run of a row."""
+    """The run that a row holds."""
     n, *code = row
     return At(n, tuple(code[:darts]), tuple(code[darts : 2 * darts]), code[2 * darts])
 
@@ -146,9 +146,9 @@ def _at(row: list[int], darts: int) -> At:
 def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Sums:
     """Walk Algorithm 1 once in every map whose gluing begins with ``prefix``.
 
-    The class is ``maps``, the lighthouse directional, all laws are checked together, and the
-    bound depends on n alone; a walk that costs more than the largest budget has failed.  A broken
-    world is one in which some law is broken at some place.
+    The class is ``maps``, the lighthouse is directional, all laws are checked together, and the
+    bound depends on n alone.  A walk that costs more than the largest budget has failed.  A world
+    is broken if some law is broken at some place.
 
     The arguments are those of :func:`judge`.
 
@@ -188,7 +188,7 @@ def _walked_events(table: list[list[int]], edges: int, places: int) -> dict[str,
 
 
 def flag() -> Any:
-    """An array with one entry, 0: the flag by which work in threads is given up."""
+    """An array with one entry, 0; setting the entry makes threads give up their work."""
     return zeros(1, int64)
 
 
@@ -197,8 +197,8 @@ class LaidOutRuns(Struct, frozen=True):
 
     Attributes:
         runs: the number of runs.
-        first, until: the numbers of its first run and of that after its last, in their unit.
-        last: whether it is the last one of its unit.
+        first, until: the number of its first run in the unit, and of the run after its last one.
+        last: whether it is the last batch of its unit.
     """
 
     runs: int
@@ -211,8 +211,8 @@ class UnitJudge:
     """The maps of a unit, laid out and judged batch by batch.
 
     Args:
-        level, prefix: as for :func:`judge`.
-        keep: the number of broken runs that are kept of each batch.
+        level, prefix: as in :func:`judge`.
+        keep: the number of broken runs that are kept for each batch.
         stretch: the memory of the first play.
         replay: the memory of the second play.
     """
@@ -230,7 +230,7 @@ class UnitJudge:
         reader.percepts, reader.starts = replay.percepts.ctypes.data, replay.starts.ctypes.data
 
     def lay_out(self, most: int) -> LaidOutRuns:
-        """Write the next batch, of about that many runs, to the memory; return its bounds."""
+        """Write the next batch, of about this number of runs, to memory; return its bounds."""
         ahead, stretch = self._ahead, self._stretch
         first = int(ahead.number)
         ahead.until = first + min(most, layout.LONGEST_STRETCH)
@@ -239,13 +239,13 @@ class UnitJudge:
         return LaidOutRuns(placed, first, int(ahead.number), int(ahead.until) == 0)
 
     def judge(self, batch: LaidOutRuns, size: int) -> tuple[Sums, bool]:
-        """Judge the logs in the memory; return the sums, and whether all logs could be judged.
+        """Judge the logs in memory; return the sums, and whether all logs could be judged.
 
-        The percepts for the second play are written to its memory.
+        The percepts are written to the memory of the second play.
 
         Args:
-            batch: that these are the logs of.
-            size: of the logs, in bytes.
+            batch: the batch of the logs.
+            size: the size of the logs in bytes.
         """
         reader, job, unit, count = self._reader, self._job, self._unit, batch.runs
         reader.size = max(0, min(size, LOG_BYTES))
@@ -258,7 +258,7 @@ class UnitJudge:
         starts[count] = self.noted = int(reader.noted)
         self.heads[:, layout.RUN_MOTIONS] = (starts[1 : count + 1] - starts[:count]) // 3 - 1
         heads[:] = self.heads
-        # Who plays again is not to know which runs these are.
+        # The second player must not know which runs these are.
         heads[:, layout.RUN_NUMBER : layout.RUN_MOTIONS] = 0
         good = reader.run == count and reader.strange == 0 and job.undefined == 0
         sums = sums_of(unit, job, self._robot)
@@ -267,11 +267,11 @@ class UnitJudge:
 
 @entry
 def lay_out(job, unit, heads, worlds):
-    """Lay out runs up to ``job.until``, or till there is no more room; return their number.
+    """Lay out runs up to ``job.until``, or until there is no more room; return their number.
 
-    The first two are as for :func:`allworlds.engines.kernel.runs.examine`; ``job.number`` becomes
-    the number of the next run, and ``job.until`` 0 behind the last.  ``heads`` and ``worlds`` are
-    written, a row for each run.
+    The first two arguments are as in :func:`allworlds.engines.kernel.runs.examine`.  ``job.number``
+    becomes the number of the next run, and ``job.until`` becomes 0 after the last run.  Each run is
+    written to a row of ``heads`` and of ``worlds``.
     """
     g, world, placed = job.gluing, job.world, 0
     while job.number < job.until and placed <= len(heads) - 2 * layout.MOST_PLACES:

@@ -1,12 +1,12 @@
 """The laws, by number: published maps against the world, the answer, and the folded log.
 
-A published S is embedded into the world: its ``here`` goes to the robot's true dart, and all else
-follows along sigma and the explored edges.
+A published S is embedded into the world: its ``here`` is mapped to the robot's true dart, and the
+images of all other darts follow along sigma and the explored edges.
 
-For the folded log a tree of fresh nodes is walked as the log says; on each arrival at v0 the node
-is merged with v0, aligned by the bearing, and merging goes on where one dart would lead to two
-places.  Each node is a copy of a vertex of the true map, and its darts have that vertex's names.
-Dart d of node v is the number ``v << NODE | d``.
+A folded log begins as a tree of new nodes, walked as the log says.  On each arrival at v0 the node
+is merged with v0, aligned by the bearing; if a dart then leads to two nodes, these are merged, too.
+Each node is a copy of a vertex of the true map, and its darts have the numbers of that vertex's
+darts.  Dart d of node v is the number ``v << NODE | d``.
 
 The twins are :mod:`allworlds.judging.laws` and
 :class:`allworlds.maps.combinatorial.CombinatorialMap`.
@@ -20,7 +20,7 @@ from allworlds.engines.kernel.compiling import entry_of, inlined, inner, lowest,
 from allworlds.judging.laws.law_table import PRECEDENCE
 
 LAWS = ("", *PRECEDENCE)
-"""The laws by their numbers, in their order of precedence; 0: none is broken."""
+"""The laws by their numbers, in their order of precedence; 0 stands for no broken law."""
 
 ILLEGAL_ACTION = LAWS.index("illegal-action")
 NO_ESTIMATE = LAWS.index("no-estimate")
@@ -39,9 +39,9 @@ NODE = DARTS.bit_length() - 1
 
 @inner
 def look_at(judged, published, world, dart, walked):
-    """Note which of the laws this checkpoint breaks; ``alpha[d] == d`` is an open dart of S.
+    """Note the laws that this checkpoint breaks; ``alpha[d] == d`` marks an open dart of S.
 
-    The robot is truly at the dart, and the darts of the edges walked so far are a set.
+    ``dart`` is the robot's true dart, ``walked`` the set of the darts of all edges walked so far.
     """
     darts, alpha, explored = published.darts, published.alpha, 0
     for d in range(darts):
@@ -62,7 +62,7 @@ def look_at(judged, published, world, dart, walked):
 
 @inner
 def answer_law(published, world, dart, judged):
-    """The law that the answer breaks (no-estimate, map or pose), or 0."""
+    """The law that the answer breaks (no-estimate, map or pose); 0 if it breaks none."""
     size, here = int64(published.darts), int64(published.here)
     if here < 0 or here >= size or not _is_map(published, judged):
         return NO_ESTIMATE
@@ -124,7 +124,7 @@ def _is_part(judged, published, world, dart, walked):
 
 @inner
 def _is_map(published, judged):
-    """Whether it is a map: two permutations, an involution without fixed points, connected."""
+    """Whether it is a connected map: two permutations, alpha an involution without fixed points."""
     size, sigma, alpha = published.darts, published.sigma, published.alpha
     if size <= 0 or size % 2 or size > LONG:
         return False
@@ -168,9 +168,9 @@ def folds(world, log, fold):
 
 @inlined
 def _step(world, fold, entered):
-    """Fold one step more: the robot arrives by the dart, along an edge that has been decided.
+    """Fold one more step: the robot arrives by the dart ``entered``.
 
-    There must be an open dart; else all is known, and a log is not folded any further.
+    There must be an open dart; without one the map is known, and no further step is folded.
     """
     leaving, at = world.alpha[entered], fold.node
     if fold.linked[at] >> leaving & 1:
@@ -207,7 +207,7 @@ def _lead(fold, v, leaving, w, entered):
 
 @inlined
 def _root(fold, v):
-    """The node that this one has become a part of."""
+    """The node into which this node has been merged."""
     while fold.parent[v] != v:
         v = fold.parent[v]
     return v
@@ -215,7 +215,7 @@ def _root(fold, v):
 
 @inner
 def _merge(world, fold, v, w):
-    """Merge two nodes, and the nodes behind equal darts."""
+    """Merge two nodes, and the nodes to which their equal darts lead."""
     waiting = 0
     while True:
         v, w = _root(fold, v), _root(fold, w)

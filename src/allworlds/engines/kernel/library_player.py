@@ -1,6 +1,6 @@
 """Batches of runs that a shared library plays, in worlds or by percepts; for players alone.
 
-A run leaves a log (:mod:`allworlds.log`), which is judged elsewhere.  The twin is
+A run yields a log (:mod:`allworlds.log`), which another process judges.  The twin is
 :mod:`allworlds.explorers.shared_library`.
 """
 
@@ -30,11 +30,11 @@ from allworlds.engines.kernel.compiling import (
 from allworlds.explorers.shared_library import NativeExplorer, threads_left, threads_now
 
 LONGEST_ENTRY = 4 + 2 * codes.MOST_DARTS
-"""The largest number of bytes that are written in one step."""
+"""The largest number of bytes that one step writes."""
 
 
 class Handed(NamedTuple):
-    """A native explorer: its record, the values exchanged with it, and its beat."""
+    """A native explorer: its structured array, the exchanged values, and its beat."""
 
     library: Any
     percept: Any
@@ -47,20 +47,20 @@ class LibraryPlayer:
     """A library that plays batches which compiled code has laid out.
 
     Args:
-        explorer: loaded here.
-        beat: the number of the run, and the explorer's turns in it.
+        explorer: the explorer, loaded in this process.
+        beat: the shared numbers of the run and of the explorer's turn in it.
     """
 
     def __init__(self, explorer: NativeExplorer, beat: MutableSequence[int]) -> None:
         functions = [*explorer.library.addresses(), explorer.state()]
-        self._memory = explorer.handed()  # it is the explorer's for good
+        self._memory = explorer.handed()  # the explorer uses it until it ends
         self._handed = _handed(functions, self._memory, beat)
         self._memories: dict[int, Stretch] = {}
         self._threads = threads_now()
         self._moved = empty(layout.LOG_BYTES, uint8)
 
     def play(self, batch: dict[str, Any]) -> tuple[bytes, Any] | None:
-        """The lengths of the logs, and the logs; None if they do not fit, or threads are left."""
+        """The lengths of the logs, and the logs; None if they do not fit, or if threads remain."""
         edges, runs, again = batch["edges"], batch["runs"], batch["again"]
         if edges not in self._memories:
             self._memories[edges] = Stretch.of(edges)
@@ -82,7 +82,7 @@ class LibraryPlayer:
         return self._in_order(order, size, memory)
 
     def _in_order(self, order: Any, size: int, memory: Stretch) -> tuple[bytes, Any]:
-        """The lengths of logs that were written in another order, and the logs in theirs."""
+        """The lengths of the logs, and the logs, both sorted from the order in which they came."""
         begins, lengths = memory.begins[: len(order)], empty(len(order), c_int)
         lengths[order] = diff(begins[order], append=c_int(size))
         move(begins, lengths, memory.logs, self._moved)
@@ -90,10 +90,10 @@ class LibraryPlayer:
 
 
 def _handed(functions: Sequence[int], memory: Sequence[Any], beat: Any) -> Handed:
-    """An explorer for compiled code.
+    """A native explorer in the form that compiled code takes.
 
-    The functions are the addresses of start, step, answer, choose (0: none), and of its state, the
-    memory is percept, action, here, sigma and alpha.
+    The functions are the addresses of start, step, answer, choose (0: none) and of the state; the
+    memory consists of percept, action, here, sigma and alpha.
     """
     library = new(LIBRARY)
     percept, action, here, sigma, alpha = (frombuffer(part, c_int) for part in memory)
@@ -115,7 +115,7 @@ def load_player() -> None:
 
 @entry
 def move(begins, lengths, logs, moved):
-    """Copy logs that begin there, and are so long, one behind the other."""
+    """Copy the logs with these beginnings and lengths, one behind the other, to ``moved``."""
     to = 0
     for run in range(len(lengths)):
         for at in range(begins[run], begins[run] + lengths[run]):
@@ -125,9 +125,9 @@ def move(begins, lengths, logs, moved):
 
 @entry
 def play(handed, shared, order, again):
-    """Play runs in this order; return the number of bytes of their logs, -1 if there is no room.
+    """Play runs in this order; return the size of their logs in bytes, or -1 without room.
 
-    If they are played again it is without a world, against the percepts of the first play.
+    If ``again`` is set, the runs are played by the percepts of the first play, without a world.
     """
     at = int64(0)
     for run in order:
@@ -141,10 +141,10 @@ def play(handed, shared, order, again):
 
 @inlined
 def _episode(handed, shared, run, again, at):
-    """Play an episode; return where its log ends, -1 if there is no room."""
+    """Play an episode; return the index after its log, or -1 without room."""
     explorer, action, head, logs = handed.library, handed.action, shared.heads[run], shared.logs
     cost, shown, turn = 0, 0, 1
-    # Where three bytes are for each percept, and which of them is the present one.
+    # The address of the percepts of three bytes, and the offset of the present one.
     offset, sensed = int64(0), int64(0)
     if again:
         sensed = address_of(shared.percepts) + int64(shared.starts[run])
@@ -204,7 +204,7 @@ def _sense(address, percept):
 
 @inlined
 def _arrival(sensed, offset, motion, degree):
-    """The place of the percept behind the motion, in a laid-out world."""
+    """The offset of the percept after the motion in a laid-out world."""
     leaving = offset + layout.WIDE * motion
     if leaving >= layout.WIDE * (byte_of(sensed, offset + layout.FIRST - layout.DEGREE) + degree):
         leaving -= layout.WIDE * degree
@@ -224,14 +224,14 @@ def _begin(explorer, action, head):
 
 @inlined
 def _end(handed, logs, at):
-    """Write the end of the log, with an answer or without; return the place of its last byte."""
+    """Write the end of the log, with or without an answer; return the index of its last byte."""
     kind = handed.action[0]
     if kind == names.ANSWER_READY:
         return max(at, _publish(handed, logs, at, codes.ANSWERED) - 1)
     if kind == names.CHECKPOINT:
         logs[at] = codes.SHOWN_TOO_OFTEN
     elif kind == names.AMBIGUOUS:
-        # The Python judge knows what a quotient is worth.
+        # Only the Python judge can judge a quotient.
         logs[at] = codes.BEYOND
     else:
         logs[at] = codes.FAULT
@@ -240,9 +240,9 @@ def _end(handed, logs, at):
 
 @inner
 def _publish(handed, logs, at, what):
-    """Write a published map; return the place behind it.
+    """Write a published map; return the index after it.
 
-    If it does not fit into bytes, BEYOND is written, and its own place is returned.
+    If the map does not fit into bytes, write BEYOND, and return the index of BEYOND.
     """
     explorer, here = handed.library, handed.here
     here[0] = NONE
@@ -280,5 +280,5 @@ def pick(library, of, options, cost):  # pragma: no cover  # compiled
 
 @cache
 def pick_address() -> int:
-    """The address of the compiled answers."""
+    """The address of the compiled :func:`pick`."""
     return callback(pick, types.int32(RECORD(LIBRARY), types.int32, types.int32, types.int64))

@@ -1,10 +1,10 @@
 """Every run of a unit, played, judged and tallied: the loop of the compiled judge.
 
-A run is a world with a place of the lighthouse.  Runs are numbered within their unit as those
-of the Python engine are: a world without a place counts as one.
+A run is a world with a place of the lighthouse.  Runs have the same numbers in their unit as in the
+Python engine; a world without a place counts as one run.
 
-A player is an explorer behind its C interface, or a log that is read; which of them is known
-when the judge is compiled.
+A player is an explorer behind its C interface, or a reader of logs; the judge is compiled for one
+of the two.
 """
 
 from typing import Any, NamedTuple
@@ -37,33 +37,33 @@ WORLDS, RUNS, TRAVERSALS, TRAVERSALS_ROOTED, LARGEST = range(5)
 CHECKPOINTS, LEFT_OUT, LOOP_EDGE, PARALLEL_EDGE, FINGERPRINT = range(5, 10)
 COLUMNS = 10
 
-# What a bound is worth that has no value for some sizes.
+# The entry for sizes for which the bound has no value.
 UNDEFINED = -(1 << 62)
 
 
 class UnitArrays(NamedTuple):
-    """The arrays of a unit: what is asked for, and its results."""
+    """The arrays of a unit: the request, and the results."""
 
-    # The decisions that the gluing of each map of the unit begins with.
+    # The first decisions of the gluing of each map of the unit.
     prefix: Any
-    # By darts owed and darts open after a decision: a map can still be finished.
+    # By the numbers of owed and open darts after a decision: whether a map can still be finished.
     viable: Any
-    # The largest legal cost by vertices, degree of v0 and largest degree; the latter two have one
-    # entry where the bound does not depend on them.  Where there was a run, ``met`` is 1.
+    # The largest legal cost by vertices, degree of v0 and largest degree; a degree on which the
+    # bound does not depend has one entry.  ``met`` is 1 where a run has occurred.
     bounds: Any
     met: Any
-    # The largest number of traversals, by vertices; the tally, added to.
+    # The largest number of traversals, by vertices; the tally, to which runs are added.
     budgets: Any
     counts: Any
-    # The runs that are kept.
+    # The kept runs.
     kept: Kept
 
 
 @entry
 def examine(job, player, unit, halt):
-    """Examine a unit; return whether it is done, else it was given up or reached ``job.until``.
+    """Examine a unit; return False if it was given up, or has reached ``job.until``.
 
-    The player is an explorer or a reader; ``halt[0]`` is not 0 once the work is to be given up.
+    The player is an explorer or a reader; the work is given up once ``halt[0]`` is not 0.
     """
     g, world, counts = job.gluing, job.world, unit.counts
     while halt[0] == 0 and job.number < job.until:
@@ -97,7 +97,7 @@ def examine(job, player, unit, halt):
 
 @inlined
 def _bound_of(world, bounds, met):
-    """The largest legal cost of this run, which is noted as met; UNDEFINED if it has no value."""
+    """The largest legal cost of this run, or UNDEFINED; note in ``met`` that it has occurred."""
     n, d0, largest = world.vertices, 0, 0
     if bounds.shape[1] > 1:
         d0 = world.degree[0]
@@ -147,9 +147,9 @@ def _judged_run(job, player, budget, bound):
 
 
 def play(*arguments: Any) -> int:
-    """The law that ended the episode, or 0 where there is an answer; ``log`` holds the walk.
+    """The law that ended the episode, or 0 if it has an answer; ``log`` holds the walk.
 
-    The budget is the largest legal number of traversals; one checkpoint more is legal.
+    The budget is the largest legal number of traversals; one more checkpoint is legal.
     """
     raise NotImplementedError
 
@@ -212,9 +212,9 @@ def _sense(world, dart, percept):
 
 @inner
 def _follow(world, reader, budget, log, judged):
-    """Follow the next log through the world; note the percepts on the way for the second play.
+    """Follow the next log through the world; note its percepts for the second play.
 
-    Bytes that are no log are counted as strange, in addition to the result here.
+    Bytes that are not a log are counted as strange, and the result is an illegal action.
     """
     logs, size, published = reader.logs, reader.size, log.published
     run, noted = reader.run, reader.noted
@@ -259,7 +259,7 @@ def _follow(world, reader, budget, log, judged):
 
 @inlined
 def _note(reader, at, world, dart):
-    """Note the percept on arriving by the dart: three bytes, and one without meaning."""
+    """Note the percept on arriving by the dart: three bytes, and a fourth that is overwritten."""
     if at + 4 > LOG_BYTES:
         reader.strange += 1
     else:
@@ -269,7 +269,7 @@ def _note(reader, at, world, dart):
 
 @inlined
 def _find_map(reader, at, published):
-    """Whether there is a published map in the log; then it is read."""
+    """Whether the log holds a published map here; if so, read it."""
     darts = byte_of(reader.logs, at) if at + 2 <= reader.size else 0
     if darts < 1 or darts > codes.MOST_DARTS or at + 2 + 2 * darts > reader.size:
         return False

@@ -1,12 +1,12 @@
 """The worst and the best cost of Algorithm 1 in each world, over every schedule.
 
-The robot's knowledge between two passes is a pair (explored edges, robot's vertex): v0, or the
-vertex that it has just added, which has one explored edge.  Rejected hypotheses add up, whatever
-their order and wherever the robot was: what the tests of a pass cost is found once for each set and
-dart.  Every test on every simple path is carried out, for a false hypothesis must be rejected.
+Between two passes the robot's knowledge is a pair: the explored edges, and the robot's vertex,
+which is v0 or the vertex that it has just added, with one explored edge.  The costs of rejected
+hypotheses add up, and depend neither on their order nor on the robot's vertex.  So the cost of the
+tests of a pass is computed once for each set and dart.  Each test is carried out on every simple
+path, because a false hypothesis must be rejected there.
 
-Since every choice of dart is tried, only the rooted map with the least code among the rootings at
-v0 is worked on.
+Since every choice of a dart is tried, only the rooting at v0 with the least code is searched.
 
 Source: Algorithm 1, Section IV.
 """
@@ -26,8 +26,8 @@ TRANSITS = {"shortest": SHORTEST, "simple": SIMPLE}
 
 ROOTED, WORST, BEST, TESTS, WRONG = range(5)
 COLUMNS = 5
-"""The columns of the outcome by vertices: rooted maps, worst and best cost, tests carried
-out in the maps worked on, and false hypotheses that were confirmed."""
+"""The columns of the outcome by vertices: rooted maps, worst and best cost, tests in the searched
+maps, and false hypotheses that were confirmed."""
 
 _FAR = 1 << 30
 
@@ -35,14 +35,14 @@ _FAR = 1 << 30
 class Rooms(NamedTuple):
     """The arrays of a search."""
 
-    # Room for a cost by sets of edges and vertices, and for a set of vertices by sets of edges.
+    # The worst and best costs by set of edges and vertex; the reached vertices by set of edges.
     worst: Any
     best: Any
     reached: Any
-    # By vertices; sums are added to, maxima raised.
+    # The outcome by vertices.
     counts: Any
-    # By vertices: their number (0: none yet), then the least code of a world that attains the worst
-    # cost; room for two such rows.
+    # By vertices: their number (0: none yet), then the least code of a world with the worst cost;
+    # two further such rows.
     least: Any
     row: Any
     other: Any
@@ -52,8 +52,8 @@ class Rooms(NamedTuple):
 def search(job, prefix, viable, rooms, halt):
     """Search all schedules in every map whose gluing begins with ``prefix``.
 
-    The job is a record of ``SCHEDULES``; its gluing is new but for what is asked for.  ``halt[0]``
-    is not 0 once the work is to be given up.
+    The job is a new array ``SCHEDULES`` with the request filled in.  The search is given up once
+    ``halt[0]`` is not 0.
     """
     while not halt[0] and advance(job.gluing, prefix, viable):
         settle(job.world, job.gluing)
@@ -118,7 +118,7 @@ def _solve(job, worst, best, reached):
 
 @inner
 def _begin(job, reached):
-    """Number the edges, and find the reachable sets: ascending, since passes add edges."""
+    """Number the edges, and find the reachable sets in ascending order, as passes add edges."""
     world = job.world
     job.tests = job.wrong = 0
     edge = 0
@@ -141,9 +141,9 @@ def _begin(job, reached):
 
 @inner
 def _pass(job, explored, known, worst, best):
-    """Find the most expensive and the cheapest way to go on from each dart, without the transit.
+    """Find the largest and the least cost of going on at each dart, without the transit to it.
 
-    The costs stand in ``job.most`` and ``job.least``; -1 for a dart that is not in U.
+    Write them to ``job.most`` and ``job.least``, or -1 for a dart that is not in U.
     """
     world = job.world
     _shortest(job, 0, job.near)
@@ -172,7 +172,7 @@ def _pass(job, explored, known, worst, best):
                     least += 2 * job.shortest
         arrives = u
         if known >> u & 1:
-            # The true hypothesis: last at worst, first at best.
+            # The true hypothesis comes last in the worst case, and first in the best case.
             most += job.far[u]
             least = job.near[u]
             arrives = 0
@@ -182,7 +182,7 @@ def _pass(job, explored, known, worst, best):
 
 @inner
 def _ways(job, explored, known, worst, best):
-    """Find the costs from each vertex on where the robot can stand, transit included."""
+    """Find the costs of going on from each vertex at which the robot can be, with the transit."""
     world = job.world
     for v in range(world.vertices):
         if not known >> v & 1 or (v and job.adjacent[v] & (job.adjacent[v] - 1)):
@@ -203,8 +203,8 @@ def _ways(job, explored, known, worst, best):
 def _test(job, explored, hypothesis, entered):
     """Test a false hypothesis on every simple path in S.
 
-    ``job.shortest`` and ``job.longest`` get the least and the greatest number of steps until a
-    mismatch; ``job.tests`` and ``job.wrong`` count different tests, and those that match.
+    Write the least and the greatest number of steps up to a mismatch to ``job.shortest`` and
+    ``job.longest``; count the tests in ``job.tests``, and those that match in ``job.wrong``.
     """
     world = job.world
     job.shortest, job.longest = _FAR, 0
@@ -251,7 +251,7 @@ def _turned(world, dart, turn):
 
 @inner
 def _joined(job, start, avoiding):
-    """Whether a walk in S leads from start to v0 without the vertices to be avoided."""
+    """Whether a walk in S leads from start to v0 and avoids these vertices."""
     reached = front = 1 << start
     while front:
         front = neighbours(job, front) & ~reached & ~avoiding
@@ -302,12 +302,12 @@ class ScheduleCosts(NamedTuple):
 
     Attributes:
         vertices: n.
-        rooted: rooted maps.
+        rooted: the number of rooted maps.
         worst: the largest cost of a schedule.
         best: the largest, over the worlds, of the cost of the cheapest schedule.
-        tests: different tests, on every simple path, in the worlds worked on.
-        wrong: the number of them that confirmed a false hypothesis.
-        sigma, alpha: the least code of a world that attains the worst cost.
+        tests: the number of tests, on all simple paths, in the searched worlds.
+        wrong: the number of tests that confirmed a false hypothesis.
+        sigma, alpha: the least code of a world with the worst cost.
     """
 
     vertices: int
@@ -337,7 +337,7 @@ def schedule_costs_of_unit(
         limit: the largest number of vertices.
         prefix: the first decisions, at least one.
         transit: ``shortest`` or ``simple``.
-        halt: an array; once its entry 0 is not 0 the work is given up, and its result is void.
+        halt: an array; if its entry 0 is set, the work is given up, and its result is void.
         simple: whether the class has no loops and no parallel edges.
         planar: whether it has genus 0.
     """

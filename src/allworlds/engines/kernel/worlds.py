@@ -1,13 +1,13 @@
-"""Every rooted map of a class, one after the other, and each as a world with its lighthouses.
+"""All rooted maps of a class, one after the other, and the lighthouses in them.
 
-Maps are finished in the order of the Python twin, :mod:`allworlds.maps.enumeration`.  The oldest
-open dart is glued to another open dart, partners ascending, or to the first dart of a new vertex,
-degrees ascending.  Only maps that can be finished are begun.  For the classes smaller than ``maps``
-a rule looks at a partial map, and says whether its latest decision is legal.
+The order of the maps is that of the Python twin, :mod:`allworlds.maps.enumeration`.  The oldest
+open dart is glued to another open dart, with ascending partners, or to the first dart of a new
+vertex, with ascending degrees.  A decision is taken only if the map can then be finished.  In
+classes smaller than ``maps`` a rule decides whether the latest decision is legal.
 
-The darts of a vertex are consecutive and clockwise, the start is 0.  Each kind of lighthouse is a
-function that puts it at the next of its places (before the first one ``world.place`` is NONE), or
-says by NONE that there is none left.  The twin is :mod:`allworlds.world.lighthouses`.
+The darts of a vertex are consecutive and clockwise, and the start is dart 0.  Each kind of
+lighthouse is a function that puts it at its next place.  ``world.place`` is NONE before the first
+place and after the last one.  The twin is :mod:`allworlds.world.lighthouses`.
 """
 
 from collections.abc import Sequence
@@ -32,7 +32,7 @@ from allworlds.engines.kernel.compiling import (
 
 
 def gluing_rule(edges: int) -> Any:
-    """The rule by darts owed and open: the last open dart may not close while darts are owed."""
+    """The rule by owed and open darts: no last open dart is glued while darts are owed."""
     viable = ones((2 * edges + 1, 4 * edges + 1), int64)
     viable[1:, 0] = 0
     return viable
@@ -46,7 +46,7 @@ def by_vertices_and_faces(
     Cost: some 150 ns a map; constant memory.
     """
     counts = zeros((edges + 2, edges + 3), int64)
-    # Compiled code begins with a first decision, which is the degree of the root.
+    # Compiled code needs a first decision, which is the degree of the root.
     for begun in [prefix] if prefix else [(-degree,) for degree in range(1, 2 * edges + 1)]:
         gluing = new(GLUING)
         gluing.edges, gluing.limit = edges, limit
@@ -77,7 +77,7 @@ def count(g, prefix, viable, counts):
 def advance(g, prefix, viable):
     """Whether there is one more map whose first decisions are ``prefix``; ``g`` holds it.
 
-    Before the first call the record is new, with the request filled in.
+    Before the first call ``g`` is new, with the request filled in.
     """
     fresh = g.darts == 0
     if fresh:
@@ -102,7 +102,7 @@ def advance(g, prefix, viable):
 
 @inlined
 def _look(g, prefix):
-    """List the decisions that are tried for the oldest open dart."""
+    """List the decisions for the oldest open dart that are to be tried."""
     depth = g.depth
     y = lowest(g.open)
     g.oldest[depth] = y
@@ -151,7 +151,7 @@ def _decide(g, viable):
 
 @inner
 def _add_vertex(g, degree):
-    """Add a vertex whose darts are open."""
+    """Add a vertex with open darts."""
     first = g.darts
     for dart in range(first, first + degree):
         g.owner[dart] = g.vertices
@@ -179,7 +179,7 @@ def _take_back(g):
 def rule(g):  # pragma: no cover  # compiled
     """Set ``g.possible``: whether the partial map is of the class, and can be finished.
 
-    In the simple classes the second part is decided by a count of the partners left alone.
+    In simple classes only a count of the remaining partners decides whether it can be finished.
     """
     depth = g.depth
     new = min(2 * g.edges - g.darts, g.limit - g.vertices)
@@ -197,7 +197,7 @@ def rule_address() -> int:
 
 @inner
 def _next_open(g, dart, open_):
-    """The open dart behind this one on the boundary of its face."""
+    """The next open dart on the boundary of the face of a dart."""
     while True:
         v = g.owner[dart]
         dart += 1
@@ -210,7 +210,7 @@ def _next_open(g, dart, open_):
 
 @inner
 def _one_face(g, y, z):
-    """Whether y and z, just joined, were open in one face; a new vertex may join any."""
+    """Whether y and z, which were just joined, were in one face; true for a new vertex."""
     if g.added[g.depth]:
         return True
     before = g.open | 1 << y | 1 << z
@@ -222,7 +222,7 @@ def _one_face(g, y, z):
 
 @inner
 def _even(g, new):
-    """Whether there are new vertices enough to even out the faces with an odd boundary."""
+    """Whether the new vertices suffice to make the boundaries of all faces even."""
     odd, rest = 0, g.open
     while rest:
         start = dart = lowest(rest)
@@ -237,7 +237,7 @@ def _even(g, new):
 
 @inner
 def _simple(g, new):
-    """Whether there is no loop, no parallel edge, and each vertex has partners enough left."""
+    """Whether there are no loops and parallel edges, and enough partners for each vertex."""
     waiting = 0
     for v in range(g.vertices):
         neighbours = own = 0
@@ -263,7 +263,7 @@ ALL_CHOICES = 3
 """The largest number of edges for which every choice of a compass's darts is a place."""
 
 ANY, SINGLE, UNIQUE = range(3)
-"""The neighbours of v0: all, those that one edge leads to, those that their degree tells apart."""
+"""Sets of neighbours of v0: all, those with a single edge to v0, those with a unique degree."""
 
 
 @inner
@@ -285,7 +285,7 @@ def settle(world, g):
 
 @inner
 def darken(world):
-    """Remove the lighthouse: only the degree is sensed, and no number told."""
+    """Remove the lighthouse: only degrees are sensed, and no number is told."""
     world.told = NONE
     for dart in range(world.darts):
         world.marks[dart] = 0
@@ -294,7 +294,7 @@ def darken(world):
 
 @inlined
 def arrival(world, dart, motion):
-    """The dart of arrival after leaving ``motion`` places clockwise of the dart."""
+    """The dart of arrival after leaving by the dart ``motion`` darts clockwise of this one."""
     degree, leaving = world.degree[dart], dart + motion
     if leaving >= world.first[dart] + degree:
         leaving -= degree
@@ -303,7 +303,7 @@ def arrival(world, dart, motion):
 
 @inner
 def doubled(world):
-    """Return 1 if there is a loop, plus 2 if two edges have the same two ends."""
+    """Return 1 if there is a loop, plus 2 if there are parallel edges."""
     found = 0
     for v in range(world.vertices):
         joined = 0
@@ -320,7 +320,7 @@ def doubled(world):
 
 
 def none(world):  # pragma: no cover  # compiled
-    """Go to the next place of no lighthouse: the one place."""
+    """Go to the only place of no lighthouse."""
     world.place = 0 if world.place == NONE else NONE
 
 
@@ -351,16 +351,16 @@ def door(world):  # pragma: no cover  # compiled
 
 
 def compass(world):  # pragma: no cover  # compiled
-    """Choose a reference dart at each vertex: every choice, or beyond a size the first.
+    """Choose a reference dart at each vertex: in small maps every choice is a place, else one.
 
-    Vertices and their darts count in canonical order; the dart of the last changes first.
+    Vertices and their darts are in canonical order; the dart of the last vertex changes first.
     """
     place = world.place + 1
     if place and world.darts > 2 * ALL_CHOICES:
         world.place = NONE
         return
     number(world, 0)
-    # The vertices in the order in which they are met, and the number of each one's dart.
+    # The vertices in canonical order, and the number of the chosen dart of each.
     met = 0
     for v in range(world.vertices):
         world.choice[v] = NONE
@@ -395,13 +395,13 @@ def cluster(world):  # pragma: no cover  # compiled
 
 
 def cluster_single(world):  # pragma: no cover  # compiled
-    """Do :func:`cluster`, but only where exactly one edge joins v0 and v1."""
+    """Do :func:`cluster`, but only if exactly one edge joins v0 and v1."""
     if _to_neighbour(world, SINGLE):
         _cluster(world)
 
 
 def natural(world):  # pragma: no cover  # compiled
-    """Choose a neighbour v1 so that its degree and that of v0 are each of one vertex only.
+    """Choose a neighbour v1 such that no other vertex has the degree of v0 or of v1.
 
     The explorer is told the degree of v1.
     """
@@ -411,7 +411,7 @@ def natural(world):  # pragma: no cover  # compiled
 
 @inner
 def _to_neighbour(world, which):
-    """Go to the next dart of v0 to such a neighbour; return False if there is no such place."""
+    """Go to the next dart of v0 to a neighbour of this set; return False if there is none."""
     world.place += 1
     while True:
         world.pointed += 1
@@ -436,7 +436,7 @@ def _joined(world, vertex):
 
 @inner
 def _unique(world, dart):
-    """Whether the degrees at both ends are of one vertex each; only the first dart to it counts."""
+    """Whether the degrees of both ends are unique; false but for the first dart to v1."""
     v1 = world.owner[world.alpha[dart]]
     for before in range(dart):
         if world.owner[world.alpha[before]] == v1:
@@ -451,7 +451,7 @@ def _unique(world, dart):
 
 @inner
 def _cluster(world):
-    """Put one mark at v0, two at the other end of the dart of the place, none elsewhere."""
+    """Put one mark at v0, two marks at the other end of the pointed dart, and none elsewhere."""
     darken(world)
     _mark(world, 0, 1)
     _mark(world, world.owner[world.alpha[world.pointed]], 2)
