@@ -1,19 +1,19 @@
 """One run: played, judged, kept as a finding, explained.
 
 ``episode``
-    the one place where a world and an explorer meet, and the ways in which a run can end;
+    a run of an explorer in a world, and the ways in which it can end;
 ``walk``
-    the walk of a run in its world, at which all others look;
+    the walk of a run in its world, which all other modules read;
 ``belief``
-    the walk as an answer has it, and the step at which the two part;
+    the same walk in an answer, and the first step at which the two walks diverge;
 ``rules``
     the rules by which a run is played and judged; a finding records them;
 ``referee``
-    one run by the laws: an outcome, and the finding of one that refutes;
+    the judgement of one run by the laws: its outcome, and its finding if it breaks a law;
 ``differences``
-    two plays of one run: where they differ, and what that overrules;
+    the difference of two plays of one run, and the outcomes that it overrules;
 ``tasks``
-    what counts as done;
+    the tasks, which define when a run has done its work;
 ``laws``
     the judge: an answer and a log against the truth, law by law;
 ``findings``

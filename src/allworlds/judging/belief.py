@@ -1,4 +1,4 @@
-"""The walk as an answer has it, beside the walk in the world, and the step at which they part."""
+"""The walk of a run in its answer, and the first step at which it diverges from the world."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
@@ -17,7 +17,7 @@ from allworlds.world.state import State
 def trail_to(map_: CombinatorialMap, here: Dart, walk: Walk | Transcript) -> list[Dart]:
     """The robot's dart at the start and after each step of the walk that ends at ``here``.
 
-    Motion is reversible: the walk is traced back to the dart where it must have begun.
+    Motions are reversible, so the walk is traced back to the dart where it must have begun.
     """
     trail = [here]
     for action in reversed(walk.actions):
@@ -41,7 +41,7 @@ def trail_from(map_: CombinatorialMap, start: Dart, walk: Walk) -> Iterator[Dart
 def believed_percepts(
     walk: Walk, estimate: CombinatorialMap, trail: Sequence[Dart]
 ) -> list[actions.Percept] | None:
-    """The percepts, first one included, of a walk along these darts of the estimated map.
+    """The percepts at the start and after each step of a walk in the estimated map.
 
     The lighthouse stands where the robot must believe it; None if the answer has no such place.
     """
@@ -54,7 +54,7 @@ def believed_percepts(
     for dart, action in zip(trail[1:], walk.actions, strict=True):
         state = replace(state, dart=dart)
         lying = state.lying.count(estimate.vertex_of[dart])
-        # A wrong answer may make the robot take up what it has never dropped there.
+        # In a wrong answer the robot may take up a marker that it has never dropped there.
         if type(action) is not actions.Move and not lighthouse.refusal(action, lying, state.hand):
             state = lighthouse.acted(estimate, state, action)
         expected.append(percepts[dart].marked(lighthouse.left_marks(estimate, state)))
@@ -67,9 +67,9 @@ class Parting(Struct, frozen=True):
     Attributes:
         step: the number of the step; 0 is the start.
         robot: the robot's dart in the world.
-        taken_for: the dart of the world for which the answer takes it; None if the answer has the
-            robot at a vertex where it has not been before.
-        fresh: whether in the world the robot has not been at this vertex before.
+        taken_for: the dart of the world that the answer confuses with it; None if the robot is at
+            a vertex that is new in the answer.
+        fresh: whether the robot is at a vertex that is new in the world.
     """
 
     step: int
@@ -87,17 +87,16 @@ def find_parting(
 ) -> Parting | None:
     """The first step at which the two walks diverge; None if they never do.
 
-    Every dart that the robot arrives by is tied to the dart by which it arrives in the
-    answer, and with the two darts their whole rotations.  The walks diverge where a tie would be
-    contradicted.
+    Each dart of arrival in the world is identified with the dart of arrival in the answer, and so
+    are the rotations of the two darts.  The walks diverge at the first contradiction.
 
     Args:
         world: the true map.
-        walked: the robot's darts in it, start included.
+        walked: the robot's darts in the world, at the start and after each step.
         answer: the estimated map.
-        believed: the robot's darts in that, start included.
-        fits: for each step whether the answer predicts the percept.  Where it does,
-            both vertices have one degree.
+        believed: the robot's darts in the answer, at the start and after each step.
+        fits: for each step whether the answer predicts the percept; if it does, the two vertices
+            have the same degree.
 
     Cost: linear in the steps and the darts.
     """
@@ -118,13 +117,13 @@ class BelievedWalk(Struct, frozen=True):
     """A walk in an answer beside the walk in the world.
 
     Attributes:
-        trail: the robot's darts in the answer at the start and after each step; the last is
-            where the answer says that the robot is.
-        percepts: the ones that the answer predicts at each; None if it has no place for the
+        trail: the robot's darts in the answer at the start and after each step; the last one is
+            the robot's dart by the answer.
+        percepts: the percepts that the answer predicts; None if it has no place for the
             lighthouse.
-        expected: the same, where there are none with the degrees alone.
-        misfits: the steps at which the percept was another one.
-        parting: the first step at which it diverges from the world; None if there is none.
+        expected: these percepts, or without them percepts with the degrees alone.
+        misfits: the steps at which the percept differs from the prediction.
+        parting: the first step at which the walks diverge; None if there is none.
     """
 
     trail: Sequence[Dart]
@@ -135,18 +134,18 @@ class BelievedWalk(Struct, frozen=True):
 
     @property
     def agreement(self) -> int:
-        """The number of steps, the start included, in which both agree."""
+        """The number of steps, with the start, in which both walks agree."""
         return self.parting.step if self.parting else len(self.trail)
 
 
 def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
-    """The walk in the answer from the dart from which it agrees for longest.
+    """The walk in the answer that begins at the dart from which it agrees for longest.
 
-    Of equals it is the one from which the motions lead to ``here``, if it is among them, else the
-    one whose degrees agree for longest, then the one from the smallest dart: an explorer that errs
-    only at the end was right before.
+    Among equals, the walk that ends at ``here`` is chosen, because an explorer that errs only at
+    the end was right before; else the one whose degrees agree for longest, and then the one from
+    the smallest dart.
 
-    Cost: the steps, times the darts of the answer from which the degrees agree that long.
+    Cost: the steps times the darts of the answer from which the degrees agree that long.
     """
     best = _beside(walk, answer.map, trail_to(answer.map, answer.here, walk))
     degrees = [percept.degree for percept in walk.percepts]
@@ -160,14 +159,14 @@ def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
         trail = [*trail_from(answer.map, dart, walk)]
         trail[-1] = answer.here
         other = _beside(walk, answer.map, trail)
-        # A leap to `here` that nothing contradicts is no walk: such an answer does not fit the log.
+        # If nothing contradicts the leap to `here`, it is no walk: the answer does not fit the log.
         if other.parting and other.agreement > best.agreement:
             best = other
     return best
 
 
 def _alike(map_: CombinatorialMap, trail: Iterable[Dart], degrees: Sequence[int]) -> int:
-    """The number of steps, the start included, before a degree differs."""
+    """The number of steps, with the start, before a degree differs."""
     pairs = zip(trail, degrees, strict=True)
     return next(
         (step for step, (dart, degree) in enumerate(pairs) if map_.degree_at[dart] != degree),

@@ -1,6 +1,6 @@
-"""Two plays of one run, compared: the violation of an explorer that plays it differently.
+"""The comparison of two plays of one run, and the violation of an explorer whose plays differ.
 
-Pure functions of two logs.  What a log says is judged elsewhere.
+These are pure functions of two logs.  Other modules judge the contents of a log.
 """
 
 from collections.abc import Sequence
@@ -16,11 +16,11 @@ from allworlds.protocol import actions
 from allworlds.world.world import World
 
 SHOWN_BEFORE, SHOWN_AFTER = 8, 4
-"""The number of actions that are shown before the first that differs, and from it on."""
+"""The numbers of actions that are shown before the first difference, and from it on."""
 
 
 def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = False) -> Outcome:
-    """The outcome of a first play, overruled by the violation of two plays that differ."""
+    """The outcome of a first play, or if the second play differs, the violation by this."""
     difference = difference_of(first, second, choices=choices)
     if difference is None or not _may_be_overruled(outcome.violation, second):
         return outcome
@@ -33,7 +33,7 @@ def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = Fals
 def _may_be_overruled(violation: Violation | None, second: Log) -> bool:
     """Whether nondeterminism has precedence over this law, or the second play does not break it.
 
-    A law that is broken in one of two plays alone is no more than a sign that they differ.
+    If only one of two plays breaks a law, this is only a sign that the plays differ.
     """
     if violation is None or violation.law in LOST:
         return True
@@ -44,14 +44,14 @@ def _may_be_overruled(violation: Violation | None, second: Log) -> bool:
 
 
 def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violation | None:
-    """The violation of an explorer whose plays on the same percepts differ; None if they do not.
+    """The violation of an explorer whose plays with the same percepts differ; else None.
 
-    The words of a fault are not compared: they may hold an address or a time.
+    The texts of faults are not compared, because they may contain an address or a time.
 
     Args:
-        first: in the world.
-        second: against its percepts.
-        choices: whether every schedule is tried: which there are follows from the choices.
+        first: the play in the world.
+        second: the play by the percepts of the first.
+        choices: whether the choices are compared, because every schedule is tried.
     """
     actions, again = [*first.actions], [*second.actions]
     if actions != again:
@@ -69,7 +69,7 @@ def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violatio
     else:
         return None
     for which, log in (("first", first), ("second", second)):
-        # Where the second walk leaves the first, nothing that it does is legal.
+        # Once the second walk has left the first one, each of its actions is illegal.
         left, fault = log is second and actions != again, fault_of(log)
         if fault and not (left and fault.law == "illegal-action"):
             difference += f"; the {which} ended with {fault.law}: {fault.seen}"
@@ -77,7 +77,7 @@ def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violatio
 
 
 def side_by_side(first: tuple[list[str], str], second: tuple[list[str], str]) -> str:
-    """Both plays, a line each: the actions around the first that differs, and the endings."""
+    """Both plays in a line each: the actions around the first difference, and the endings."""
     pairs = zip(first[0], second[0], strict=False)
     differ = next((i for i, (a, b) in enumerate(pairs) if a != b), len(first[0]))
     begin, end = max(0, differ - SHOWN_BEFORE), differ + SHOWN_AFTER
@@ -111,15 +111,15 @@ def nondeterministic(seen: str) -> Violation:
 
 
 def _meaning(log: Log) -> object:
-    """The part of the ending that both plays must share: the answer, or the law of the fault."""
+    """The part of the ending that must be equal in both plays: the answer or the broken law."""
     if log.ending[0] in (entries.BEYOND, entries.REFUSED):
-        return None  # of a refused action no percept was recorded
+        return None  # there is no percept after a refused action
     fault = fault_of(log)
     return fault.law if fault else log.ending
 
 
 def after_worlds(outcome: Outcome, worlds: Sequence[World]) -> Outcome:
-    """The outcome of a run with these worlds before it, if its plays with and without differ."""
+    """The outcome of a run that differs after runs in these worlds, with the worlds."""
     violation = outcome.violation
     if violation is None or violation.law != "nondeterministic":
         return outcome

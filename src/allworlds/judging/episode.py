@@ -1,6 +1,6 @@
-"""One episode: the log of a run, followed through its world, and how it has ended.
+"""Episodes: the log of a run, followed through its world, and the ending of the run.
 
-No percept of the player is trusted.
+No percept from a player is trusted.
 """
 
 import json
@@ -19,22 +19,22 @@ from allworlds.protocol.choices import Choices
 from allworlds.world.world import World
 
 RECORD_ENDS = "nothing: the record ends here"
-"""The expectation at the end of the recorded percepts of an explorer."""
+"""The expectation at the end of an explorer's recorded percepts."""
 
 
 class Answered(Struct, frozen=True):
     """The explorer has returned a well-formed answer.
 
     Attributes:
-        answer: an estimate; a rooted quotient, whose permutations are valid, and ``here`` is one of
-            its darts; or where any answer may be given a value, as JSON has it.
+        answer: an estimate; a rooted quotient with valid permutations and ``here`` among its
+            darts; or any JSON value if the task allows any answer.
     """
 
     answer: Any
 
 
 class Over(Struct, frozen=True):
-    """The run was ended, since all was done that the task asks for."""
+    """The run was ended, because the task was done."""
 
 
 class Fault(Struct, frozen=True):
@@ -62,8 +62,8 @@ class Episode(Struct, frozen=True):
     """The log of one run in its world.
 
     Attributes:
-        walk: what the robot did there, and sensed.
-        checkpoints: each with the number of steps of the transcript before it.
+        walk: the robot's walk there.
+        checkpoints: the checkpoints, each with the number of steps before it.
         ending: the answer, or the fault.
     """
 
@@ -73,16 +73,17 @@ class Episode(Struct, frozen=True):
 
     @property
     def transcript(self) -> actions.Transcript:
-        """The log without its world."""
+        """The actions and percepts of the log, without the world."""
         return self.walk.transcript
 
 
 class AroundExplorer:
-    """A world in which an explorer walks: it gets copies of the percepts.
+    """A world around an explorer, which gets only copies of the percepts.
 
     Args:
-        world: is not changed and not shown.
-        over: asked after each step whether the task is done, and the run ends; None: it never is.
+        world: the world; it is neither changed nor shown.
+        over: the function that tells after each step whether the task is done and the run ends;
+            None: it never ends so.
     """
 
     def __init__(self, world: World, over: Callable[[Walk], bool] | None = None) -> None:
@@ -95,7 +96,7 @@ class AroundExplorer:
         return self._over is not None and self._over(self._walk)
 
     def move(self, k: int) -> actions.Percept:
-        """The percept behind a motion."""
+        """The percept after a motion."""
         return self.act(actions.action_numbered(k))
 
     def act(self, action: actions.Action) -> actions.Percept:
@@ -117,18 +118,18 @@ def play(
     maps: bool = True,
     over: Callable[[Walk], bool] | None = None,
 ) -> Episode:
-    """Run one explorer in one world to its end, in this process.
+    """Play one run of an explorer in a world to its end, in this process.
 
     Args:
-        world: is not changed and not shown.
+        world: the world; it is neither changed nor shown.
         player: the explorer.
-        choices: given to an explorer that takes choices.
+        choices: the choices, for an explorer that takes choices.
         budget: the largest legal number of traversals; one checkpoint more is legal.
         beat: see :func:`allworlds.protocol.playing.play_run`.
         maps: whether the task asks for a map.
         over: see :class:`AroundExplorer`.
 
-    Cost: linear in the steps, besides the explorer's own.
+    Cost: linear in the steps, and the explorer's own cost.
     """
     beat = [0, 0] if beat is None else beat
     log = playing.play_run(
@@ -138,7 +139,7 @@ def play(
 
 
 def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episode:
-    """The episode of a log, walked in this world.
+    """The episode of a log, followed in this world.
 
     Args:
         log: the log.
@@ -147,14 +148,14 @@ def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episo
         maps: whether the task asks for a map.
 
     Raises:
-        IllegalAction: if the log goes on behind an action that is illegal here.
+        IllegalAction: if the log goes on after an action that is illegal here.
 
     Cost: linear in the steps.
     """
     walk, numbers = Walk.begin(world), log.actions
     too_often = log.ending[:1] == (entries.FREE_TOO_OFTEN,)
     if too_often:
-        numbers = numbers[:-1]  # the last was one too many
+        numbers = numbers[:-1]  # the last checkpoint was one too many
     refused: Fault | None = None
     for number in numbers:
         if refused:
@@ -174,7 +175,7 @@ def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episo
 
 
 def fault_of(log: Log, budget: int = 0, *, maps: bool = True) -> Fault | None:
-    """The fault with which a log ends; None if it ends with an answer, or since all was done."""
+    """The fault with which a log ends; None if it ends with an answer or a done task."""
     code, *parts = log.ending
     match code:
         case entries.FAULT:
@@ -191,7 +192,7 @@ def fault_of(log: Log, budget: int = 0, *, maps: bool = True) -> Fault | None:
         case _:
             return None
     if code != entries.FREE_TOO_OFTEN:
-        # Of a play against a record it is not known why the action is refused.
+        # A play by percepts does not know why the action is refused.
         legal = RECORD_ENDS if code == entries.BEYOND else "a legal action"
         return Fault("illegal-action", legal, show(action))
     free = "numbers written" if type(action) is actions.Write else "markers dropped and picked up"
@@ -200,7 +201,7 @@ def fault_of(log: Log, budget: int = 0, *, maps: bool = True) -> Fault | None:
 
 
 def ending_of(log: Log, budget: int = 0, *, maps: bool = True) -> Ending:
-    """The ending of a log: a fault unless it is a map or a quotient with one of its darts."""
+    """The ending of a log: an answer, a done task, or a fault, such as a malformed answer."""
     code, *parts = log.ending
     match code:
         case entries.ANSWERED | entries.LONG_ANSWER:

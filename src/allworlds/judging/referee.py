@@ -1,6 +1,6 @@
-"""One run, judged: the referee, who knows the name of an explorer, and the examiner, who plays it.
+"""The judgement of one run: a referee knows only the explorer's name, an examiner also plays it.
 
-A run that breaks a law is made a finding.
+They also make the finding of a run that breaks a law.
 """
 
 from msgspec import Struct
@@ -24,21 +24,21 @@ from allworlds.protocol import actions, choices
 from allworlds.world.world import World
 
 LOST = ("crash", "timeout")
-"""The laws that the machine may break, not the explorer alone."""
+"""The laws that a run may break because of the machine, without a fault of the explorer."""
 
 
 class Outcome(Struct, frozen=True):
     """One judged episode.
 
     Attributes:
-        episode: the run.
+        episode: the episode.
         violation: the first broken law, or None.
         detail: a traceback, or a program's stderr; may be empty.
         choices: the index taken at each choice.
         bound: the largest legal number of traversals, or None.
-        hash_seed: the players' one, if it makes a difference.
+        hash_seed: the players' hash seed, if it makes a difference.
         output: the explorer's prints, if they were recorded.
-        after: the worlds before it in the same process, if they make a difference.
+        after: the worlds of earlier runs in the same process, if they make a difference.
     """
 
     episode: Episode
@@ -77,7 +77,7 @@ class Referee:
         walk, ending = episode.walk, episode.ending
         if isinstance(ending, Fault):
             expected = ending.expected
-            if ending.law == "budget" and self.rules.task.ends_runs:  # no answer is waited for
+            if ending.law == "budget" and self.rules.task.ends_runs:  # without an answer
                 done = self.rules.task.asks.partition(";")[0]
                 expected = expected.replace("an answer within", f"{done} within")
             return Violation(ending.law, expected, ending.seen)
@@ -99,7 +99,7 @@ class Referee:
         return first_broken(Case(walk, episode.checkpoints, estimate, bound), self._checks)
 
     def finding(self, world: World, place: int, outcome: Outcome) -> Finding:
-        """The finding of a refuting outcome, in canonical numbering."""
+        """The finding of an outcome that breaks a law, in canonical numbering."""
         assert outcome.violation is not None
         violation, ending = outcome.violation, outcome.episode.ending
         canonical, step = canonical_world(world), violation.step
@@ -109,7 +109,7 @@ class Referee:
         if believed and wrong:
             step = believed.step
         if not isinstance(ending, Fault):
-            # What was expected and seen may name darts: judge again under the canonical names.
+            # The texts of the violation may name darts, so judge again with canonical numbers.
             walk = Walk.of(canonical, outcome.episode.walk.actions)
             again = self.verdict(replace(outcome.episode, walk=walk), outcome.bound)
             if again and again.law == violation.law:
@@ -138,13 +138,13 @@ class Referee:
 
 
 DARTS = range(1 << 63)
-"""The darts that a document can hold; whatever else a checkpoint says is none."""
+"""The darts that a document can hold; other numbers in a checkpoint are not darts."""
 
 
 def _believed(episode: Episode, step: int | None) -> tuple[Believed | None, str]:
-    """The first wrong checkpoint after so many steps, or of all, and what is wrong with it.
+    """The first wrong checkpoint after this number of steps, or among all, and its fault.
 
-    Where none is wrong it is the last.
+    If none is wrong, it is the last one, and the fault is empty.
     """
     at = [i for i, (steps, _) in enumerate(episode.checkpoints) if step in (None, steps)]
     given = tuple([episode.checkpoints[i] for i in at])
@@ -161,7 +161,7 @@ def _believed(episode: Episode, step: int | None) -> tuple[Believed | None, str]
 
 
 class Examiner(Referee):
-    """An examiner plays and judges runs of a built-in explorer in this process, each once."""
+    """An examiner plays each run of a built-in explorer once, in this process, and judges it."""
 
     def __init__(self, subject: Subject, rules: Rules) -> None:
         super().__init__(subject.name, rules)
@@ -176,7 +176,7 @@ class Examiner(Referee):
 
 
 def name_run(rules: Rules, world: World) -> str:
-    """A name for a run that does not depend on the order of runs; empty if unused."""
+    """A name of a run that does not depend on the order of runs; empty if it is not needed."""
     if not rules.policy.startswith("random"):
         return ""
     return f"{rooted_code(world.map.sigma, world.map.alpha, 0)}/{place_of(world)}"

@@ -1,4 +1,4 @@
-"""The rules by which a run is played and judged, which ``check``, ``fuzz`` and ``run`` all take."""
+"""The rules by which a run is played and judged; ``check``, ``fuzz`` and ``run`` take them all."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import KW_ONLY, replace
@@ -58,7 +58,7 @@ SIZE = {"n", "m"}
 
 
 def law_names(text: str) -> tuple[str, ...]:
-    """The laws of a list with commas."""
+    """The names of laws in a list with commas."""
     return tuple(part.strip() for part in text.split(","))
 
 
@@ -103,7 +103,7 @@ def _step_budget(given: object) -> int | None:
 class RuleOptions(Request):
     """The part of a request that says how runs are played and judged.
 
-    Each field that stands for another value, where nothing is given, follows from those before it.
+    The default of a field may depend on the fields before it.
     """
 
     task: Annotated[
@@ -180,7 +180,7 @@ class RuleOptions(Request):
         promised: bool = False,
         among: "Among | None" = None,
     ) -> "Rules":
-        """The rules under a lighthouse, with the bound and the budget that the explorer brings.
+        """The rules under a lighthouse, with the explorer's own bound and budget.
 
         Raises:
             InputError: naming the offending option and what would be legal.
@@ -201,11 +201,11 @@ class RuleOptions(Request):
 
 
 class Among(NamedTuple):
-    """A condition on the maps of a check: among these its findings are minimal.
+    """A condition on the maps of a check; its findings are minimal among these maps.
 
     Attributes:
-        name: as ``--where`` takes it.
-        digest: of the predicate's file, where it is the user's.
+        name: the name that ``--where`` takes.
+        digest: the digest of the predicate's file, if it is the user's.
     """
 
     name: str
@@ -223,16 +223,15 @@ class Among(NamedTuple):
 class Rules(RuleOptions, kw_only=False):
     """The rules by which a run is played and judged, in any world.
 
-    A bound, or laws, that are named and are what would be checked anyway are None here.
+    A bound, or laws, that equal their defaults are None here.
 
     Attributes:
         lighthouse: the kind of lighthouse.
-        promised: whether the worlds keep a promise, such as planarity, that can make an explorer
-            right without folding.
+        promised: whether the worlds have a promised property, such as planarity, by which an
+            explorer can be right although its log does not fold to the map.
         own_bound: the explorer's own bound for this lighthouse; None if it has none.
         among: the condition on the maps, for findings; runs do not depend on it.
-        shared_file: the name of the explorer's file, if code that judges it is loaded from it, for
-            reports.
+        shared_file: for reports, the name of the explorer's file if it also holds code that judges.
     """
 
     lighthouse: Converted[kinds.GivenLighthouse, kinds.LighthouseKind] = Converted(
@@ -266,7 +265,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def files(self) -> tuple[Path, ...]:
-        """The files of the user's from which code is loaded where runs are judged."""
+        """The user's files from which the judge loads code."""
         codes = (*self.lighthouse.codes, *self.task.codes)
         return tuple(file for code in codes for file in code.files)
 
@@ -277,7 +276,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def default_bound(self) -> Bound:
-        """The bound where none is named; those that are known are about the task map."""
+        """The bound if none is named; the known bounds are for the task map only."""
         if not self.task.is_map:
             return NO_BOUND
         return self.own_bound or bound_named(self.kind.default_bound)
@@ -288,7 +287,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def _met(self) -> set[str]:
-        """The conditions of laws that are met."""
+        """The conditions of laws that these rules meet."""
         met = {MAPS} if self.task.is_map else set[str]()
         met |= {FOLDS} if met and self.kind.folds and not self.promised else set()
         return met | ({BOUNDED} if self._named_bound != NO_BOUND else set())
@@ -304,7 +303,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def judged(self) -> tuple[str, ...]:
-        """The laws that are checked, with the task where it is no law by itself."""
+        """The laws that are checked, and ``task`` for any other task than the map."""
         return self.applying if self.task.is_map else (TASK, *self.applying)
 
     def budget(self, map_: combinatorial.CombinatorialMap) -> int:
@@ -314,8 +313,8 @@ class Rules(RuleOptions, kw_only=False):
     def budget_by_size(self, vertices: int, edges: int) -> int:
         """The largest legal number of traversals in a world of that size.
 
-        The number is not below the explorer's own bound, and not far beyond the bound that is
-        checked, if these depend on the size alone.
+        It is at least the explorer's own bound, and not far above the checked bound, if these
+        bounds depend only on the size.
         """
         if self.step_budget is not None:
             return self.step_budget
@@ -327,26 +326,26 @@ class Rules(RuleOptions, kw_only=False):
         return usual if far is None else min(usual, far)
 
     def budget_of_bound(self, vertices: int, edges: int) -> int | None:
-        """A hundred times the bound that is checked, and 100 more; None if no size has one.
+        """A hundred times the checked bound, plus 100; None if it does not depend on size alone.
 
-        A run that costs so much breaks a law in any case: it is given up, however it would end.
+        A run with this cost breaks a law in any case, so it is given up.
         """
         if not self.the_bound.variables <= SIZE:
             return None
         try:
             bound = self.the_bound.value(vertices, edges, 0, 0, 0, 0)
-        except InputError:  # which a run of that size tells
+        except InputError:  # a run of that size reports it
             return None
         return None if bound is None else far_beyond(bound)
 
     def choices(self, name: str, script: Sequence[int] = ()) -> Choices:
-        """Fresh choices for the run of that name; a random policy draws anew for each name."""
+        """New choices for the run of this name; a random policy draws anew for each name."""
         return Choices(policy_named(self.policy, name), script)
 
     def arguments(self, script: Sequence[int] = ()) -> list[str]:
-        """The options of ``run`` that give these rules, and these answers to the first choices.
+        """The options of ``run`` for these rules, and for these first choices.
 
-        ``run`` knows of no promise: a law that is not checked under one is left out by name.
+        ``run`` knows no promised property: laws that are not checked for it are left out by name.
         """
         answered = any(script) or (script and self.policy != DEFAULT_POLICY)
         choices = ["--choices", ",".join(map(str, script))] if answered else []
@@ -354,14 +353,14 @@ class Rules(RuleOptions, kw_only=False):
         return [*given_again(RuleOptions, of_run), *choices]
 
     def keywords(self, script: Sequence[int] = ()) -> list[str]:
-        """The arguments of a call in Python that give the same, as ``NAME=VALUE``."""
+        """The same as arguments of a call in Python, in the form ``NAME=VALUE``."""
         words = self.arguments(script)
         options = zip(words[::2], words[1::2], strict=True)
         return [_keyword(option, text) for option, text in options]
 
     @property
     def in_effect(self) -> dict[str, Any]:
-        """The options as they took effect, by the keys of documents."""
+        """The options with their effective values, by the keys of documents."""
         effective = {
             "task": None if self.task.is_map else self.task,
             "bound": self.the_bound,

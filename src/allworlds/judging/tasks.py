@@ -1,4 +1,4 @@
-"""Tasks: what counts as done, a value like a law.  **The** table of the tasks of this program.
+"""Tasks, which define when a run has done its work.  **The** table of the tasks of this program.
 
 Each task has a *complaint*: a function of the world, the transcript and the answer that returns the
 fault of the run, or None.  A user's task is such a function, too.  The task ``map`` has none: the
@@ -28,7 +28,7 @@ class TaskKind(Struct, frozen=True):
     """A task that comes with this program.
 
     Attributes:
-        asks: what it asks for, in a sentence.
+        asks: the requirement of the task, in a sentence.
         complaint: the function that tells the fault of a run; None for the task ``map``.
         ends: whether the run ends as soon as nothing is wrong.
     """
@@ -39,24 +39,24 @@ class TaskKind(Struct, frozen=True):
 
 
 def visits_everything(world: World, walk: Walk, _answer: object) -> str | None:
-    """Every vertex was visited."""
+    """The complaint that a vertex was not visited; None if all were."""
     return _left(len(walk.visited), world.map.vertex_count, "vertices not visited")
 
 
 def walks_everything(world: World, walk: Walk, _answer: object) -> str | None:
-    """Every edge was walked along."""
+    """The complaint that an edge was not walked along; None if all were."""
     return _left(len(walk.walked), world.map.edge_count, "edges not walked along")
 
 
 def comes_home(world: World, walk: Walk, answer: object) -> str | None:
-    """Every vertex was visited, and the walk ended where it began."""
+    """The complaint about a vertex that was not visited, or about the end of the walk."""
     if world.map.vertex_of[walk.here] != world.map.vertex_of[world.start]:
         return "the walk ended at another vertex than that where it began"
     return visits_everything(world, walk, answer)
 
 
 def counts(what: str, number: Callable[[World], int]) -> Complaint:
-    """The complaint about an answer that is not this number of the world."""
+    """The function that complains about an answer unless it is this number of the world."""
 
     def complaint(world: World, _walk: Walk, answer: object) -> str | None:
         right = number(world)
@@ -107,8 +107,8 @@ class Task(Struct, frozen=True):
     """A task: the criterion of a finished run, in a form that other processes can load.
 
     Attributes:
-        name: one of :data:`TASKS`, or that of a judge of the user's.
-        code: of the user's judge.
+        name: a name in :data:`TASKS`, or the name of a user's function.
+        code: the user's function.
     """
 
     name: str
@@ -119,12 +119,12 @@ class Task(Struct, frozen=True):
 
     @property
     def codes(self) -> tuple[UserCode, ...]:
-        """The judge of the user's, if it is one."""
+        """The user's function, if there is one."""
         return (self.code,) if self.code else ()
 
     @property
     def is_map(self) -> bool:
-        """The answer is an estimate, which has laws of its own; else it may be any."""
+        """Whether the answer must be an estimate, which has laws of its own; else any is legal."""
         return self.name == MAP
 
     @property
@@ -138,20 +138,20 @@ class Task(Struct, frozen=True):
 
     @property
     def ends_runs(self) -> bool:
-        """Whether the judge ends runs, too."""
+        """Whether the task ends runs."""
         return TASKS[self.name].ends if self.code is None else hasattr(self._complaint, "over")
 
     @property
     def over(self) -> Callable[[Walk], bool] | None:
-        """The function that is asked after each step whether the run ends; None if none is."""
+        """The function that tells after each step whether the run ends; None if it never does."""
         return self.is_over if self.ends_runs else None
 
     def is_over(self, walk: Walk) -> bool:
-        """Whether a run ends here, as the judge says; never where it ends none.
+        """Whether the task ends a run here.
 
         Raises:
-            InputError: if the user's judge raises, says neither True nor False, or is not the same
-                twice.
+            InputError: if the user's function raises, returns no boolean, or returns different
+                values for the same run.
         """
         if not self.ends_runs:
             return False
@@ -166,8 +166,8 @@ class Task(Struct, frozen=True):
         """The fault of a finished run; None if there is none.
 
         Raises:
-            InputError: if the user's judge raises, returns anything else than a text or None, or
-                is not the same twice.
+            InputError: if the user's function raises, returns neither a text nor None, or returns
+                different values for the same run.
         """
         answer = ending.answer if isinstance(ending, Answered) else None
         wrong = self._asked("", self._complaint, walk.world, walk, answer)
@@ -176,10 +176,10 @@ class Task(Struct, frozen=True):
         return wrong
 
     def _asked(self, part: str, function: Callable[..., Any], world: World, *run: Any) -> Any:
-        """The judge's word on a run; one of the user's is asked twice, and must say the same.
+        """The value of a function for a run; a user's function is called twice.
 
         Raises:
-            InputError: if it does not, or raises.
+            InputError: if the user's function raises, or returns two different values.
         """
         if self.code is None:
             return function(world, *run)
@@ -194,7 +194,7 @@ class Task(Struct, frozen=True):
 
 
 def task_named(given: object) -> Task:
-    """The task of a name, or of a judge in Python.
+    """The task of a name, or of a function in Python.
 
     Raises:
         InputError: naming the legal ones.
@@ -209,7 +209,7 @@ def task_named(given: object) -> Task:
             return Task(name)
         code = TASK_ROLE.find(name)
     if not code.recorded:
-        code.function  # noqa: B018  # it is refused here, and not where it is used
+        code.function  # noqa: B018  # so that it is refused here, before its use
     return Task(code.name, code)
 
 

@@ -1,6 +1,6 @@
-"""The walk of a run in its world: the one value that laws, tasks, findings and stories look at.
+"""The walk of a run in its world, which laws, tasks, findings and stories read.
 
-:meth:`~allworlds.world.world.World.step` alone knows how a robot moves; a walk is made by it.
+Only :meth:`~allworlds.world.world.World.step` knows how a robot moves; it makes each walk.
 """
 
 from collections.abc import Iterable, Iterator
@@ -16,19 +16,18 @@ from allworlds.world.world import World
 
 
 class Walk(Struct):
-    """A walk in a world; while the run goes on, it grows.
+    """A walk in a world, which grows during the run.
 
-    Its elements are the steps, pairs of an action and the percept that answered it.
+    Its elements are the steps: pairs of an action and the percept after it.
 
     Attributes:
-        world: in which the run takes place.
-        states: of the world, at the start and after each step.
-        darts: the dart that the robot faced at the start, and the one by which it had arrived
-            after each step.
-        visited: the vertices where it was.
+        world: the world of the run.
+        states: the states of the world at the start and after each step.
+        darts: the dart that the robot faces at the start, and its dart of arrival after each step.
+        visited: the vertices where the robot has been.
         steps: the elements.
-        crossed: for each edge along which it went, by the smaller of its darts, the number of
-            steps before the first time; in the order of the first times.
+        crossed: for each walked edge, named by its smaller dart, the number of steps before it was
+            first walked; in the order of these numbers.
         cost: the number of traversals.
     """
 
@@ -50,7 +49,7 @@ class Walk(Struct):
         """Return the walk of these actions.
 
         Raises:
-            IllegalAction: if one is illegal where it is taken.
+            IllegalAction: if an action is illegal at its step.
 
         Cost: linear in the actions.
         """
@@ -61,7 +60,7 @@ class Walk(Struct):
 
     @classmethod
     def recorded(cls, world: World, transcript: Transcript) -> Self:
-        """Return the walk of a transcript from elsewhere, which may be no walk in the world.
+        """Return the walk of a given transcript, which may be impossible in the world.
 
         Raises:
             InputError: naming the first step that does not fit.
@@ -80,10 +79,10 @@ class Walk(Struct):
         return walk
 
     def step(self, action: Action) -> Percept:
-        """Go one step further; return the percept then.
+        """Go one step further; return the percept after it.
 
         Raises:
-            IllegalAction: as :meth:`~allworlds.world.world.World.step` does; nothing has changed.
+            IllegalAction: as :meth:`~allworlds.world.world.World.step`; the walk is not changed.
         """
         state, percept = self.world.step(self.states[-1], action)
         map_, dart = self.world.map, state.dart
@@ -119,21 +118,21 @@ class Walk(Struct):
 
     @property
     def here(self) -> Dart:
-        """The last of its darts."""
+        """The robot's dart after the last step."""
         return self.darts[-1]
 
     @property
     def walked(self) -> set[Dart]:
-        """The edges along which it went, each by the smaller of its darts."""
+        """The walked edges, each named by its smaller dart."""
         return set(self.crossed)
 
     @property
     def arrivals(self) -> set[Dart]:
-        """The darts by which the robot has arrived anywhere."""
+        """The darts by which the robot has arrived."""
         steps = zip(self.darts[1:], self.actions, strict=True)
         return {dart for dart, action in steps if type(action) is Move}
 
     @property
     def transcript(self) -> Transcript:
-        """The log without its world."""
+        """The actions and percepts of the walk, without the world."""
         return Transcript(self.first, tuple(self.steps))

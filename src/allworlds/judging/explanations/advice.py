@@ -1,4 +1,4 @@
-"""The causes that the kind of a fault makes likely."""
+"""The likely causes of each kind of fault."""
 
 import re
 
@@ -6,7 +6,7 @@ from allworlds.explorers.loading import is_library, is_program
 from allworlds.judging.findings.finding import Finding
 
 MEMORY = re.compile(r"\(signal (7|8|11)\)")
-"""The end of a process by what it does to memory: SIGBUS, SIGFPE, SIGSEGV."""
+"""The end of a process by SIGBUS, SIGFPE or SIGSEGV."""
 
 SANITIZER = (
     "Mostly that is an access outside of an array, or to memory that was freed, and it may have "
@@ -18,7 +18,7 @@ STDOUT = (
     "The program's stdout is for its actions alone: output for debugging goes to stderr. For {}, "
     "was a value undefined: a return that was forgotten, or an ended generator?"
 )
-"""The advice for a program that prints anything else, or when it is not its turn."""
+"""The advice for a program that prints something else, or prints outside its turn."""
 
 NO_LINE = (
     (
@@ -34,7 +34,7 @@ NO_LINE = (
         "That is the beginning of an object: each message is one line, without a break in it.",
     ),
 )
-"""The advice for a program whose line looks like that."""
+"""The advice for a program with such a line."""
 
 FLUSH = (
     "Does every line of the program end in a newline, and does the program flush its output after "
@@ -46,7 +46,7 @@ KEPT = (
     "Does it keep something from an earlier run: a global or static variable, or a field that is "
     "not reset when an episode begins? Does it go by chance, by time or by addresses?"
 )
-"""The questions about an explorer that does not repeat itself."""
+"""The questions about an explorer whose plays differ."""
 
 
 UNWRITTEN = (
@@ -55,11 +55,11 @@ UNWRITTEN = (
     "--answer-timeout 600 behind it, names the line. Memory that was freed is found sooner by "
     "-fsanitize=address,undefined, with LD_PRELOAD=$(gcc -print-file-name=libasan.so)."
 )
-"""A further question about a shared library; that is how its line is found."""
+"""A further question about a shared library, which tells how to find the line."""
 
 
 def advice(finding: Finding) -> list[str]:
-    """The cause that the kind of the fault makes likely; no sentence where there is none."""
+    """The likely cause of this kind of fault; no sentence if none is known."""
     seen = str(finding.seen)
     if finding.law == "crash" and MEMORY.search(seen):
         return [SANITIZER]

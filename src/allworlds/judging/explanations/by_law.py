@@ -1,4 +1,4 @@
-"""The words about a finding, law by law."""
+"""The explanations of findings, one for each law."""
 
 import re
 from collections import Counter
@@ -40,8 +40,8 @@ from allworlds.world.world import World
 def _say_message(finding: Finding) -> list[str]:
     """Tell the last line of a traceback, or of stderr, that names an error, else the last line.
 
-    Of a process that has ended, as by ``abort``, there is what it printed alone.  No sentence if
-    there is none, or if it is told as what was seen.
+    If a process has ended, as by ``abort``, only its prints are known.  There is no sentence if
+    there are none, or if the observation already contains the line.
     """
     said = finding.detail or (finding.output if finding.law == "crash" else "")
     lines = [line.strip() for line in said.splitlines() if line.strip()]
@@ -52,7 +52,7 @@ def _say_message(finding: Finding) -> list[str]:
 
 
 def ending(how: str) -> Teller:
-    """Tell how the run ended, in that sentence, then its last step and the last percept."""
+    """Tell by this sentence how the run ended, and then its last step and percept."""
 
     def tell(story: Story) -> Telling:
         finding = story.finding
@@ -71,7 +71,7 @@ CLOCKWISE = "Bearings, motions and ways back count darts clockwise."
 
 
 def tell_no_estimate(story: Story) -> Telling:
-    """Tell the ending, and for a map that could not be built the law of maps that it breaks."""
+    """Tell the ending, and if a map could not be built, the law of maps that it breaks."""
     seen = str(story.finding.seen)
     if not seen.startswith(playing.NO_MAP):
         return ending("The explorer ended without an answer that could be judged.")(story)
@@ -87,7 +87,7 @@ def tell_no_estimate(story: Story) -> Telling:
 
 
 def tell_nondeterministic(story: Story) -> Telling:
-    """Tell that two plays differ, and what is mostly the cause."""
+    """Tell that two plays differ, and the usual cause."""
     how = "In a second run of the same world the explorer acted differently."
     if after := story.finding.earlier:
         before = listed([world.in_words for world in after])
@@ -107,7 +107,7 @@ SHOW = (
 
 
 def tell_budget(story: Story) -> Telling:
-    """Tell whose the budget is, and since when the robot found no new edge."""
+    """Tell the origin of the budget, and the step since which the robot found no new edge."""
     how = "The explorer did not end within its step budget, so the run was stopped."
     wrong = _tell_first_wrong(story)
     if wrong:  # that is the cause
@@ -123,7 +123,7 @@ def tell_budget(story: Story) -> Telling:
 
 
 def tell_whose_budget(finding: Finding) -> str:
-    """Tell where the step budget comes from, and that it is right with a larger one."""
+    """Tell the origin of the step budget, and whether a larger one suffices."""
     rules, map_ = finding.rules, finding.world.map
     if rules.step_budget is not None:
         return f"The budget is that of --step-budget: {plural(rules.step_budget, 'traversal')}."
@@ -140,14 +140,14 @@ def tell_whose_budget(finding: Finding) -> str:
 
 
 def _say_tried(finding: Finding) -> list[str]:
-    """Tell the option that helps; no sentence where none was tried, or none does."""
+    """Tell the option that helps; no sentence if none was tried, or none helps."""
     if not finding.tried:
         return []
     return [f"With {finding.tried} it breaks no law, here and elsewhere: that was tried."]
 
 
 def _say_progress(story: Walked) -> str:
-    """Tell since when no edge was new; the last step where there was none."""
+    """Tell the step since which no edge was new; without a new edge, tell the last step."""
     found_at = story.discoveries.values()
     if not found_at:
         return _say_last_step(story)
@@ -158,7 +158,7 @@ def _say_progress(story: Walked) -> str:
 
 
 def _say_left(story: Story) -> list[str]:
-    """Name what was left out, under the tasks that ask for every vertex or every edge."""
+    """Name the vertices or edges that were left out, if the task asks for all of them."""
     map_, left, task = story.map, list[str](), story.finding.rules.task.name
     if task in ("cover", "stop", "home"):
         visited = story.walk.visited
@@ -177,7 +177,7 @@ def _say_left(story: Story) -> list[str]:
 
 
 def _tell_first_wrong(story: Story) -> list[str]:
-    """Tell the first checkpoint with a wrong S; no sentence where there is none."""
+    """Tell the first checkpoint with a wrong S; no sentence if there is none."""
     if story.checkpoint is None:
         return []
     what = story.finding.wrong_checkpoint or "it shows another S than the explored part"
@@ -198,11 +198,11 @@ def _say_last_step(story: Walked) -> str:
 # ---------------------------------------------------------------- the answer is wrong
 
 GUESSED = "guessed"
-"""The cause of a wrong answer that is no slip in drawing the map."""
+"""The cause of a wrong answer without a slip in drawing the map."""
 
 
 def tell_map(story: Story) -> Telling:
-    """Tell the sizes of both maps, and the step where the walks in them diverge."""
+    """Tell the sizes of both maps, and the step at which the walks in them diverge."""
     belief = Belief(story)
     slip, parting = the_slip(belief), tell_parting(belief)
     name = slip.name if slip else ""
@@ -223,7 +223,7 @@ def _say_sizes(world: CombinatorialMap, answer: CombinatorialMap) -> str:
 
 
 def tell_parting(belief: Belief) -> list[str]:
-    """Tell where the walk and its image in the answer diverge, and how that could be sensed."""
+    """Tell where the walk and its image in the answer diverge, and the percept that shows it."""
     parting, misfits = belief.walk.parting, belief.walk.misfits
     if parting is None:
         fits = (
@@ -245,7 +245,7 @@ def tell_parting(belief: Belief) -> list[str]:
 
 
 def _say_parting(belief: Belief, parting: Parting) -> str:
-    """The step at which they diverge, as one sentence."""
+    """The sentence about the step at which the walks diverge."""
     story = belief.story
     step, robot, taken_for = parting.step, parting.robot, parting.taken_for
     vertex = story.vertex(robot)
@@ -284,7 +284,7 @@ TURNED, ELSEWHERE = "off by a turn", "another vertex"
 
 
 def tell_pose(story: Story) -> Telling:
-    """Tell where the robot is, where the answer says that it is, and where the walks diverge."""
+    """Tell the robot's dart, its dart by the answer, and the step at which the walks diverge."""
     belief = Belief(story)
     images = _images(belief)
     alike = len(images) - 1
@@ -308,7 +308,7 @@ def tell_pose(story: Story) -> Telling:
 
 
 def _images(belief: Belief) -> list[Dart]:
-    """The darts of the world that ``here`` can stand for: one, or more by symmetry."""
+    """The darts of the world for which ``here`` can stand; by symmetry there may be several."""
     answer, map_ = belief.answer, belief.story.map
     sigma, alpha = answer.map.sigma, answer.map.alpha
     order = numbering(sigma, alpha, answer.here)
@@ -319,7 +319,7 @@ def _images(belief: Belief) -> list[Dart]:
 
 
 def _say_where(belief: Belief, images: list[Dart]) -> str:
-    """Tell where the robot stands, and where the answer says that it stands."""
+    """Tell the robot's dart in the world, and its dart by the answer."""
     story = belief.story
     map_, robot = story.map, story.walk.darts[-1]
     stands = f"the robot stands at {story.spot(robot)}, and the answer says"
@@ -341,7 +341,7 @@ def _say_where(belief: Belief, images: list[Dart]) -> str:
 
 
 def tell_ambiguity(story: Story) -> Telling:
-    """Tell the quotient that the answer should have been, or that it should have been a map."""
+    """Tell the right answer: a quotient, or a map."""
     broken = (
         "The answer says that several worlds look alike, and what they have in common: the "
         "quotient in which darts are one that nothing tells apart, rooted at the robot's."
@@ -354,7 +354,7 @@ def tell_ambiguity(story: Story) -> Telling:
 
 
 def checkpoint(broken: str) -> Teller:
-    """Tell in that sentence what is broken, and the checkpoint that shows it."""
+    """Tell by this sentence what is broken, and then the checkpoint that shows it."""
 
     def tell(story: Story) -> Telling:
         sentences, step = [broken], story.checkpoint
@@ -364,7 +364,7 @@ def checkpoint(broken: str) -> Teller:
                 f"{story.spot(story.walk.darts[step])}, and had sensed "
                 f"'{story.in_words(story.sensed[step])}'."
             )
-        # Where a pass brings no progress S may be right: there the walks do not diverge.
+        # If a pass makes no progress, S may be right; then the walks do not diverge.
         return Telling(sentences, None if story.finding.law == "variant" else step)
 
     return tell
@@ -374,13 +374,13 @@ def checkpoint(broken: str) -> Teller:
 
 
 NAMED = 3
-"""The number of open darts that are named, the others are counted."""
+"""The largest number of open darts that are named; the others are counted."""
 
 
 def tell_open_darts(story: Story) -> list[str]:
-    """Tell the open darts of the folded log, and the vertices that it has several times.
+    """Tell the open darts of the folded log, and the vertices that occur in it more than once.
 
-    No sentence if no dart is open, or if the lighthouse allows no folding.
+    There is no sentence if no dart is open, or if the lighthouse allows no folding.
     """
     if not story.world.lighthouse.as_kind.folds:
         return []
@@ -411,12 +411,12 @@ def tell_open_darts(story: Story) -> list[str]:
 
 
 def another_world(world: World, transcript: actions.Transcript) -> World | None:
-    """A world that is not this one, and agrees with the log; None if the log determines it.
+    """Another world that agrees with the log; None if the log determines the world.
 
-    In the other world each open dart of the folded log leads to a new vertex; if that is this
-    world, the first one leads over such a vertex to another one.  It is simple if this world is.
+    In the other world each open dart of the folded log leads to a new vertex; if this is the same
+    world, the new vertex of the first one leads to a further one.  It is simple if this world is.
 
-    Cost: linear in the log, but for the folding.
+    Cost: the folding, and linear in the log.
     """
     folded, bearing = folding.fold(transcript), transcript.first.bearing
     if not folded.open_darts:
@@ -446,14 +446,14 @@ def tell_folding(story: Story) -> Telling:
 
 
 def tell_bound(story: Story) -> Telling:
-    """Tell that the answer is right, whose bound was exceeded, and the uses of the traversals."""
+    """Tell that the answer is right, the origin of the bound, and the use of the traversals."""
     made, new = plural(story.walk.cost, "traversal"), len(story.discoveries)
     used = f"The robot made {made}, of which {new} found a new edge."
     return Telling([*tell_whose_bound(story.finding), used])
 
 
 def tell_whose_bound(finding: Finding) -> list[str]:
-    """Tell that the answer is right, whose bound it is, and that it is right without it."""
+    """Tell that the answer is right, the origin of the bound, and that it is right without it."""
     others = [law for law in finding.rules.applying if law != "bound"]
     rest = f"every other law that was checked holds: {listed(others)}" if others else ""
     if {"map", "pose"} <= {*others}:
@@ -516,5 +516,5 @@ TELLERS: dict[str, Teller] = {
 
 
 def teller_of(law: str) -> Teller:
-    """The explanation of a law; for a law without an entry, no more than its name."""
+    """The explanation of a law; for a law without an entry, only its name."""
     return TELLERS.get(law) or ending(f"The law '{law}' is broken.")

@@ -1,4 +1,4 @@
-"""The words about a run without an end: its round, what it leaves open, where it was silent."""
+"""Sentences about a run without an end: its round, the open edges, the lines of its silence."""
 
 import os
 import re
@@ -15,10 +15,10 @@ from allworlds.protocol.code_lines import is_users
 from allworlds.words import listed, plural
 
 TIMES = 3
-"""A walk goes round if its end is so many times the same steps."""
+"""The least number of repetitions of some steps by which the end of a walk is a round."""
 
 SHOWN = 8
-"""The places of a round, and the lines, that are told."""
+"""The largest number of places of a round, or of lines, that are told."""
 
 
 class Round(Struct, frozen=True):
@@ -26,8 +26,8 @@ class Round(Struct, frozen=True):
 
     Attributes:
         first: the number of the first step of the first round, from 1 on.
-        steps: how many are in a round.
-        times: how many whole rounds there are.
+        steps: the number of steps of a round.
+        times: the number of whole rounds.
     """
 
     first: int
@@ -36,9 +36,9 @@ class Round(Struct, frozen=True):
 
 
 def round_of(walk: Sequence[Any]) -> Round | None:
-    """The longest end of a walk that is some steps again and again; None if there is none.
+    """The longest end of a walk that repeats some steps; None if there is none.
 
-    Cost: linear: the borders of the reversed walk, as Knuth, Morris and Pratt find them.
+    Cost: linear, by the borders of the reversed walk (Knuth, Morris and Pratt).
     """
     back = walk[::-1]
     border, found = [0] * len(back), None
@@ -55,7 +55,7 @@ def round_of(walk: Sequence[Any]) -> Round | None:
 
 
 def tell_round(story: Story) -> list[str]:
-    """Tell where a walk begins to go round, by its places and lines; no sentence if it does not."""
+    """Tell where a walk begins to go round, with its places and lines; no sentence without one."""
     walk = story.walk
     found = round_of([*zip(map(str, walk.actions), walk.darts[1:], strict=True)])
     if found is None:
@@ -73,11 +73,11 @@ def tell_round(story: Story) -> list[str]:
 
 
 def tell_way_back(story: Story) -> list[str]:
-    """Tell where a robot takes one door for another after a way back; no sentence if it does not.
+    """Tell where a robot confuses two doors after a way back; no sentence if it does not.
 
-    Back at a vertex it faces the door that it went out by.  Some count on from the door by which
-    they had come before.  That is told if so counted a motion would have led to a new edge where it
-    led to a walked one, and never the other way round.
+    Back at a vertex, the robot faces the door by which it had left, but some explorers count from
+    the door by which they had first come.  This is told if, counted so, a motion along a walked
+    edge would have led along a new one, and never the reverse.
     """
     map_, darts = story.map, story.walk.darts
     came, left, walked, remarks = dict[int, Dart](), dict[int, Dart](), set[Dart](), list[str]()
@@ -101,7 +101,7 @@ def tell_way_back(story: Story) -> list[str]:
                 f"along dart {meant}, which was new: does it take the one door for the other?"
             )
         walked |= {out, darts[step]}
-        if not (by_loop and out == here):  # back through the loop, which it is about to end
+        if not (by_loop and out == here):  # it is on its way back through the loop
             left[vertex] = out
     return remarks
 
@@ -124,7 +124,7 @@ FRAME = re.compile(r'^  File "(.*)", line ([0-9]+) in (.*)$', re.MULTILINE)
 
 
 def stack_of(finding: Finding) -> list[tuple[str, str]]:
-    """The user's lines in which a silent run was, innermost first, each with its function."""
+    """The stack of a silent run: the user's lines, innermost first, with their functions."""
     if finding.law != "timeout":
         return []
     here = f"{os.getcwd()}{os.sep}"  # noqa: PTH109  # a text, as the files are
@@ -136,6 +136,6 @@ def stack_of(finding: Finding) -> list[tuple[str, str]]:
 
 
 def tell_stack(finding: Finding) -> list[str]:
-    """Tell in which lines of the user's a silent run was; no sentence if that was not printed."""
+    """Tell the user's lines in the stack of a silent run; no sentence if it was not printed."""
     frames = [f"{function} ({line})" for line, function in stack_of(finding)[:SHOWN]]
     return [f"It was in {', called by '.join(frames)}."] if frames else []

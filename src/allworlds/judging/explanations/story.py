@@ -1,6 +1,6 @@
-"""The story of a run: its walk in names, that walk in a wrong answer, and slips.
+"""The story of a run: the names on its walk, the walk in a wrong answer, and slips.
 
-A slip is the one difference between a wrong answer and the world, where there is one.
+A slip is the only difference between a wrong answer and the world.
 """
 
 from collections.abc import Callable, Iterable, Iterator
@@ -30,8 +30,8 @@ class Walked:
 
     Attributes:
         walk: the walk.
-        world: in which it was.
-        map: of the world.
+        world: its world.
+        map: the map of the world.
         sensed: the percepts at the start and after each step.
     """
 
@@ -43,7 +43,7 @@ class Walked:
 
     @property
     def discoveries(self) -> dict[Dart, int]:
-        """The walked edges, each by its smaller dart, with the step that first went along it."""
+        """The step at which each edge was first walked, by the smaller dart of the edge."""
         return {edge: before + 1 for edge, before in self.walk.crossed.items()}
 
     def in_words(self, percept: Percept) -> str:
@@ -51,7 +51,7 @@ class Walked:
         return percept.in_words(labels=self.world.lighthouse.labels_vertices)
 
     def vertex(self, dart: Dart) -> str:
-        """The name of a dart's vertex: ``hall``, or ``v1`` where it has none."""
+        """The name of a dart's vertex: ``hall``, or ``v1`` for a vertex without a label."""
         return self.world.labels.vertex(self.map.vertex_of[dart])
 
     def spot(self, dart: Dart) -> str:
@@ -59,7 +59,7 @@ class Walked:
         return f"{self.vertex(dart)}, dart {dart}"
 
     def arrival(self, step: int) -> str:
-        """The place after a step; where vertices have names and it moved: ``hall -> F, dart 3``."""
+        """The robot's spot after a step; after a motion between labels ``hall -> F, dart 3``."""
         spot = self.spot(self.walk.darts[step])
         moved = step and type(self.walk.actions[step - 1]) is Move
         if moved and self.world.labels.vertices:
@@ -71,11 +71,11 @@ class Story(Walked):
     """A finding with the walk that its log describes.
 
     Attributes:
-        finding: the one that is explained.
+        finding: the finding that is explained.
         checkpoint: the step before the checkpoint that breaks the law; None if none does.
 
     Raises:
-        InputError: if the transcript is no walk in the world, or has no such step.
+        InputError: if the transcript is impossible in the world, or has no such step.
     """
 
     def __init__(self, finding: Finding) -> None:
@@ -97,12 +97,12 @@ class Story(Walked):
 
 
 class Belief:
-    """The walk as the answer has it, under the laws that are about the answer.
+    """The walk in the answer, for the laws about the answer.
 
     Attributes:
         story: the finding with its walk in the world.
         answer: the wrong answer.
-        walk: the walk in it.
+        walk: the walk in the answer.
 
     Raises:
         InputError: if the observation is no answer.
@@ -128,12 +128,11 @@ class Telling(Struct, frozen=True):
     """The explanation of a run that breaks a law.
 
     Attributes:
-        sentences: in plain words.
+        sentences: the sentences of the explanation.
         step: the first step at which belief and truth diverge; None if they never do.
         answer: the wrong answer; None if the law is not about the answer.
         other: another world that agrees with the log; None if the law is not about that.
-        slip: the name of the one difference between answer and world; empty if it is no known
-            slip.
+        slip: the name of the slip that makes the answer wrong; empty if none is known.
     """
 
     sentences: list[str]
@@ -144,23 +143,23 @@ class Telling(Struct, frozen=True):
 
 
 Teller: TypeAlias = Callable[[Story], Telling]
-"""The explanation of a story by a law; may raise InputError."""
+"""The function that explains a story by a law; it may raise InputError."""
 
 
 LARGEST = 40
-"""Edges above which slips are not looked for: there are quadratically many, each compared anew."""
+"""The largest number of edges for which slips are searched, as their number is quadratic."""
 
 
 class Slip(Struct, frozen=True):
-    """The one difference between an answer and the world.
+    """The only difference between an answer and the world.
 
     Attributes:
-        name: in a word or two.
+        name: the name, in a word or two.
         sentence: a description with the darts of the world.
         mended: the map without the slip; None if the slip is in the reading of percepts.
-        truth: the map that the mended one equals: the world's, or that without the edge of the
-            slip.
-        here: the robot's dart in the mended map; None if that is wrong, too, or unknown.
+        truth: the map to which the mended map is equal: the world's map, perhaps without the edge
+            of the slip.
+        here: the robot's dart in the mended map; None if it is also wrong, or unknown.
     """
 
     name: str
@@ -173,18 +172,18 @@ class Slip(Struct, frozen=True):
 MIRROR_IMAGE, BEARINGS = "mirror image", "bearings anticlockwise"
 
 Recogniser: TypeAlias = Callable[[Belief], Slip | None]
-"""A recogniser: the slip, or None if it is another one, or none."""
+"""The function that recognises one slip; its value is None for any other answer."""
 
 
 def the_slip(belief: Belief) -> Slip | None:
-    """The first slip that accounts for all of the difference; None if none does."""
+    """The first slip that explains the whole difference; None if none does."""
     if max(belief.answer.map.edge_count, belief.story.map.edge_count) > LARGEST:
         return None
     return next((slip for recognise in SLIPS if (slip := recognise(belief))), None)
 
 
 def mirror_image(belief: Belief) -> Slip | None:
-    """Recognise an answer in which every rotation is given anticlockwise."""
+    """Recognise an answer whose rotations are all anticlockwise."""
     answer, world, robot = belief.answer, belief.story.map, belief.story.walk.darts[-1]
     mirrored = answer.map.mirrored()
     if rooted_isomorphism(mirrored, answer.here, world, robot):
@@ -201,11 +200,11 @@ def mirror_image(belief: Belief) -> Slip | None:
 
 
 def bearings_anticlockwise(belief: Belief) -> Slip | None:
-    """Recognise an answer whose edges end as sensed if bearings are counted anticlockwise.
+    """Recognise an answer that fits the percepts if bearings are counted anticlockwise.
 
-    The walk that ends at ``here`` is followed in the answer.  Percepts count at the start and
-    where the walk takes an edge for the first time: on its way back a robot need not look.  Where
-    the map is right, all percepts count: there a wrong ``here`` alone is likelier.
+    The walk that ends at ``here`` is followed in the answer.  Only the percepts at the start and
+    after the first walk of each edge must fit, because a robot on its way back need not look.  If
+    the map is right, all percepts must fit, because a wrong ``here`` alone is then likelier.
     """
     map_, walk = belief.answer.map, belief.story.walk
     trail = trail_to(map_, belief.answer.here, walk)
@@ -227,7 +226,7 @@ def bearings_anticlockwise(belief: Belief) -> Slip | None:
 
 
 def _fits(map_: CombinatorialMap, sensed: Iterable[tuple[Dart, Percept]], way: int) -> bool:
-    """Whether each vertex has one degree, one number of marks and one pointed dart."""
+    """Whether each vertex has only one degree, one number of marks, and one pointed dart."""
     found: dict[int, tuple[int, Dart | None]] = {}
     for dart, percept in sensed:
         if map_.degree_at[dart] != percept.degree:
@@ -240,7 +239,7 @@ def _fits(map_: CombinatorialMap, sensed: Iterable[tuple[Dart, Percept]], way: i
 
 
 def _glued_crosswise(belief: Belief) -> Slip | None:
-    """Recognise an answer in which two edges have one end each exchanged."""
+    """Recognise an answer in which two edges have exchanged one end each."""
     answer, world, robot = belief.answer, belief.story.map, belief.story.walk.darts[-1]
     if isomorphism(answer.map, world):
         return None
@@ -263,14 +262,14 @@ def _glued_crosswise(belief: Belief) -> Slip | None:
 def _reglued(
     map_: CombinatorialMap,
 ) -> Iterator[tuple[CombinatorialMap, tuple[tuple[Dart, Dart], tuple[Dart, Dart]]]]:
-    """The maps with two edges glued otherwise, each with the two original edges."""
+    """The maps in which two edges are glued differently, each with the two original edges."""
     for i, (a, b) in enumerate(map_.edges):
         for c, d in map_.edges[i + 1 :]:
             for pairs in (((a, c), (b, d)), ((a, d), (b, c))):
                 alpha = [*map_.alpha]
                 for x, y in pairs:
                     alpha[x], alpha[y] = y, x
-                with suppress(InvalidMap):  # it falls apart
+                with suppress(InvalidMap):  # it is not connected
                     yield CombinatorialMap(map_.sigma, alpha), ((a, b), (c, d))
 
 
@@ -296,7 +295,7 @@ def _pairs(edges: list[tuple[Dart, Dart]]) -> str:
 
 
 def _edge_misplaced(belief: Belief) -> Slip | None:
-    """Recognise an answer in which one edge has an end, or both, in another place."""
+    """Recognise an answer in which one or both ends of one edge are misplaced."""
     world, answer = belief.story.map, belief.answer.map
     if answer.edge_count != world.edge_count or isomorphism(answer, world):
         return None
@@ -314,7 +313,7 @@ def _edge_misplaced(belief: Belief) -> Slip | None:
 
 
 def _edge_missing(belief: Belief) -> Slip | None:
-    """Recognise an answer that lacks one edge of the world, or has a vertex in its place."""
+    """Recognise an answer that lacks one edge of the world, or contracts it to a vertex."""
     story, answer = belief.story, belief.answer.map
     alpha = story.map.alpha
     for d, less in _without_an_edge(deleted, story.map, answer):
@@ -328,7 +327,7 @@ def _edge_missing(belief: Belief) -> Slip | None:
 
 
 def _edge_too_many(belief: Belief) -> Slip | None:
-    """Recognise an answer with one edge that is not in the world, or is a vertex there."""
+    """Recognise an answer with one edge that the world lacks, or contracts to a vertex."""
     world, answer = belief.story.map, belief.answer.map
     for _, less in _without_an_edge(deleted, answer, world):
         sentence = "The answer has one edge too many: without it, it is the map of the world."
@@ -344,7 +343,7 @@ def _without_an_edge(
     larger: CombinatorialMap,
     smaller: CombinatorialMap,
 ) -> Iterator[tuple[Dart, CombinatorialMap]]:
-    """The edges of the larger map without which it is the smaller one; each by its first dart."""
+    """The edges without which the larger map is the smaller one, each by its first dart."""
     if larger.edge_count == smaller.edge_count + 1:
         for d, _ in larger.edges:
             less = taking(larger, d)

@@ -1,5 +1,5 @@
-"""Findings: a refuting run as a value.
+"""Findings: runs that break a law, as values.
 
 ``finding``
-    a world, an explorer, its run there, and the law that it broke; as a file holds it, too.
+    the world, the explorer, its run there, and the broken law; also as the content of a file.
 """

@@ -1,4 +1,4 @@
-"""The finding: a refuting run, with what further plays have shown of it."""
+"""The finding: a run that breaks a law, with the results of further plays."""
 
 import hashlib
 import json
@@ -25,11 +25,11 @@ VERSION: Final = 2
 NOT_RECORDED = "not recorded"
 
 REPLAY = "allworlds replay FILE  # with this finding, as JSON, in FILE"
-"""The command that plays the runs before it, too."""
+"""The command that also plays the runs before a finding."""
 
 
 def _value(name: str, given: Any) -> Value:
-    """The recorded expectation, or observation, as a value."""
+    """A recorded expectation or observation as a value."""
     if isinstance(given, Mapping):
         try:
             return actions.Estimate.from_json(given)
@@ -41,7 +41,7 @@ def _value(name: str, given: Any) -> Value:
 
 
 EXPECTED, SEEN = (doc.read_by(Value, partial(_value, name)) for name in ("expected", "seen"))
-"""How the values of two keys are read."""
+"""The readers of two keys."""
 
 
 class Believed(doc.Document, forbid_unknown_fields=False):
@@ -80,7 +80,7 @@ class CodeLines(doc.Document, forbid_unknown_fields=False, kw_only=True):
     sources: Annotated[tuple[str, ...], doc.about("each of these places with the text of its line")]
 
     def source(self, where: str) -> str:
-        """The place with the text of its line, if that is known."""
+        """The line's name with its text, if the text is known."""
         return next((line for line in self.sources if line.startswith(f"{where}: ")), where)
 
 
@@ -198,7 +198,7 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
         """The rules by which the run was played and judged.
 
         Raises:
-            InputError: naming an option that is none in this world.
+            InputError: naming an option that is illegal in this world.
         """
         if self.under is not None:
             return self.under
@@ -219,17 +219,17 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @property
     def earlier(self) -> list[World]:
-        """The worlds of the runs before it."""
+        """The worlds of the earlier runs."""
         return [run.world for run in self.after]
 
     @property
     def rank(self) -> tuple[Any, ...]:
-        """The order of findings: of one run that with a run before it first, then by hash seeds."""
+        """The order of findings; among findings of one run, one with earlier runs comes first."""
         return self.key, not self.after, self.hash_seed is None, self.hash_seed or 0
 
     @cached_property
     def kind(self) -> tuple[str, Code]:
-        """The kind of the finding: the law, and the map, whatever its start."""
+        """The kind of the finding: the law, and the map without its start."""
         map_ = self.world.map
         return self.law, min(rooted_code(map_.sigma, map_.alpha, dart) for dart in map_.darts)
 
@@ -261,7 +261,7 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
     def from_json(cls, document: str | Mapping[str, Any]) -> "Finding":
         """The finding of :meth:`to_json`'s document, or of its text.
 
-        Of a report of ``check`` it is the first finding, of a report of ``run`` its finding.
+        In a report of ``check`` it is the first finding, in a report of ``run`` its finding.
 
         Raises:
             InputError: naming the offending value and what would be legal.
@@ -282,15 +282,15 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
         if (law := document.get("law")) not in PRECEDENCE:
             raise InputError(f"law {show(law)} is not one of {', '.join(PRECEDENCE)}")
         found = parse(document, cls, "finding")
-        found.rules  # noqa: B018  # wrong options are refused here, and not where they are used
+        found.rules  # noqa: B018  # so that wrong options are refused here, before their use
         return found
 
 
 def findings_of(document: Any) -> Sequence[Any]:
-    """The documents of the findings of a report; any other document by itself.
+    """The documents of the findings of a report; another document is returned alone.
 
     Raises:
-        InputError: if the report holds none, or is of another version.
+        InputError: if the report holds no finding, or is of another version.
     """
     match document:
         case {"schema": schema} if schema != SCHEMA:
@@ -320,15 +320,15 @@ def canonical_world(world: World) -> World:
 
 
 def labelled(world: World, given: Iterable[World]) -> World:
-    """The canonical world with the labels of the first given one that is the same world."""
+    """The canonical world with the labels of the first given world that is equal to it."""
     sized = (one for one in given if one.map.edge_count == world.map.edge_count)
     return next((one for one in map(canonical_world, sized) if one == world), world)
 
 
 DIGITS = 12
-"""The hexadecimal digits of the digest in a file's name."""
+"""The number of hexadecimal digits of the digest in a file's name."""
 
 
 def digest_of(text: str) -> str:
-    """The digest of the text of a file, as in its name."""
+    """The digest of a file's text, as it stands in the file's name."""
     return hashlib.sha256(text.encode()).hexdigest()[:DIGITS]

@@ -1,10 +1,10 @@
-"""The judge: an answer and a log against the truth, law by law.
+"""The laws, which compare an answer and a log with the truth.
 
-The judge takes values of :mod:`allworlds.maps` and :mod:`allworlds.protocol` and knows neither the
-inside of a world nor any explorer.
+They take values of :mod:`allworlds.maps` and :mod:`allworlds.protocol`, and know neither the inside
+of a world nor any explorer.
 
 ``law_table``
-    **the** table of the laws, and each as a function of a finished run with the truth beside it;
+    **the** table of the laws; each is a function of a finished run and the truth;
 ``folding``, ``bounds``
     the parts of laws: the folded log, the bounds.
 """

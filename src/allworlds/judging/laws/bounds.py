@@ -1,4 +1,4 @@
-"""Bounds on the number of traversals: the paper's, one like it, none, or an expression."""
+"""Bounds on the number of traversals: the paper's bound, a similar one, none, or an expression."""
 
 import ast
 import operator
@@ -16,12 +16,12 @@ _NAMES = (*VARIABLES, "paper")
 
 
 def default_step_budget(bound: int) -> int:
-    """The traversals after which a run is stopped: 8 x ((1) + (2)) + 100."""
+    """The number of traversals after which a run is stopped: 8 x ((1) + (2)) + 100."""
     return 8 * bound + 100
 
 
 def far_beyond(bound: int) -> int:
-    """The traversals after which a run is hopelessly beyond a bound: 100 x the bound + 100."""
+    """The number of traversals far above a bound, where a run is stopped: 100 x the bound + 100."""
     return 100 * max(0, bound) + 100
 
 
@@ -56,12 +56,12 @@ def two_vertices_bound(vertices: int, edges: int, degree: int) -> int:
 
 @dataclass(frozen=True, slots=True)
 class Bound:
-    """A bound, with its value for every world; bounds of the same name are equal.
+    """A bound with its value for each world; bounds of the same name are equal.
 
     Attributes:
-        name: in the words of the user.
-        value: of n, m, d0, D, d and g; None if there is no bound.
-        variables: the names, of these, on which the value depends.
+        name: the name that the user gives.
+        value: the function of n, m, d0, D, d and g; its value is None without a bound.
+        variables: the names of those variables on which the value depends.
     """
 
     name: str
@@ -72,12 +72,12 @@ class Bound:
         return self.name
 
     def __reduce__(self) -> "tuple[Callable[[str], Bound], tuple[str]]":
-        # Compiled expressions do not pickle; their texts do.
+        # Compiled expressions cannot be pickled, but their texts can.
         return bound_named, (self.name,)
 
     def of(self, map_: CombinatorialMap, start: Dart) -> int | None:
         """The largest legal number of traversals in this map from this start."""
-        # Of these two most bounds know nothing, and they take longer than all else.
+        # Most bounds do not depend on these two variables, which take longer than all others.
         diameter = map_.diameter if "d" in self.variables else 0
         genus = map_.genus if "g" in self.variables else 0
         degrees = (map_.degree_at[start], max(map_.degrees))
@@ -98,7 +98,7 @@ BOUNDS = {
         NO_BOUND,
     )
 }
-"""Every bound that has a name of its own."""
+"""The bounds with names of their own."""
 
 
 def bound_named(text: str) -> Bound:
@@ -109,15 +109,15 @@ def bound_named(text: str) -> Bound:
     parentheses; it is evaluated exactly.
 
     Raises:
-        InputError: naming the part that is none of these.
+        InputError: naming the part that is illegal.
     """
     if text in BOUNDS:
         return BOUNDS[text]
     try:
-        # Python would take other letters that look like n and m for n and m, and 1_0 for 10.
+        # Python would read letters that look like n and m as n and m, and 1_0 as 10.
         plain = text.isascii() and not re.search("[0-9]_", text)
         with warnings.catch_warnings():
-            # What Python thinks of the text besides is not for those who asked for a bound.
+            # Python's warnings about the text are of no use to the user.
             warnings.simplefilter("ignore")
             tree = ast.parse(text if plain else "", mode="eval")
     except (SyntaxError, ValueError, MemoryError, RecursionError):

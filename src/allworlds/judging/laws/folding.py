@@ -1,9 +1,9 @@
-"""The folded log: everything that a directional log proves, without trusting any explorer.
+"""The folded log: everything that a directional log proves, without trust in any explorer.
 
-Walk the log along a tree of fresh nodes.  A robot that arrives at v0 knows where it is and
-how it is turned, so each such node is merged with v0, aligned by the bearing.  Merging goes
-on where one dart would lead to two places.  The result is part of every world that agrees
-with the log; without an open dart the result *is* the world.
+The log is walked along a tree of new nodes.  A robot that arrives at v0 knows its vertex and its
+dart, so each such node is merged with v0, aligned by the bearing.  If a dart then leads to two
+nodes, these are merged, too.  The result is a part of every world that agrees with the log; if it
+has no open dart, it *is* the world.
 """
 
 from msgspec import Struct
@@ -19,8 +19,8 @@ class Folded(Struct, frozen=True):
     """The folded log.
 
     Attributes:
-        sigma, alpha: its darts, those of v0 first from the dart faced at the start, then
-            vertex by vertex in the order of discovery; ``alpha[d] == d`` is an open dart.
+        sigma, alpha: the map; the darts of v0 come first, from the dart faced at the start, then
+            those of each vertex in the order of discovery; ``alpha[d] == d`` marks an open dart.
         here: the robot's dart at the end of the log.
     """
 
@@ -30,7 +30,7 @@ class Folded(Struct, frozen=True):
 
     @property
     def open_darts(self) -> int:
-        """The number of darts whose other end the log does not tell."""
+        """The number of darts whose other end the log leaves open."""
         return sum(d == e for d, e in enumerate(self.alpha))
 
 
@@ -51,7 +51,7 @@ def fold(transcript: Transcript) -> Folded:
 
 
 class _Folding:
-    """Nodes in a union-find forest; a merged node remembers by how much it is turned.
+    """Nodes in a union-find forest; a merged node keeps its turn relative to its parent.
 
     Node v owns the darts ``first[v] .. first[v] + degree[v] - 1``.  If ``parent[v] = w``,
     dart i of v is dart ``i + shift[v]`` (modulo the degree) of w.
@@ -114,7 +114,7 @@ class _Folding:
         return Folded(tuple(sigma), tuple(alpha), number[self._root(dart)])
 
     def _add(self, degree: int) -> int:
-        """Add a fresh node; return its first dart."""
+        """Add a new node; return its first dart."""
         start, v = len(self.node), len(self.first)
         self.node.extend([v] * degree)
         self.link.extend([-1] * degree)
@@ -162,7 +162,7 @@ class _Folding:
 
 
 def _check(percept: Percept) -> None:
-    """Raise Contradiction unless there is a dart, and a bearing below the degree exactly at v0."""
+    """Raise Contradiction unless the degree is positive, and only v0 has a bearing, below it."""
     degree, bearing = percept.degree, percept.bearing
     sensed = bearing is not None and 0 <= bearing < degree
     legal = sensed if percept.marks else bearing is None

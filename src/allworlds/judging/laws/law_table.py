@@ -1,12 +1,11 @@
-"""**The** table of the laws that a finished run is held to, and each law as a function.
+"""**The** table of the laws of finished runs, and each law as a function.
 
-A new one is a function of a :class:`Case` and an entry of
-``LAWS``; a law that ends a run before it is finished, such as ``timeout``, stands in ``ASKED``
-alone.  A case is the run with the truth beside it.
+A new law is a function of a :class:`Case` and an entry in ``LAWS``.  A law that ends a run early,
+such as ``timeout``, has only an entry in ``ASKED``.  A case is a run together with the truth.
 
-The judge embeds the published S into the true map by itself: the dart that the explorer
-calls its place goes to the robot's true dart, and everything else follows along sigma and
-the explored edges, because S is connected.
+The laws embed the published S into the true map: the explorer's ``here`` is mapped to the robot's
+true dart, and the images of all other darts follow along sigma and the explored edges, because S
+is connected.
 """
 
 from __future__ import annotations
@@ -32,13 +31,13 @@ if TYPE_CHECKING:
 
 
 class Case(Struct, frozen=True, dict=True):
-    """A finished run with the truth beside it.
+    """A finished run together with the truth.
 
     Attributes:
-        walk: of the robot in the true map.
+        walk: the robot's walk in the true map.
         checkpoints: the published S and U, each with the number of steps before it.
-        estimate: the answer: its map is valid, or its permutations are, and ``here`` is one
-            of its darts; None where a task asks for something else.
+        estimate: the answer: a valid map, or a quotient with valid permutations, and ``here``
+            among its darts; None if the task does not ask for a map.
         bound: the largest legal number of traversals, or None.
     """
 
@@ -59,7 +58,7 @@ class Case(Struct, frozen=True, dict=True):
 
     @cached_property
     def answer(self) -> Literal["right", "pose", "map", "open"]:
-        """The value of the estimate: right, or the one of its two parts that is wrong.
+        """The judgement of the estimate: right, or the part that is wrong.
 
         ``pose``: the map is the same, but no isomorphism takes ``here`` to the robot's dart.
         ``open``: the answer names no map.
@@ -80,7 +79,7 @@ class Case(Struct, frozen=True, dict=True):
 
 
 Value: TypeAlias = Estimate | int | str
-"""An expectation, or an observation: estimates for map and pose, integers for bound, or texts."""
+"""An expectation or an observation: estimates for map and pose, integers for bound, or texts."""
 
 
 class Violation(Struct, frozen=True):
@@ -88,8 +87,8 @@ class Violation(Struct, frozen=True):
 
     Attributes:
         law: its name.
-        expected, seen: estimates for map and pose, integers for bound, else a sentence.
-        step: the number of steps before the checkpoint that breaks it; None if none does.
+        expected, seen: estimates for map and pose, integers for bound, else sentences.
+        step: the number of steps before the checkpoint that breaks the law; None if none does.
     """
 
     law: str
@@ -120,8 +119,8 @@ def _wrong_answer(case: Case, law: str) -> Violation:
 def ambiguity_law(case: Case) -> Violation | None:
     """Require that an answer without a map is the rooted quotient of a world that has lookalikes.
 
-    The percepts are one mark at the start's vertex, and the degree; lookalikes are counted
-    among all maps, whatever the class that is checked.
+    A percept is the degree, and one mark at the vertex of the start.  Lookalikes are all maps of
+    any class with the same percepts.
     Cost: O(m log m).
     """
     answer = case.estimate
@@ -130,7 +129,7 @@ def ambiguity_law(case: Case) -> Violation | None:
     map_, v0 = case.map, case.map.vertex_of[case.start]
     marks = [int(vertex == v0) for vertex in map_.vertex_of]
     quotient, classes = project((map_, marks, case.start))
-    # The criterion wants the root at v0; the robot may be elsewhere.
+    # The criterion needs the root at v0, but the robot may be elsewhere.
     if not is_ambiguous(quotient):
         return Violation(
             "ambiguity",
@@ -179,8 +178,8 @@ def bound_law(case: Case) -> Violation | None:
 def folding_law(case: Case) -> Violation | None:
     """Require that the log alone determines the map: its folding has no open dart.
 
-    With an open dart left two different worlds agree with the log, so an explorer that is
-    right about this one has guessed.
+    If a dart is open, two different worlds agree with the log, so that an explorer with the right
+    answer has guessed.
     """
     folded = fold(case.walk.transcript)
     if not folded.open_darts:
@@ -199,7 +198,7 @@ def folding_law(case: Case) -> Violation | None:
 def invariant_1(case: Case) -> Violation | None:
     """I-1: S is the explored subgraph of the world, in the same cyclic orders.
 
-    That is: the embedding exists and is injective, whole vertices go to whole vertices, and
+    That is: the embedding exists and is injective, it maps whole vertices to whole vertices, and
     every edge of S has been walked.
     """
     for steps, checkpoint in case.checkpoints:
@@ -209,7 +208,7 @@ def invariant_1(case: Case) -> Violation | None:
 
 
 def _wrong_s(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
-    """The reason why S is wrong; where it is right with another ``here``, that is the reason."""
+    """The reason why S is wrong; if it is right with another ``here``, the reason says so."""
     broken = _wrong_part(case, steps, checkpoint)
     darts = len(checkpoint.sigma)
     if broken and darts <= len(case.map.sigma):
@@ -235,8 +234,7 @@ def _wrong_part(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
 def invariant_2(case: Case) -> Violation | None:
     """I-2: U is the set of unexplored darts at the explored vertices.
 
-    The darts of S's vertices are all there by I-1; what is left is that no dart in U belongs
-    to an edge of S.
+    By I-1 all darts of S's vertices exist, so it is enough that none in U belongs to an edge of S.
     """
     for steps, checkpoint in case.checkpoints:
         if broken := _half_entered(checkpoint):
@@ -258,7 +256,7 @@ def _half_entered(checkpoint: Checkpoint) -> str | None:
 
 
 def variant(case: Case) -> Violation | None:
-    """The variant t = |E_G| - |E_S| falls at every checkpoint and has ended at 0."""
+    """The variant t = |E_G| - |E_S| decreases at every checkpoint, and is 0 at the last one."""
     previous = None
     for steps, checkpoint in case.checkpoints:
         explored = sum(map(ne, count(), checkpoint.alpha))
@@ -279,7 +277,7 @@ def variant(case: Case) -> Violation | None:
 def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | str:
     """The dart of the world for each dart of S, or the reason why there is none.
 
-    A dart in U whose partner claims it (the fault of I-2) is embedded by its partner.
+    A dart in U that another dart claims as its partner (which breaks I-2) is embedded by this one.
     Cost: O(|S|).
     """
     sigma, alpha = checkpoint.sigma, checkpoint.alpha
@@ -295,7 +293,7 @@ def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Da
         for name, way, true_way in ways:
             y, true = way[x], true_way[image[x]]
             if y == x and name == "alpha":
-                continue  # An open dart leads nowhere yet.
+                continue  # An open dart leads nowhere so far.
             if not 0 <= y < size:
                 return f"{name}({x}) = {show(y)} is no dart of S"
             if image[y] == -1 and free[true]:
@@ -309,7 +307,7 @@ def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Da
 
 
 def first_wrong(case: Case) -> tuple[int, str] | None:
-    """The number of the first checkpoint that breaks an invariant, and what is wrong with it."""
+    """The number of the first checkpoint that breaks an invariant, and its fault."""
     for number, (steps, checkpoint) in enumerate(case.checkpoints):
         if broken := _half_entered(checkpoint) or _wrong_s(case, steps, checkpoint):
             return number, broken
@@ -325,9 +323,9 @@ Check: TypeAlias = Callable[[Case], Violation | None]
 
 
 MAPS, FOLDS, BOUNDED = "maps", "folds", "bounded"
-"""The conditions of laws: the task is to find the map; besides, every arrival at v0 tells where the
-robot is, and no promise, such as planarity, can make an explorer right without folding; there is a
-bound on the traversals."""
+"""The conditions of laws: the task is the map; also, each arrival at v0 determines the robot's
+dart, and no promised property, such as planarity, can make an explorer right without folding; there
+is a bound on the traversals."""
 
 IDLE = {
     MAPS: "is about the task map alone",
@@ -335,16 +333,16 @@ IDLE = {
     "can make an explorer right without it",
     BOUNDED: "has no effect where the bound is none; name a bound too",
 }
-"""The reason why a law means nothing where its condition is not met."""
+"""The reasons why a law has no meaning unless its condition is met."""
 
 
 class Law(Struct, frozen=True):
     """One law of a finished run.
 
     Attributes:
-        asks: what it asks of an explorer, in a sentence.
-        check: the function that a run is held to.
-        needs: the condition under which it applies.
+        asks: the requirement on an explorer, in a sentence.
+        check: the function that tells whether a run breaks the law.
+        needs: the condition under which the law applies.
     """
 
     asks: str
@@ -382,7 +380,7 @@ ASKED = {
     "task": "The answer and the walk must be what the task asks for.",
     **{name: law.asks for name, law in LAWS.items()},
 }
-"""What each law asks; those that are not in ``LAWS`` cannot be left out."""
+"""The requirement of each law; the laws outside ``LAWS`` cannot be left out."""
 
 PRECEDENCE = (*ASKED,)
 """All laws; when several are broken the first is reported."""
@@ -391,7 +389,7 @@ LawName: TypeAlias = Annotated[str, one_of(*PRECEDENCE)]
 
 TASK = "task"
 JUDGED = (*LAWS, TASK)
-"""The laws of finished runs, and the one that a task is by itself."""
+"""The laws of finished runs, and the law ``task``."""
 
 JudgedLaw: TypeAlias = Annotated[str, one_of(*JUDGED)]
 
@@ -410,8 +408,8 @@ def checked_laws(laws: Iterable[str], runs: int, checkpoints: int) -> tuple[str,
 def first_broken(case: Case, laws: Iterable[Check]) -> Violation | None:
     """The first broken law, or None if all hold.
 
-    An answer that names no map is always held to the law ``ambiguity``: no law that can be
-    left out is about it.  Cost: O(m) a law and checkpoint.
+    The law ``ambiguity`` is always checked, because no other law is about an answer without a map.
+    Cost: O(m) for each law and checkpoint.
     """
     for check in (ambiguity_law, *laws):
         violation = check(case)
