@@ -133,7 +133,7 @@ def without_workers(monkeypatch):
         for module in ("across", "plays", "single"):
             monkeypatch.setattr(f"allworlds.engines.{module}.started", player)
         monkeypatch.setattr("allworlds.robots.program_player.started", player)
-        monkeypatch.setattr("allworlds.engines.asked_again.PROCESSES", 1)
+        monkeypatch.setattr("allworlds.engines.user_code_checks.PROCESSES", 1)
         monkeypatch.setattr(
             "allworlds.engines.lanes.Lanes",
             lambda subject, limits, deadline, *more: Lanes(

@@ -2,7 +2,7 @@
 
 import pytest
 
-from allworlds.engines import across, asked_again, lanes, players
+from allworlds.engines import across, lanes, players, user_code_checks
 from allworlds.engines.limits import TimeIsUp, check_deadline
 from allworlds.engines.run_directory import FILE
 from allworlds.judging.findings.finding import Finding
@@ -93,7 +93,7 @@ def test_shards_that_are_merged_and_a_check_that_goes_on_find_it_too(latch, tmp_
 
 def test_two_workers_and_a_condition_find_it_too(latch, tmp_path, monkeypatch):
     monkeypatch.setattr(lanes, "ALONE", 0.0)
-    monkeypatch.setattr(asked_again, "PROCESSES", 1)
+    monkeypatch.setattr(user_code_checks, "PROCESSES", 1)
     tmp_path.joinpath("every.py").write_text("def every(map):\n    return True\n")
     (found,) = check(latch(), edges=3, workers=2, where=f"{tmp_path}/every.py:every").findings
     assert found.after

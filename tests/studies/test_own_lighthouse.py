@@ -6,7 +6,7 @@ import pytest
 
 import allworlds
 from allworlds import World
-from allworlds.engines import asked_again
+from allworlds.engines import user_code_checks
 from allworlds.inputs.checks import InputError
 from allworlds.maps import named_map
 from allworlds.reports.drawing.text import draw as in_characters
@@ -225,7 +225,7 @@ ASKED = {
 def test_a_lighthouse_that_is_another_one_in_other_processes_refutes_nothing(
     folder, monkeypatch, verb, kind
 ):
-    monkeypatch.setattr(asked_again, "PROCESSES", 1)
+    monkeypatch.setattr(user_code_checks, "PROCESSES", 1)
     (folder / "another.py").write_text(ANOTHER)
     said = re.escape(f"lighthouse 'another.py:{kind}' is no function of its map and place: ")
     with pytest.raises(InputError, match=said):

@@ -53,7 +53,7 @@ The modules, in this order; ``protocol.playing`` and ``log`` make and read logs:
     engine gets; two further transports: this thread, and threads;
 ``sweep``
     **the** loop over units, and through the levels of a study;
-``asked_again``
+``user_code_checks``
     predicates and lighthouses of the user's, asked again in fresh processes;
 ``single``
     single runs, and findings that the same players play again;

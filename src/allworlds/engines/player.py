@@ -243,7 +243,7 @@ def turns_taken(turns: Turns, batch: dict[str, Any]) -> list[bytes]:
     """The words of a program in the turns or histories of a batch."""
     if batch["kind"] == "histories":
         return turns.plays(batch["content"])
-    return turns.answers(batch["content"], known=batch["known"])
+    return turns.replies(batch["content"], known=batch["known"])
 
 
 def maps_made(batch: dict[str, Any]) -> list[bytes]:

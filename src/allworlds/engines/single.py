@@ -11,13 +11,13 @@ from allworlds import log as entries
 from allworlds.documents import document as doc
 from allworlds.documents.report import Report
 from allworlds.engines import limits, players
-from allworlds.engines.asked_again import ensure_same_senses
 from allworlds.engines.batch import FIRST, SECOND, Due, Recorded
 from allworlds.engines.judge import PythonJudge
 from allworlds.engines.lane import Lane
 from allworlds.engines.players import answered, lost_log, started
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import GivenWorlds, Scope
+from allworlds.engines.user_code_checks import ensure_same_senses
 from allworlds.explorers import loading, program, sources
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.inputs.checks import InputError, show

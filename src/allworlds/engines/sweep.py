@@ -22,10 +22,10 @@ from typing import (
 from allworlds import outcome, words
 from allworlds.documents import document as doc
 from allworlds.engines import limits, linux, players, tally, units
-from allworlds.engines.asked_again import DRAWN, SMALL, ensure_same_worlds
 from allworlds.engines.engine_table import ReadyEngine, ThisThread
 from allworlds.engines.kept_units import ENDED, NOTHING_KEPT, Identity, KeptUnits, from_kept
 from allworlds.engines.listeners import NOBODY, Listener
+from allworlds.engines.user_code_checks import DRAWN, SMALL, ensure_same_worlds
 from allworlds.inputs import checks, requests
 from allworlds.maps import classes
 
@@ -93,7 +93,7 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     Attributes:
         verb: the study's name on the command line.
-        asked: the class of its requests.
+        request_type: the class of its requests.
         result: the class of its results, if its constructor needs no arguments.
         finer: the number of further decisions that make a unit.
         narrowed: the extent whose condition is asked again in fresh processes.
@@ -104,7 +104,7 @@ class Sweep(ABC, Generic[Total, Answer]):
     """
 
     verb: ClassVar[str]
-    asked: ClassVar[Any]
+    request_type: ClassVar[Any]
     result: ClassVar[Any]
     finer: ClassVar[int] = 0
     kept: KeptUnits
@@ -122,13 +122,13 @@ class Sweep(ABC, Generic[Total, Answer]):
         cls, identity: Identity, portion: units.Shard, listener: Listener
     ) -> "Sweep[Any, Any]":
         """Return the sweep of a job or of a shard of it, without loading an explorer."""
-        return cls(cls.asked_then(identity, portion, listener))
+        return cls(cls.request_of(identity, portion, listener))
 
     @classmethod
-    def asked_then(cls, identity: Identity, portion: units.Shard, listener: Listener) -> Any:
+    def request_of(cls, identity: Identity, portion: units.Shard, listener: Listener) -> Any:
         """Return the request of the job with this identity, for a portion."""
-        options = requests.remembered(cls.asked, identity.parameters)
-        return cls.asked(**options, shard=portion, listener=listener)
+        options = requests.remembered(cls.request_type, identity.parameters)
+        return cls.request_type(**options, shard=portion, listener=listener)
 
     def list_by(self, by: By) -> None:
         """Choose the rows for programs: one for each size, world, or run.

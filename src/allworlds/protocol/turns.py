@@ -25,7 +25,7 @@ ALIVE = 100_000
 Sensed: TypeAlias = tuple[int, ...] | bytes
 """A percept on its way: the numbers of a :class:`Percept`, or a value as canonical JSON."""
 
-Row: TypeAlias = tuple[int, int, Any]
+NumberedTurn: TypeAlias = tuple[int, int, Any]
 """A turn: its number, that of the turn (of an automaton: of the memory) before it, and what is
 sensed; a beginning, whose number before is :data:`BEGIN`, has what is told in place of it."""
 
@@ -95,7 +95,7 @@ class Turns:
         self._memories: list[Any] = []
         self._numbers: dict[Any, int] = {}
 
-    def answers(self, turns: Sequence[Row], *, known: bool = False) -> list[bytes]:
+    def replies(self, turns: Sequence[NumberedTurn], *, known: bool = False) -> list[bytes]:
         """The words of the program in each turn, as bytes of :func:`said`.
 
         Args:
@@ -125,11 +125,11 @@ class Turns:
             anew._memories, anew._numbers = self._memories, self._numbers
             turn, words = (0, BEGIN, told), list[bytes]()
             for number, sensed in enumerate(history, 1):
-                before = anew.answers([turn])[0]
+                before = anew.replies([turn])[0]
                 words.append(before)
                 automaton = isinstance(self._explore, Automaton)
                 turn = number, said(before)[0] if automaton else number - 1, sensed
-            words.append(anew.answers([turn])[0])
+            words.append(anew.replies([turn])[0])
             anew.close()
             found.append(marshal.dumps(words))
         self._beat[1] = 0
@@ -165,7 +165,7 @@ class Turns:
 
     # ---------------------------------------------------------------- generators
 
-    def _note(self, turn: Row) -> None:
+    def _note(self, turn: NumberedTurn) -> None:
         number, before, sensed = turn
         if before == BEGIN:
             self._told[number] = sensed

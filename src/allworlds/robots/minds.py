@@ -19,7 +19,7 @@ from allworlds.protocol.turns import (
     ACTION,
     BEGIN,
     ENDED,
-    Row,
+    NumberedTurn,
     Sensed,
     action_of,
     said,
@@ -49,7 +49,7 @@ class ProgramFault(NamedTuple):
 class RobotProgram(Protocol):
     """A program of robots that can be asked turn by turn."""
 
-    def answers(self, turns: Sequence[Row]) -> Sequence[bytes]:
+    def replies(self, turns: Sequence[NumberedTurn]) -> Sequence[bytes]:
         """The program's reply in each turn: see :class:`allworlds.protocol.turns.Turns`."""
 
 
@@ -67,9 +67,9 @@ class Dialogue(Struct):
 
     program: RobotProgram
     roots: dict[bytes | None, int]
-    turns: list[Row]
+    turns: list[NumberedTurn]
     replies: list[bytes]
-    waiting: list[tuple[Row, int]]
+    waiting: list[tuple[NumberedTurn, int]]
     automaton: bool | None = None
 
 
@@ -113,7 +113,7 @@ class Minds:
             return dialogue.roots[told]
         mind = len(self.value)
         turn = (mind, BEGIN, told)
-        (reply,) = dialogue.program.answers([turn])
+        (reply,) = dialogue.program.replies([turn])
         dialogue.turns.append(turn)
         dialogue.replies.append(reply)
         dialogue.automaton = bool(reply)
@@ -164,7 +164,7 @@ class Minds:
                 continue
             turns = [turn for turn, _ in dialogue.waiting]
 
-            replies = dialogue.program.answers(turns)
+            replies = dialogue.program.replies(turns)
             dialogue.turns += turns
             dialogue.replies += replies
             for (turn, mind), reply in zip(dialogue.waiting, replies, strict=True):

@@ -15,7 +15,7 @@ from allworlds.engines.players import Lost, Setup, Unsettled, answered, started
 from allworlds.explorers.loading import Subject
 from allworlds.log import fault
 from allworlds.protocol.playing import AN_ACTION
-from allworlds.protocol.turns import BEGIN, FAULT, Row, Sensed, marshalled, said
+from allworlds.protocol.turns import BEGIN, FAULT, NumberedTurn, Sensed, marshalled, said
 from allworlds.robots.minds import Dialogue, value_of
 
 MOST_LOST = 8
@@ -47,7 +47,7 @@ class ProgramPlayer:
         self._subject, self._seed, self._remark = subject, seed, remark
         self._setup = Setup(subject, limits, deadline=deadline)
         self._player: Any = None
-        self._heard: list[Row] = []
+        self._heard: list[NumberedTurn] = []
         self._lost, self._anew = 0, True
 
     def begin_unit(self) -> None:
@@ -60,7 +60,7 @@ class ProgramPlayer:
             self._player.close()
             self._player = None
 
-    def answers(self, turns: Sequence[Row]) -> list[bytes]:
+    def replies(self, turns: Sequence[NumberedTurn]) -> list[bytes]:
         """The program's reply in each turn.
 
         Raises:
@@ -92,12 +92,12 @@ class ProgramPlayer:
             self._count(again)
             return [_fault(lost)]
 
-    def _after(self, lost: Lost, turns: Sequence[Row]) -> list[bytes]:
+    def _after(self, lost: Lost, turns: Sequence[NumberedTurn]) -> list[bytes]:
         """The replies in turns after the player was lost in one of them."""
         at = min(max(0, self._player.beat[0]), len(turns) - 1)
         before = turns[:at]
         self._start()
-        found = self.answers(before) if before else []
+        found = self.replies(before) if before else []
         self._ensure_player()
         try:
             found += self._ask("turns", [turns[at]])
@@ -108,7 +108,7 @@ class ProgramPlayer:
             found.append(_fault(again))
             self._start()
         rest = turns[at + 1 :]
-        return found + (self.answers(rest) if rest else [])
+        return found + (self.replies(rest) if rest else [])
 
     def _count(self, lost: Lost) -> None:
         self._lost += 1
@@ -177,7 +177,7 @@ class Difference(NamedTuple):
         first, second: the program's actions in the two plays, in words.
     """
 
-    turn: Row
+    turn: NumberedTurn
     first: str
     second: str
 

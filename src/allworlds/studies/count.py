@@ -141,7 +141,7 @@ def count(request: CountRequest) -> Census:
 class CountSweep(sweep.Sweep["Counted", Census]):
     """The sweep of a count."""
 
-    verb, asked = "count", CountRequest
+    verb, request_type = "count", CountRequest
     extent: classes.Extent
 
     def __init__(self, request: CountRequest) -> None:

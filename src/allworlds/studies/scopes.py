@@ -43,11 +43,10 @@ def as_scope(
         rules: the rules of the runs, which replace the options of rules; None: no run was judged.
         more: further keys, or other values.
     """
-    keys = {*kind.__struct_fields__}
     asked = {
         one.name: requests.as_json(getattr(request, one.name))
         for one in requests.in_scope(type(request))
     }
     of_rules = rules.in_effect if rules else {}
     values = {"sha256": None, "given": None, **asked, **of_rules, **request.in_effect}
-    return kind(**({name: values[name] for name in values if name in keys} | more))
+    return kind(**({key: values[key] for key in values if key in kind.__struct_fields__} | more))

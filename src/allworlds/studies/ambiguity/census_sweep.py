@@ -339,7 +339,7 @@ def census(request: CensusRequest) -> AmbiguityCensus:
 class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
     """The sweep of a census."""
 
-    verb, asked, result = "ambiguity census", CensusRequest, SensedParts
+    verb, request_type, result = "ambiguity census", CensusRequest, SensedParts
     extent: classes.Extent
 
     def __init__(self, request: CensusRequest) -> None:

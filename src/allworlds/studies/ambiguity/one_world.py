@@ -39,7 +39,7 @@ class OneWorld(Struct, frozen=True):
         return (self.degree[x, degree],) if degree < self.degree.shape[1] else ()
 
 
-def one_world(formula: Formula, name: str, size: Size, asked: Question) -> OneWorld:
+def one_world(formula: Formula, name: str, size: Size, question: Question) -> OneWorld:
     """Add variables and clauses of one rooted map, and return the variables.
 
     Every model, restricted to sigma and alpha, is a rooted map of that size, with the class and the
@@ -49,7 +49,7 @@ def one_world(formula: Formula, name: str, size: Size, asked: Question) -> OneWo
     Cost: O(N^3) clauses for N = 2m darts.
     """
     darts, most = size.darts, size.most
-    largest = _largest_degree(size, asked)
+    largest = _largest_degree(size, question)
     block = formula.block
     world = OneWorld(
         size,
@@ -69,18 +69,18 @@ def one_world(formula: Formula, name: str, size: Size, asked: Question) -> OneWo
     _permutations(formula, world)
     _canonical_numbers(formula, world)
     _vertices(formula, world)
-    _degrees(formula, world, asked)
-    if asked.map_class.simple:
+    _degrees(formula, world, question)
+    if question.map_class.simple:
         _simple(formula, world, name)
-    if asked.map_class.planar:
+    if question.map_class.planar:
         _planar(formula, world, name)
     return world
 
 
-def _largest_degree(size: Size, asked: Question) -> int:
-    limit = min(size.edges, size.most - 1) if asked.map_class.simple else size.darts
-    if asked.degree_marked is not None and asked.degree_others is not None:
-        limit = min(limit, max(asked.degree_marked, asked.degree_others))
+def _largest_degree(size: Size, question: Question) -> int:
+    limit = min(size.edges, size.most - 1) if question.map_class.simple else size.darts
+    if question.degree_marked is not None and question.degree_others is not None:
+        limit = min(limit, max(question.degree_marked, question.degree_others))
     return max(limit, 1)
 
 
@@ -153,7 +153,7 @@ def _in_order(formula: Formula, label: Block, used: Block) -> None:
             formula.add(-label[x, v], used[x - 1, v - 1])
 
 
-def _degrees(formula: Formula, world: OneWorld, asked: Question) -> None:
+def _degrees(formula: Formula, world: OneWorld, question: Question) -> None:
     darts, sigma, first, degree = world.size.darts, world.sigma, world.first, world.degree
     largest, offset = degree.shape[1] - 1, world.offset
     formula.section("places count from the first dart, so each vertex is one cycle of sigma")
@@ -171,11 +171,11 @@ def _degrees(formula: Formula, world: OneWorld, asked: Question) -> None:
             formula.add(-sigma[x, y], -first[y], -offset[x, k], degree[x, k + 1])
     _constant(formula, sigma, degree, degree)
     formula.section("the degrees that were asked for")
-    if asked.degree_marked is not None:
-        formula.add(*world.has_degree(0, asked.degree_marked))
-    if asked.degree_others is not None:
+    if question.degree_marked is not None:
+        formula.add(*world.has_degree(0, question.degree_marked))
+    if question.degree_others is not None:
         for x in range(1, darts):
-            formula.add(world.vertex[x, 0], *world.has_degree(x, asked.degree_others))
+            formula.add(world.vertex[x, 0], *world.has_degree(x, question.degree_others))
 
 
 def _simple(formula: Formula, world: OneWorld, name: str) -> None:

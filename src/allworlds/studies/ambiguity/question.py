@@ -243,19 +243,19 @@ def letters_at(placed: base.Lighthouse, map_: combinatorial.CombinatorialMap) ->
     return tuple(seen[map_.turn(0, -bearing)].marks for bearing in range(map_.degree_at[0]))
 
 
-def _ensure_at_v0(asked: Question) -> None:
+def _ensure_at_v0(question: Question) -> None:
     """Raise InputError if a robot senses anything but the letters at v0 in some small map."""
-    most = min(asked.edges, TRIED_EDGES)
+    most = min(question.edges, TRIED_EDGES)
     for map_ in (map_ for edges in range(1, most + 1) for map_ in rooted_maps(edges)):
-        for placed in asked.kind.places(map_, 0):
-            found, word = letters_at(placed, map_), asked.words.get(map_.degree_at[0], ())
+        for placed in question.kind.places(map_, 0):
+            found, word = letters_at(placed, map_), question.words.get(map_.degree_at[0], ())
             marks = [p.marks for p in placed.percepts(map_) if p.marks or p.bearing is not None]
             turned = found in [word[k:] + word[:k] for k in range(len(word))]
             if not turned or 0 in marks or len(marks) > sum(map(bool, found)) or placed.told(map_):
                 raise InputError(
-                    f"lighthouse {show(asked.lighthouse)} does not show marks at v0 alone, by the "
-                    f"bearing and the degree, in {map_}; of others 'ambiguity census' makes all "
-                    "small worlds"
+                    f"lighthouse {show(question.lighthouse)} does not show marks at v0 alone, by "
+                    f"the bearing and the degree, in {map_}; of others 'ambiguity census' makes "
+                    "all small worlds"
                 )
 
 
@@ -274,7 +274,7 @@ def question_of(request: SearchRequest) -> Question:
             "all small worlds"
         )
         raise not_one_of("lighthouse", request.lighthouse, (*SEARCHED, *LETTERS), more)
-    asked = Question(
+    question = Question(
         request.lighthouse,
         request.map_class,
         request.vertices,
@@ -283,25 +283,25 @@ def question_of(request: SearchRequest) -> Question:
         request.degree_others,
         tuple(_walk(request)),
     )
-    for name, value in (("vertices", asked.vertices), ("edges", asked.edges)):
+    for name, value in (("vertices", question.vertices), ("edges", question.edges)):
         if an_integer(name, value) < 1:
             raise InputError(f"{name} = {show(value)}, but a map has at least 1")
         at_most(name, value, LARGEST_SIZE)
-    degrees = {"degree-marked": asked.degree_marked, "degree-others": asked.degree_others}
+    degrees = {"degree-marked": question.degree_marked, "degree-others": question.degree_others}
     for name, degree in degrees.items():
         if degree is not None and an_integer(name, degree) < 1:
             raise InputError(f"{name} = {show(degree)}, but every vertex has at least 1 dart")
     if own:
-        _ensure_at_v0(asked)
-    if asked.words and asked.walk:
-        raise InputError(f"there is no walk with --lighthouse {asked.lighthouse}; leave it out")
-    for step in asked.walk:
-        if step.present and not asked.sensing.marks_v0:
+        _ensure_at_v0(question)
+    if question.words and question.walk:
+        raise InputError(f"there is no walk with --lighthouse {question.lighthouse}; leave it out")
+    for step in question.walk:
+        if step.present and not question.sensing.marks_v0:
             raise InputError(
                 f"percept {step.percept} needs a marked vertex, but there is none with "
-                f"--lighthouse {asked.lighthouse}; legal is {step.degree}A"
+                f"--lighthouse {question.lighthouse}; legal is {step.degree}A"
             )
-    return asked
+    return question
 
 
 def _walk(request: SearchRequest) -> Iterator[Step]:

@@ -175,34 +175,35 @@ def decoded(pair: formulas.Pair, model: frozenset[int]) -> Twins:
     Raises:
         RuntimeError: if they do not fit the question, because encoder or solver is wrong.
     """
-    asked, pointed = pair.question, pair.pointed or (None, None)
+    question, pointed = pair.question, pair.pointed or (None, None)
     try:
-        one = _world(asked, pair.one, pointed[0], model)
-        two = _world(asked, pair.two, pointed[1], model)
+        one = _world(question, pair.one, pointed[0], model)
+        two = _world(question, pair.two, pointed[1], model)
     except InputError as error:
         raise RuntimeError(f"the solver's model is no pair of worlds: {error}") from None
     classes = bisimulation(one, two)
     if (
         flaw((one, two), classes)
         or same_world_from(one, two) == two.start
-        or not all(_fits(world, asked) for world in (one, two))
+        or not all(_fits(world, question) for world in (one, two))
     ):
-        raise RuntimeError(f"the solver's pair {one}, {two} does not answer: {asked}")
+        raise RuntimeError(f"the solver's pair {one}, {two} does not answer: {question}")
     return Twins(pair=(one, two), bisimulation=classes)
 
 
-def _world(asked: Question, world: OneWorld, pointed: Block | None, model: frozenset[int]) -> World:
+def _world(question: Question, world: OneWorld, at: Block | None, model: frozenset[int]) -> World:
     sigma, alpha = (
         [_only([y for y, v in enumerate(row) if v in model]) for row in block.slices()]
         for block in (world.sigma, world.alpha)
     )
-    variables = pointed.variables if pointed else ()
+    variables = at.variables if at else ()
     references = [x for x, variable in enumerate(variables) if variable in model]
-    if pointed and asked.sensing.where is Where.AT_V0:
+    if at and question.sensing.where is Where.AT_V0:
         _only(references)
     map_ = CombinatorialMap(sigma, alpha)
-    placed = asked.kind.usual(map_, 0) if asked.words else SEARCHED[asked.lighthouse](references)
-    return World(map_, placed, 0)
+    if question.words:
+        return World(map_, question.kind.usual(map_, 0), 0)
+    return World(map_, SEARCHED[question.lighthouse](references), 0)
 
 
 def _only(darts: list[Dart]) -> Dart:
@@ -211,19 +212,19 @@ def _only(darts: list[Dart]) -> Dart:
     return darts[0]
 
 
-def _fits(world: World, asked: Question) -> bool:
+def _fits(world: World, question: Question) -> bool:
     """Whether the world has the class, size, degrees and percepts on the walk of the question."""
     map_, home = world.map, world.map.vertex_of[world.start]
-    seen = sensed(world, [step.motion for step in asked.walk])[1:]
+    seen = sensed(world, [step.motion for step in question.walk])[1:]
     others = {degree for v, degree in enumerate(map_.degrees) if v != home}
     return (
-        asked.map_class.includes(map_)
-        and map_.vertex_count <= asked.vertices
-        and map_.edge_count <= asked.edges
-        and asked.degree_marked in (None, map_.degrees[home])
-        and (asked.degree_others is None or others <= {asked.degree_others})
+        question.map_class.includes(map_)
+        and map_.vertex_count <= question.vertices
+        and map_.edge_count <= question.edges
+        and question.degree_marked in (None, map_.degrees[home])
+        and (question.degree_others is None or others <= {question.degree_others})
         and [(percept.degree, percept.marks > 0) for percept in seen]
-        == [(step.degree, step.present) for step in asked.walk]
+        == [(step.degree, step.present) for step in question.walk]
     )
 
 
@@ -240,7 +241,7 @@ def search(request: SearchRequest) -> SearchResult:
     Raises:
         InputError: naming the offending value and what would be legal.
     """
-    asked, time_limit, external = question_of(request), request.time_limit, None
+    question, time_limit, external = question_of(request), request.time_limit, None
     at_most("time-limit", time_limit or 0, LONGEST_WAIT)
     if request.solver is not None:
         a_path("solver", request.solver)
@@ -248,7 +249,7 @@ def search(request: SearchRequest) -> SearchResult:
         external = ExternalSolver(request.solver)
     directory, deadline = _directory(request.out), deadline_after(time_limit)
     try:
-        found = _TwinsSearch(asked, external, directory, deadline, request.listener).run()
+        found = _TwinsSearch(question, external, directory, deadline, request.listener).run()
     except BaseException:
         if request.out is None:
             shutil.rmtree(directory)

@@ -72,7 +72,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
         engine: the kind of engine that does the units.
     """
 
-    verb, asked = "check", CheckRequest
+    verb, request_type = "check", CheckRequest
 
     def __init__(self, request: CheckRequest, job: Job, engine: EngineKind) -> None:
         super().__init__(request, job.scope, job.subject, job.keep, job.scope.extent)
@@ -84,7 +84,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
     @override
     @classmethod
     def known(cls, identity: Identity, portion: units.Shard, listener: Listener) -> "CheckSweep":
-        request = cls.asked_then(identity, portion, listener)
+        request = cls.request_of(identity, portion, listener)
         rules = tally_sweep.rules_known(request, identity.parameters)
         scope = units.Scope(request.extent, rules, request.schedules, portion)
         subject = tally_sweep.subject_of_record(identity.explorer)

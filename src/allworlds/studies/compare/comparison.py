@@ -183,7 +183,7 @@ class SameWorlds(Contest[Comparison]):
     def known(
         cls, identity: kept_units.Identity, portion: units.Shard, listener: Listener
     ) -> "SameWorlds | GrowingWorlds":
-        request = cls.asked_then(identity, portion, listener)
+        request = cls.request_of(identity, portion, listener)
         entrants = tuple(
             Entrant(
                 tally_sweep.subject_of_record(one), tally_sweep.rules_known(request, one), one["at"]

@@ -427,7 +427,7 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
         every: whether the worlds are all worlds of the extent.
     """
 
-    verb, asked, result = "compare", CompareRequest, CostsOfAll
+    verb, request_type, result = "compare", CompareRequest, CostsOfAll
 
     def __init__(
         self,

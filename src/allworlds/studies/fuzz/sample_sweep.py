@@ -158,7 +158,7 @@ class FuzzSweep(TallySweep[CheckReport]):
         subject: the explorer.
     """
 
-    verb, asked = "fuzz", FuzzRequest
+    verb, request_type = "fuzz", FuzzRequest
 
     def __init__(self, request: FuzzRequest, scope: Scope, subject: loading.Subject) -> None:
         super().__init__(request, scope, subject)
@@ -167,7 +167,7 @@ class FuzzSweep(TallySweep[CheckReport]):
     @override
     @classmethod
     def known(cls, identity: Identity, portion: Shard, listener: Listener) -> "FuzzSweep":
-        request = cls.asked_then(identity, portion, listener)
+        request = cls.request_of(identity, portion, listener)
         rules = rules_known(request, identity.parameters)
         subject = subject_of_record(identity.explorer)
         return cls(request, scope_of(request, rules), subject)

@@ -57,7 +57,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
         team: the programs.
     """
 
-    verb, asked, result = "team", TeamRequest, TeamTally
+    verb, request_type, result = "team", TeamRequest, TeamTally
     finer = 1
     extent: Extent
 
@@ -84,7 +84,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
     def known(cls, identity: Identity, portion: units.Shard, listener: Listener) -> TeamSweep:
         subjects = tuple(subject_of_record(each) for each in identity.explorer["explorers"])
         of = tuple(identity.explorer["of"])
-        return cls(cls.asked_then(identity, portion, listener), Team(subjects, of))
+        return cls(cls.request_of(identity, portion, listener), Team(subjects, of))
 
     @override
     def explorer(self) -> dict[str, Any]:

@@ -228,7 +228,7 @@ def worst(request: WorstRequest) -> WorstReport:
 class SchedulesSweep(sweep.Sweep["ScheduleCostsBySize", WorstReport]):
     """The sweep of the compiled search through all schedules of Algorithm 1."""
 
-    verb, asked = "worst", WorstRequest
+    verb, request_type = "worst", WorstRequest
     extent: classes.Extent
 
     def __init__(self, request: WorstRequest) -> None:

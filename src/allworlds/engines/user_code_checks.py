@@ -22,18 +22,18 @@ SMALL, DRAWN = 4, 16
 """The largest m of which all units are asked again, and the number of units of a larger level."""
 
 
-def ensure_same_worlds(extent: Extent | None, asked: Sequence[Any], deadline: float | None) -> None:
+def ensure_same_worlds(extent: Extent | None, units: Sequence[Any], deadline: float | None) -> None:
     """Raise InputError unless fresh processes make the same maps of each of these units.
 
     Raises:
         TimeIsUp: when the time limit has been reached.
     """
     where: Any = extent and extent.where
-    if not asked or not getattr(where, "codes", ()):
+    if not units or not getattr(where, "codes", ()):
         return
     said = f"where {show(where.name)}"
-    maps = _asked_in_processes("maps", (extent, asked), len(asked), said, deadline)
-    for number, unit in enumerate(asked):
+    maps = _answers_of_processes("maps", (extent, units), len(units), said, deadline)
+    for number, unit in enumerate(units):
         if len({each[number] for each in maps}) > 1:
             raise InputError(
                 f"{said} is no function of the map: asked in {PROCESSES} processes, it is not true "
@@ -51,7 +51,7 @@ def ensure_same_senses(finding: Finding) -> None:
     if not kind.codes:
         return
     said = f"lighthouse {show(kind.name)}"
-    answers = _asked_in_processes("walk", (world, transcript.actions), 1, said, None)
+    answers = _answers_of_processes("walk", (world, transcript.actions), 1, said, None)
     if {bytes(each[0]) for each in answers} != {player.in_bytes(world.told, transcript)}:
         raise InputError(
             f"{said} is no function of its map and place: asked again in {PROCESSES} processes, "
@@ -60,7 +60,7 @@ def ensure_same_senses(finding: Finding) -> None:
         )
 
 
-def _asked_in_processes(
+def _answers_of_processes(
     kind: str, content: Any, number: int, said: str, deadline: float | None
 ) -> list[Any]:
     """The answers of fresh processes to a message of this kind; each answers in its own order.
