@@ -1,14 +1,14 @@
 """Exhaustive testing of exploration algorithms on embedded graphs.
 
-Explorers are written against these names::
+Explorers use these names::
 
     from allworlds import CombinatorialMap, Percept, Move, Drop, Pick, Write
     from allworlds import Estimate, Ambiguous, Choices, Checkpoint
 
-of several robots also against ``Wait``, ``Watch``, ``Do``, ``End`` and ``Automaton``, a lighthouse
-of one's own against ``Lighthouse``, a world that changes against ``Model``,
+Programs for several robots also use ``Wait``, ``Watch``, ``Do``, ``End`` and ``Automaton``.  The
+base of a lighthouse of your own is ``Lighthouse``, that of a world that changes ``Model``.
 
-and everything that the command line does is a function of the same name, for example
+Each verb of the command line is a function of the same name, for example
 ``allworlds.check(explore, edges=4)``.  The functions are loaded when they are first used, so
 importing the package is fast.
 """

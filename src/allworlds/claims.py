@@ -1,14 +1,14 @@
 """Names for the ``claims.py`` of a paper: see ``allworlds ledger`` and ``init --ledger``.
 
-A claim is decided by a function that takes :class:`Means` and the bounds of ``ledger.toml`` as
-keywords, and returns a :class:`Found` or a :class:`NotChecked`::
+The function of a claim takes :class:`Means`, and the bounds of ``ledger.toml`` as keywords; it
+returns a :class:`Found` or a :class:`NotChecked`::
 
     def map_and_pose(means, *, edges):
         return of_check(check("algorithm1", edges=edges, workers=means.workers))
 
-A claim is a model of the user's: its prints go to stderr, and it ends no process.  One that takes
+The prints of a claim's function go to stderr, and it cannot end the process.  A claim that takes
 less than half a second is checked twice, and must have the same outcome both times.  A claim that
-needs a package that is not installed was not checked.
+needs a package that is not installed counts as not checked.
 """
 
 from allworlds.explorers.builtin.algorithm1 import Algorithm1

@@ -1,7 +1,7 @@
-"""Hypothesis strategies: maps, worlds, motions and choices that shrink to small, plain ones.
+"""Hypothesis strategies: maps, worlds, motions and choices that shrink to small, simple ones.
 
-Everything shrinks in the order in which findings are reported: fewer edges, then fewer
-vertices, then dart 0.  For example, a property of every explorer that you write::
+Everything shrinks in the order of findings: fewer edges, then fewer vertices, then dart 0.  For
+example, a property of your explorer::
 
     from hypothesis import given
     from allworlds import run, strategies
@@ -10,8 +10,8 @@ vertices, then dart 0.  For example, a property of every explorer that you write
     def test_my_explorer_is_right(world):
         assert run(my_explorer, world).finding is None
 
-Maps grow edge by edge from their root edge, and every step can be continued, so that no draw is
-lost.
+Maps grow edge by edge from their root edge.  Every partial map can be completed, so no draw is
+rejected.
 """
 
 from collections.abc import Callable, Sequence, Sized
@@ -44,7 +44,7 @@ def maps(min_edges: int = 1, max_edges: int = 6) -> SearchStrategy[Combinatorial
     """Maps with loops and parallel edges, of any genus; the root is dart 0.
 
     Every rooted map with these numbers of edges can be drawn, in its canonical numbering.  A
-    failing one shrinks towards fewer edges, then towards fewer vertices: at last to one loop.
+    failing map shrinks towards fewer edges, then towards fewer vertices, and at last to one loop.
 
     Example:
         ``@given(maps(max_edges=4))``
@@ -89,7 +89,7 @@ def sampled_maps(map_class: str, max_edges: int, count: int) -> list[Combinatori
 
     Args:
         map_class: the name of the class.
-        max_edges: as of :func:`maps`.
+        max_edges: the largest number of edges.
         count: the number of maps.
     """
     drawn: list[CombinatorialMap] = []
@@ -116,11 +116,11 @@ def worlds(
 ) -> SearchStrategy[World]:
     """Worlds: a map, the dart that the robot faces at the start, a place of the lighthouse.
 
-    A failing one shrinks as its map does, then towards start 0 and the first place (a
-    directional marker points where the robot looks).  Starts without a place are not drawn.
+    A failing world shrinks as its map does, then towards start 0 and the first place (where a
+    directional marker points along the robot's dart).  Starts without a place are not drawn.
 
     Args:
-        map_strategy: draws the map (default: :func:`maps`).
+        map_strategy: the strategy of the map (default: :func:`maps`).
         lighthouse: ``KIND[:key=value,...]``.
 
     Example:
@@ -137,8 +137,8 @@ def worlds(
 def motions(max_size: int = 20) -> SearchStrategy[list[int]]:
     """Lists of at most ``max_size`` motions ``k``, as :class:`allworlds.Move` takes them.
 
-    Turns either way by less than 13 darts.  A failing list shrinks towards few motions back
-    by the edge of arrival (0).
+    The motions turn in either direction by less than 13 darts.  A failing list shrinks towards few
+    motions, and towards 0, which is back by the edge of arrival.
 
     Example:
         ``@given(worlds(), motions(max_size=8))``
@@ -147,10 +147,10 @@ def motions(max_size: int = 20) -> SearchStrategy[list[int]]:
 
 
 def choices(max_size: int = 40) -> SearchStrategy[Choices]:
-    """Choices for one run: the first ``max_size`` at most are free, later ones take option 0.
+    """Choices for one run: at most the first ``max_size`` are free, later ones take option 0.
 
-    A failing run shrinks towards option 0 everywhere, which is first in, first out.  Choices
-    keep a record and are used up by a run: draw two for two runs.
+    A failing run shrinks towards option 0 everywhere, which is first in, first out.  A run changes
+    its choices: draw two for two runs.
 
     Example:
         ``@given(worlds(), choices())``
@@ -159,7 +159,7 @@ def choices(max_size: int = 40) -> SearchStrategy[Choices]:
 
 
 class Answers:
-    """The policy of :func:`choices`: these numbers modulo the number of options, then 0."""
+    """The policy of :func:`choices`: its numbers modulo the number of options, then 0."""
 
     def __init__(self, answers: Sequence[int] = ()) -> None:
         self.answers = tuple(answers)
@@ -194,7 +194,7 @@ def _lit(
 
 @composite
 def _grown(draw: DrawFn, map_class: MapClass, least: int, most: int) -> CombinatorialMap:
-    """A map of the class: its size is drawn first, then the place of each edge."""
+    """A map of the class: its size is drawn first, then the corners of each edge."""
     edges = draw(integers(least, most))
     vertices = draw(integers(_fewest_vertices(map_class, edges), edges + 1))
     return grow(map_class, edges, vertices, lambda options: draw(integers(0, len(options) - 1)))
@@ -203,13 +203,13 @@ def _grown(draw: DrawFn, map_class: MapClass, least: int, most: int) -> Combinat
 def grow(
     map_class: MapClass, edges: int, vertices: int, pick: Callable[[Sized], int]
 ) -> CombinatorialMap:
-    """A map of the class and the size, canonically numbered, as ``pick`` has it grow.
+    """A map of the class and the size, canonically numbered, whose edges ``pick`` chooses.
 
     Args:
         map_class: the class.
         edges: m.
         vertices: n; the class has maps with m edges and n vertices.
-        pick: the index of one of these options; called ``m`` times.
+        pick: a function that returns the index of an option; it is called ``m`` times.
 
     Cost: O(m^3).
     """
@@ -241,8 +241,8 @@ LOOP = CombinatorialMap((1, 0), (1, 0))
 LINK = CombinatorialMap((0, 1), (1, 0))
 
 Way: TypeAlias = tuple[Dart, Dart]
-"""The place of a new edge: from the corner behind dart a to the corner behind dart b, or
-to a new vertex where b is OUTWARD."""
+"""A new edge: from the corner behind dart a to the corner behind dart b, or to a new vertex if b
+is OUTWARD."""
 
 OUTWARD: Dart = -1
 
@@ -250,9 +250,9 @@ OUTWARD: Dart = -1
 class _Growth:
     """A map to which edges are added; it stays in its class.
 
-    Every rooted map grows like this: its root edge first, then the rest of a spanning tree,
-    then the others.  In a simple class with fewer edges than any map with that many vertices can
-    have there is always a way between two corners: a plane one that has none is a triangulation.
+    Every rooted map can grow like this: its root edge first, then the rest of a spanning tree, then
+    the other edges.  In a simple class, a map with fewer edges than the most for its vertices can
+    always get an edge between two corners: a plane map that cannot is a triangulation.
     """
 
     def __init__(self, map_class: MapClass, root: CombinatorialMap) -> None:

@@ -1,13 +1,13 @@
 """Explorers under test in the test suite of their authors.
 
 ``assert_explores``
-    an explorer is right in every small world, or an assertion fails with the finding as text;
+    asserts that an explorer is right in every small world; fails with the text of the finding;
 ``assert_team``
-    several robots reach their goal in every small world under every schedule, or it fails so;
+    asserts that several robots reach their goal in every small world under every schedule;
 ``conformance``, ``assert_conforms``
     all tests that an explorer should pass, as parts with names, or in one call;
 ``assert_lighthouse``
-    a lighthouse of one's own is a function of the world;
+    asserts that your own lighthouse is a function of the world;
 ``known_hard_maps``
     maps that have refuted explorers before.
 
@@ -67,7 +67,7 @@ WIDTH = 100
 PLUGIN = "_allworlds_pytest"
 
 GIVEN = {field.name for field in fields(GivenOptions)}
-"""The options that give worlds in place of a class."""
+"""The options that give worlds instead of a class."""
 
 Explorer: TypeAlias = str | Callable[..., Any]
 """A generator function, or a name as on the command line."""
@@ -76,13 +76,12 @@ Explorer: TypeAlias = str | Callable[..., Any]
 def assert_explores(explore: Explorer, *, edges: int | None = None, **options: Any) -> CheckReport:
     """Assert that the explorer keeps every law in every small world, and return the report.
 
-    Past findings of the same test are tried first, and new ones kept, where pytest has a cache.
+    If pytest has a cache, past findings of the same test are tried first, and new ones are kept.
 
     Args:
         explore: a generator function, or a name as on the command line.
-        edges: the largest number of edges (default: 4, where neither another bound nor worlds are
-            given).
-        options: those of :func:`allworlds.check`; ``corpus=None`` keeps no findings.
+        edges: the largest number of edges (default: 4, unless another bound or worlds are given).
+        options: the options of :func:`allworlds.check`; ``corpus=None`` keeps no findings.
 
     Raises:
         AssertionError: with the smallest finding and its picture; or with the reason, if
@@ -99,9 +98,9 @@ def assert_team(*programs: Explorer, edges: int = 3, **options: Any) -> TeamRepo
     """Assert that no law is broken in any schedule of several robots, and return the report.
 
     Args:
-        programs: one for all robots, or one for each.
+        programs: one program for all robots, or one for each.
         edges: the largest number of edges.
-        options: those of :func:`allworlds.team`.
+        options: the options of :func:`allworlds.team`.
 
     Raises:
         AssertionError: with the run of the smallest finding, or a run that the budget cuts off.
@@ -116,7 +115,7 @@ def assert_team(*programs: Explorer, edges: int = 3, **options: Any) -> TeamRepo
 
 
 def levels_of(options: Mapping[str, Any]) -> Sequence[int]:
-    """The numbers of edges in the extent that these options name, from the least map on.
+    """The numbers of edges of the maps that these options name, ascending.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -140,7 +139,7 @@ def _any_map(extent: classes.Extent, edges: int) -> bool:
 
 
 def unknown_option(options: Mapping[str, Any]) -> str:
-    """The first option that :func:`allworlds.check` does not take; empty where it takes all."""
+    """The first option that :func:`allworlds.check` does not take; empty if it takes all."""
     known = inspect.signature(check).parameters.keys() - {"explore"}
     for name in options:
         if name not in known:
@@ -152,12 +151,12 @@ def unknown_option(options: Mapping[str, Any]) -> str:
 class AtLevel:
     """The value of the fixture ``explores``: :func:`assert_explores` at one number of edges.
 
-    Worlds with fewer edges are tried on the way.  If one of them refutes the explorer already,
-    the failure says so in a line; the test of that number of edges shows the finding.
+    Worlds with fewer edges are tried first.  If one of them refutes the explorer, the failure says
+    so in a line; the test of that number of edges shows the finding.
 
     Attributes:
-        edges: their number.
-        options: of the mark.
+        edges: the number of edges.
+        options: the options of the mark.
     """
 
     edges: int
@@ -183,8 +182,8 @@ class Part:
     """A part of the conformance kit; calling it asserts that the explorer passes.
 
     Attributes:
-        name: stable, and fit for the id of a test.
-        play: carries it out.
+        name: a stable name that can be the id of a test.
+        play: the function that asserts it.
     """
 
     name: str

@@ -1,8 +1,8 @@
-"""Results of verbs as texts and as files, and which name of a file means which.
+"""Results of verbs as texts and as files, with the formats that names of files mean.
 
 The files for CI services are Markdown, JUnit XML, commands of GitHub's runner, and SARIF.  A new
-format is a function and a line of the table.  What takes long to load is imported where it is
-used, since the command line needs this module.
+format is a function and a line of the table.  Slow imports are inside functions, since the command
+line needs this module.
 """
 
 import csv
@@ -94,9 +94,9 @@ _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 def junit(content: parts.ReportContent) -> str:
     """A document with one suite, as Jenkins's xUnit schema has it.
 
-    The suite names the explorer's file, which that schema has at suites alone; a failure begins
-    with file and line.  Of two cases with one name services keep one: each name begins with the
-    words of the command line.
+    The suite names the explorer's file, which that schema allows at suites alone; a failure begins
+    with file and line.  Each name of a case begins with the words of the command line, since
+    services keep only one of two cases with the same name.
     """
     assert content.cases is not None
     cases, verb = content.cases(), content.done.removeprefix("allworlds ")
@@ -131,16 +131,16 @@ def junit(content: parts.ReportContent) -> str:
 
 
 def _legal(text: str) -> str:
-    """The text with control characters as numbers, and without others that XML does not allow."""
+    """The text with control characters as numbers; other characters illegal in XML are replaced."""
     return _FORBIDDEN.sub("\N{REPLACEMENT CHARACTER}", words.escaped(text))
 
 
 LEVELS = {Verdict.ERROR: "error", Verdict.VACUOUS: "error", Verdict.INCONCLUSIVE: "warning"}
-"""How loud a verdict is that is no finding; the others say nothing that needs a notification."""
+"""The level of the notification for a verdict without a finding; other verdicts need none."""
 
 
 def runner_commands(content: parts.ReportContent) -> str:
-    """Commands, one for each finding at its line, as in SARIF; else for the verdict."""
+    """Runner commands: one for each finding at its line, as in SARIF; or one for the verdict."""
     report: Any = content.result  # of a check
     head = content.headline
     assert head is not None
@@ -159,7 +159,7 @@ def runner_commands(content: parts.ReportContent) -> str:
 
 
 def _texts(finding: "Finding | TeamFinding", number: int) -> tuple[str, str]:
-    """A finding in a line, and with its picture."""
+    """A finding as a line, and as a text with its picture."""
     if not isinstance(finding, Finding):
         from allworlds.reports.content import team
 
@@ -189,7 +189,7 @@ def _at(
 
 
 def _escaped(text: str, more: str = "") -> str:
-    """The text with per cent signs, line ends and further characters written as their numbers."""
+    """The text with per cent signs, line ends and the characters of ``more`` as numbers."""
     return "".join(f"%{ord(sign):02X}" if sign in "%\r\n" + more else sign for sign in text)
 
 
@@ -198,7 +198,7 @@ SCHEMA = (
 )
 
 NO_FILE = "no file associated with this alert"
-"""The location of a result where there is no file at all: GitHub refuses one without."""
+"""The location of a result without a file, since GitHub refuses a result without a location."""
 
 HELP = (
     "\n\nThe message draws the smallest world in which the explorer breaks this law, and tells its "
@@ -206,11 +206,11 @@ HELP = (
     "explain report.json` says in words where belief and truth part, and `allworlds replay "
     "report.json` runs the explorer there again, after a change too."
 )
-"""The help of each rule, after what the law asks."""
+"""The help of each rule, after the sentence of the law."""
 
 
 def _rule(law: str, asked: str) -> dict[str, Any]:
-    """A law as a rule, with all that code scanning asks for."""
+    """A law as a rule, with all keys that code scanning needs."""
     full = f"{asked} A result is the smallest world in which an explorer breaks this law."
     return {
         "id": law,
@@ -279,9 +279,9 @@ def _result(
 
 
 def _source_of_check(root: Path) -> SourceLine | None:
-    """The line of the repository that asks for the check: of its workflow, or of its options.
+    """The line of a workflow, or of the options, that names this program.
 
-    If no file names this program it is the first line of any of them; None if there is none.
+    If no file names it, the first line of any such file; None if the repository has no file.
     """
     running = os.environ.get("GITHUB_WORKFLOW_REF", "").partition("@")[0].split("/", 2)[2:]
     options = (root / "allworlds.toml", root / "pyproject.toml")
@@ -299,8 +299,8 @@ def _source_of_check(root: Path) -> SourceLine | None:
 def _project(explorer: str) -> tuple[Path, SourceLine | None]:
     """The root of the repository, and the line of the explorer's code, if its file is inside.
 
-    The root is that of git above the current folder, or above the explorer, or that of a CI
-    service; if there is none, the current folder.
+    The root is the git repository of the current folder, or of the explorer, or the one that a CI
+    service names; else the current folder.
     """
     here, source = Path.cwd().resolve(), place_of_explorer(explorer)
     above = (here, *here.parents, *(source.file.parents if source else ()))
@@ -340,7 +340,7 @@ MAKERS = {
 
 
 def _maker(kind: type) -> Callable[[Any], parts.ReportContent]:
-    """The function that makes it; of a report without words of its own keys and rows are shown."""
+    """The function for a class of reports; by default one that shows keys and rows."""
     if kind.__name__ == "Play":
         from allworlds.reports.web.play import play_content
 
@@ -352,12 +352,12 @@ def _maker(kind: type) -> Callable[[Any], parts.ReportContent]:
 
 
 def text(result: Any, width: int) -> str:
-    """The whole text of a verb's result, with so many columns."""
+    """The whole text of a verb's result, with lines of ``width`` columns."""
     return words.harmless(plain_text.content_text(content_of(result), width))
 
 
 def brief(result: Any, width: int) -> str:
-    """The line that ``--quiet`` leaves."""
+    """The one line for ``--quiet``."""
     return words.harmless(plain_text.content_line(content_of(result), width))
 
 
@@ -365,14 +365,15 @@ class Format(Struct, frozen=True):
     """A file format of reports.
 
     Attributes:
-        of_content: the content of the file, made of that of a report.
-        suffix: the end of a file's name that means it; empty where only its own name does.
-        shows: what a verb must have one of to be written so; empty where every verb is.
-        library: without which the content cannot be made, as it is imported; the extra of this
-            package that brings it; and what needs it, for a refusal.
-        summary: the variable in which a CI service names a file to which the report is added
-            without being asked for; empty where there is none.
-        read_by: the variable that says that a CI service reads stderr for it, likewise.
+        of_content: the function that makes the file's content from the content of a report.
+        suffix: the suffix of file names that means this format; empty if only ``FORMAT:`` does.
+        shows: the kinds of content of which a verb must have one; empty: every verb.
+        library: a library that the format needs, by its import name; the extra of this package
+            that installs it; and the words for a refusal without it.
+        summary: the environment variable with the name of a file to which a CI service wants the
+            report added by default; empty without one.
+        read_by: the environment variable that tells that a CI service reads the format on stderr;
+            empty without one.
     """
 
     of_content: Callable[[parts.ReportContent], str | bytes]
@@ -415,7 +416,7 @@ def latex_rows(content: parts.ReportContent) -> str:
 
 
 def lone_picture(content: parts.ReportContent) -> str:
-    """The picture of a map, or the curve, by itself; an empty one where there are no two sizes.
+    """The picture of a map alone, or the curve alone, which is empty for fewer than two sizes.
 
     Raises:
         InputError: if there are several maps.
@@ -510,9 +511,9 @@ def legal_files(verb: str) -> str:
 
 
 def names_world_file(verb: str, name: str) -> bool:
-    """Whether a FILE is one of worlds, not of a report; a FORMAT before it says that of a report.
+    """Whether a FILE is a file of worlds; with a FORMAT before it, it is a file of a report.
 
-    A suffix that both have means worlds.
+    A suffix of both kinds of files means worlds.
     """
     writes = verbs.WORLD_FILE in verbs.BY_NAME[verb].has
     return writes and name.partition(":")[0] not in FORMATS and by_suffix(name) is not None
@@ -541,7 +542,7 @@ def form_and_path(verb: str, name: str) -> tuple[str, str]:
 
 
 def file_of(form: str, result: Any) -> Any:
-    """The content of a file of that format: a text, or bytes if it is none."""
+    """The content of a file of that format: a text, or bytes for a binary format."""
     format_ = FORMATS[form]
     made = format_.of_content(content_of(result))
     if isinstance(made, bytes):

@@ -1,4 +1,4 @@
-"""Results as notebooks show them, and as ``print`` does."""
+"""Results for notebooks, and for ``print``."""
 
 from html import escape
 from typing import Any
@@ -19,14 +19,14 @@ WIDTH = 100
 """Columns of a printed report."""
 
 MOST = 20
-"""Lines of a result in a plain Python."""
+"""The most lines of a result in a Python shell."""
 
 HEIGHT = 480
 """Pixels of a page in a notebook; it scrolls."""
 
 
 def text_of(value: Report | Finding | Transcript) -> str:
-    """The text of the command line; of a transcript a line for each step."""
+    """The text of the command line; for a transcript, a line for each step."""
     match value:
         case Transcript():
             steps = _steps(value)
@@ -57,7 +57,7 @@ def records(report: Report) -> list[dict[str, Any]]:
 def shown(value: Report | Finding | Transcript) -> str:
     """An element of a page: a table of steps, or a whole page in a frame of its own.
 
-    The style and the keys of a page in a frame touch nothing outside.
+    The style and the keys of a page in a frame do not affect the notebook.
     """
     match value:
         case Transcript():

@@ -1,8 +1,8 @@
-"""Parts of which the content of every report is made, and rows for programs.
+"""The parts of the content of every report, and rows for programs.
 
 A module of ``content`` makes the content of a verb's report.  ``plain_text``, ``web`` and the
-formats show any content, and know the parts below alone.  A *scene* is a map with everything that a
-picture shows, whatever the lighthouse.
+formats show any content, and know only the parts in this module.  A *scene* is a map with
+everything that a picture shows, for any lighthouse.
 """
 
 from __future__ import annotations

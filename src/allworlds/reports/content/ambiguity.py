@@ -20,7 +20,7 @@ from allworlds.world.lighthouses.marked import Position
 from allworlds.world.world import World
 
 DRAWN = 6
-"""The number of worlds of a larger class that are drawn."""
+"""The number of worlds that are drawn, from a class with more members."""
 
 ALIKE = (
     "Darts of one letter are not to be told apart: the same is sensed at each, and every motion "
@@ -57,7 +57,7 @@ def twins_content(comparison: ComparedWorlds) -> parts.ReportContent:
 
 
 def _rows(worlds: Sequence[World], classes: Sequence[Sequence[int]]) -> parts.CsvRows:
-    """A row for each dart of each world: darts of one class are not to be told apart."""
+    """A row for each dart of each world; no motion tells darts of one class apart."""
     named = any(world.labels.vertices for world in worlds)
     rows: list[list[parts.Value]] = [
         [number, dart, v, of_world[dart], *([world.labels.vertex(v)] if named else [])]
@@ -162,7 +162,7 @@ def _walk(
 
 
 def _why_alike(quotients: Sequence[Quotient]) -> str:
-    """The reason why no motion tells worlds with these quotients, equal but for sheets, apart."""
+    """The reason why no motion tells worlds with these quotients apart, which differ in sheets."""
     sheets = [quotient.sheets for quotient in quotients]
     if len({*sheets}) > 1:
         who = f"A is a cover with {words.plural(sheets[0], 'sheet')}, B one with {sheets[1]},"
@@ -177,7 +177,7 @@ def _why_alike(quotients: Sequence[Quotient]) -> str:
 
 
 def _quotient(quotient: Quotient) -> tuple[parts.Paragraph, parts.Table]:
-    """A row a vertex: its classes clockwise with where alpha leads, and what lies over it."""
+    """A row for each vertex: its classes clockwise, their classes under alpha, and its sheets."""
     rows: list[list[parts.Cell]] = []
     for vertex, cone in zip(quotient.vertices, quotient.cone_indices, strict=True):
         leads = ((q, quotient.alpha[q]) for q in vertex)
@@ -267,7 +267,7 @@ def _counted(census: census_sweep.AmbiguityCensus) -> parts.Headline | None:
 
 
 def search_content(result: twin_search.SearchResult) -> parts.ReportContent:
-    """The answer with the twins found, the sizes that it rests on, and its certificate."""
+    """The answer with the twins, the sizes that were searched, and the certificate."""
     pair = []
     if result.pair and result.bisimulation:
         walk = alike("AB", result.pair, result.bisimulation)
@@ -313,10 +313,10 @@ def _found(result: twin_search.SearchResult) -> tuple[parts.Headline, list[tuple
 
 
 def tour(worlds: Sequence[World]) -> list[int]:
-    """The motions of a walk in the first of these worlds, along every edge of each of them.
+    """The motions of a walk in the first of these worlds that goes along every edge of each world.
 
-    No motion must tell the worlds apart.  It takes the nearest edge that is new in the world at
-    hand, among equals the first clockwise, and goes on in the next world where none is left.
+    The worlds must look alike.  The walk takes the nearest new edge of the first world, among
+    equally near ones the first clockwise; if no edge is left, it goes on with the next world.
 
     Cost: the edges of all worlds, times the darts of one.
     """

@@ -1,4 +1,4 @@
-"""Content of a check."""
+"""Content of ``check`` and ``fuzz``."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from shlex import join
@@ -28,7 +28,7 @@ from allworlds.words import about, counted, duration, listed, number, plural, si
 def check_content(report: CheckReport | time_estimate.TimeEstimate) -> parts.ReportContent:
     """The verdict, the findings, the scope and the counts; or the estimated duration.
 
-    On the page of a check that holds also the most expensive runs.
+    The page of a check that holds also has the most expensive runs.
     """
     if isinstance(report, time_estimate.TimeEstimate):
         return _estimate(report)
@@ -52,14 +52,14 @@ def check_content(report: CheckReport | time_estimate.TimeEstimate) -> parts.Rep
 
 
 def _command(report: CheckReport) -> str:
-    """The explorer, and every option that was given on which the outcome depends."""
+    """The explorer and the given options on which the outcome depends, as on the command line."""
     options = given_again(type(report.request), report.request)
     shard = [] if report.whole else ["--shard", str(report.portion)]
     return join([report.explorer, *options, *shard])
 
 
 def _in_short(report: CheckReport) -> list[tuple[str, str]]:
-    """The scope of the verdict, in facts of a line each."""
+    """The scope of the verdict, as facts of one line each."""
     scope, cells = report.asked, report.cells
     extent = of_the_class(scope.extent).removeprefix("of the ")
     if scope.extent.given is not None:
@@ -96,7 +96,7 @@ def _rows(report: CheckReport) -> parts.CsvRows:
 def size_table(report: CheckReport) -> parts.Table:
     """Counts for each number of edges and vertices.
 
-    Of a sample, which has a few worlds of very many sizes, for each number of edges.
+    For a sample, which has a few worlds of very many sizes, for each number of edges alone.
     """
     every = report.asked.schedules == "all"
     header = ["edges", "vertices", "worlds", "runs", "traversals", "max cost", "bound"]
@@ -118,7 +118,7 @@ def size_table(report: CheckReport) -> parts.Table:
 
 
 def covered_table(report: CheckReport) -> parts.Table:
-    """How far the worlds of a sample reach."""
+    """The ranges of the features of a sample's worlds."""
     rows: list[list[parts.Cell]] = [
         [row.feature, row.least, row.median, row.most] for row in report.covered
     ]
@@ -154,7 +154,7 @@ def verdict_of(report: CheckReport) -> parts.Headline:
 
 
 def scope_words(report: CheckReport) -> list[tuple[str, str]]:
-    """The scope of the verdict as named texts. A text without a name continues the one before."""
+    """The scope of the verdict as named texts; a text without a name continues the one before."""
     scope, rules = report.asked, report.asked.rules
     shard = f", shard {scope.portion}" if scope.portion != units.WHOLE else ""
     what = (
@@ -190,7 +190,7 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
 
 
 def _of_sample(report: CheckReport) -> Iterator[tuple[str, str]]:
-    """The mixture of a sample, and the chance that is left where it refutes nothing."""
+    """The mixture of a sample and, if it refutes nothing, the chance of a refuting world."""
     sample = report.asked.coverage
     if not isinstance(sample, units.Sample):
         return
@@ -274,13 +274,13 @@ def _gate(report: CheckReport) -> str:
 
 
 def _listed(cells: Sequence[GateCell]) -> str:
-    """Say up to where another enumeration has listed the same worlds."""
+    """The number of edges up to which another enumeration has listed the same worlds, in words."""
     most = max((cell.edges for cell in cells if cell.listed), default=0)
     return f"; up to {plural(most, 'edge')} listed" if most else ""
 
 
 def _why_vacuous(report: CheckReport) -> str:
-    """The reason why a complete check says nothing."""
+    """The reason why a complete check is vacuous."""
     if not report.runs:
         return "the scope holds no run"
     if not report.checked_laws:
@@ -289,10 +289,10 @@ def _why_vacuous(report: CheckReport) -> str:
 
 
 def _cases(report: CheckReport) -> Iterator[parts.SuiteCase]:
-    """A case for each number of edges, of past findings before and of witnesses after; or one.
+    """A case for past findings, one for each number of edges, and one for witnesses.
 
-    A level is passed; failed, with its findings; an error where the count gate or two engines
-    disagree; skipped, with the reason, where it was not finished.  A sample is one case.
+    A level is passed; failed, with its findings; an error, if the count gate or two engines
+    disagree; skipped, with the reason, if it was not finished.  A sample is one case.
     """
     if isinstance(report.asked.coverage, units.Sample):
         yield replace(_sample(report, report.asked.coverage), seconds=sum(report.seconds))
@@ -354,7 +354,7 @@ def _failure(report: CheckReport, name: str, found: Sequence[int]) -> parts.Suit
 
 
 def _findings(report: CheckReport, found: Iterable[int]) -> list[parts.Section]:
-    """Sections for the findings at these places, each with its origin."""
+    """Sections for the findings with these indices, each with its origin."""
     sections = []
     for i in found:
         past = report.past and report.past.holds(report.findings[i])
@@ -374,7 +374,7 @@ def _mismatch(cell: GateCell) -> str:
 
 
 def _estimate(guess: time_estimate.TimeEstimate) -> parts.ReportContent:
-    """Estimated duration of the check, and of those with more edges if it is known."""
+    """The estimated durations of the check, and of checks with more edges if they are known."""
     if guess.seconds is None or guess.rate is None:
         text = "no world of the last level was finished in time: this takes very long"
         head = parts.Headline("estimate", text, "inconclusive")

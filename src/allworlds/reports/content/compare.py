@@ -1,4 +1,4 @@
-"""Content of comparisons."""
+"""Content of ``compare``."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from shlex import quote
@@ -23,7 +23,7 @@ from allworlds.world.named import code_of
 def compare_content(report: comparison.Comparison | growth.Growth) -> parts.ReportContent:
     """The verdict, the findings, the rows, and the world of the largest difference.
 
-    On a page of equal sizes also a walk of each explorer in the world that differs most.
+    A page without growing worlds also has each explorer's walk in the world that differs most.
     """
     return _growth(report) if isinstance(report, growth.Growth) else _comparison(report)
 
@@ -52,7 +52,7 @@ def _content(
     rows: Callable[[], parts.CsvRows],
     more: Callable[[], Iterable[parts.Section]],
 ) -> parts.ReportContent:
-    """The verdict, the findings, and what was compared."""
+    """The verdict, the findings, and the compared costs."""
     findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
     verdict = report.verdict.value
     seen = parts.Section("seen", "What was compared", [*blocks])
@@ -69,7 +69,7 @@ def _content(
 
 
 Lines: TypeAlias = dict[str, list[tuple[float, float, float, float]]]
-"""By name the points of a curve's lines: edges, mean, and the ends of the interval."""
+"""The points of a curve's lines, by their names: edges, mean, and the ends of the interval."""
 
 
 def _lines_of_levels(report: comparison.Comparison) -> Lines:
@@ -100,7 +100,7 @@ def _lines_of_families(report: growth.Growth) -> Lines:
 
 
 def _curve(lines: Lines) -> Iterator[parts.Curve]:
-    """The mean cost by size; none of a single size."""
+    """The mean cost by size; no curve for a single size."""
     if all(
         len({x for x, *_ in line}) > 1 and all(min(p) > 0 for p in line) for line in lines.values()
     ):
@@ -238,7 +238,7 @@ SIZES = (
 
 
 def _rows(report: comparison.Comparison) -> parts.CsvRows:
-    """A row for each size and explorer, or as is asked for."""
+    """A row for each size and explorer; or for each world or run, if the request wants that."""
     if report.by in ("world", "run"):
         return rows_of_worlds(report.in_worlds, report.names[0], report.by)
     return parts.CsvRows(SIZES, _by_size(report, report.names))
@@ -331,9 +331,9 @@ def rows_of_worlds(worlds: Iterable[entrants.InWorld], first: str, by: By) -> pa
     """A row for each world and explorer, or for each run.
 
     Args:
-        worlds: in the order of the rows.
+        worlds: the runs in each world, in the order of the rows.
         first: the explorer with which the others are compared.
-        by: which rows.
+        by: ``world`` or ``run``.
     """
     if by == "run":
         runs = [

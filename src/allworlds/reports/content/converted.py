@@ -1,11 +1,11 @@
-"""Content of ``convert``: each world of a file, and where the doors of its rooms lead."""
+"""Content of ``convert``: each world of a file, and the rooms behind the doors of its rooms."""
 
 from allworlds.reports import parts
 from allworlds.studies.convert import Convert, ConvertRow
 from allworlds.words import plural
 
 FEW = 3
-"""The worlds of which each room is told without being asked for."""
+"""The most worlds whose rooms a terminal shows without an option."""
 
 COLUMNS = {"number": int, "name": str, "vertices": int, "edges": int, "genus": int, "faces": int}
 COLUMNS |= {"automorphisms": int}
@@ -47,7 +47,7 @@ def _title(row: ConvertRow) -> str:
 
 
 def _rooms(row: ConvertRow) -> parts.Section:
-    """Of each room the doors, clockwise, by the rooms behind them."""
+    """The doors of each room, clockwise, by the rooms behind them."""
     names = row.names or [f"v{vertex}" for vertex in range(row.vertices)]
     doors = [[name, ", ".join(ends)] for name, ends in zip(names, row.doors, strict=True)]
     table = parts.Table(["room", "its doors lead, clockwise, to"], doors, _title(row))

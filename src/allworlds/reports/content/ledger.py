@@ -13,7 +13,7 @@ from allworlds.studies.ledger import CheckedClaim, LedgerReport
 LEGEND = "= as expected, ≠ not as expected, ? vacuous, - not checked"
 
 SIGNS = {"as-expected": "=", "unexpected": "≠", "vacuous": "?", "not-checked": "-"}
-"""Before each claim: whether it is what is expected."""
+"""The sign before each claim, by its standing."""
 
 VERDICTS = {
     outcome.Exit.HOLDS: "holds",
@@ -21,11 +21,11 @@ VERDICTS = {
     outcome.Exit.VACUOUS: "vacuous",
     outcome.Exit.INTERNAL: "error",
 }
-"""The verdict by the exit code; inconclusive by any other."""
+"""The verdict of each exit code; any other one means inconclusive."""
 
 
 def ledger_content(report: LedgerReport) -> parts.ReportContent:
-    """A row for each claim; for a single claim, and on a page for each, also the details."""
+    """A row for each claim; details for a single claim, or on a page for each claim."""
     facts = [
         ("DIFFERS", f"{one.id}: {'; '.join(one.differences)}")
         for one in report.claims

@@ -1,4 +1,4 @@
-"""Content that is named facts alone: of jobs, of new projects, and of any other result."""
+"""Content with named facts alone: for jobs, new projects, and any other result."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -12,7 +12,7 @@ from allworlds.reports import parts
 from allworlds.studies import init, merge
 
 NOT_IN_DOCUMENT = ("schema", "made_by", "verdict", "exit_code")
-"""Keys that stand in the headline, or are of no use to people."""
+"""The keys that are in the headline, or are of no use to people."""
 
 
 def plain_content(report: Report) -> parts.ReportContent:
@@ -40,7 +40,7 @@ def plain_content(report: Report) -> parts.ReportContent:
 
 
 def _rows(names: Sequence[str], objects: Sequence[dict[str, Any]]) -> parts.CsvRows:
-    """A row for each object; columns that hold anything but numbers are texts."""
+    """A row for each object; a column with anything but numbers is a column of texts."""
     columns = {}
     for name in names:
         kinds = {type(one.get(name)) for one in objects} - {type(None)}

@@ -24,11 +24,11 @@ SAID = (
     *("edges", "vertices", "map_class", "where", "lighthouse", "policy", "bound"),
     *("family", "holes", "seed", "worlds", "graph", "embeddings"),
 )
-"""The fields of requests of which the words of a scope tell."""
+"""The fields of requests that the words of a scope describe."""
 
 
 def of_the_class(extent: Extent, least: int = 1) -> str:
-    """``of the class maps, trees, with at most 3 edges``; the condition stands there, if any."""
+    """``of the class maps, trees, with at most 3 edges``; with the condition, if there is one."""
     where = f", {extent.where.name}," if extent.where else ""
     most = extent.edges
     if extent.given is not None and most == max(extent.given.starts):
@@ -48,7 +48,7 @@ def each_of(given: MapSource) -> str:
 
 
 def maps_in_words(report: OfWorlds) -> str:
-    """The maps that a report is about, or the shard of them."""
+    """The maps that a report is about, or their shard, in words."""
     shard = f", shard {report.portion}" if report.portion != units.WHOLE else ""
     given = report.extent.given
     maps = "every rooted map" if given is None else f"every start in {each_of(given)}"
@@ -74,23 +74,23 @@ def explorer_facts(report: ContestReport) -> list[tuple[str, str]]:
 
 
 def trust(file: str) -> str:
-    """A word about the explorer's file; empty unless code that judges it is loaded from it."""
+    """A sentence about the explorer's file if it also has code that judges; else empty."""
     return file and f"{file} holds the explorer, and code that judges it: see docs/trust.md"
 
 
 def left_out(worlds: int) -> str:
-    """A word about worlds in which nothing was run; empty if there is none."""
+    """A text about worlds without a run; empty if there are none."""
     return f"{words.plural(worlds, 'world')} without a place for the lighthouse" if worlds else ""
 
 
 def option_facts(report: OfWorlds, said: Iterable[str]) -> list[tuple[str, str]]:
-    """A fact about the options that were given, but for the fields of which other words tell."""
+    """A fact about the given options, without the fields that other facts describe."""
     given = given_again(type(report.request), report.request, but=said)
     return [("options", " ".join(given))] if given else []
 
 
 def gate_facts(report: Any, what: str, *, is_compared: bool) -> list[tuple[str, str]]:
-    """A fact about the count gate of a report about worlds, where it agrees.
+    """A fact about the count gate of a report about worlds, if the counts agree.
 
     Args:
         report: the report of a job or of a shard, with the source of its counts.

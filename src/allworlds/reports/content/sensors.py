@@ -14,7 +14,7 @@ from allworlds.studies.ambiguity.side_by_side import AlikePair, AmbiguitySensors
 Pairs = Sequence[Sequence[str]]
 
 WIDTH = 90
-"""Columns of the order of sensors."""
+"""The columns of a text with the order of sensors."""
 
 
 def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
@@ -73,7 +73,7 @@ def _scope(extent: Extent) -> str:
 
 
 def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
-    """A line for each sensor, under each next one that tells more; equal ones share a line."""
+    """A line for each sensor, below each sensor that tells more; equal sensors share a line."""
     above = {name: {a for a, b in dominates if b == name} for name in names}
     below = {name: {b for a, b in dominates if a == name} for name in names}
     first = [
@@ -99,7 +99,7 @@ def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
 
 
 def _less_at_a_step(found: AmbiguitySensors) -> Iterator[str]:
-    """A sentence for each sensor that senses less than others to which it is equal in the end."""
+    """A sentence for each sensor that senses less at a step than others that tell as much."""
     for row in found.rows:
         less = row.lighthouse
         more = [b for a, b in found.coarser if a == less and (b, a) not in found.coarser]
@@ -109,7 +109,7 @@ def _less_at_a_step(found: AmbiguitySensors) -> Iterator[str]:
 
 
 def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]:
-    """A section for each two worlds, with the sensors under which they look alike."""
+    """A section for each pair of worlds, with the sensors under which they look alike."""
     groups: dict[tuple[object, ...], tuple[AlikePair, list[str]]] = {}
     for name, pair in named:
         key = (*((world.map, world.start) for world in pair.worlds), pair.bisimulation)
@@ -120,7 +120,7 @@ def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]
 
 
 def weakest_content(found: AmbiguityWeakest) -> parts.ReportContent:
-    """The minimal coarsenings, each with what refutes its lower neighbours."""
+    """The minimal coarsenings, each with the worlds that refute its lower neighbours."""
     rows: list[list[parts.Cell]] = [
         [
             len(one.letters),

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def known(run: SingleRun) -> parts.ShownMap | None:
-    """The map from a run's checkpoints; None if there is none, or if S is not embedded."""
+    """The map of a run's checkpoints; None without checkpoints, or if S is not embedded."""
     episode, world = run.outcome.episode, run.world
     if not episode.checkpoints:
         return None
@@ -80,7 +80,7 @@ def _rows(section: parts.Section) -> parts.CsvRows:
 
 
 def _said(run: SingleRun) -> str:
-    """The result in a sentence: the first thing that is wrong, or that nothing is."""
+    """The result in a sentence: the first error, or that there is none."""
     if run.finding:
         return f"law {run.finding.law} is broken"
     if not run.checked_laws:
@@ -89,7 +89,7 @@ def _said(run: SingleRun) -> str:
 
 
 def replay_content(replay: Replay) -> parts.ReportContent:
-    """The run of today. If it breaks no law, only a page shows it, with the recorded run."""
+    """The new run; if it breaks no law, only a page shows it, with the recorded run."""
     recorded, run = replay.recorded, replay.again
     again = run.finding
     if again and again.law == recorded.law:
@@ -125,7 +125,7 @@ def cost_words(run: SingleRun) -> str:
 
 
 def _section(run: SingleRun) -> parts.Section:
-    """A run; where it breaks no law its walk is the first block."""
+    """The section of a run; if it breaks no law, its walk is the first block."""
     if run.finding:
         return finding_section(run.finding, checked=False)
     section = run_section(run, "walk-1")
@@ -134,7 +134,7 @@ def _section(run: SingleRun) -> parts.Section:
 
 
 def run_section(run: SingleRun, name: str, title: str = "") -> parts.Section:
-    """A run that breaks no law: its pictures and its walk, and an answer that is no map."""
+    """A run that breaks no law: its pictures, its walk, and its answer if that is no map."""
     walk, ending = run.walk, run.outcome.episode.ending
     walked = Walked(walk)
     views = [parts.View("world", "The world", parts.walk_in_world(walk), walk.darts)]
@@ -163,7 +163,7 @@ def run_section(run: SingleRun, name: str, title: str = "") -> parts.Section:
 
 
 def _quotient(answer: Ambiguous) -> list[parts.Block]:
-    """An answer that names no map: the quotient that all worlds with equal percepts share."""
+    """An ambiguous answer: the quotient that all worlds with equal percepts share."""
     header = ["dart", "sigma", "alpha", "degree", "marks", ""]
     columns = (range(len(answer.sigma)), answer.sigma, answer.alpha, answer.degree, answer.marks)
     rows = [[*row, "here" if row[0] == answer.here else ""] for row in zip(*columns, strict=True)]
@@ -172,7 +172,7 @@ def _quotient(answer: Ambiguous) -> list[parts.Block]:
 
 
 LONGEST_LIST = 60
-"""Of a longer list of choices the first are shown."""
+"""The number of choices that are shown, from a longer list the first ones."""
 
 
 def headline_of(finding: Finding) -> str:
@@ -186,11 +186,11 @@ def finding_section(
     """Everything about a finding, as one section.
 
     Args:
-        finding: which one.
-        number: which of those that are shown.
-        origin: where it comes from; empty where a check has come upon it by itself.
-        title: in place of its number, its explorer and its law.
-        checked: it comes from a check, which has confirmed it, or tried to.
+        finding: the finding.
+        number: its number among the findings that are shown.
+        origin: its origin, in words; empty if the check itself has found it.
+        title: a title in place of its number, its explorer and its law.
+        checked: whether it comes from a check, which confirms findings.
     """
     from allworlds.studies.explain import explained  # which a check that holds does not need
 
@@ -211,7 +211,7 @@ def finding_section(
 
 
 def _detail(finding: Finding) -> list[parts.Block]:
-    """The detail of the finding, under what it is."""
+    """The detail of the finding, below its kind."""
     detail = finding.detail
     if finding.law == "no-estimate":
         # The explanation names the line of the call.
@@ -238,15 +238,15 @@ def nothing_checked(rules: Rules) -> str:
 
 
 MOST_LINES = 3
-"""The lines that run in a refuting run alone and are shown; the others are counted."""
+"""The most lines of a refuting run alone that are shown; further ones are counted."""
 
 
 def wrong_line(finding: Finding, step: int | None) -> str:
-    """The place in the user's code of the first wrong step, checkpoint or end; empty if unknown.
+    """The line of the user's code of the first wrong step, checkpoint or end; empty if unknown.
 
     Args:
-        finding: which one.
-        step: at which belief and truth diverge, if they do.
+        finding: the finding.
+        step: the step at which belief and truth diverge, if they do.
     """
     code, shown = finding.code, finding.believed
     for where, _ in stack_of(finding):
@@ -261,7 +261,7 @@ def wrong_line(finding: Finding, step: int | None) -> str:
 
 
 def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
-    """The first wrong line, and the lines that only such runs reach."""
+    """The first wrong line, and the lines that only refuting runs reach."""
     code = finding.code
     if code is None:
         return
@@ -278,7 +278,7 @@ def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
 
 
 def _law(finding: Finding, step: int | None) -> parts.FactList:
-    """The law, what was expected and seen, where that is no map, and the lines of the code."""
+    """The law, the expected and the actual result if they are no maps, and the lines of code."""
     lines = [*_lines(finding, step)]
     wrong = {
         "map": "the answer is not the same map as the world",
@@ -331,7 +331,7 @@ def _walk(story: Story, explanation: Explanation, title: str) -> parts.ShownWalk
 
 
 def _belief(story: Story) -> list[parts.Block]:
-    """The checkpoint beside the world, as both are at its step; none where an answer is shown."""
+    """The checkpoint beside the world at its step; nothing if an answer is shown instead."""
     finding, shown = story.finding, story.finding.believed
     if shown is None or (finding.step is None and isinstance(finding.seen, Estimate)):
         return []
@@ -353,7 +353,7 @@ def _belief(story: Story) -> list[parts.Block]:
 
 
 def answer_view(walk: Walk, answer: Estimate, trail: Sequence[Dart]) -> parts.View:
-    """The picture of an answer, with the walk as it would be there."""
+    """The picture of an answer, with the walk in the answer's map."""
     scene = parts.walk_in_answer(walk, answer)
     note = "R: the robot's place according to the answer"
     return parts.View("answer", "The answer", scene, trail, note)

@@ -1,4 +1,4 @@
-"""Content of ``count`` and ``worst``: numbers by size, beside their source."""
+"""Content of ``count`` and ``worst``: numbers by size, with those of the independent source."""
 
 from allworlds.reports import parts
 from allworlds.reports.content.check import most_expensive
@@ -62,7 +62,7 @@ def _counted(census: Census) -> parts.Headline | None:
 def worst_content(report: WorstReport) -> parts.ReportContent:
     """The worst and the best cost of each size.
 
-    On a page also the most expensive of the walks that attain them.
+    A page also has the most expensive of the walks that attain them.
     """
     header = ["edges", "vertices", "worlds", "best", "worst", "bound", "worst/bound"]
     table: list[list[parts.Cell]] = []

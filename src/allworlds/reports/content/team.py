@@ -20,16 +20,16 @@ from allworlds.studies.team.team_report import TeamReport
 from allworlds.words import counted, number, plural, size
 
 COLUMNS, LEAST, OF_ACTION = 62, 7, 12
-"""The columns of all robots in a diagram, the least ones of a percept, and those of its action."""
+"""The text columns in a diagram for all robots, the fewest for a percept, and for an action."""
 
 SHOWN_EVENTS = 15
-"""The events at either end of a long run that its diagram shows."""
+"""The number of events that the diagram of a long run shows at either end."""
 
 TEAM_SAID = (
     *(*SAID, "model", "robots", "scheduler", "budget", "within", "lead", "start_delay"),
     *("max_findings", "world", "starts"),
 )
-"""The fields of the request of which the scope tells."""
+"""The fields of the request that the scope describes."""
 
 
 def team_content(report: TeamReport) -> parts.ReportContent:
@@ -158,7 +158,7 @@ def size_table(report: TeamReport) -> parts.Table:
 
 
 def team_replay_content(replay: TeamReplay) -> parts.ReportContent:
-    """The search of today, where it breaks a law."""
+    """The outcome of the new search, and its findings."""
     names, outcome = ", ".join(dict.fromkeys(replay.again.explorers)), replay.outcome
     now = replay.law_now or replay.law
     text = f"law '{now}' is broken" + (" again" if now == replay.law else f", not '{replay.law}'")
@@ -198,7 +198,7 @@ def headline_of(found: TeamFinding) -> str:
 
 
 def finding_section(found: TeamFinding, index: int) -> parts.Section:
-    """A finding: its world, the diagram of its run, and how it is played again."""
+    """A finding: its world, the diagram of its run, and the command that searches it again."""
     title = f"Finding {index}: {found.law}, {size(*found.key[:2])}"
     return parts.Section(f"finding-{index}", title, [*_run(found)])
 

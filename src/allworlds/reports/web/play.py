@@ -15,7 +15,7 @@ from allworlds.words import plural
 
 
 def play_content(play: Play) -> parts.ReportContent:
-    """The path of the page, without a word about the world; or the world and the walk in it."""
+    """The path of the page, without any fact about the world; or the world and the walk in it."""
     if play.path is not None:
         headline = parts.Headline("PAGE", f"{play.path}, to be opened in a web browser")
         return parts.ReportContent(
@@ -63,7 +63,7 @@ def game(play: Play) -> str:
 
 
 def costs_data(play: Play) -> dict[str, Any]:
-    """The cost of Algorithm 1, where it is run, and the bound, for the script."""
+    """The cost of Algorithm 1, if it was run, and the bound, for the script."""
     world = play.world
     bound = bound_named(world.lighthouse.as_kind.default_bound).of(world.map, world.start)
     others = [] if play.algorithm1 is None else [["Algorithm 1", play.algorithm1]]

@@ -1,6 +1,6 @@
 """The sections of a page, the frame of every page, and pictures with a walk.
 
-Keys step along the walk in all pictures.
+Keys step along the walk in all its pictures.
 """
 
 import json
