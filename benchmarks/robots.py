@@ -32,7 +32,7 @@ from allworlds import Automaton, Move
 from allworlds.maps import MapClass, family, rooted_maps
 from allworlds.robots.configurations import Search, in_lockstep
 from allworlds.robots.minds import Minds
-from allworlds.robots.model import Guarded
+from allworlds.robots.model import ModelInMap
 from allworlds.robots.models.meeting import Meeting
 from allworlds.robots.schedulers import Timing
 from allworlds.robots.single_search import search, turns_of
@@ -71,7 +71,7 @@ def here(edges: int, scheduler: str) -> int:
     met, waiting = 0, list[Search]()
     maps = (map_ for m in range(1, edges + 1) for map_ in rooted_maps(m, MapClass.MAPS))
     for map_ in maps:
-        world = Guarded(Meeting(apart=False), map_, "meeting")
+        world = ModelInMap(Meeting(apart=False), map_, "meeting")
         waiting += [
             Search(world, start, (0, 1), minds, Timing(scheduler)) for start in world.starts(2)
         ]

@@ -9,7 +9,7 @@ from allworlds.protocol.actions import Do, Move, Watch
 from allworlds.protocol.turns import Automaton
 from allworlds.robots.configurations import Search
 from allworlds.robots.minds import Minds
-from allworlds.robots.model import SCHEDULERS, Assumption, Guarded, Model
+from allworlds.robots.model import SCHEDULERS, Assumption, Model, ModelInMap
 from allworlds.robots.schedulers import Timing
 from allworlds.robots.single_search import search, turns_of
 from fair_runs import agree_on_cycles
@@ -49,7 +49,7 @@ def test_a_second_algorithm_agrees_on_all_automata_of_two_states(number, schedul
 
 def searched(world, automaton, scheduler, minds):
     map_, starts, model = world
-    made = Search(Guarded(model, map_, "model"), starts, [0, 0], minds, Timing(scheduler))
+    made = Search(ModelInMap(model, map_, "model"), starts, [0, 0], minds, Timing(scheduler))
     made.begin()
     while made.going:
         made.plan()

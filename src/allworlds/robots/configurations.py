@@ -21,7 +21,7 @@ from allworlds.robots.cycles import broken_for_ever, cut_for_ever
 from allworlds.robots.events import event_of
 from allworlds.robots.graph import MOST_ROBOTS, Broken, Graph
 from allworlds.robots.minds import Ended, Minds, ProgramFault
-from allworlds.robots.model import Assumption, Guarded, joined
+from allworlds.robots.model import Assumption, ModelInMap, joined
 from allworlds.robots.schedulers import Timing, bits_of
 
 NO_ACTION = Wait, Watch, Ended, ProgramFault
@@ -67,7 +67,7 @@ class Search:
 
     def __init__(
         self,
-        world: Guarded,
+        world: ModelInMap,
         starts: Sequence[Dart],
         program_of: Sequence[int],
         minds: Minds,

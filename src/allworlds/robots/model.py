@@ -192,7 +192,7 @@ class ModelError(InputError):
     """Raised if a method of a model raises an error, or returns an illegal value."""
 
 
-class Guarded:
+class ModelInMap:
     """A model in one map, whose values are checked.
 
     Args:

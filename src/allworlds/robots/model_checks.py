@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from allworlds.robots.configurations import Search, in_lockstep
 from allworlds.robots.events import event_of
-from allworlds.robots.model import Guarded, ModelError
+from allworlds.robots.model import ModelError, ModelInMap
 
 
 def ensure_same_model(search: Search) -> None:
@@ -51,7 +51,7 @@ def _other_names(darts: int) -> list[list[int]]:
 
 def _ensure_same_verdict(search: Search, names: Sequence[int]) -> None:
     map_ = search.world.map.relabelled(names)
-    world = Guarded(search.world.model, map_, search.world.name)
+    world = ModelInMap(search.world.model, map_, search.world.name)
     starts = [names[dart] for dart in search.starts]
     other = Search(world, starts, search.program_of, search.minds, search.timing)
     in_lockstep([other], search.minds)

@@ -173,8 +173,7 @@ def _where_sensed(
             if before != BEGIN and search.percept(number, robot) != sensed:
                 continue
             if minds.precedes(mind, before):
-                able, _ = search.able(number)
-                every = search.timing.groups(tuple(able))
+                every = search.timing.groups(tuple(search.able(number)[0]))
                 groups = [group for group, _ in every if robot in group]
                 if groups:
                     return number, groups[0], robot

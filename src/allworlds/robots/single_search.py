@@ -14,7 +14,7 @@ from allworlds.protocol.turns import Turns
 from allworlds.robots.configurations import Search, in_lockstep
 from allworlds.robots.events import Event, events_of
 from allworlds.robots.minds import Minds
-from allworlds.robots.model import Guarded, Model, Scheduler
+from allworlds.robots.model import Model, ModelInMap, Scheduler
 from allworlds.robots.schedulers import Timing
 
 
@@ -97,7 +97,7 @@ def search(
     each = {id(program): program for program in team}  # equal ones may differ: 1 and True are equal
     minds = Minds([turns_of(program) for program in each.values()])
     numbers = {key: number for number, key in enumerate(each)}
-    world = Guarded(model, map_, type(model).__name__)
+    world = ModelInMap(model, map_, type(model).__name__)
     found = Search(world, starts, [numbers[id(program)] for program in team], minds, timing)
     in_lockstep([found], minds)
     return outcome_of(found)

@@ -19,7 +19,7 @@ from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.robots.configurations import Search
 from allworlds.robots.minds import Minds
-from allworlds.robots.model import Guarded
+from allworlds.robots.model import ModelInMap
 from allworlds.robots.models.table import NamedModel
 from allworlds.robots.schedulers import Timing
 from allworlds.robots.team_finding import TeamFinding
@@ -224,17 +224,17 @@ class TeamScope(Struct, frozen=True):
         """An empty tally."""
         return TeamTally(self.keep)
 
-    def starts_in(self, world: Guarded) -> Iterable[tuple[int, ...]]:
+    def starts_in(self, world: ModelInMap) -> Iterable[tuple[int, ...]]:
         """The starts that are tried in a map."""
         return [self.starts] if self.starts else world.starts(len(self.team.program_of))
 
-    def searches(self, unit: LevelUnit, minds: Minds) -> Iterator[tuple[bool, Search | Guarded]]:
+    def searches(self, unit: LevelUnit, minds: Minds) -> Iterator[tuple[bool, Search | ModelInMap]]:
         """The searches of a unit, in a fixed order; for a map without a start, its world alone.
 
         The first value of each pair tells whether the map is new.
         """
         for map_ in unit.maps(self.extent):
-            world, first = Guarded(self.model.model, map_, self.model.name), True
+            world, first = ModelInMap(self.model.model, map_, self.model.name), True
             for start in self.starts_in(world):
                 yield first, Search(world, start, self.team.program_of, minds, self.timing)
                 first = False

@@ -8,11 +8,11 @@ from typing_extensions import override
 
 from allworlds.inputs.checks import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.robots.models.boards import Boarded, Boards
+from allworlds.robots.models.boards import BoardsState, WhiteboardModel
 
 
 @dataclass(frozen=True)
-class BlackHole(Boarded):
+class BlackHole(WhiteboardModel):
     """Robots with whiteboards that start at one dart, their home, and look for a black hole.
 
     The adversary chooses the hole: any vertex but home.  A robot is told the number of vertices and
@@ -31,14 +31,14 @@ class BlackHole(Boarded):
         return [map_.vertex_count, robot]
 
     @override
-    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Boards]:
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[BoardsState]:
         home, boards = starts[0], (b"null",) * map_.vertex_count
         for hole in range(map_.vertex_count):
             if hole != map_.vertex_of[home]:
-                yield Boards((home,) * len(starts), boards, home=home, hole=hole)
+                yield BoardsState((home,) * len(starts), boards, home=home, hole=hole)
 
     @override
-    def sensed(self, map_: CombinatorialMap, state: Boards, robot: int) -> Any:
+    def sensed(self, map_: CombinatorialMap, state: BoardsState, robot: int) -> Any:
         here = map_.vertex_of[state.darts[robot]]
         if here == state.hole:
             return None
@@ -46,12 +46,12 @@ class BlackHole(Boarded):
         return degree, here == map_.vertex_of[state.home], others, board
 
     @override
-    def bad(self, map_: CombinatorialMap, state: Boards) -> str:
+    def bad(self, map_: CombinatorialMap, state: BoardsState) -> str:
         lost = all(map_.vertex_of[dart] == state.hole for dart in state.darts)
         return "nobody is left" if lost else ""
 
     @override
-    def flaw(self, map_: CombinatorialMap, state: Boards, answers: Sequence[Any]) -> str:
+    def flaw(self, map_: CombinatorialMap, state: BoardsState, answers: Sequence[Any]) -> str:
         given = [answer for answer in answers if answer is not None]
         for answer in given:
             if not _leads_to_hole(map_, state, answer):
@@ -59,7 +59,7 @@ class BlackHole(Boarded):
         return "" if given else "nobody answers"
 
 
-def _leads_to_hole(map_: CombinatorialMap, state: Boards, walk: Any) -> bool:
+def _leads_to_hole(map_: CombinatorialMap, state: BoardsState, walk: Any) -> bool:
     if not isinstance(walk, list) or any(type(turn) is not int for turn in walk):
         return False
     dart = state.home

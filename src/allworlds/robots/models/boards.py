@@ -16,7 +16,7 @@ from allworlds.robots.model import Model, Places
 from allworlds.robots.models.goals import others_with, replaced
 
 
-class Boards(NamedTuple):
+class BoardsState(NamedTuple):
     """A state.
 
     Attributes:
@@ -35,7 +35,7 @@ class Boards(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Boarded(Model):
+class WhiteboardModel(Model):
     """The base of models with whiteboards; at first each has the value null.
 
     ``Do({"write": value, "move": k})`` writes, then moves; one part may be missing, and ``Move(k)``
@@ -49,7 +49,7 @@ class Boarded(Model):
 
     at_once: bool = False
 
-    def board(self, map_: CombinatorialMap, state: Boards, robot: int) -> tuple[int, int, Any]:
+    def board(self, map_: CombinatorialMap, state: BoardsState, robot: int) -> tuple[int, int, Any]:
         """The degree of a robot's vertex, the number of other robots there, and its board."""
         dart = state.darts[robot]
         board = decode(state.boards[map_.vertex_of[dart]])
@@ -57,8 +57,8 @@ class Boarded(Model):
 
     @override
     def looked(
-        self, map_: CombinatorialMap, state: Boards, robot: int, action: Any
-    ) -> Iterator[tuple[Boards, str]]:
+        self, map_: CombinatorialMap, state: BoardsState, robot: int, action: Any
+    ) -> Iterator[tuple[BoardsState, str]]:
         if self.at_once and "write" in _parts(action):
             (after, words), *_ = _written(map_, state, {robot: action})
             yield after._replace(wrote=state.wrote | {robot}), words
@@ -67,8 +67,8 @@ class Boarded(Model):
 
     @override
     def step(
-        self, map_: CombinatorialMap, state: Boards, acts: Mapping[int, Any]
-    ) -> Iterator[tuple[Boards, str]]:
+        self, map_: CombinatorialMap, state: BoardsState, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[BoardsState, str]]:
         darts = [*state.darts]
         for robot, action in acts.items():
             if "move" in (parts := _parts(action)):
@@ -77,7 +77,7 @@ class Boarded(Model):
             yield after._replace(darts=tuple(darts), wrote=state.wrote - {*acts}), words
 
     @override
-    def places(self, map_: CombinatorialMap, state: Boards) -> Places:
+    def places(self, map_: CombinatorialMap, state: BoardsState) -> Places:
         words = {at: text.decode() for at, text in enumerate(state.boards) if text != b"null"}
         if state.hole is not None:
             words[state.hole] = "hole"
@@ -99,8 +99,8 @@ def _parts(action: Any) -> dict[str, Any]:
 
 
 def _written(
-    map_: CombinatorialMap, state: Boards, acts: Mapping[int, Any]
-) -> Iterator[tuple[Boards, str]]:
+    map_: CombinatorialMap, state: BoardsState, acts: Mapping[int, Any]
+) -> Iterator[tuple[BoardsState, str]]:
     """The states after these robots have written, one for each choice of the last writers."""
     writers: dict[Vertex, list[int]] = {}
     for robot, action in acts.items():

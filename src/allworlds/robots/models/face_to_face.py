@@ -15,7 +15,7 @@ from allworlds.robots.model import Model, every_start
 from allworlds.robots.models.goals import map_flaw, replaced
 
 
-class Company(NamedTuple):
+class FaceToFaceState(NamedTuple):
     """A state.
 
     Attributes:
@@ -52,11 +52,11 @@ class FaceToFace(Model):
         return robot
 
     @override
-    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Company]:
-        yield Company(tuple(starts), (b"null",) * len(starts))
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[FaceToFaceState]:
+        yield FaceToFaceState(tuple(starts), (b"null",) * len(starts))
 
     @override
-    def sensed(self, map_: CombinatorialMap, state: Company, robot: int) -> Any:
+    def sensed(self, map_: CombinatorialMap, state: FaceToFaceState, robot: int) -> Any:
         mine, others = state.darts[robot], []
         for other, (dart, words) in enumerate(zip(*state, strict=True)):
             if other != robot and map_.vertex_of[dart] == map_.vertex_of[mine]:
@@ -65,8 +65,8 @@ class FaceToFace(Model):
 
     @override
     def step(
-        self, map_: CombinatorialMap, state: Company, acts: Mapping[int, Any]
-    ) -> Iterator[tuple[Company, str]]:
+        self, map_: CombinatorialMap, state: FaceToFaceState, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[FaceToFaceState, str]]:
         darts, words = state
         for robot, action in acts.items():
             match action:
@@ -77,8 +77,8 @@ class FaceToFace(Model):
                     words = replaced(words, robot, encode(value, order="deterministic"))
                 case _:
                     raise IllegalAction(f"legal are Move and Do, not {action}")
-        yield Company(darts, words), ""
+        yield FaceToFaceState(darts, words), ""
 
     @override
-    def flaw(self, map_: CombinatorialMap, state: Company, answers: Sequence[Any]) -> str:
+    def flaw(self, map_: CombinatorialMap, state: FaceToFaceState, answers: Sequence[Any]) -> str:
         return map_flaw(map_, state.darts[0], answers[0])

@@ -15,7 +15,7 @@ from allworlds.protocol.actions import Percept
 from allworlds.robots.model import Assumption, Liveness, Model, Places, Scheduler, joined
 
 
-class Failing(NamedTuple):
+class FaultsState(NamedTuple):
     """A state.
 
     Attributes:
@@ -58,42 +58,42 @@ class Wrapper(Model):
         return self.inside.starts(map_, robots)
 
     @override
-    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Failing]:
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[FaultsState]:
         for state in self.inside.initial(map_, starts):
-            yield Failing(state, frozenset(range(len(starts))), self.faults)
+            yield FaultsState(state, frozenset(range(len(starts))), self.faults)
 
     @override
     def told(self, map_: CombinatorialMap, robot: int) -> Any:
         return self.inside.told(map_, robot)
 
     @override
-    def sensed(self, map_: CombinatorialMap, state: Failing, robot: int) -> Any:
+    def sensed(self, map_: CombinatorialMap, state: FaultsState, robot: int) -> Any:
         return self.inside.sensed(map_, state.inside, robot)
 
     @override
     def looked(
-        self, map_: CombinatorialMap, state: Failing, robot: int, action: Any
-    ) -> Iterator[tuple[Failing, str]]:
+        self, map_: CombinatorialMap, state: FaultsState, robot: int, action: Any
+    ) -> Iterator[tuple[FaultsState, str]]:
         for after, words in self.inside.looked(map_, state.inside, robot, action):
             yield state._replace(inside=after), words
 
     @override
     def step(
-        self, map_: CombinatorialMap, state: Failing, acts: Mapping[int, Any]
-    ) -> Iterator[tuple[Failing, str]]:
+        self, map_: CombinatorialMap, state: FaultsState, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[FaultsState, str]]:
         for after, words in self.inside.step(map_, state.inside, acts):
             yield state._replace(inside=after), words
 
     @override
-    def bad(self, map_: CombinatorialMap, state: Failing) -> str:
+    def bad(self, map_: CombinatorialMap, state: FaultsState) -> str:
         return self.inside.bad(map_, state.inside)
 
     @override
-    def over(self, map_: CombinatorialMap, state: Failing) -> bool:
+    def over(self, map_: CombinatorialMap, state: FaultsState) -> bool:
         return self.inside.over(map_, state.inside)
 
     @override
-    def flaw(self, map_: CombinatorialMap, state: Failing, answers: Sequence[Any]) -> str:
+    def flaw(self, map_: CombinatorialMap, state: FaultsState, answers: Sequence[Any]) -> str:
         return self.inside.flaw(map_, state.inside, answers)
 
     @override
@@ -107,13 +107,13 @@ class Wrapper(Model):
             yield Assumption(name, _inside(holds))
 
     @override
-    def places(self, map_: CombinatorialMap, state: Failing) -> Places:
+    def places(self, map_: CombinatorialMap, state: FaultsState) -> Places:
         return self.inside.places(map_, state.inside)
 
 
 def _inside(holds: Callable[..., bool]) -> Callable[..., bool]:
     """Return the condition for states of the wrapper, from that for the states inside."""
-    return lambda *values: holds(*(v.inside if isinstance(v, Failing) else v for v in values))
+    return lambda *values: holds(*(v.inside if isinstance(v, FaultsState) else v for v in values))
 
 
 @dataclass(frozen=True)
@@ -121,30 +121,30 @@ class Crash(Wrapper):
     """Robots that stop for ever at any moment; the adversary chooses which."""
 
     @override
-    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Failing]:
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[FaultsState]:
         for state in super().initial(map_, starts):
             yield from (after for after, _ in _stopping(state))
 
     @override
-    def sensed(self, map_: CombinatorialMap, state: Failing, robot: int) -> Any:
+    def sensed(self, map_: CombinatorialMap, state: FaultsState, robot: int) -> Any:
         return super().sensed(map_, state, robot) if robot in state.living else None
 
     @override
     def looked(
-        self, map_: CombinatorialMap, state: Failing, robot: int, action: Any
-    ) -> Iterator[tuple[Failing, str]]:
+        self, map_: CombinatorialMap, state: FaultsState, robot: int, action: Any
+    ) -> Iterator[tuple[FaultsState, str]]:
         for after, words in super().looked(map_, state, robot, action):
             yield from ((each, joined(words, more)) for each, more in _stopping(after))
 
     @override
     def step(
-        self, map_: CombinatorialMap, state: Failing, acts: Mapping[int, Any]
-    ) -> Iterator[tuple[Failing, str]]:
+        self, map_: CombinatorialMap, state: FaultsState, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[FaultsState, str]]:
         for after, words in super().step(map_, state, acts):
             yield from ((each, joined(words, more)) for each, more in _stopping(after))
 
 
-def _stopping(state: Failing) -> Iterator[tuple[Failing, str]]:
+def _stopping(state: FaultsState) -> Iterator[tuple[FaultsState, str]]:
     """The states after no robot, or some more robots, have stopped."""
     for count in range(min(state.left, len(state.living)) + 1):
         for robots in combinations(sorted(state.living), count):
@@ -161,7 +161,7 @@ class Hidden(Wrapper):
     """
 
     @override
-    def sensed(self, map_: CombinatorialMap, state: Failing, robot: int) -> Any:
+    def sensed(self, map_: CombinatorialMap, state: FaultsState, robot: int) -> Any:
         percept = super().sensed(map_, state, robot)
         if percept is not None and type(percept) is not Percept:
             raise InputError(
@@ -171,8 +171,8 @@ class Hidden(Wrapper):
 
     @override
     def step(
-        self, map_: CombinatorialMap, state: Failing, acts: Mapping[int, Any]
-    ) -> Iterator[tuple[Failing, str]]:
+        self, map_: CombinatorialMap, state: FaultsState, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[FaultsState, str]]:
         seeing = state._replace(blind=state.blind - {*acts})
         for after, words in super().step(map_, seeing, acts):
             marked = [robot for robot in acts if self.sensed(map_, after, robot).marks]

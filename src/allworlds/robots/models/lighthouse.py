@@ -19,7 +19,7 @@ from allworlds.world.state import State
 from allworlds.world.world import World
 
 
-class InPlace(NamedTuple):
+class LighthouseState(NamedTuple):
     """A state.
 
     Attributes:
@@ -49,32 +49,32 @@ class LighthouseModel(Model):
     kind: str = "directional"
 
     @override
-    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[InPlace]:
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[LighthouseState]:
         if len(starts) != 1:
             raise InputError(
                 f"lighthouse:{self.kind} is a model of one robot, not of {len(starts)}"
             )
         for place, world in enumerate(_worlds(map_, self.kind, starts[0])):
-            yield InPlace(starts[0], place, world.initial)
+            yield LighthouseState(starts[0], place, world.initial)
 
     @override
     def told(self, map_: CombinatorialMap, robot: int) -> Any:
         return _worlds(map_, self.kind, 0)[0].told
 
     @override
-    def sensed(self, map_: CombinatorialMap, state: InPlace, robot: int) -> Percept:
+    def sensed(self, map_: CombinatorialMap, state: LighthouseState, robot: int) -> Percept:
         return _worlds(map_, self.kind, state.start)[state.place].sensed(state.state)
 
     @override
     def step(
-        self, map_: CombinatorialMap, state: InPlace, acts: Mapping[int, Any]
-    ) -> Iterator[tuple[InPlace, str]]:
+        self, map_: CombinatorialMap, state: LighthouseState, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[LighthouseState, str]]:
         world = _worlds(map_, self.kind, state.start)[state.place]
         after = world.step(state.state, acts[0])[0] if acts else state.state
         yield state._replace(state=after), ""
 
     @override
-    def flaw(self, map_: CombinatorialMap, state: InPlace, answers: Sequence[Any]) -> str:
+    def flaw(self, map_: CombinatorialMap, state: LighthouseState, answers: Sequence[Any]) -> str:
         return map_flaw(map_, state.state.dart, answers[0])
 
 

@@ -13,7 +13,7 @@ from allworlds.protocol.actions import IllegalAction, Move, Percept
 from allworlds.robots.models.goals import Apart, are_together, others_with
 
 
-class Met(NamedTuple):
+class MeetingState(NamedTuple):
     """The dart of each robot."""
 
     darts: tuple[Dart, ...]
@@ -33,30 +33,30 @@ class Meeting(Apart):
     labels: bool = False
 
     @override
-    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Met]:
-        yield Met(tuple(starts))
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[MeetingState]:
+        yield MeetingState(tuple(starts))
 
     @override
     def told(self, map_: CombinatorialMap, robot: int) -> int | None:
         return robot if self.labels else None
 
     @override
-    def sensed(self, map_: CombinatorialMap, state: Met, robot: int) -> Percept:
+    def sensed(self, map_: CombinatorialMap, state: MeetingState, robot: int) -> Percept:
         others = others_with(map_, state.darts, robot)
         most = {"none": 0, "weak": 1, "strong": others}[self.multiplicity]
         return Percept(map_.degree_at[state.darts[robot]], min(others, most))
 
     @override
     def step(
-        self, map_: CombinatorialMap, state: Met, acts: Mapping[int, Any]
-    ) -> Iterator[tuple[Met, str]]:
+        self, map_: CombinatorialMap, state: MeetingState, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[MeetingState, str]]:
         darts = [*state.darts]
         for robot, action in acts.items():
             if type(action) is not Move:
                 raise IllegalAction(f"legal is a Move, not {action}")
             darts[robot] = map_.move(darts[robot], action.k)
-        yield Met(tuple(darts)), ""
+        yield MeetingState(tuple(darts)), ""
 
     @override
-    def over(self, map_: CombinatorialMap, state: Met) -> bool:
+    def over(self, map_: CombinatorialMap, state: MeetingState) -> bool:
         return are_together(map_, state.darts)

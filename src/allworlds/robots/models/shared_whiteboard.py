@@ -11,12 +11,12 @@ from typing_extensions import override
 
 from allworlds.inputs.checks import show
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
-from allworlds.robots.models.boards import Boarded, Boards
+from allworlds.robots.models.boards import BoardsState, WhiteboardModel
 from allworlds.robots.models.goals import Apart, are_together
 
 
 @dataclass(frozen=True)
-class SharedWhiteboard(Boarded, Apart):
+class SharedWhiteboard(WhiteboardModel, Apart):
     """Robots with a whiteboard at each vertex.
 
     A percept is ``[degree, others, board]``: the number of other robots here, and the value on the
@@ -35,19 +35,19 @@ class SharedWhiteboard(Boarded, Apart):
         return robot if self.labels else None
 
     @override
-    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Boards]:
-        yield Boards(tuple(starts), (b"null",) * map_.vertex_count)
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[BoardsState]:
+        yield BoardsState(tuple(starts), (b"null",) * map_.vertex_count)
 
     @override
-    def sensed(self, map_: CombinatorialMap, state: Boards, robot: int) -> Any:
+    def sensed(self, map_: CombinatorialMap, state: BoardsState, robot: int) -> Any:
         return self.board(map_, state, robot)
 
     @override
-    def over(self, map_: CombinatorialMap, state: Boards) -> bool:
+    def over(self, map_: CombinatorialMap, state: BoardsState) -> bool:
         return self.goal == "meet" and are_together(map_, state.darts)
 
     @override
-    def flaw(self, map_: CombinatorialMap, state: Boards, answers: Sequence[Any]) -> str:
+    def flaw(self, map_: CombinatorialMap, state: BoardsState, answers: Sequence[Any]) -> str:
         if self.goal == "meet":
             return "they have not met"
         texts = {encode(answer) for answer in answers}

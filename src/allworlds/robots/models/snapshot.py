@@ -27,7 +27,7 @@ INDEX_OF_NAME = {"first": 0, "second": 1}
 """The indices of the two views that have names, in the sorted list."""
 
 
-class Snap(NamedTuple):
+class SnapshotState(NamedTuple):
     """A state.
 
     Attributes:
@@ -84,13 +84,13 @@ class Snapshot(Apart):
                 yield start
 
     @override
-    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Snap]:
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[SnapshotState]:
         ensure_few(len(starts))
         darts = starts if self.chirality else [least(map_, dart) for dart in starts]
-        yield Snap(tuple(darts), (None,) * len(darts))
+        yield SnapshotState(tuple(darts), (None,) * len(darts))
 
     @override
-    def sensed(self, map_: CombinatorialMap, state: Snap, robot: int) -> Any:
+    def sensed(self, map_: CombinatorialMap, state: SnapshotState, robot: int) -> Any:
         dart = state.darts[robot]
         if self.chirality:
             return self._eyes.view(map_, state.darts, dart)
@@ -101,7 +101,9 @@ class Snapshot(Apart):
         most = {"none": 1, "weak": 2, "strong": MOST_ROBOTS}[self.multiplicity]
         return Eyes(most, 1 if self.local else most)
 
-    def _choices(self, map_: CombinatorialMap, state: Snap, robot: int, action: Any) -> list[Dart]:
+    def _choices(
+        self, map_: CombinatorialMap, state: SnapshotState, robot: int, action: Any
+    ) -> list[Dart]:
         """The darts by which an action may leave."""
         if (due := state.due[robot]) is not None:
             return [due]
@@ -118,8 +120,8 @@ class Snapshot(Apart):
 
     @override
     def looked(
-        self, map_: CombinatorialMap, state: Snap, robot: int, action: Any
-    ) -> Iterator[tuple[Snap, str]]:
+        self, map_: CombinatorialMap, state: SnapshotState, robot: int, action: Any
+    ) -> Iterator[tuple[SnapshotState, str]]:
         darts = self._choices(map_, state, robot, action)
         for dart in darts:
             due = replaced(state.due, robot, dart)
@@ -127,8 +129,8 @@ class Snapshot(Apart):
 
     @override
     def step(
-        self, map_: CombinatorialMap, state: Snap, acts: Mapping[int, Any]
-    ) -> Iterator[tuple[Snap, str]]:
+        self, map_: CombinatorialMap, state: SnapshotState, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[SnapshotState, str]]:
         choices = [self._choices(map_, state, robot, action) for robot, action in acts.items()]
         for leave in product(*choices):
             darts, due = state.darts, state.due
@@ -137,7 +139,7 @@ class Snapshot(Apart):
                 due = replaced(due, robot, None)
             crossed = not self.crossing and any(map_.alpha[dart] in leave for dart in leave)
             words = [_chosen(*each) for each in zip(acts, leave, choices, strict=True)]
-            yield Snap(darts, due, crossed), "; ".join(filter(None, words))
+            yield SnapshotState(darts, due, crossed), "; ".join(filter(None, words))
 
     def _heading(self, map_: CombinatorialMap, before: Dart, leave: Dart) -> Dart:
         """The dart that a robot heads for after leaving by a dart."""
@@ -147,7 +149,7 @@ class Snapshot(Apart):
         return map_.turn(arrival, 1 - map_.offset(before, leave))
 
     @override
-    def bad(self, map_: CombinatorialMap, state: Snap) -> str:
+    def bad(self, map_: CombinatorialMap, state: SnapshotState) -> str:
         if self.exclusive and not are_apart(map_, state.darts):
             return "two are at one vertex"
         return "two cross on an edge" if state.crossed else ""

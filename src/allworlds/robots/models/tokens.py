@@ -16,7 +16,7 @@ from allworlds.robots.model import Places
 from allworlds.robots.models.goals import Apart, are_together, others_with, replaced
 
 
-class Tokened(NamedTuple):
+class TokensState(NamedTuple):
     """A state.
 
     Attributes:
@@ -48,11 +48,11 @@ class Tokens(Apart):
     movable: bool = True
 
     @override
-    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[Tokened]:
-        yield Tokened(tuple(starts), (self.tokens,) * len(starts), (0,) * map_.vertex_count)
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[TokensState]:
+        yield TokensState(tuple(starts), (self.tokens,) * len(starts), (0,) * map_.vertex_count)
 
     @override
-    def sensed(self, map_: CombinatorialMap, state: Tokened, robot: int) -> list[int]:
+    def sensed(self, map_: CombinatorialMap, state: TokensState, robot: int) -> list[int]:
         dart = state.darts[robot]
         others = others_with(map_, state.darts, robot)
         lying = state.lying[map_.vertex_of[dart]]
@@ -60,8 +60,8 @@ class Tokens(Apart):
 
     @override
     def step(
-        self, map_: CombinatorialMap, state: Tokened, acts: Mapping[int, Any]
-    ) -> Iterator[tuple[Tokened, str]]:
+        self, map_: CombinatorialMap, state: TokensState, acts: Mapping[int, Any]
+    ) -> Iterator[tuple[TokensState, str]]:
         darts, hands, lying = [*state.darts], [*state.hands], [*state.lying]
         picking: dict[Vertex, list[int]] = {}
         for robot, action in acts.items():
@@ -75,21 +75,21 @@ class Tokens(Apart):
                 picking.setdefault(here, []).append(robot)
             else:
                 raise IllegalAction(f"{action} with {hands[robot]} tokens in the hand")
-        after = Tokened(tuple(darts), tuple(hands), tuple(lying))
+        after = TokensState(tuple(darts), tuple(hands), tuple(lying))
         choices = [combinations(who, min(len(who), state.lying[v])) for v, who in picking.items()]
         for winners in product(*choices):
             yield _picked(after, dict(zip(picking, winners, strict=True)))
 
     @override
-    def over(self, map_: CombinatorialMap, state: Tokened) -> bool:
+    def over(self, map_: CombinatorialMap, state: TokensState) -> bool:
         return are_together(map_, state.darts)
 
     @override
-    def places(self, map_: CombinatorialMap, state: Tokened) -> Places:
+    def places(self, map_: CombinatorialMap, state: TokensState) -> Places:
         return Places(state.darts, {v: f"{n} tokens" for v, n in enumerate(state.lying) if n})
 
 
-def _picked(state: Tokened, winners: Mapping[Vertex, Sequence[int]]) -> tuple[Tokened, str]:
+def _picked(state: TokensState, winners: Mapping[Vertex, Sequence[int]]) -> tuple[TokensState, str]:
     hands, lying = state.hands, state.lying
     for vertex, robots in winners.items():
         lying = replaced(lying, vertex, lying[vertex] - len(robots))

@@ -22,7 +22,7 @@ from allworlds.maps import count_source
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap, rooted_code
 from allworlds.protocol.user_code import OtherText
-from allworlds.robots.model import Guarded
+from allworlds.robots.model import ModelInMap
 from allworlds.robots.models.table import NamedModel, named_model
 from allworlds.robots.search_lane import SearchLane
 from allworlds.robots.team import Team, TeamScope, TeamTally
@@ -261,7 +261,7 @@ def is_inside(finding: TeamFinding, scope: TeamScope) -> bool:
         return False
     there = _place(finding.map, starts)
     for map_ in _rooted_like(finding.map, scope.extent):
-        world = Guarded(scope.model.model, map_, scope.model.name)
+        world = ModelInMap(scope.model.model, map_, scope.model.name)
         if any(_place(map_, each) == there for each in scope.starts_in(world)):
             return True
     return False
