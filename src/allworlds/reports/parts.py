@@ -31,26 +31,26 @@ if TYPE_CHECKING:
 
 
 LONGEST_IN_LEGEND = 60
-"""Characters of a name of a vertex in a legend."""
+"""The most characters of a vertex's name in a legend."""
 
 
 class Scene(Struct, frozen=True):
-    """Content of a picture; each form of picture draws as much of it as it can.
+    """The content of a picture; each form of picture draws as much of it as it can.
 
     Attributes:
         map: the map.
-        start: the dart that the robot faced at the start; None where that is not known.
-        robot: the dart where the robot is at the end of its walk; None where nobody walks.
-        marks: the number of markers at each vertex that has any, by the vertex's index in
+        start: the dart that the robot faced at the start; None if that is not known.
+        robot: the dart where the robot is at the end of its walk; None without a robot.
+        marks: the number of markers at each vertex with markers, by the vertex's index in
             ``map.vertices``.
-        pointed: the darts to which a bearing is counted, at any number of vertices.
-        labels: a short text for each dart, such as its class; None where there are none.
-        walked: the darts by which the robot has arrived anywhere.
-        ringed: the dart to look at; None where there is none.
-        darts: their names, where these are not their numbers.
-        vertices: likewise.
-        positions: of the vertices, where these are given.
-        letters: the marks that are sensed by single darts, where those of a vertex differ.
+        pointed: the darts from which bearings are counted.
+        labels: a short text for each dart, such as its class; None without labels.
+        walked: the darts by which the robot has arrived.
+        ringed: the dart with a ring round its number; None without one.
+        darts: the names of the darts, if these are not their numbers.
+        vertices: the names of the vertices, if these are not their numbers.
+        positions: the positions of the vertices, if these are given.
+        letters: the marks at single darts, if the darts of a vertex have different marks.
     """
 
     map: CombinatorialMap
@@ -68,7 +68,7 @@ class Scene(Struct, frozen=True):
 
     @property
     def root(self) -> Dart:
-        """The dart where a picture begins: the start, else the robot's."""
+        """The dart where a picture begins: the start, or else the robot's dart."""
         return (self.robot or 0) if self.start is None else self.start
 
     @property
@@ -82,7 +82,7 @@ class Scene(Struct, frozen=True):
         return self.vertices or [f"v{vertex}" for vertex in range(self.map.vertex_count)]
 
     def short_names(self, width: int) -> Sequence[str]:
-        """The names of the vertices; longer ones are cut and numbered, so no two become one."""
+        """The names of the vertices; longer ones are cut and numbered, so that all differ."""
         if not self.vertices:
             return self.vertex_names
         ends = (f"…{vertex}" for vertex in range(self.map.vertex_count))
@@ -92,7 +92,7 @@ class Scene(Struct, frozen=True):
         ]
 
     def cut_names(self, width: int) -> list[str]:
-        """For each name that :meth:`short_names` cuts: ``ki…1 kitchen``, itself cut if need be."""
+        """For each name that :meth:`short_names` cuts ``ki…1 kitchen``, which may be cut, too."""
         pairs = zip(self.short_names(width), self.short_names(LONGEST_IN_LEGEND), strict=True)
         return [f"{short} {name}" for short, name in pairs if short != name]
 
@@ -137,7 +137,7 @@ def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
 
 
 def _names(world: World) -> Sequence[str]:
-    """The names of the vertices, with the fields of a user's lighthouse whose darts are there."""
+    """The names of the vertices, with the fields of a user's lighthouse that hold their darts."""
     map_, labels = world.map, world.labels
     named = [
         one
@@ -154,18 +154,18 @@ def _names(world: World) -> Sequence[str]:
 
 
 def _without_labels(scene: Scene, world: World) -> Scene:
-    """The scene without marks, where these are labels of vertices and no markers."""
+    """The scene; without marks, if these are labels of vertices and not markers."""
     return doc.replace(scene, marks={}) if world.lighthouse.labels_vertices else scene
 
 
 def walk_in_world(walk: Walk) -> Scene:
-    """The world with everything that is sensed, and the robot at the end of its walk."""
+    """The world with all its percepts, and the robot at the end of its walk."""
     scene = scene_of(walk.world, walk.states[-1].lying)
     return doc.replace(scene, robot=walk.here, walked=walk.arrivals)
 
 
 def walk_in_answer(walk: Walk, answer: Estimate) -> Scene:
-    """The answer with the percepts that it predicts, and the robot where the answer says."""
+    """The answer with the percepts that it predicts, and the robot at the answer's dart."""
     world, belief = walk.world, believed_walk(walk, answer)
     # Where the answer has no place for the lighthouse it says nothing of markers.
     percepts = zip(belief.trail, belief.percepts or [], strict=False)
@@ -178,7 +178,7 @@ def walk_in_answer(walk: Walk, answer: Estimate) -> Scene:
 
 
 Value: TypeAlias = int | float | str | bool | None
-"""A value of a row; None where there is none."""
+"""A value of a row; None: no value."""
 
 
 class CsvRows(Struct, frozen=True):
@@ -186,7 +186,7 @@ class CsvRows(Struct, frozen=True):
 
     Attributes:
         columns: the type of each column, ``int``, ``float``, ``str`` or ``bool``, by its name.
-        rows: a value for each column.
+        rows: the rows, each with a value for each column.
     """
 
     columns: Mapping[str, type]
@@ -199,7 +199,7 @@ class CsvRows(Struct, frozen=True):
 
     @property
     def records(self) -> list[dict[str, Value]]:
-        """The rows, each by the names of its columns."""
+        """The rows as dictionaries, by the names of the columns."""
         return [dict(zip(self.columns, row, strict=True)) for row in self.rows]
 
 
@@ -210,7 +210,7 @@ class RightText(Struct, frozen=True):
 
 
 Cell: TypeAlias = float | str | RightText | None
-"""A cell of a table; None where there is no value."""
+"""A cell of a table; None: no value."""
 
 
 class Headline(Struct, frozen=True):
@@ -219,7 +219,7 @@ class Headline(Struct, frozen=True):
     Attributes:
         word: the answer in a word.
         text: the answer in a sentence.
-        verdict: the name of the verdict, which has its colour; empty where the answer is none.
+        verdict: the name of the verdict, which decides the colour; empty without a verdict.
     """
 
     word: str
@@ -239,16 +239,16 @@ class Paragraph(Struct, frozen=True):
 
 
 class FactList(Struct, frozen=True):
-    """Named sentences; one without a name goes on with the fact before.
+    """Named sentences; a sentence without a name continues the fact before it.
 
-    Those that are empty are not shown.
+    Empty sentences are not shown.
     """
 
     given: Sequence[tuple[str, str]]
 
     @property
     def entries(self) -> list[tuple[str, str]]:
-        """Those that are not."""
+        """The facts with a text."""
         return [(name, text) for name, text in self.given if text]
 
 
@@ -257,9 +257,9 @@ class Table(Struct, frozen=True):
 
     Attributes:
         header: a name for each column.
-        rows: a cell for each column.
-        caption: what the rows are.
-        keys: the number of the first columns by which rows are told apart.
+        rows: the rows, each with a cell for each column.
+        caption: the caption of the table.
+        keys: the number of the first columns that identify a row.
     """
 
     header: Sequence[str]
@@ -274,7 +274,7 @@ class Table(Struct, frozen=True):
 
     @property
     def right(self) -> str:
-        """``r`` for each column of numbers, ``l`` for each of words."""
+        """``r`` for each column of numbers, ``l`` for each column of words."""
         columns = ([row[i] for row in self.rows] for i in range(len(self.header)))
         return "".join("l" if any(isinstance(c, str) for c in cells) else "r" for cells in columns)
 
@@ -297,9 +297,9 @@ class Curve(Struct, frozen=True):
     """Values by size, all positive; only pages and pictures show it.
 
     Attributes:
-        title: of the values.
-        across: of the sizes.
-        lines: by its name each line's points: size, value, and the ends of its interval.
+        title: the title of the values.
+        across: the title of the sizes.
+        lines: the points of each line, by its name: size, value, and the ends of the interval.
     """
 
     title: str
@@ -314,11 +314,11 @@ class MapPictures(Struct, frozen=True):
 
 
 class ShownMap(Struct, frozen=True):
-    """The part of the world that an explorer has shown, each dart and edge with its first step.
+    """The part of the world in an explorer's checkpoints, with the first step of each piece.
 
     Attributes:
-        darts: those in S.
-        edges: those of which S knows both ends, by each of their darts.
+        darts: the first step of each dart in S.
+        edges: the first step of each edge of which S has both ends, by each of its darts.
     """
 
     darts: dict[Dart, int]
@@ -329,13 +329,13 @@ class View(Struct, frozen=True):
     """A picture in which a walk can be followed.
 
     Attributes:
-        name: a word of letters; no other view of the walk has it.
-        title: what is drawn.
-        scene: the picture, as it is at the end.
-        trail: where the robot is in it at the start and after each step.
-        note: what else is to be known of a picture without motion.
-        known: in a picture that grows, when each part comes.
-        still: whether it is for texts alone; a page shows the same by motion in another view.
+        name: a word of letters, unique among the views of the walk.
+        title: the title of the picture.
+        scene: the picture at the end of the walk.
+        trail: the robot's dart at the start and after each step.
+        note: a remark for a picture without motion.
+        known: for a picture that grows, the first step of each part.
+        still: whether it is for texts alone, because another view shows the same by motion.
     """
 
     name: str
@@ -352,7 +352,7 @@ class Elsewhere(Struct, frozen=True):
 
     Attributes:
         where: the heading.
-        percepts: one for each that was sensed.
+        percepts: the percepts there, one for each percept of the walk.
     """
 
     where: str
@@ -363,16 +363,16 @@ class ShownWalk(Struct, frozen=True):
     """A walk, step by step, with the pictures in which it can be followed.
 
     Attributes:
-        title: whose walk it is.
+        title: the title of the walk.
         walked: the walk; the first view shows its world.
         views: the pictures.
-        sentences: what there is to say of it.
-        elsewhere: what is sensed in another map, where that is to be compared.
-        agreement: the number of steps, the start included, for which the first two views show the
-            same, which are then drawn alike; None where each is drawn by itself.
+        sentences: sentences about the walk.
+        elsewhere: the percepts of the same motions in another map, if these are compared.
+        agreement: the number of steps, with the start, up to which the first two views agree, so
+            that they are drawn alike; None if each is drawn by itself.
         parting: the step at which belief and truth part.
-        tour: it only leads along every edge: its steps say nothing by themselves.
-        lines: the place in the user's code of each step, as ``FILE:LINE``.
+        tour: whether the walk only leads along every edge, so that its steps mean nothing.
+        lines: the line of the user's code of each step, as ``FILE:LINE``.
     """
 
     title: str
@@ -387,7 +387,7 @@ class ShownWalk(Struct, frozen=True):
 
     @property
     def table(self) -> Table:
-        """A row for each step; the lines of one file by their numbers alone."""
+        """A row for each step; if all lines are in one file, only their numbers are shown."""
         walked, elsewhere = self.walked, self.elsewhere
         header = ["step", "motion", "arrives at", "sensed"]
         motions = ["start", *map(str, walked.walk.actions)]
@@ -411,14 +411,14 @@ class RunRow(Struct, frozen=True):
     """An event of a run of several robots.
 
     Attributes:
-        name: of the event, as a schedule has it; empty for the start.
-        robots: of each robot that is activated a sentence.
-        world: of all else.
-        darts: where each robot is after it; None of one that is no more.
-        moved: the darts by which robots have arrived in it.
-        vertices: words at vertices after it.
+        name: the event as it is written in a schedule; empty for the start.
+        robots: a sentence for each robot that is activated.
+        world: a sentence about the rest of the world.
+        darts: the dart of each robot after the event; None for a robot that is gone.
+        moved: the darts by which robots have arrived in the event.
+        vertices: words at vertices after the event.
         edges: words at edges, by the smaller dart.
-        repeats: whether it is one of those that repeat for ever.
+        repeats: whether the event is one of those that repeat for ever.
     """
 
     name: str
@@ -435,7 +435,7 @@ class ShownRun(Struct, frozen=True):
     """A run of several robots: on a page step by step beside its map, in a text a diagram.
 
     Attributes:
-        title: of the picture.
+        title: the title of the picture.
         scene: the map.
         rows: the start, then each event.
         diagram: the lines of the space-time diagram.
@@ -451,11 +451,11 @@ class Quote(Struct, frozen=True):
     """Lines that are shown unchanged.
 
     Attributes:
-        name: a word, which no other quotation of the section has.
-        title: what they are.
+        name: a word, unique among the quotations of the section.
+        title: the title of the lines.
         text: the lines.
-        command: they are to be copied and run.
-        prefix: what each line begins with in a plain text.
+        command: whether the lines are a command to copy and run.
+        prefix: the beginning of each line in a plain text.
     """
 
     name: str
@@ -469,7 +469,7 @@ class DataRecord(Struct, frozen=True):
     """Data for programs, beside the text for people.
 
     Attributes:
-        title: what can be copied.
+        title: the title of the data.
         document: a JSON object.
     """
 
@@ -487,9 +487,9 @@ class Section(Struct, frozen=True):
     """Blocks under a title.
 
     Attributes:
-        name: a word, which no other section of the content has.
-        title: what it is about; empty where the blocks follow the headline without one.
-        blocks: what stands in it.
+        name: a word, unique among the sections of the content.
+        title: the title; empty if the blocks follow the headline directly.
+        blocks: the blocks of the section.
     """
 
     name: str
@@ -509,25 +509,24 @@ class SuiteCase(Struct, frozen=True):
 
 
 class ReportContent(Struct, frozen=True):
-    """Everything that a result says.
+    """The content of a report, for every form.
 
     Attributes:
-        done: what was done.
-        subject: to whom or what.
-        result: whose content it is.
-        headline: the answer; None where there is nothing to say but the sections.
-        sections: the rest, in the order in which it is read.
-        whole: those that a terminal shows only if all is asked for.
-        more: walks to be stepped through, which only a page has room for; they may have to be
-            played again, and so are made when they are asked for.
-        rows: makes the rows for programs, where these are not the steps of the first walk.
-        cases: makes the cases, where there are any.
-        command: the words of the command line that say to whom the cases belong: beside those of
-            another report no name occurs twice.
-        page: makes the page, where it is not of these sections.
-        apart: the keys of the result's document that sections hold as records.
-        short: facts of a line each, which on a terminal stand in place of the last section.
-        laws: those that a finding may break, with what each asks.
+        done: the command, as ``allworlds check``.
+        subject: the subject of the command, as the explorer's name.
+        result: the result.
+        headline: the answer; None if the sections are everything.
+        sections: the sections, in the order of reading.
+        whole: further sections, which a terminal shows only with an option.
+        more: a function that makes sections with walks to step through, for pages alone; it may
+            play runs again.
+        rows: a function that makes the rows for programs; None: the steps of the first walk.
+        cases: a function that makes the cases for test runners; None without cases.
+        command: the words of the command line that make the names of cases unique among reports.
+        page: a function that makes the page; None: a page of these sections.
+        apart: the keys of the result's document that are shown in sections as data records.
+        short: facts of one line each, which replace the last section on a terminal.
+        laws: the laws that a finding may break, each with its sentence.
     """
 
     done: str
@@ -555,8 +554,8 @@ def so_far(report: Any, headline: Headline | None) -> Headline | None:
     """The headline of a report with rows; if the job ended early, it begins with the reason.
 
     Args:
-        report: says whether it is complete, and has the ending.
-        headline: of what was finished; None where nothing was.
+        report: the report, with its ending.
+        headline: the headline about the finished levels; None if no level was finished.
     """
     if report.complete:
         return headline
@@ -574,9 +573,9 @@ _SENSED = ("degree", "marks", "bearing")
 def rows_of_walk(walk: ShownWalk) -> CsvRows:
     """A row for each step.
 
-    The number is that of a motion, or what was written; vertex and dart are those of the world at
-    which the robot has arrived; the name is that of the vertex, where it has one. Where a walk is
-    compared, columns ``other_...`` hold what is sensed elsewhere.
+    The number is that of a motion, or the written value; vertex and dart are those where the robot
+    has arrived in the world; the name is that of the vertex, if it has one. If a walk is compared,
+    the columns ``other_...`` have the percepts in the other map.
     """
     walked, others = walk.walked, walk.elsewhere.percepts if walk.elsewhere else ()
     named = walked.world.labels.vertices

@@ -11,19 +11,19 @@ from allworlds.reports.drawing.text import draw
 from allworlds.words import harmless
 
 MOST, FEW = 30, 3
-"""Lines on a terminal of a content that has short facts, and of its findings after the first."""
+"""The most lines on a terminal of a content with short facts, and of each further finding."""
 
 LONGEST_WALK, LONGEST_REFUTING = 60, 16
-"""The steps of a longer walk are shown from both ends; of one that refutes fewer."""
+"""The most steps of a walk, and of a refuting walk, that are shown; of longer ones both ends."""
 
 GAP = 2
-"""Columns of a table are so far apart."""
+"""The number of spaces between the columns of a table."""
 
 UNBROKEN = 24
-"""A word of a table that is no longer is not broken."""
+"""The longest word of a table that is never broken."""
 
 INDENT = 11
-"""The columns before the text of a named paragraph."""
+"""The number of characters before the text of a named paragraph."""
 
 
 def finding_in_words(finding: Any, width: int, number: int = 1) -> str:
@@ -41,7 +41,7 @@ def content_text(content: parts.ReportContent, width: int) -> str:
 
 
 def on_terminal(content: parts.ReportContent, width: int, *, whole: bool) -> str:
-    """The text; of a content with short facts at most :data:`MOST` lines, or the verdict last."""
+    """The text for a terminal; with short facts at most :data:`MOST` lines, or the verdict last."""
     if not content.short or content.headline is None:
         text, more = content_text(content, width), text_of(content.whole, width)
         return f"{text}\n\n{more}" if whole and more else text
@@ -59,12 +59,12 @@ def on_terminal(content: parts.ReportContent, width: int, *, whole: bool) -> str
 
 
 def _cut(lines: Sequence[str]) -> str:
-    """The first line, and a sign that there are more."""
+    """The first line, with a sign if there are more."""
     return f"{lines[0]} ..." if len(lines) > 1 else lines[0]
 
 
 def _found(section: parts.Section, width: int, room: int) -> list[str]:
-    """A finding without its walk, with the picture of its world if there is room."""
+    """A finding without its walk; with the picture of its world, if there is room."""
     lines = wrap(section.title, width, break_long_words=False)
     picture, command = "", list[str]()
     for block in section.blocks:
@@ -95,7 +95,7 @@ def _shortened(lines: Sequence[str], most: int) -> str:
 
 
 def content_line(content: parts.ReportContent, width: int) -> str:
-    """The answer in one line, however wide it is; without one the first line of the text."""
+    """The answer in one line of any width; without a headline, the first line of the text."""
     head = content.headline
     return head.line if head else content_text(content, width).partition("\n")[0]
 
@@ -187,9 +187,9 @@ def table(
 ) -> list[str]:
     """Lines of a table; column i is flushed right where ``right[i]`` is ``r``.
 
-    In a table that is wider than ``width`` the widest columns of texts are wrapped.  Where that is
-    not enough, the columns that do not fit stand in a table below, which begins with the first
-    ``keys`` ones again.
+    If the table is wider than ``width``, the widest columns of texts are wrapped.  If that is not
+    enough, the columns that do not fit are in a table below, which repeats the first ``keys``
+    columns.
     """
     columns = [*zip(header, *rows, strict=True)]
     widths = [max(map(len, column)) for column in columns]

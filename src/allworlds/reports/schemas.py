@@ -42,7 +42,7 @@ WRITTEN_AS = {
     actions.Estimate: actions.RootedMap,
     Path: doc.Text,
 }
-"""The JSON that is written in place of a value that is no JSON."""
+"""The JSON type that is written for a type that is not JSON."""
 
 
 class OwnLighthouse(Struct):
@@ -57,7 +57,7 @@ class OwnLighthouse(Struct):
 
 
 READ = {"finding", "world", "transcript", "manifest"}
-"""The documents that are read; their schemas say what is taken, and may be left out."""
+"""The documents that are read; their schemas have everything that is accepted."""
 
 NAMES: dict[str, tuple[str, Iterable[Any]]] = {
     "law": ("Law", PRECEDENCE),
@@ -66,7 +66,7 @@ NAMES: dict[str, tuple[str, Iterable[Any]]] = {
     "verdict": ("Verdict", outcome.Verdict),
     "engine": ("Engine", ENGINES),
 }
-"""The names that stand in tables, each with its title."""
+"""The tables of names, each with its title."""
 
 
 @cache
@@ -108,8 +108,8 @@ class Shapes:
     """The types of one page, in msgspec's description.
 
     Attributes:
-        written: every key is there that is always written; else those that must be read.
-        also: what is referred to and stands in no type that msgspec is given.
+        written: whether keys are required that are always written; else those that reading needs.
+        also: the definitions that msgspec does not know.
     """
 
     def __init__(self, *, written: bool) -> None:
@@ -118,7 +118,7 @@ class Shapes:
         self._made: dict[Any, Any] = {}
 
     def of(self, tp: Any) -> Any:
-        """The type in place of any other."""
+        """The type that is written for another type."""
         if get_origin(tp) is Annotated:
             base, *notes = get_args(tp)
             kind = next((n.extra["kind"] for n in notes if n.extra and "kind" in n.extra), base)
@@ -246,7 +246,7 @@ def _reference(struct: Any) -> Schema:
 
 
 def schema_of(tp: Any, *, written: bool = True) -> tuple[Schema, dict[str, Schema]]:
-    """The schema of a type, and of all that it refers to, by name."""
+    """The schema of a type, and the schemas to which it refers, by their names."""
     shapes = Shapes(written=written)
     root = shapes.of(tp)
     (found, *_), parts = schema_components(
@@ -256,7 +256,7 @@ def schema_of(tp: Any, *, written: bool = True) -> tuple[Schema, dict[str, Schem
 
 
 def page(name: str) -> Schema:
-    """The schema of a document; for one that is read, of everything that is accepted."""
+    """The schema of a document; for a document that is read, of everything that is accepted."""
     found, parts = schema_of(pages()[name], written=name not in READ)
     if found.keys() == {"$ref"}:
         found = parts.pop(found["$ref"].rpartition("/")[2])
@@ -265,7 +265,7 @@ def page(name: str) -> Schema:
 
 
 def schemas() -> dict[str, Schema]:
-    """The schemas of all documents, by name; then of the names in tables, with their summaries."""
+    """The schemas of all documents, by their names; then those of tables, with summaries."""
     parts: Schema = {}
     for name, (title, table) in NAMES.items():
         entries = [*table]
@@ -282,7 +282,7 @@ def _head(name: str) -> Schema:
 
 
 def _plain(schema: Any) -> Any:
-    """The schema in short form: without defaults, and merged where one object is enough."""
+    """The schema in short form: without defaults, and with objects merged where possible."""
     if isinstance(schema, list):
         return [_plain(inner) for inner in schema]
     if not isinstance(schema, dict):

@@ -1,20 +1,20 @@
 """Pictures of maps and worlds.
 
-A scene (in ``reports.parts``) is what a picture shows: a map, and what is to be seen in it; no
-picture asks a lighthouse what it is, for every scene is made of percepts.
+A scene (in ``reports.parts``) is the content of a picture: a map with markers, names and a robot.
+Scenes are made of percepts, so no picture depends on the kind of a lighthouse.
 
 ``text``
     the scene in characters, exact for every genus: an arc diagram, or a table;
 ``svg``
-    the scene as a drawing in a page, and one that stands alone, with its own style; elements of
-    HTML and SVG;
+    the scene as a drawing in a page, or as a drawing alone, with its own style; elements of HTML
+    and SVG;
 ``layout``, ``planar``
-    the drawing in pixels, also of a map that is named like another one, as far as the two agree;
-    the edges that have to cross, and a triangulation that gives every dart room;
+    the drawing in pixels, also of a map beside another one, drawn alike as far as the two agree;
+    a planar drawing with few crossings, and a triangulation that gives every dart room;
 ``positions``
-    the drawing where the vertices have positions, if these fit the map;
+    the drawing with given positions of the vertices, if these fit the map;
 ``regular``
-    lattices, also on a torus, wheels, stars, rings and paths, which are drawn as what they are;
+    the regular drawings of lattices, also on a torus, of wheels, stars, rings and paths;
 ``plot``
     values by size.
 """

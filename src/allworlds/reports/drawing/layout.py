@@ -1,4 +1,4 @@
-"""The layout of a map: planar where it can be, else on rays.
+"""The layout of a map: on a planar mesh, or else with the vertices on a circle.
 
 A map can also be drawn and named like another one, as far as the two agree.
 """
@@ -25,7 +25,7 @@ from allworlds.reports.parts import Scene, View
 
 
 def points_of(way: Sequence[complex]) -> list[complex]:
-    """Points of the curve: its ends, the tops of its parabolas, and the points where these meet."""
+    """Points of a curve: its ends, the tops of its parabolas, and the points between parabolas."""
     points = [way[0], (way[0] + way[1]) / 2]
     for a, b, c in zip(way, way[1:], way[2:], strict=False):
         points += [(a + 6 * b + c) / 8, (b + c) / 2]
@@ -33,7 +33,7 @@ def points_of(way: Sequence[complex]) -> list[complex]:
 
 
 def bridges_of(way: Sequence[complex]) -> list[tuple[complex, complex]]:
-    """The ends of the straight piece of the curve about each crossing."""
+    """The ends of the straight piece of a curve at each crossing."""
     # Every fifth point between the ends of the edge is where it crosses another one.
     if len(way) % 5 != 1:
         return []
@@ -42,28 +42,28 @@ def bridges_of(way: Sequence[complex]) -> list[tuple[complex, complex]]:
 
 
 SQUAREST = 0.42 * pi
-"""The angle at which two edges cross, at least; wider ones stay as they are."""
+"""The least angle at which two edges cross; wider angles are not changed."""
 
 STRAIGHT = 0.5
-"""How far the straight piece at a crossing reaches, as a part of the shortest of the four."""
+"""The length of the straight piece at a crossing, as a share of the shortest of the four pieces."""
 
 EVEN = 0.75
-"""The angle between two darts at a vertex, at least, as a part of what it is on the average."""
+"""The least angle between two darts at a vertex, as a share of the average angle there."""
 
 BEND = pi / 3
-"""The largest angle by which a dart is turned for that."""
+"""The largest angle by which a dart is turned to reach the least angle."""
 
 REACH = 0.8
-"""How far the straight beginnings of darts reach, as a part of the shortest of them."""
+"""The length of the straight beginnings of darts, as a share of the shortest dart."""
 
 
 def straightened(centre: complex, round_it: Sequence[complex]) -> list[complex]:
-    """The point towards which each of four pieces leaves a crossing, opposite ones in line.
+    """The point towards which each of four pieces leaves a crossing, opposite pieces in line.
 
     Args:
-        centre: where the two edges cross.
-        round_it: where the four pieces come from, clockwise; the first and the third are of one
-            edge.
+        centre: the crossing.
+        round_it: the points from which the four pieces come, clockwise; the first and the third
+            belong to one edge.
     """
     rays = [point - centre for point in round_it]
     first, second = (_line(rays[k], rays[k + 2]) for k in (0, 1))
@@ -77,17 +77,17 @@ def straightened(centre: complex, round_it: Sequence[complex]) -> list[complex]:
 
 
 def _line(there: complex, back: complex) -> complex:
-    """The direction between that of one piece and away from the other, of length 1."""
+    """The mean of the direction to one piece and the direction away from the other, of length 1."""
     line = there / abs(there) - back / abs(back)
     return line / abs(line)
 
 
 def spread(centre: complex, round_it: Sequence[complex]) -> list[complex]:
-    """The point towards which each dart leaves a vertex: evenly enough, and near where it lay.
+    """The point towards which each dart leaves a vertex: with wide angles, and near its old point.
 
     Args:
         centre: the vertex.
-        round_it: where its darts lead to, clockwise.
+        round_it: the points to which its darts lead, clockwise.
     """
     rays = [point - centre for point in round_it]
     reach, count = REACH * min(map(abs, rays)), len(rays)
@@ -105,14 +105,14 @@ def spread(centre: complex, round_it: Sequence[complex]) -> list[complex]:
 
 
 MOST_DARTS = 200
-"""Larger drawings, ends at crossings counted, are made in the plain way."""
+"""The most darts of a planar drawing, with those at crossings; larger maps are on a circle."""
 
 STUB, NARROWEST, WIDEST = 24.0, 130.0, 900.0
-"""In pixels: the straight beginning of an edge, at least; the drawing, at least and at most."""
+"""In pixels: the least straight beginning of an edge; the least and the largest drawing."""
 
 DISC, CHIP, HIGH, GAP, FAR = 12.0, 10.0, 14.0, 16.0, 46.0
-"""Likewise: the radii of a vertex and of the robot, and the height of a number; the way from a
-number to the next one, at least; how far a number is moved from its vertex for that, at most."""
+"""In pixels: the radii of a vertex and of the robot, the height of a number, the least distance of
+two numbers, and the largest distance by which a number is moved from its vertex for that."""
 
 
 class Layout(Struct, frozen=True):
@@ -120,11 +120,11 @@ class Layout(Struct, frozen=True):
 
     Attributes:
         vertices: the centre of each vertex.
-        ways: for each dart the points that its edge is drawn towards, from the dart's vertex to
-            the other end's.  Between the middles of two successive pieces it is a parabola that
-            touches both pieces; its first half piece and its last are straight.  Of an edge that
-            is cut each dart has its half alone.
-        letters: where its edge is cut, for each dart of one that is.
+        ways: for each dart the control points of its edge, from the dart's vertex to the other one.
+            Between the middles of two successive pieces the edge is a parabola that touches both
+            pieces; the first and the last half piece are straight.  Each dart of a cut edge has its
+            own half alone.
+        letters: for each dart of a cut edge the letter at the cut.
     """
 
     vertices: tuple[complex, ...]
@@ -132,7 +132,7 @@ class Layout(Struct, frozen=True):
     letters: Mapping[Dart, str] = field(default_factory=dict)
 
     def pieces(self, dart: Dart, other: Dart) -> list[tuple[complex, ...]]:
-        """The curves of an edge, from the first dart to the other: two if it is cut, else one."""
+        """The curves of an edge, from the first dart to the other: two if the edge is cut."""
         whole = [self.ways[dart]]
         return [*whole, self.ways[other][::-1]] if dart in self.letters else whole
 
@@ -147,7 +147,7 @@ class Layout(Struct, frozen=True):
         return (towards - start) / abs(towards - start)
 
     def box(self, margin: float) -> tuple[float, float, float, float]:
-        """Left, top, width and height of a box that holds the drawing."""
+        """The left, top, width and height of the box around the drawing."""
         points = [*self.vertices, *(p for way in self.ways for p in points_of(way))]
         left, top = (min(xs) - margin for xs in _coordinates(points))
         right, bottom = (max(xs) + margin for xs in _coordinates(points))
@@ -157,12 +157,12 @@ class Layout(Struct, frozen=True):
 def rim(here: complex, others: Iterable[complex], wide: float) -> float:
     """The distance in pixels from a vertex to the middle of a dart's number.
 
-    A number so wide touches neither the vertex nor, if there is room, a number beside it.
+    Then the number touches neither the vertex nor, if there is room, a number beside it.
 
     Args:
         here: the direction in which the dart leaves, of length 1.
-        others: those of the other darts there.
-        wide: the number.
+        others: the directions of the other darts there.
+        wide: the width of the number.
     """
     aside, high = abs(here.real), abs(here.imag)
     half = min(wide / 2 / max(aside, 0.01), HIGH / 2 / max(high, 0.01))
@@ -175,10 +175,10 @@ def rim(here: complex, others: Iterable[complex], wide: float) -> float:
 def layout(map_: CombinatorialMap, root: Dart) -> Layout:
     """The drawing of a map of any genus, the root's vertex to the left.
 
-    The same map is drawn the same whatever its darts are called.  Lattices, also on a torus, paths,
-    stars, rings and wheels are drawn as what they are.  No two edges of a planar map cross, and
-    those of another as seldom as was found.  Only in the plain way, round a circle, edges cross
-    needlessly and may run under a vertex.
+    The drawing does not depend on the numbers of the darts.  Lattices, also on a torus, paths,
+    stars, rings and wheels have regular drawings.  The edges of a planar map do not cross; for any
+    other map the drawing with the fewest crossings that was found is used.  Only in a drawing round
+    a circle edges cross needlessly and may run under a vertex.
     """
     if ways := wheel(map_):
         return _finished(map_, root, ways)
@@ -196,7 +196,7 @@ def layout(map_: CombinatorialMap, root: Dart) -> Layout:
 
 @lru_cache(maxsize=256)
 def _ways(map_: CombinatorialMap) -> list[list[complex]]:
-    """For each dart the points that its edge is drawn towards; empty if there are too many."""
+    """For each dart the control points of its edge; empty if there are too many darts."""
     drawn = planar(map_)
     if drawn.unbent > MOST_DARTS:
         return []
@@ -241,7 +241,7 @@ def _finished(
 ) -> Layout:
     """The drawing, turned, and scaled so that the numbers of the darts fit.
 
-    That of a lattice, which alone has letters, empty ones included, stays upright.
+    A lattice stays upright; it is recognised by its letters, which may be an empty mapping.
     """
     origin, spots = ways[root][0], tuple(ways[vertex[0]][0] for vertex in map_.vertices)
     others = spots if len(spots) > 1 else [way[1] for way in ways]
@@ -268,13 +268,13 @@ def _coordinates(points: Sequence[complex]) -> tuple[list[float], list[float]]:
 def drawn_beside(
     first: View, other: View, drawn: Layout, agreement: int
 ) -> tuple[View, View, Layout]:
-    """Both views with their first difference ringed, the other in the numbers of the first.
+    """Both views with their first difference ringed, the other one with the numbers of the first.
 
     Args:
-        first: what is to be seen in one map, and the trail there.
-        other: the same of the other one.
-        drawn: how the first is laid out.
-        agreement: the number of steps, the start included, in which both go along alike.
+        first: the view of one map.
+        other: the view of the other map.
+        drawn: the layout of the first map.
+        agreement: the number of steps, with the start, up to which both trails agree.
     """
     world, answer = first.scene, other.scene
     ties = _ties(first, other, agreement)
@@ -291,7 +291,7 @@ def drawn_beside(
 
 
 def named_like(first: View, other: View, agreement: int) -> View:
-    """The other view with the names of the first one's vertices, if these are not their numbers."""
+    """The other view with the names of the first view's vertices, if these have names."""
     if not first.scene.vertices:
         return other
     names = vertex_names_like(_ties(first, other, agreement), other.scene.map, first.scene)
@@ -299,7 +299,7 @@ def named_like(first: View, other: View, agreement: int) -> View:
 
 
 def _ties(first: View, other: View, agreement: int) -> dict[Dart, Dart]:
-    """Each dart of the other view with that of the first, as far as the two agree."""
+    """The dart of the first view for each dart of the other one, as far as the two agree."""
     world, answer = first.scene.map, other.scene.map
     ties: dict[Dart, Dart] = {}
     for robot, belief in zip(first.trail[:agreement], other.trail[:agreement], strict=True):
@@ -313,12 +313,12 @@ def extended(
 ) -> dict[Dart, Dart]:
     """Match darts of two maps by following sigma and alpha from the tied pairs.
 
-    Where they do not, a dart keeps the one that it has first: no dart of the other is used twice.
+    In a conflict a dart keeps its first partner; no dart of the other map is used twice.
 
     Args:
-        tied: darts that belong together to begin with; whole vertices of equal degree.
-        map_: whose darts are the keys.
-        other: whose darts are the values.
+        tied: the pairs to begin with, which are whole vertices of equal degree.
+        map_: the map whose darts are the keys.
+        other: the map whose darts are the values.
 
     Cost: linear in the darts.
     """
@@ -338,13 +338,13 @@ def extended(
 
 
 def dart_names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, many: int) -> list[str]:
-    """Numbers of a map's darts, from a map with so many; unmatched ones get new numbers."""
+    """The names of a map's darts, from a map with ``many`` darts; unmatched darts get new names."""
     new = iter(range(many, many + len(map_.sigma)))
     return [str(ties[d] if d in ties else next(new)) for d in map_.darts]
 
 
 def vertex_names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, other: Scene) -> list[str]:
-    """Names of a map's vertices, from another one; unmatched ones get new names."""
+    """The names of a map's vertices, from another map; unmatched vertices get new names."""
     names, left = list[str](), dict(enumerate(other.vertex_names))
     new = iter(range(1, map_.vertex_count + 1))
     for vertex in map_.vertices:
@@ -356,7 +356,7 @@ def vertex_names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, other: 
 def mirror_of(map_: CombinatorialMap, other: CombinatorialMap) -> dict[Dart, Dart]:
     """Each dart with its mirror image; empty if the map is not the mirror image of the other.
 
-    A map that is the other one is no mirror image here, even if it is its own.
+    It is also empty if the map is isomorphic to the other one.
     """
     if isomorphism(map_, other):
         return {}
@@ -373,11 +373,11 @@ def layout_like(
     """Draw a map like another one if it is that map or its mirror image; else by itself.
 
     Args:
-        ties: darts with those of the other map that they belong to.
-        map_: what is to be drawn.
-        root: the dart at which its drawing begins, where it is drawn by itself.
-        other: the map that is drawn already.
-        drawn: as which.
+        ties: the partners of darts in the other map.
+        map_: the map to draw.
+        root: the dart at which its drawing begins, if it is drawn by itself.
+        other: the map that has a drawing.
+        drawn: that drawing.
     """
     whole = len(ties) == len(map_.sigma) == len(other.sigma)
     if not whole or any(ties[map_.alpha[d]] != other.alpha[e] for d, e in ties.items()):

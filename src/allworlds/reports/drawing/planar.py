@@ -1,4 +1,4 @@
-"""Planar drawings: on a mesh, and by Tutte."""
+"""Planar drawings, by Tutte's method on a mesh."""
 
 from cmath import exp
 from collections.abc import Sequence
@@ -10,19 +10,19 @@ from msgspec import Struct
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles
 
 TRIES = 12
-"""In so many orders of the edges it is tried; the drawing with the fewest crossings is kept."""
+"""The number of orders of the edges that are tried for a drawing with few crossings."""
 
 
 class PlanarMap(Struct, frozen=True):
     """A planar map that draws another one.
 
     Attributes:
-        sigma, alpha: the permutations.  The darts of the drawn map come first and keep their
-            names; round its vertices sigma is as it was.  The others come in fours, clockwise
-            round a crossing, so each stands opposite to the one after the next; then in pairs at
-            bends, one in each loop that crosses nothing, which is rounder so.
+        sigma, alpha: the permutations.  The darts of the drawn map come first, with their numbers;
+            sigma does not change round its vertices.  Then come four darts for each crossing,
+            clockwise, so that opposite darts differ by 2; then two darts for each bend, which is in
+            a loop without crossings and makes it rounder.
         own: the number of darts of the drawn map.
-        unbent: the number of all darts but those at bends.
+        unbent: the number of darts without those at bends.
     """
 
     sigma: tuple[Dart, ...]
@@ -31,7 +31,7 @@ class PlanarMap(Struct, frozen=True):
     unbent: int
 
     def way(self, dart: Dart) -> list[Dart]:
-        """The darts along the edge that begins with the dart, both ends of each piece."""
+        """The darts along the edge that begins with a dart, two for each piece."""
         way = [dart, self.alpha[dart]]
         while way[-1] >= self.own:
             after = self.sigma[way[-1]]
@@ -77,9 +77,9 @@ def _drawn(map_: CombinatorialMap, order: Sequence[tuple[Dart, Dart]]) -> Planar
 def _spanning_tree(
     map_: CombinatorialMap, order: Sequence[tuple[Dart, Dart]]
 ) -> list[tuple[Dart, Dart]]:
-    """Edges that join all vertices without a cycle, each with a vertex that was joined before.
+    """The edges of a spanning tree, each with a vertex of the earlier ones.
 
-    In a map with one vertex it is the first edge, for something has to be drawn first.
+    For a map with one vertex it is the first edge, since a drawing begins with an edge.
     """
     owner = map_.vertex_of
     joined, tree = {owner[order[0][0]]}, []
@@ -100,7 +100,7 @@ class _Plane:
         self.next = len(map_.sigma)
 
     def route(self, a: Dart, b: Dart) -> list[Dart]:
-        """The darts to be crossed on a shortest way from a's corner to b's, from left to right."""
+        """The darts that a shortest way from a's corner to b's crosses, from left to right."""
         face_of, darts = self._faces()
         goal = self._face_at(b, face_of)
         came: dict[int, list[Dart]] = {self._face_at(a, face_of): []}
@@ -148,7 +148,7 @@ class _Plane:
             self.sigma[before] = dart
 
     def _before(self, dart: Dart) -> Dart | None:
-        """The last dart counterclockwise that is drawn already."""
+        """The next dart counterclockwise that is drawn already."""
         around = (self.map.turn(dart, -k) for k in range(1, self.map.degree_at[dart]))
         return next((d for d in around if d in self.sigma), None)
 
@@ -174,31 +174,31 @@ class _Plane:
 
 
 SWEEPS = 150
-"""How often every point is moved."""
+"""The number of times that every point is moved."""
 
 MOST_SWEEPS = 100_000
-"""Far more than it takes until no triangle is turned over."""
+"""The most sweeps until no triangle is turned over, which is far more than are needed."""
 
 FURTHER = 1.8
 
 ROOM = 4.0
-"""Of a triangle at a vertex: round it is to be room for the numbers of its darts."""
+"""The wanted area of triangles at a vertex, which gives room for the numbers of its darts."""
 
 RING = 0.05
-"""The weight of the triangles of the ring: it keeps others from meeting, and may be flat."""
+"""The weight of the triangles of the ring, which only separates points, and may be flat."""
 
 
 class Mesh(Struct, frozen=True):
     """The triangulation.
 
-    The points are the darts; then, for each dart, what is beside it: after it and before it at
+    The points are the darts; then, for each dart, three points beside it: after it and before it at
     its vertex, and to the left of its edge; then the vertices, in the order of sigma's cycles;
     the faces; and the ring.
 
     Attributes:
-        links: for each point within the ring its neighbours, clockwise.
-        rooms: for each neighbour twice the area that is wanted for the triangle with it and the
-            one before it.
+        links: the neighbours of each point within the ring, clockwise.
+        rooms: for each neighbour twice the wanted area of the triangle with it and the neighbour
+            before it.
         first_vertex: the point of the first vertex.
         ring: the points of the ring, clockwise.
     """
@@ -274,7 +274,7 @@ def coordinates(net: Mesh) -> list[complex]:
 
 
 def _move(i: int, net: Mesh, points: list[complex]) -> None:
-    """Move a point to a place where the triangles around it are less strained."""
+    """Move a point so that the triangles around it are less strained."""
     here = points[i]
     strain, step = _strain(here, i, net, points)
     step *= FURTHER
@@ -288,8 +288,8 @@ def _move(i: int, net: Mesh, points: list[complex]) -> None:
 def _strain(centre: complex, i: int, net: Mesh, points: Sequence[complex]) -> tuple[float, complex]:
     """The strain of the triangles around a point, and the step that should lower it.
 
-    The strain of a triangle with area A/2, squares of sides of sum S and wanted area R/2 is
-    S/A + R/A + A/R: infinite for one that is turned over.
+    The strain of a triangle is S/A + R/A + A/R, where A/2 is its area, S the sum of the squares of
+    its sides, and R/2 the wanted area; it is infinite for a triangle that is turned over.
     """
     link, ring = net.links[i], net.ring.start
     strain, slope, bend = 0.0, 0j, 0.0

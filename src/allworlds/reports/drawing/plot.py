@@ -1,4 +1,4 @@
-"""Curves as SVG: values by size, each axis by its logarithm."""
+"""Curves as SVG: values by size, on logarithmic axes."""
 
 from collections.abc import Callable, Sequence
 from math import log
@@ -8,18 +8,18 @@ from allworlds.reports.drawing.svg import tag
 from allworlds.reports.parts import Curve
 
 WIDTH, HEIGHT, LEFT, ABOVE = 480, 320, 60, 16
-"""Of the whole, and where the made begin."""
+"""The size of the picture, and the left and the upper end of the axes, in pixels."""
 
 RIGHT, BELOW = WIDTH - 20, HEIGHT - 44
 
 COLOURS = ("#1f77b4", "#d62728", "#2a8a2a", "#9467bd", "#b8650a", "#7f7f7f")
-"""Of the lines, in their order; on a light and on a dark ground they can be seen."""
+"""The colours of the lines, in their order, visible on a light and on a dark ground."""
 
 
 def plot(curve: Curve) -> ET.Element:
-    """The curve with its axes; the names of its lines stand below, each in its colour.
+    """The curve with its axes; the names of its lines are below, each in its colour.
 
-    Where a value has an interval, it is drawn as an upright line.
+    The interval of a value is drawn as an upright line.
     """
     points = [point for _, line in curve.lines for point in line]
     across = _scale([x for x, *_ in points], LEFT, RIGHT)
@@ -65,7 +65,7 @@ def _scale(values: Sequence[float], begin: float, end: float) -> Callable[[float
 
 
 def _ticks(values: Sequence[float]) -> list[float]:
-    """The values, if they are few; else round ones between the least and the largest."""
+    """The values, if they are few; else round values between the least and the largest."""
     found = sorted({*values})
     for steps in ((1, 2, 5), (1, 3), (1,)):
         if len(found) > 6:

@@ -1,4 +1,4 @@
-"""Layouts at given positions: straight edges, where the map has its darts in their order."""
+"""Layouts at given positions: straight edges, if their order round each vertex is the map's."""
 
 from cmath import phase, rect
 from collections.abc import Iterator, Sequence
@@ -12,17 +12,17 @@ from allworlds.reports.parts import Scene
 from allworlds.world.labels import Position
 
 SHORTEST = 3 * STUB
-"""In pixels, the length of an edge, at least; a loop reaches as far."""
+"""The least length of an edge, and the reach of a loop, in pixels."""
 
 APART = 0.5
-"""The angle between parallel edges, at most."""
+"""The largest angle between parallel edges."""
 
 WIDE = 0.35 * tau
-"""The angle between the ends of a loop, at most: a wider one would run over its vertex."""
+"""The largest angle between the ends of a loop, since a wider loop would run over its vertex."""
 
 
 def laid_out(scene: Scene) -> Layout:
-    """The drawing at the positions of the scene; where these do not fit, that of :func:`layout`."""
+    """The drawing at the positions of the scene, or that of :func:`layout` if these do not fit."""
     placed = at_positions(scene.map, scene.positions) if scene.positions else None
     return placed or layout(scene.map, scene.root)
 
@@ -31,8 +31,8 @@ def laid_out(scene: Scene) -> Layout:
 def at_positions(map_: CombinatorialMap, positions: Sequence[Position]) -> Layout | None:
     """The drawing with each vertex at its position; parallel edges and loops are bent.
 
-    None if round a vertex the order of its edges is not that of the map, if there is no room, or
-    for fewer than three vertices.
+    None if the order of the edges round a vertex is not the map's, if there is no room, or for
+    fewer than three vertices.
 
     Cost: O(n m).
     """
@@ -75,14 +75,14 @@ def _distance(point: complex, start: complex, end: complex) -> float:
 def _angles(
     map_: CombinatorialMap, around: Sequence[Dart], centres: Sequence[complex]
 ) -> Iterator[tuple[Dart, float]]:
-    """The darts of a vertex with the angles at which they leave it; none in another order.
+    """The darts of a vertex with their angles; none if the order of the angles is not the map's.
 
     Parallel edges leave side by side, and loops behind the edge before them.
 
     Args:
-        map_: with another vertex at least.
-        around: the darts of the vertex, clockwise; so grow the angles.
-        centres: of all vertices.
+        map_: a map with at least two vertices.
+        around: the darts of the vertex, clockwise, which is by ascending angles.
+        centres: the positions of all vertices.
     """
     owner, alpha = map_.vertex_of, map_.alpha
     here, ends = owner[around[0]], {dart: owner[alpha[dart]] for dart in around}

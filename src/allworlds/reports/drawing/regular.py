@@ -1,4 +1,4 @@
-"""Maps that are drawn as what they are: lattices, in the plane and on a torus, wheels and rings."""
+"""Regular drawings: of lattices, in the plane and on a torus, of wheels and of rings."""
 
 from cmath import rect
 from heapq import heappop, heappush
@@ -9,11 +9,11 @@ from typing import TypeAlias
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 
 Ways: TypeAlias = list[list[complex]]
-"""For each dart the points that its edge is drawn towards; edges are about 1 long."""
+"""For each dart the control points of its edge; edges are about 1 long."""
 
 
 def wheel(map_: CombinatorialMap) -> Ways:
-    """The drawing of a star, or of a ring, with or without a hub in its middle; else nothing.
+    """The drawing of a star, or of a ring with or without a hub; empty for other maps.
 
     Cost: O(m log m).
     """
@@ -43,13 +43,13 @@ def wheel(map_: CombinatorialMap) -> Ways:
 
 
 def lattice(map_: CombinatorialMap, root: Dart) -> tuple[Ways, dict[Dart, str]]:
-    """The drawing of a lattice, in the plane or on a torus, upright; else nothing.
+    """The drawing of a lattice, in the plane or on a torus, upright; empty for other maps.
 
-    The direction of a dart follows from the other end of its edge, and from a dart beside it where
-    a square lies between them, or where four darts meet.  One of two darts at a vertex leads
-    straight on from the other if nothing else decides: so paths are drawn, too, and some lattices
-    with holes.  A lattice on a torus, where all vertices and faces have degree 4, is cut into rows:
-    the darts of an edge that is cut have each a way to its half alone, and a letter.
+    The direction of a dart follows from the other end of its edge, and from the next dart if a
+    square is between them, or if the vertex has four darts.  If nothing else decides, two darts at
+    a vertex are opposite; so paths are drawn, too, and some lattices with holes.  A lattice on a
+    torus, where all vertices and faces have degree 4, is cut into rows: each dart of a cut edge has
+    its own half and a letter.
 
     Cost: O(m log m).
     """
@@ -69,9 +69,9 @@ def lattice(map_: CombinatorialMap, root: Dart) -> tuple[Ways, dict[Dart, str]]:
 
 
 def _walked(map_: CombinatorialMap, root: Dart) -> dict[Dart, tuple[complex, int]]:
-    """The point of each dart's vertex, and by how many quarters it is turned clockwise from 1.
+    """The point of each dart's vertex, and the quarter turns clockwise of its direction from 1.
 
-    Nothing, unless each vertex has a place of its own, with the darts round it as in the map.
+    Empty unless all vertices have different points, with the darts round each as in the map.
     """
     sigma = map_.sigma
     square = {dart for dart in map_.darts if map_.degree_at[dart] == 4}

@@ -1,4 +1,4 @@
-"""Elements of HTML and SVG, and a map as SVG, in a page or alone."""
+"""Elements of HTML and SVG, and the picture of a map as SVG, in a page or alone."""
 
 import json
 import re
@@ -105,28 +105,28 @@ def rounded(value: float) -> str:
 
 
 LETTER = 9.0
-"""From the end of an edge that is cut to the middle of its letter, in pixels."""
+"""The distance from the end of a cut edge to the middle of its letter, in pixels."""
 
 MARGIN = 30.0
-"""The free room round the drawing, in pixels."""
+"""The margin of the drawing, in pixels."""
 
 SHORT = 5
-"""The characters of a vertex's name for which its disc has room; longer ones stand beside it."""
+"""The longest name of a vertex that is written into its disc; longer names are beside it."""
 
 BESIDE, BEYOND, WIDE = 31.0, 42.0, 7
-"""In pixels, from a vertex to a name beside it, or beyond a dart's number; a character's width."""
+"""In pixels: from a vertex to a name beside it, or beyond a dart's number; a character's width."""
 
 STEEP = 0.8
-"""The sine of the angle from which on a dart leaves through where a name would stand."""
+"""The sine of the least angle at which a dart would run through the name of its vertex."""
 
 TURN = 16.5
-"""The radius of the arrow that shows which way is clockwise."""
+"""The radius of the arrow that shows the clockwise direction."""
 
 
 def picture(scene: Scene, name: str, title: str, drawn: Layout | None = None) -> ET.Element:
-    """The scene as an SVG element; ``name`` is its id, ``title`` what a screen reader says.
+    """The scene as an SVG element; ``name`` is its id, ``title`` the text for screen readers.
 
-    It is drawn as ``drawn`` says, by default as :func:`laid_out` does.
+    ``drawn`` is its layout, by default that of :func:`laid_out`.
     """
     map_ = scene.map
     drawn = drawn or laid_out(scene)
@@ -190,7 +190,7 @@ def in_words(scene: Scene) -> str:
 
 
 def _edge(scene: Scene, drawn: Layout, dart: Dart) -> Iterator[ET.Element]:
-    """The edge, and before it the gaps that it leaves in the edges below."""
+    """The edge, after the gaps that it makes in the edges below."""
     other = scene.map.alpha[dart]
     walked = dart in scene.walked or other in scene.walked
     kind, darts = "edge walked" if walked else "edge", f"{dart} {other}"
@@ -242,7 +242,7 @@ def _vertex(scene: Scene, drawn: Layout, vertex: int, name: str) -> ET.Element:
 
 
 def _beside(along: Sequence[complex]) -> float:
-    """Where the name of a vertex stands below or above it, clear of the numbers of its darts."""
+    """The distance of a vertex's name below or above it, clear of the numbers of its darts."""
     down, up = (any(side * way.imag > STEEP for way in along) for side in (1, -1))
     far = BEYOND if down and up else BESIDE
     return -far if down and not up else far

@@ -17,10 +17,10 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.reports.parts import Scene
 
 LONGEST_ROW = 40
-"""Of more vertices in a table, and of more darts of a vertex, both ends are shown."""
+"""The most vertices in a table, and the most darts of a vertex, that are all shown."""
 
 LONGEST_NAME = 16
-"""Characters of the name of a vertex; the legend has longer ones."""
+"""The most characters of a vertex's name; the legend has longer names."""
 
 _LEGEND = {
     "(": "( ) vertex with its darts clockwise",
@@ -38,11 +38,11 @@ _LEGEND = {
 
 
 def draw(scene: Scene, width: int = 80) -> str:
-    """The scene as an arc diagram, or as :func:`rotation_table` where that is wider than ``width``.
+    """The scene as an arc diagram, or as :func:`rotation_table` if that is wider than ``width``.
 
-    It begins at the start.  Vertex ``v`` is called by its index in ``map.vertices``.  Under the
-    darts stand their labels, the names of the vertices with their markers, and the signs of
-    single darts.  Lines end in no space, the text in no newline.
+    It begins at the start.  The name of vertex ``v`` is its index in ``map.vertices``.  Below the
+    darts are their labels, the names of the vertices with their markers, and the signs of single
+    darts.  Lines do not end with a space, the text does not end with a newline.
 
     Cost: O(m), and O(m^2) for a diagram, which has less than ``width`` darts.
     """
@@ -76,12 +76,12 @@ def draw(scene: Scene, width: int = 80) -> str:
 def rotation_table(scene: Scene, width: int = 80) -> str:
     """The scene as a table: a line for each vertex with name, degree and its darts clockwise.
 
-    The order is that of :func:`draw`.  Each dart is written ``dart→vertex.dart``: where its
-    edge goes.  The signs stand before the dart, its label in square brackets after it.  Only
+    The order is that of :func:`draw`.  Each dart is written ``dart→vertex.dart``, with the other
+    end of its edge.  The signs are before the dart, its label is in square brackets after it.  Only
     the legend is kept within ``width``.
 
-    Of more than :data:`LONGEST_ROW` vertices, and of more darts of a vertex, the first and the last
-    are shown, and how many there are between them.
+    If there are more than :data:`LONGEST_ROW` vertices, or darts of a vertex, the first and the
+    last ones are shown, and the number of those between them.
     """
     map_, labels, signed = scene.map, scene.labels, _signed(scene)
     names, shown = _names(scene), scene.short_names(LONGEST_NAME)
@@ -134,7 +134,7 @@ def _groups(map_: CombinatorialMap, root: Dart) -> list[list[Dart]]:
 
 
 def _cut(texts: list[str], what: str) -> list[str]:
-    """The texts; of many the first and the last, and how many are between them."""
+    """The texts; if they are many, the first and the last ones and the number between them."""
     if len(texts) <= LONGEST_ROW:
         return texts
     half = LONGEST_ROW // 2
@@ -159,8 +159,8 @@ def _names(scene: Scene) -> list[str]:
 def _arcs(spans: Iterable[tuple[int, int]]) -> Iterator[str]:
     """The rows of the arcs, highest first.
 
-    Shorter arcs lie lower, each on the lowest level where it meets no other.  An arc within
-    another is then below it, so only arcs whose ends alternate cross, and these once.
+    Shorter arcs are lower, each on the lowest level without an overlap.  So an arc within another
+    one is below it; only arcs whose ends alternate cross, and they cross once.
     """
     levels: list[list[tuple[int, int]]] = []
     for left, right in sorted(spans, key=lambda span: (span[1] - span[0], span)):
@@ -191,7 +191,7 @@ def _row(texts: Mapping[int, str]) -> str:
 
 
 def _legend(signs: set[str], scene: Scene, width: int) -> str:
-    """The meaning of these signs, and of those of the scene."""
+    """The meanings of these signs, and of the signs of the scene."""
     signs |= {"●"} if any(scene.marks.values()) else set()
     signs |= {"a"} if scene.labels is not None else set()
     signs |= {sign for sign, darts in _signed(scene).items() if darts}

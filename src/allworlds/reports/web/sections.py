@@ -42,7 +42,7 @@ from allworlds.world.lighthouses import composed, kinds
 from allworlds.world.world import World
 
 LARGEST = 1_000_000
-"""Bytes of a page.  A document with which it would be larger is left out, and the page says so."""
+"""The most bytes of a page; the document of a larger page is left out, and the page says so."""
 
 
 def framed(
@@ -55,16 +55,16 @@ def framed(
 ) -> str:
     """A page as an HTML document that refers to no other file.
 
-    Its own style and script are allowed by their hashes, and nothing else is.
+    Only its own style and script are allowed, by their hashes.
 
     Args:
-        title: what was done, and to whom.
-        verdict: in a word, in a sentence, and as its name, by which it has its colour; None
-            without one.
-        sections: the page.
-        data: the document of the report, which the page holds too.
-        style: what this page adds to the style of all.
-        script: what this page has in place of the script by which keys step along its walks.
+        title: the command and its subject.
+        verdict: the verdict as a word, as a sentence, and as the name that decides its colour; None
+            without a verdict.
+        sections: the elements of the page.
+        data: the document of the report, which the page also has.
+        style: a style besides that of all pages.
+        script: a script that replaces that by which keys step along walks.
     """
     style, script = (
         read("style.css") + style,
@@ -107,7 +107,7 @@ def framed(
 
 
 def read(name: str) -> str:
-    """The text of a style or a script that stands beside this module."""
+    """The text of a style or a script in the folder of this module."""
     return (files("allworlds.reports.web") / name).read_text(encoding="utf-8")
 
 
@@ -132,8 +132,8 @@ def figure(
 ) -> ET.Element:
     """A picture with its caption and its legend.
 
-    The robot in it is that of ``follows``; where that is empty there is none.  It ``moves``, unless
-    its walk has no motion.
+    The robot in the picture follows the walk of that name; without a name there is no robot.
+    ``moves`` tells whether the walk has motions.
     """
     walks, genus = bool(follows) and moves, scene.map.genus
     keys = (
@@ -175,7 +175,7 @@ def figure(
 
 
 NEVER = 10**9
-"""Stands for the step at which something is known that never is."""
+"""A number larger than every step, for a part that never becomes known."""
 
 
 def let_grow(drawn: ET.Element, map_: CombinatorialMap, seen: ShownMap) -> None:
@@ -195,16 +195,16 @@ def let_grow(drawn: ET.Element, map_: CombinatorialMap, seen: ShownMap) -> None:
 
 
 LONGEST = 1500
-"""The number of steps of a longer walk that are shown."""
+"""The most steps of a walk that are shown."""
 
 
 def _steps(walk: ShownWalk, name: str, views: Mapping[str, View]) -> ET.Element:
     """The list of the first :data:`LONGEST` steps.
 
     Args:
-        walk: which one.
-        name: of the walk, with which the names of its steps begin.
-        views: the pictures, each by the name by which it finds the robot in a step.
+        walk: the walk.
+        name: the name of the walk, with which the names of its steps begin.
+        views: the pictures, by the names under which a step has their darts.
     """
     items = [
         _step(walk, i, f"{name}-step-{i}") for i in range(len(walk.walked.walk.darts[:LONGEST]))
@@ -223,7 +223,7 @@ def _steps(walk: ShownWalk, name: str, views: Mapping[str, View]) -> ET.Element:
 
 
 def _at(walked: Walked) -> str:
-    """The word before a place, which a vertex with a name does without."""
+    """The word before the robot's vertex: ``at``, or none if vertices have names."""
     return "" if walked.world.labels.vertices else "at "
 
 
@@ -253,7 +253,7 @@ def _step(walk: ShownWalk, i: int, name: str) -> ET.Element:
 
 
 LONGEST_WORDS = 30
-"""A cell of a table with a longer text may be broken into lines."""
+"""The longest text of a cell that is never broken into lines."""
 
 
 def element(section: Section) -> ET.Element:
@@ -341,7 +341,7 @@ def _copier(label: str, of: str) -> ET.Element:
 
 
 def _walk(walk: ShownWalk, name: str) -> Iterator[ET.Element]:
-    """The pictures of a walk, and its steps, along which keys step in all of them."""
+    """The pictures of a walk, and its steps; keys step along the walk in all pictures."""
     if walk.walked.world.told is not None:
         yield tag("p", f"Told before the start: {walk.walked.world.told}.")
     steps = len(walk.walked.walk.steps)
@@ -371,7 +371,7 @@ def _walk(walk: ShownWalk, name: str) -> Iterator[ET.Element]:
 
 
 def _run(run: ShownRun, name: str) -> ET.Element:
-    """The picture of a run of several robots, and its events, along which keys step."""
+    """The picture of a run of several robots, and its events; keys step along the run."""
     shown = run.rows[:LONGEST]
     items = [_event(row, i, f"{name}-step-{i}") for i, row in enumerate(shown)]
     label = "The run, event by event"
@@ -391,7 +391,7 @@ def _run(run: ShownRun, name: str) -> ET.Element:
 
 
 def _event(row: RunRow, i: int, name: str) -> ET.Element:
-    """An event; the picture finds robots and words in its data."""
+    """An event, with the data for the picture: the darts of the robots, and words."""
     item = tag(
         "li",
         tag("a", f"{i}*" if row.repeats else str(i), href=f"#{name}", class_="step"),
@@ -409,9 +409,9 @@ def _event(row: RunRow, i: int, name: str) -> ET.Element:
 
 
 def world_data(world: World) -> dict[str, Any] | None:
-    """Data of the world for ``world.js``, whatever the lighthouse.
+    """The data of a world for ``world.js``.
 
-    None for a lighthouse of the user's under which the robot leaves marks.
+    None for a user's lighthouse under which the robot leaves marks.
     """
     map_ = world.map
     marking = next((part for part in kinds.parts_of(world.lighthouse) if part.leaves_marks), None)
