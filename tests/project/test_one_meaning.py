@@ -23,6 +23,7 @@ PUBLIC = {
 }
 """Names that users give or read, with their other meaning."""
 
+
 def words() -> dict[str, set[str]]:
     """Each word with the patterns of the names of its types."""
     rows = [

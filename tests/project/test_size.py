@@ -23,7 +23,7 @@ class Size(NamedTuple):
     lines: int
 
 
-MOST = 31_758
+MOST = 31_755
 """Lines of code of ``src/allworlds``."""
 
 MOST_OF_WING = {

@@ -3,6 +3,7 @@
 from types import SimpleNamespace
 
 import pytest
+from allworlds.studies.team.retold import TeamExplanation
 
 from allworlds.outcome import Verdict
 from allworlds.reports.content import team as content
@@ -19,7 +20,6 @@ from allworlds.reports.content.team import (
     verdict_of,
 )
 from allworlds.reports.formats import file_of, text
-from allworlds.studies.team.retold import TeamExplanation
 from studies.test_team import PROGRAMS, team
 
 HOLDS = """\

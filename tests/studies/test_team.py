@@ -6,17 +6,16 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from allworlds.studies.team.retold import told_of
 
 import allworlds
 from allworlds.inputs.checks import InputError
 from allworlds.outcome import Verdict
 from allworlds.reports.content.team import diagram
-from allworlds.robots.search_lane import SearchLane
-from allworlds.robots.team_finding import TeamFinding
 from allworlds.robots.models.meeting import Meeting
+from allworlds.robots.search_lane import SearchLane
 from allworlds.robots.team import Team
 from allworlds.studies.team.request import TeamRequest
-from allworlds.studies.team.retold import told_of
 from allworlds.studies.team.search_sweep import TeamSweep
 from allworlds.testing import assert_team
 
