@@ -45,7 +45,7 @@ from msgspec import Struct
 
 from allworlds.documents.document import replace
 from allworlds.engines.compiled_engine import level_of
-from allworlds.engines.kernel.arrays import Level, Rows
+from allworlds.engines.kernel.arrays import Level, Sums
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.units import LevelUnit, drawn_units
 from allworlds.explorers.loading import load
@@ -79,7 +79,7 @@ BOUNDS = 6
 """The number of bounds by which the costs in a unit are told apart, at most."""
 
 Draw: TypeAlias = Callable[[int, Random], CombinatorialMap]
-Walk: TypeAlias = Callable[..., Rows]
+Walk: TypeAlias = Callable[..., Sums]
 
 
 # ---- The sample ----
@@ -362,7 +362,7 @@ def piece_apart(piece: Piece, policy: str, walked: Walk = walk) -> list[str]:
     level, unit = piece.level(policy), piece.unit
     examined, rows = judge(level, unit.prefix), walked(level, unit.prefix)
     names = [
-        name for name in Rows.__struct_fields__ if getattr(examined, name) != getattr(rows, name)
+        name for name in Sums.__struct_fields__ if getattr(examined, name) != getattr(rows, name)
     ]
     return [f"unit {unit.key}: {name} of examine and of the kernel on demand" for name in names]
 

@@ -3,7 +3,6 @@
 from types import SimpleNamespace
 
 import pytest
-from allworlds.studies.team.retold import TeamExplanation
 
 from allworlds.outcome import Verdict
 from allworlds.reports.content import team as content
@@ -20,6 +19,7 @@ from allworlds.reports.content.team import (
     verdict_of,
 )
 from allworlds.reports.formats import file_of, text
+from allworlds.studies.team.finding_reports import TeamExplanation
 from studies.test_team import PROGRAMS, team
 
 HOLDS = """\
@@ -204,7 +204,7 @@ def test_where_no_robot_is_activated_nobody_is_said_to_be():
 def test_the_schedules_are_told_with_their_bounds(options, said):
     report = team("waits", "polls", edges=1, **({"budget": 4} | options))
     scope = dict(content.scope_words(report))["scope"]
-    assert scope.endswith(f"; every {report.asked.time.scheduler} schedule, {said}")
+    assert scope.endswith(f"; every {report.asked.timing.scheduler} schedule, {said}")
 
 
 def test_of_given_starts_it_is_said_that_they_are_given():

@@ -6,7 +6,6 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-from allworlds.studies.team.retold import told_of
 
 import allworlds
 from allworlds.inputs.checks import InputError
@@ -15,6 +14,7 @@ from allworlds.reports.content.team import diagram
 from allworlds.robots.models.meeting import Meeting
 from allworlds.robots.search_lane import SearchLane
 from allworlds.robots.team import Team
+from allworlds.studies.team.finding_reports import sentences_of
 from allworlds.studies.team.request import TeamRequest
 from allworlds.studies.team.search_sweep import TeamSweep
 from allworlds.testing import assert_team
@@ -341,7 +341,7 @@ def test_who_senses_what_is_answered_in_two_ways_is_blamed():
 
 def test_the_searches_of_a_unit_are_counted_once_however_many_are_made_at_once(monkeypatch):
     whole, turn = team("waits", "searches", edges=2), SearchLane.turn
-    monkeypatch.setattr("allworlds.robots.lane.AT_ONCE", 1)
+    monkeypatch.setattr("allworlds.robots.search_lane.AT_ONCE", 1)
     monkeypatch.setattr(SearchLane, "turn", lambda *lane: deepcopy(turn(*lane)))  # as if sent
     assert team("waits", "searches", edges=2).total == whole.total
 
@@ -355,7 +355,7 @@ def test_a_move_that_comes_late_is_told_with_both_events():
     turns = [SimpleNamespace(phase=phase, robot=robot) for phase, robot in phases]
     events = [SimpleNamespace(robots=[turn], world="") for turn in turns]
     late = SimpleNamespace(law="deadlock", seen="they wait", loop=0, events=events)
-    *_, told = told_of(late)
+    *_, told = sentences_of(late)
     assert told == (
         "A move is done by what was sensed earlier: robot 0 looks in event 1 and moves in event 4; "
         "robot 1 looks in event 3 and moves in event 5."

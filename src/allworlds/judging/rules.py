@@ -353,7 +353,7 @@ class Rules(RuleOptions, kw_only=False):
         return [*given_again(RuleOptions, of_run), *choices]
 
     def keywords(self, script: Sequence[int] = ()) -> list[str]:
-        """The same as arguments of a call in Python, in the form ``NAME=VALUE``."""
+        """Return these options as arguments of a call in Python, in the form ``NAME=VALUE``."""
         words = self.arguments(script)
         options = zip(words[::2], words[1::2], strict=True)
         return [_keyword(option, text) for option, text in options]

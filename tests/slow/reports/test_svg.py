@@ -8,7 +8,7 @@ import pytest
 
 from allworlds.maps import named_map
 from allworlds.maps.combinatorial import cycles
-from allworlds.reports.drawing.planar import mesh, place, planar
+from allworlds.reports.drawing.planar import coordinates, mesh, planar
 from reports import test_svg as quick
 from reports.test_svg import (
     FEW,
@@ -48,7 +48,7 @@ def test_each_edge_begins_and_ends_along_the_two_darts_of_alpha(map_):
 @pytest.mark.parametrize("map_", [*NAMED, GENUS_2], ids=str)
 def test_no_triangle_of_the_mesh_is_turned_over(map_):
     net = mesh(planar(map_))
-    where = place(net)
+    where = coordinates(net)
     assert len(cycles(planar(map_).sigma)) + net.first_vertex <= len(net.links)
     for point, link in enumerate(net.links):
         assert len(set(link)) == len(link) >= 3
@@ -82,7 +82,7 @@ def strain(net, where, point, at, count):
 def test_no_point_of_the_mesh_would_lie_better_a_little_aside(name):
     map_ = named_map(name)
     net = mesh(planar(map_))
-    where = place(net)
+    where = coordinates(net)
     count = map_.vertex_count
     for point, at in enumerate(where[: len(net.links)]):
         aside = [at + 0.02 * exp(1j * tau * k / 8) for k in range(8)]
