@@ -89,6 +89,27 @@ def test_what_a_process_said_is_not_told_of_the_next_one(tmp_path):
     assert ["nine" in detail for detail in details] == [True, False]
 
 
+WRITES_ON = """
+import os, sys, time
+sys.stdin.readline()
+shown = b'{"checkpoint": {"sigma": [0], "alpha": [0], "here": 0}}\\n'
+os.write(1, shown + shown + b'{"mo')
+time.sleep(0.1)
+os.write(1, b've": 3}\\n')
+sys.stdin.readline()
+"""
+
+
+def test_lines_and_a_part_of_one_may_come_together(tmp_path):
+    script = tmp_path / "script.py"
+    script.write_text(WRITES_ON)
+    program = Program(f"{sys.executable} {script}", PATIENCE)
+    walk = program.explore(Percept(4))
+    shown = Checkpoint([0], [0], 0)
+    assert [next(walk), walk.send(None), walk.send(None)] == [shown, shown, Move(3)]
+    walk.close()
+
+
 def test_a_new_process_begins_after_an_episode_that_was_broken_off(program):
     _, first = episode(program)
     walk = program.explore(Percept(1))
