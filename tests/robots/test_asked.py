@@ -1,0 +1,115 @@
+"""A program whose player is lost: what was answered before is heard again, and no more is lost."""
+
+import pytest
+
+from allworlds.engines.players import Lost, Unsettled
+from allworlds.log import fault
+from allworlds.protocol.turns import FAULT, said
+from allworlds.robots import asked
+from allworlds.robots.asked import MOST_LOST, Asked
+
+
+class Player:
+    """A player that is lost in each of these turns so many times."""
+
+    def __init__(self, of):
+        self.of, self.beat = of, [0, 0]
+
+    def close(self):
+        self.of.closed += 1
+
+
+class Dying(Asked):
+    """A program; it says of a row the row, and is lost in some of them."""
+
+    def __init__(self, loses):
+        self.remarks = []
+        super().__init__(None, None, None, 1, self.remarks.append)
+        self.loses, self.closed, self.heard = dict(loses), 0, []
+
+    def _start(self):
+        self.close()
+        self._player, self._anew = Player(self), True
+
+    def answered(self, player, message):
+        if message["known"]:
+            self.heard.append([*message["rows"]])
+            return
+        for at, row in enumerate(message["rows"]):
+            player.beat[0] = at
+            if self.loses.get(row, 0):
+                self.loses[row] -= 1
+                raise Lost("crash", f"the end in {row}", machine=True)
+            yield f"{row}".encode()
+
+
+@pytest.fixture
+def dying(monkeypatch):
+    def make(**loses):
+        program = Dying(loses)
+        monkeypatch.setattr(asked, "answered", lambda *call: [*program.answered(*call)])
+        monkeypatch.setattr(asked, "said_of", lambda answer: [answer])
+        monkeypatch.setattr(asked, "started", lambda *_: Player(program))
+        return program
+
+    return make
+
+
+def test_turns_are_answered_and_told_again_to_a_player_that_is_new(dying):
+    program = dying()
+    assert program.answers(["a", "b"]) == [b"a", b"b"]
+    program._start()
+    assert program.answers(["c"]) == [b"c"]
+    assert program.heard == [[], ["a", "b"]]
+    program.forget()
+    assert program.answers(["d"]) == [b"d"]
+    assert program.heard[2:] == [[]]
+
+
+def test_a_turn_in_which_a_player_is_lost_once_is_asked_again(dying):
+    program = dying(b=1)
+    assert program.answers(["a", "b", "c"]) == [b"a", b"b", b"c"]
+    assert program.remarks == ["a process was lost once: the end in b"]
+    assert program._known == ["a", "b", "c"]
+
+
+def test_a_turn_in_which_it_is_lost_twice_is_a_fault_and_the_others_are_answered(dying):
+    program = dying(b=2)
+    first, second, third = program.answers(["a", "b", "c"])
+    assert (first, third) == (b"a", b"c")
+    assert said(second)[1] == FAULT
+    assert said(second)[2] == fault("crash", asked.AN_ACTION, "the end in b", machine=True)
+    assert program.remarks == []
+    assert program._known == ["a", "c"]
+
+
+def test_a_program_that_is_lost_too_often_is_given_up(dying):
+    rows = "abcdefghi"
+    assert len(rows) == MOST_LOST + 1
+    program = dying(**dict.fromkeys(rows[:-1], 2))
+    assert len(program.answers([*rows])) == len(rows)
+    again = dying(**dict.fromkeys(rows, 2))
+    again._subject = type("Subject", (), {"name": "mine"})
+    with pytest.raises(Unsettled, match="players of mine were lost in 9 turns, the last by the"):
+        again.answers([*rows])
+
+
+def test_histories_are_played_some_at_a_time_and_each_alone_after_a_loss(dying, monkeypatch):
+    monkeypatch.setattr(asked, "AT_ONCE", 2)
+    program = dying()
+    assert [*program.plays(["a", "b", "c"])] == [[b"a"], [b"b"], [b"c"]]
+    once = dying(b=1)
+    assert [*once.plays(["a", "b", "c"])] == [[b"a"], [b"b"], [b"c"]]
+    twice = dying(b=2)
+    first, (second,), third = twice.plays(["a", "b", "c"])
+    assert (first, third) == ([b"a"], [b"c"])
+    assert said(second)[1] == FAULT
+    assert twice._lost == 1
+
+
+def test_a_player_is_closed_once(dying):
+    program = dying()
+    program.answers(["a"])
+    program.close()
+    program.close()
+    assert program.closed == 1
