@@ -19,7 +19,10 @@ from allworlds.reports.content.team import (
     verdict_of,
 )
 from allworlds.reports.formats import file_of, text
+from allworlds.reports.parts import RunRow
+from allworlds.reports.web.sections import _event
 from allworlds.studies.team.finding_reports import TeamExplanation
+from html_tree import read
 from studies.test_team import PROGRAMS, team
 
 HOLDS = """\
@@ -324,3 +327,41 @@ def test_percepts_are_cut_where_the_columns_of_all_robots_would_be_too_wide(robo
 
     assert cell(whole) == f'"{"x" * (whole - 2)}":'
     assert cell(whole + 1) == f'"{"x" * (whole - 3)}..:'
+
+
+def test_the_page_of_a_run_has_its_events_one_after_the_other(refuted):
+    viewer = read(file_of("html", refuted)).one(class_="viewer", role="group", tabindex="0")
+    events = viewer.one("ol", class_="walk")
+    assert (events.attributes["start"], events.attributes["role"]) == ("0", "list")
+    start, first, *_, last = events.all("li")
+    assert [each.text for each in start.children] == ["0", "start", "", ""]
+    assert (start.attributes["data-robots"], "data-moved" in start.attributes) == ("0 1", False)
+    assert first.one("a").attributes["href"] == f"#{first.attributes['id']}"
+    assert [each.text for each in last.children] == [
+        *("5*", "0M+1M", "0 at v0; 1 at v1"),
+        "robot 0: '-> move 0; robot 1: '-> move 0",
+    ]
+    assert last.attributes["data-robots"] == "0 1"
+    assert last.attributes["data-moved"] == "0 1"
+    assert "data-vertices" not in last.attributes
+
+
+def test_words_at_vertices_and_edges_are_data_of_an_event():
+    row = RunRow("e", ("a", "b"), "", (0, None), (), {1: "token"}, {2: "cut"})
+    event = _event(row, 3, "step-3")
+    assert event.get("data-robots") == "0 -"
+    assert event.get("data-vertices") == '{"1": "token"}'
+    assert event.get("data-edges") == '{"2": "cut"}'
+    assert event.find("span[@class='sensed']").text == "a; b"
+    assert event.find("a").text == "3"
+
+
+def test_a_finding_of_a_team_is_told_at_the_program_that_is_to_blame(refuted):
+    said = file_of("annotations", refuted)
+    assert said.startswith("::error file=tests/support/teams.py,line=1,title=")
+    assert "teams.py%3Aother_end breaks the law 'progress' with 1 edge and 2 vertices::" in said
+
+
+def test_without_a_finding_the_diagram_is_empty_or_that_of_the_run_that_is_cut_off(holds, cut_off):
+    assert file_of("plantuml", holds) == "@startuml\n@enduml\n"
+    assert "title budget: the run goes on" in file_of("plantuml", cut_off)

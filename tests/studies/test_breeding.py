@@ -3,12 +3,13 @@
 from random import Random
 
 import pytest
+from msgspec.structs import replace
 
 from allworlds import Estimate
 from allworlds.engines.limits import Limits
 from allworlds.engines.single import subject_of
-from allworlds.engines.units import Scope
-from allworlds.explorers.builtin.algorithm1 import Algorithm1
+from allworlds.engines.units import Sample, Scope, Shard
+from allworlds.explorers.builtin.algorithm1 import Algorithm1, algorithm1
 from allworlds.inputs.checks import InputError
 from allworlds.judging.episode import AroundExplorer
 from allworlds.judging.rules import Rules
@@ -19,9 +20,24 @@ from allworlds.maps.mixture import mutated
 from allworlds.protocol import playing
 from allworlds.protocol.choices import Choices
 from allworlds.protocol.code_lines import LinesPlay, TracedPlay
-from allworlds.studies.fuzz.breeding import is_bred_for
+from allworlds.studies.fuzz import breeding
+from allworlds.studies.fuzz.breeding import (
+    BRED_PER_GENERATION,
+    DRAWS_PER_BLOCK,
+    DRAWS_TRACED,
+    MUTANTS_TRIED,
+    PARENTS_PER_LINE,
+    RAREST_LINES,
+    Bred,
+    _Pool,
+    bred,
+    bred_of,
+    is_bred_for,
+)
 from allworlds.studies.fuzz.sample_sweep import fuzz
+from allworlds.studies.fuzz.sampling import Batch
 from allworlds.world import Directional
+from allworlds.world.lighthouses.kinds import lighthouse_kind
 from allworlds.world.world import World
 
 EXTENT = Extent(MapClass.MAPS, 12)
@@ -44,6 +60,12 @@ class Late(Algorithm1):
 
 def late(first, choices=None, *_):
     return (yield from Late(first, choices).explore())
+
+
+def loopless(first):
+    """Is wrong where there is a loop."""
+    answer = yield from algorithm1(first)
+    return Estimate(cycle(1), 0) if answer.map.loop_count else answer
 
 
 def is_late(map_):
@@ -93,3 +115,63 @@ def test_what_stands_in_the_corpus_is_tried_first_and_new_findings_go_there(tmp_
     assert (right.corpus.fixed, right.runs) == ((kept.name,), 70)
     with pytest.raises(InputError, match="cannot be given with run"):
         fuzz(**sample, run=tmp_path / "run")
+
+
+# ---------------------------------------------------------------- without a player
+
+UNIT = Bred(Batch(1, 0, 64, (), 4))
+
+
+def pool(**least):
+    unit = Bred(replace(UNIT.drawn, **least))
+    return _Pool(unit, EXTENT, lighthouse_kind("directional").as_class)
+
+
+def test_blocks_are_bred_by_the_shard_that_draws_them():
+    sample = Sample(3 * DRAWS_PER_BLOCK, seed=5, min_edges=2, portion=Shard(1, 2))
+    begins = [0, DRAWS_PER_BLOCK, 2 * DRAWS_PER_BLOCK]
+    (unit,) = bred_of(sample, begins)
+    first = DRAWS_PER_BLOCK
+    assert unit.drawn == Batch(5, first, first + DRAWS_TRACED, (), 2)
+    assert unit.key == f"{unit.drawn.key}/bred"
+
+
+def test_parents_are_the_last_worlds_of_the_rarest_lines():
+    kept, cube, theta = pool(), named_map("cube"), named_map("theta")
+    for line in range(RAREST_LINES):
+        kept.add(theta, [("file", line)])
+    for _ in range(PARENTS_PER_LINE + 2):
+        kept.add(cube, [("file", 99)])
+    assert len(kept.lately["file", 99]) == PARENTS_PER_LINE
+    parents = []
+    kept._child = lambda parent: parents.append(parent) or parent
+    placed = [*kept.bred()]
+    assert len(placed) == BRED_PER_GENERATION
+    assert {*parents} == {theta}
+    assert {map_ for map_, _ in placed} == {theta}
+    assert {place for _, places in placed for place, _ in places} <= {*range(3)}
+
+
+def test_a_child_is_of_the_extent_and_has_no_fewer_edges_than_asked(monkeypatch):
+    sizes = {pool(min_edges=7)._child(cycle(7)).edge_count for _ in range(3)}
+    assert min(sizes) >= 7
+    tried = []
+    monkeypatch.setattr(breeding, "mutated", lambda *_: tried.append(0) or cycle(3))
+    assert pool()._child(cycle(5)) == cycle(5)
+    assert len(tried) == MUTANTS_TRIED
+    assert pool(min_edges=3)._child(cycle(5)) == cycle(3)
+
+
+def test_what_refutes_among_the_bred_worlds_is_numbered(monkeypatch):
+    monkeypatch.setattr(breeding, "BRED_PER_BLOCK", 2 * BRED_PER_GENERATION)
+    subject = subject_of(loopless, Limits())
+    runs = [*bred(Bred(Batch(1, 0, 8, (), 1)), SCOPE, subject, Limits())]
+    assert [run.number for run in runs] == [*range(len(runs))]
+    assert runs
+    assert all(run.map.loop_count and run.first for run in runs)
+
+
+def test_an_explorer_without_lines_has_no_bred_worlds(monkeypatch):
+    monkeypatch.setattr(_Pool, "add", lambda *_: None)
+    subject = subject_of(loopless, Limits())
+    assert [*bred(Bred(Batch(1, 0, 4, (), 1)), SCOPE, subject, Limits())] == []

@@ -6,13 +6,14 @@ from types import SimpleNamespace
 
 import pytest
 
+from allworlds.documents.document import replace
 from allworlds.engines import units
 from allworlds.engines.tally import EnginesDisagree
 from allworlds.engines.units import drawn_units
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.reports.formats import text as text_of
-from allworlds.studies.check.time_estimate import Guess, estimate
+from allworlds.studies.check.time_estimate import Guess, TimeEstimate, estimate
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -73,3 +74,41 @@ def test_of_a_clock_that_stands_still_there_is_no_rate(monkeypatch):
     said = estimate(edges=3, engine="python")
     assert said.sampled > 0
     assert said.rate is None
+
+
+def told(guess):
+    """The text of a guess for algorithm1."""
+    known = {name: getattr(guess, name) for name in Guess.__struct_fields__}
+    return text_of(TimeEstimate(explorer="algorithm1", larger=(), **known), 100)
+
+
+GUESS = Guess(edges=3, engine="kernel", worlds=6, sampled=4, rate=2.0)
+
+
+def test_a_guess_is_told_with_its_sample():
+    assert told(GUESS) == (
+        "estimate   3 s for 6 worlds: a guess\n\nsample     4 worlds of the last level, 2 a second"
+    )
+    never = replace(GUESS, rate=None)
+    assert told(never).startswith("estimate   no world of the last level was finished in time")
+
+
+COUNTED = """
+edges  worlds  engine  sampled  a second  takes
+    3       6  kernel        4         2    3 s
+    4     100  kernel     none         3   33 s"""
+
+
+@pytest.mark.parametrize(
+    ("counted", "said"), [(True, COUNTED), (False, "\nedges  worlds <=  engine  sampled  a ")]
+)
+def test_larger_checks_are_told_in_a_table(counted, said):
+    known = {name: getattr(GUESS, name) for name in Guess.__struct_fields__}
+    larger = (
+        replace(GUESS, edges=4, worlds=100, sampled=0, rate=3.0),
+        replace(GUESS, edges=5, rate=None),
+    )
+    whole = TimeEstimate(explorer="algorithm1", larger=larger, counted=counted, **known)
+    text = text_of(whole, 100)
+    assert said in text
+    assert ("at most" in text) is not counted
