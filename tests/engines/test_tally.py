@@ -1,8 +1,11 @@
+from collections import Counter
+from dataclasses import astuple, fields, replace
 from itertools import permutations
 
 import pytest
 
 from allworlds.engines import tally as tallying, units
+from allworlds.engines.kernel.schedules import ScheduleCosts
 from allworlds.engines.lanes import workers_for
 from allworlds.engines.limits import Limits
 from allworlds.engines.single import subject_of
@@ -11,8 +14,12 @@ from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
+from allworlds.maps.enumeration import FINGERPRINTS
+from allworlds.robots.team import TeamRow
+from allworlds.studies.count import Counted
 from allworlds.studies.fuzz.sample_sweep import SampleCounter
 from allworlds.studies.fuzz.sampling import batches
+from allworlds.studies.worst.compiled_engine import _joined
 
 
 class Found:
@@ -107,3 +114,52 @@ def test_a_run_counts_once_both_of_its_plays_are_compared(monkeypatch, scope):
             assert episodes == total.runs <= plays // 2
     assert unfinished
     assert total.worlds == (74 if scope is LEVELS else 40)
+
+
+# ---------------------------------------------------------------- sums
+
+
+def of_numbers(kind, first):
+    """A value of a class whose fields are all different numbers, from the first one on."""
+    return kind(**{field.name: first + i for i, field in enumerate(fields(kind))})
+
+
+def test_the_counts_of_two_parts_add_up_field_by_field():
+    whole = of_numbers(TeamRow, 10)
+    whole.add(of_numbers(TeamRow, 100))
+    largest = {"most", "longest"}
+    assert [*astuple(whole)] == [
+        (0 if field.name in largest else 10 + i) + 100 + i
+        for i, field in enumerate(fields(TeamRow))
+    ]
+    whole.add(replace(of_numbers(TeamRow, 0), schedules=None))
+    assert whole.schedules is None
+    whole.add(of_numbers(TeamRow, 0))
+    assert whole.schedules is None
+
+
+def test_the_rows_of_two_tallies_add_up_field_by_field():
+    costs = {"max_cost": 6, "bound": -7, "best_cost": 8, "fingerprint": FINGERPRINTS - 1}
+    whole = Row(1, 2, 3, 4, 5, **costs)
+    whole.add(Row(10, 20, 30, 40, 50, max_cost=5, bound=-9, best_cost=9, fingerprint=3))
+    assert [*astuple(whole)] == [11, 22, 33, 44, 55, 6, -7, None, 9, 2]
+    whole.add(Row(bound=None, best_cost=None))
+    assert (whole.bound, whole.best_cost) == (-7, 9)
+
+
+def test_counts_of_maps_add_up_field_by_field():
+    whole = Counted(Counter({(1, 0): 2}), Counter({(1, 0): 3}), 4, 5)
+    whole.add(Counted(Counter({(1, 0): 20, (2, 1): 1}), Counter({(1, 0): 30}), 40, 50))
+    assert whole.cells == {(1, 0): 22, (2, 1): 1}
+    assert (whole.fixed, whole.mirrored, whole.dual) == ({(1, 0): 33}, 44, 55)
+
+
+def test_the_costs_of_schedules_add_up_and_keep_the_most_expensive():
+    def costs(worst, sigma, *numbers):
+        rooted, best, tests, wrong = numbers
+        return ScheduleCosts(2, rooted, worst, best, tests, wrong, sigma, (1, 0))
+
+    joined = _joined(costs(7, (0, 1), 1, 9, 3, 4), costs(7, (1, 0), 10, 20, 30, 40))
+    assert (joined.worst, joined.sigma) == (7, (0, 1))
+    assert (joined.rooted, joined.best, joined.tests, joined.wrong) == (11, 20, 33, 44)
+    assert _joined(costs(7, (0, 1), 1, 9, 3, 4), costs(8, (1, 0), 1, 9, 3, 4)).worst == 8

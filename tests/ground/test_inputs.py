@@ -135,7 +135,7 @@ def test_the_law_finds_what_breaks_it(arguments, told, broken):
 
 
 def test_a_traceback_is_found(monkeypatch):
-    monkeypatch.setattr("allworlds.cli.app.answered", _index_error)
+    monkeypatch.setattr("allworlds.cli.output.answered", _index_error)
     case = Case("options", ("count", "--edges", "1"))
     assert wrong(case.arguments, said(case, call))[:2] == ["a traceback", "the exit code 70"]
 

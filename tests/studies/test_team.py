@@ -8,13 +8,17 @@ from types import SimpleNamespace
 import pytest
 
 import allworlds
+from allworlds.documents.document import replace
+from allworlds.engines.limits import Limits, TimeoutOptions
+from allworlds.engines.single import subject_of
 from allworlds.inputs.checks import InputError
 from allworlds.outcome import Verdict
 from allworlds.reports.content.team import diagram
+from allworlds.robots import team as team_module
 from allworlds.robots.models.meeting import Meeting
 from allworlds.robots.search_lane import SearchLane
 from allworlds.robots.team import Team
-from allworlds.studies.team.finding_reports import sentences_of
+from allworlds.studies.team.finding_reports import replayed, sentences_of
 from allworlds.studies.team.request import TeamRequest
 from allworlds.studies.team.search_sweep import TeamSweep
 from allworlds.testing import assert_team
@@ -370,3 +374,41 @@ def test_of_a_long_run_the_first_and_the_last_events_are_drawn(monkeypatch):
     lines = diagram(found)
     assert [line[0] for line in lines] == [" ", "1", "2", ".", "5", "6"]
     assert lines[3] == "... 2 events: all of them are in the JSON"
+
+
+def test_a_program_of_this_process_is_not_sent_to_others():
+    def waits_here(first):
+        yield from ()
+
+    here = Team((subject_of(waits_here, Limits()),), (0, 0))
+    with pytest.raises(InputError, match="lives in this process alone and cannot be sent to"):
+        assert here.with_content
+    sent = Team((subject_of(f"{PROGRAMS}:waits", Limits()),), (0, 0)).with_content
+    assert sent.program_of == (0, 0)
+    assert "def waits" in str(sent.subjects[0])
+
+
+def test_the_first_program_that_is_another_one_elsewhere_is_told(monkeypatch):
+    told = {"a": "", "b": "b differs", "c": "c differs"}
+    monkeypatch.setattr(team_module, "not_alike", lambda subject, *_: told[subject])
+    assert Team(("a", "b", "c"), (0, 1, 2)).not_alike(("",) * 3, 1.0) == "b differs"
+    assert Team(("a",), (0,)).not_alike(("",), 1.0) == ""
+
+
+def test_a_replay_tells_the_law_of_then_and_of_now():
+    (found,) = team("raises", model="meeting").findings
+    again = replayed(found, None, TimeoutOptions())
+    assert (again.law, again.law_now, again.outcome) == ("crash", "crash", "reproduced")
+    (gone,) = team("other_end", model="meeting").findings
+    mended = replayed(replace(gone, law="deadlock"), None, TimeoutOptions())
+    assert (mended.law, mended.law_now, mended.outcome) == ("deadlock", "progress", "reproduced")
+
+
+def test_a_schedule_needs_a_world_and_its_starts():
+    with pytest.raises(InputError, match="needs a world and its starts"):
+        team("waits", "polls", schedule="0+1")
+
+
+def test_what_is_no_model_is_refused():
+    with pytest.raises(InputError, match="model = 5 is neither a name nor a model"):
+        team("waits", "polls", model=5)

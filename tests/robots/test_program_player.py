@@ -5,21 +5,21 @@ import pytest
 from allworlds.engines.players import Lost, Unsettled
 from allworlds.log import fault
 from allworlds.protocol.turns import FAULT, said
-from allworlds.robots import asked
-from allworlds.robots.asked import MOST_LOST, Asked
+from allworlds.robots import program_player
+from allworlds.robots.program_player import MOST_LOST, ProgramPlayer
 
 
 class Player:
     """A player that is lost in each of these turns so many times."""
 
     def __init__(self, of):
-        self.of, self.beat = of, [0, 0]
+        self.of, self.beat, self.dead = of, [0, 0], False
 
     def close(self):
         self.of.closed += 1
 
 
-class Dying(Asked):
+class Dying(ProgramPlayer):
     """A program; it says of a row the row, and is lost in some of them."""
 
     def __init__(self, loses):
@@ -32,13 +32,16 @@ class Dying(Asked):
         self._player, self._anew = Player(self), True
 
     def answered(self, player, message):
+        if player.dead:
+            raise Lost("crash", "it is dead", machine=True)
         if message["known"]:
-            self.heard.append([*message["rows"]])
+            self.heard.append([*message["content"]])
             return
-        for at, row in enumerate(message["rows"]):
+        for at, row in enumerate(message["content"]):
             player.beat[0] = at
             if self.loses.get(row, 0):
                 self.loses[row] -= 1
+                player.dead = True
                 raise Lost("crash", f"the end in {row}", machine=True)
             yield f"{row}".encode()
 
@@ -47,9 +50,9 @@ class Dying(Asked):
 def dying(monkeypatch):
     def make(**loses):
         program = Dying(loses)
-        monkeypatch.setattr(asked, "answered", lambda *call: [*program.answered(*call)])
-        monkeypatch.setattr(asked, "said_of", lambda answer: [answer])
-        monkeypatch.setattr(asked, "started", lambda *_: Player(program))
+        monkeypatch.setattr(program_player, "answered", lambda *call: [*program.answered(*call)])
+        monkeypatch.setattr(program_player, "said_of", lambda answer: [answer])
+        monkeypatch.setattr(program_player, "started", lambda *_: Player(program))
         return program
 
     return make
@@ -57,45 +60,45 @@ def dying(monkeypatch):
 
 def test_turns_are_answered_and_told_again_to_a_player_that_is_new(dying):
     program = dying()
-    assert program.answers(["a", "b"]) == [b"a", b"b"]
+    assert program.replies(["a", "b"]) == [b"a", b"b"]
     program._start()
-    assert program.answers(["c"]) == [b"c"]
+    assert program.replies(["c"]) == [b"c"]
     assert program.heard == [[], ["a", "b"]]
-    program.forget()
-    assert program.answers(["d"]) == [b"d"]
+    program.begin_unit()
+    assert program.replies(["d"]) == [b"d"]
     assert program.heard[2:] == [[]]
 
 
 def test_a_turn_in_which_a_player_is_lost_once_is_asked_again(dying):
     program = dying(b=1)
-    assert program.answers(["a", "b", "c"]) == [b"a", b"b", b"c"]
+    assert program.replies(["a", "b", "c"]) == [b"a", b"b", b"c"]
     assert program.remarks == ["a process was lost once: the end in b"]
-    assert program._known == ["a", "b", "c"]
+    assert program._heard == ["a", "b", "c"]
 
 
 def test_a_turn_in_which_it_is_lost_twice_is_a_fault_and_the_others_are_answered(dying):
     program = dying(b=2)
-    first, second, third = program.answers(["a", "b", "c"])
+    first, second, third = program.replies(["a", "b", "c"])
     assert (first, third) == (b"a", b"c")
     assert said(second)[1] == FAULT
-    assert said(second)[2] == fault("crash", asked.AN_ACTION, "the end in b", machine=True)
+    assert said(second)[2] == fault("crash", program_player.AN_ACTION, "the end in b", machine=True)
     assert program.remarks == []
-    assert program._known == ["a", "c"]
+    assert program._heard == ["a", "c"]
 
 
 def test_a_program_that_is_lost_too_often_is_given_up(dying):
     rows = "abcdefghi"
     assert len(rows) == MOST_LOST + 1
     program = dying(**dict.fromkeys(rows[:-1], 2))
-    assert len(program.answers([*rows])) == len(rows)
+    assert len(program.replies([*rows])) == len(rows)
     again = dying(**dict.fromkeys(rows, 2))
     again._subject = type("Subject", (), {"name": "mine"})
     with pytest.raises(Unsettled, match="players of mine were lost in 9 turns, the last by the"):
-        again.answers([*rows])
+        again.replies([*rows])
 
 
 def test_histories_are_played_some_at_a_time_and_each_alone_after_a_loss(dying, monkeypatch):
-    monkeypatch.setattr(asked, "AT_ONCE", 2)
+    monkeypatch.setattr(program_player, "AT_ONCE", 2)
     program = dying()
     assert [*program.plays(["a", "b", "c"])] == [[b"a"], [b"b"], [b"c"]]
     once = dying(b=1)
@@ -109,7 +112,7 @@ def test_histories_are_played_some_at_a_time_and_each_alone_after_a_loss(dying, 
 
 def test_a_player_is_closed_once(dying):
     program = dying()
-    program.answers(["a"])
+    program.replies(["a"])
     program.close()
     program.close()
     assert program.closed == 1
