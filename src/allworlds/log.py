@@ -1,22 +1,22 @@
-"""The log of a run: the only thing that a player makes.  This module alone writes and reads it.
+"""The log of a run, which is all that a player makes.  Only this module writes and reads logs.
 
 It imports nothing, so that a player starts fast.  A log is a sequence of entries, each of which
 begins with a byte:
 
-    0..199              a motion by so many darts
+    0..199              a motion by this number of darts
     200 SHOWN           a checkpoint: the number of darts, here, sigma, alpha
     201 ANSWERED        the answer, in the same form
-    202 OVER_BUDGET     a traversal more than the budget; 203 SHOWN_TOO_OFTEN: a checkpoint more
+    202 OVER_BUDGET     one traversal above the budget; 203 SHOWN_TOO_OFTEN: one checkpoint above it
     204 FAULT           the law's number, whether the machine may be the cause, and three texts
-    205 BEYOND          a motion behind the end of a record
+    205 BEYOND          a motion after the end of the recorded percepts
     206 FAR             a motion by 200 darts or more; 207 DROP, 208 PICK, 209 WRITE with a number
-    210 CHOICE          the index and the number of options (0: it is not known)
+    210 CHOICE          the index, and the number of options (0: unknown)
     211 LONG_CHOICE     the same, as numbers of any length; so 212 LONG_SHOWN and 213 LONG_ANSWER
-    214 QUOTIENT        the answer is a rooted quotient; 215 VALUE: it is a text of JSON
-    216 OVER            all was done, and the run ended; 217 FREE_TOO_OFTEN: an action too many
-    218 REFUSED         the last action is illegal here, as who walks the log in the world sees
+    214 QUOTIENT        the answer is a rooted quotient; 215 VALUE: it is a JSON text
+    216 OVER            the task is done, and ends the run; 217 FREE_TOO_OFTEN: too many free acts
+    218 REFUSED         the last action is illegal; a walk of the log in the world shows why
 
-Compiled code knows the bytes up to 205, and 210.  Behind the byte 204 it need not read.
+Compiled code knows the bytes up to 205, and 210.  It need not read what follows the byte 204.
 """
 
 from __future__ import annotations
@@ -32,23 +32,23 @@ FAR, DROP, PICK, WRITE, CHOICE, LONG_CHOICE, LONG_SHOWN, LONG_ANSWER = range(206
 QUOTIENT, VALUE, OVER, FREE_TOO_OFTEN, REFUSED = range(214, 219)
 
 ENDS = frozenset({OVER_BUDGET, SHOWN_TOO_OFTEN, BEYOND, OVER, FREE_TOO_OFTEN, REFUSED})
-"""The endings that are one byte."""
+"""The endings that consist of one byte."""
 
 LAWS = ("crash", "timeout", "illegal-action", "no-estimate")
-"""The laws that a player finds broken."""
+"""The laws that a player can find broken."""
 
 MOST_DARTS = 64
 """The largest number of darts in a short entry."""
 
 DROPPED, PICKED, WROTE = -1, -2, -3
-"""The numbers of actions that are no motions; ``Write(k)`` has ``WROTE - k``."""
+"""The numbers of the actions but motions; ``Write(k)`` has the number ``WROTE - k``."""
 
 
 # ---------------------------------------------------------------- writing
 
 
 def motion(k: int) -> bytes:
-    """A motion by ``k`` darts, from 0 on."""
+    """The entry of a motion by ``k`` >= 0 darts."""
     return bytes((k,)) if k <= LARGEST_MOTION else bytes((FAR,)) + _number(k)
 
 
@@ -58,7 +58,7 @@ def written(number: int) -> bytes:
 
 
 def choice(index: int, options: int) -> bytes:
-    """The entry of a choice among so many options."""
+    """The entry of a choice among this number of options."""
     if 0 <= index <= 255 and options <= 255:
         return bytes((CHOICE, index, options))
     return bytes((LONG_CHOICE,)) + _number(index) + _number(options)
@@ -84,18 +84,18 @@ def quotient(lists: Sequence[Sequence[int]], here: int) -> bytes:
 
 
 def value(text: str) -> bytes:
-    """The entry of an answer that is no map, as JSON."""
+    """The entry of a JSON text as answer."""
     return bytes((VALUE,)) + _text(text)
 
 
 def fault(law: str, expected: str, seen: str, detail: str = "", *, machine: bool = False) -> bytes:
-    """The entry of a fault: sentences, and a traceback or the like."""
+    """The entry of a fault: two sentences, and a text such as a traceback."""
     words = b"".join(map(_text, (expected, seen, detail)))
     return bytes((FAULT, LAWS.index(law), machine)) + words
 
 
 def _short(code: int, sigma: Sequence[int], alpha: Sequence[int], here: int) -> bytes:
-    """A short entry; empty if there is something in it that is no byte, or too much."""
+    """A short entry; empty if a value is no byte, or if there are too many darts."""
     darts = len(sigma)
     if not (darts == len(alpha) and 1 <= darts <= MOST_DARTS):
         return b""
@@ -126,10 +126,10 @@ class Log:
     """The content of a log.
 
     Attributes:
-        actions: by their numbers.
-        checkpoints: the published S and U: the number of actions before, sigma, alpha, and here.
-        choices, widths: the index of each choice, and the number of its options (0: not known).
-        ending: the byte of its end, and what belongs to it.
+        actions: the numbers of the actions.
+        checkpoints: for each published S and U the number of actions before it, sigma, alpha, here.
+        choices, widths: the index of each choice, and the number of its options (0: unknown).
+        ending: the byte of its end, and the values after this byte.
     """
 
     __slots__ = ("actions", "checkpoints", "choices", "ending", "widths")
@@ -138,7 +138,7 @@ class Log:
         """Read a log.
 
         Raises:
-            ValueError: if these bytes are none, or it has no end.
+            ValueError: if these bytes are no log, or if it has no end.
         """
         self.actions: list[int] = []
         self.checkpoints: list[tuple[int, tuple[int, ...], tuple[int, ...], int]] = []
@@ -183,7 +183,7 @@ class Log:
                 at = end
 
     def _long(self, log: bytes, at: int, code: int) -> int:
-        """Read a long entry; return the place behind it, -1 behind the end of the log."""
+        """Read a long entry; return the index after it, or -1 after the end of the log."""
         if code == FAR:
             at, number = _number_at(log, at)
             self.actions.append(number)
@@ -209,7 +209,7 @@ class Log:
             at, text = _text_at(log, at)
             self._ends(log, at, code, text)
             return -1
-        elif code == FAULT and at == len(log):  # of compiled code, which has no words
+        elif code == FAULT and at == len(log):  # compiled code writes no texts
             self._ends(log, at, code, *_WITHOUT_WORDS)
             return -1
         elif code == FAULT:
@@ -239,7 +239,7 @@ _LISTS = {LONG_SHOWN: 2, LONG_ANSWER: 2, QUOTIENT: 4}
 
 
 def _number_at(log: bytes, at: int) -> tuple[int, int]:
-    """The place behind a number, and the number."""
+    """The index after a number, and the number."""
     size = _size_at(log, at)
     return at + 4 + size, int.from_bytes(log[at + 4 : at + 4 + size], "little", signed=True)
 
@@ -259,7 +259,7 @@ def _text_at(log: bytes, at: int) -> tuple[int, str]:
 
 
 def _size_at(log: bytes, at: int) -> int:
-    """The length that stands there; that much must follow."""
+    """The length at this index, after which that many bytes must follow."""
     size = int.from_bytes(log[at : at + 4], "little")
     if len(log) < at + 4 + size:
         raise IndexError

@@ -1,4 +1,4 @@
-"""Numbers and lists in words, for every sentence that a person reads."""
+"""Numbers and lists in words, for all sentences that a person reads."""
 
 import re
 from collections.abc import Sequence
@@ -7,24 +7,24 @@ _MISLEADING = re.compile(
     "[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\xad\u061c\u180e\u200b-\u200f\u2028-\u202e"
     "\u2060-\u206f\ufeff\ufff9-\ufffb\U0001d173-\U0001d17a\U000e0000-\U000e007f]"
 )
-"""Characters that control a terminal or the direction of text, or that nobody sees.  Tabs and the
-ends of lines are none of them."""
+"""Characters that control a terminal or the direction of text, or that are invisible; tabs and the
+ends of lines are excluded."""
 
 COMMAND = re.compile(r"(?<![^\r\n])[^\S\r\n]*::|##(?:vso)?\[")
-"""The part that makes a line a command for the runner of a CI service, taken widely: ``::`` at the
-beginning of a line, which a carriage return ends, too; ``##[`` and ``##vso[`` anywhere."""
+"""The beginning of a command for the runner of a CI service, in a wide sense: ``::`` at the start
+of a line, also after a carriage return; ``##[`` and ``##vso[`` anywhere."""
 
 
 def escaped(text: str) -> str:
-    """The text with each control character, and each that has no width, written as its number.
+    """The text with each control character and each invisible one written as its number.
 
-    Explorers and files have their words in texts; whoever reads them must see what is there.
+    Texts contain words of explorers and files, which a reader must be able to see.
     """
     return _MISLEADING.sub(lambda found: ascii(found[0])[1:-1], text)
 
 
 def harmless(text: str) -> str:
-    """The text as :func:`escaped`, in which no line is a command for the runner of a CI service."""
+    """The :func:`escaped` text, in which no line is a command for the runner of a CI service."""
     return COMMAND.sub(lambda found: f"{found[0][:-1]}\\x{ord(found[0][-1]):02x}", escaped(text))
 
 
@@ -44,7 +44,7 @@ def plural(count: int, one: str, many: str = "") -> str:
 
 
 def ended_by(code: int) -> str:
-    """``exit code 1``, or ``signal 11`` for a return code below zero, as of :mod:`subprocess`."""
+    """``exit code 1``, or ``signal 11`` for a negative return code of :mod:`subprocess`."""
     return f"exit code {code}" if code >= 0 else f"signal {-code}"
 
 
@@ -60,7 +60,7 @@ def listed(names: Sequence[str]) -> str:
 
 
 def about(value: int) -> str:
-    """The number; of a long one the first two digits, as in ``6.3 x 10^76``."""
+    """The number, or the first two digits of a long one, as in ``6.3 x 10^76``."""
     digits = str(value)
     if len(digits) <= 15:
         return number(value)
@@ -70,7 +70,7 @@ def about(value: int) -> str:
 def duration(seconds: float) -> str:
     """``12 s``, ``5 min``, ``3 h 20 min``, ``4 days 3 h``: two units at most, rounded down.
 
-    Of years it has two digits that count, and no more than a million million of them.
+    Years have two significant digits, and are at most a million million.
     """
     whole = int(seconds)
     minutes, hours, days = whole // 60, whole // 3600, whole // 86400
@@ -90,5 +90,5 @@ def duration(seconds: float) -> str:
 
 
 def counted(source: str) -> str:
-    """Say that the number of what was enumerated is that of an independent source."""
+    """The clause that the enumerated number agrees with an independent source."""
     return f"their number equals an independent count ({source})"

@@ -1,20 +1,20 @@
-"""Explorers: the built-in ones, and the loading of the user's.
+"""Explorers: the built-in ones, and the loading of users' explorers.
 
 ``builtin``
     the explorers that come with the package;
 ``loading``
-    names of explorers; any explorer found by its name, and as a check speaks of it;
+    the names of explorers; finding, loading and playing an explorer by its name;
 ``sources``
-    the part of a request that names one; names that are nearly those of one; the files of its code,
+    the part of a request that names an explorer; hints at similar names; the files of its code,
     their digest, and its line;
 ``program``
     a program in any language behind a pipe;
 ``shared_library``
-    explorers in shared libraries; ``allworlds.h`` is the interface, and its own manual;
+    explorers in shared libraries; ``allworlds.h`` is the interface, and explains itself;
 ``languages``
-    the languages of skeletons, which are explorers to begin with, in the folder ``skeletons``.
+    the languages of skeletons, which are explorers to start from, in the folder ``skeletons``.
 
-``dir(allworlds.explorers)`` lists the functions of the built-in ones, for users' programs.
+``dir(allworlds.explorers)`` lists the functions of the built-in explorers, for users' programs.
 """
 
 from typing import TYPE_CHECKING

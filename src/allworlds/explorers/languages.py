@@ -1,7 +1,7 @@
 """The languages of skeletons: the files of each, and the commands that try an explorer.
 
-A skeleton is files that build and run, and are still wrong.  Those of a language lie in the folder
-of its name in ``skeletons``, each with ``.template`` after its own name.
+A skeleton is a set of files that build and run, but are not a right explorer yet.  The files of a
+language are in the folder of its name in ``skeletons``, with ``.template`` after their names.
 """
 
 from pathlib import Path
@@ -16,10 +16,10 @@ class Language(Struct, frozen=True):
     """A language, with the commands that try an explorer in its folder.
 
     Attributes:
-        explorer: its file.
-        check: the command that builds it, if it must be built, and checks it.
+        explorer: the file of the explorer.
+        check: the command that builds the explorer, if necessary, and checks it.
         test: the command that runs its test.
-        needs: the programs, besides this one, that these commands call.
+        needs: the programs, besides this one, that these commands need.
     """
 
     explorer: str
@@ -48,7 +48,7 @@ LANGUAGES = {
         ("rustc", "make"),
     ),
 }
-"""Every language with a skeleton."""
+"""The languages with a skeleton."""
 
 
 def templates(folder: Path) -> dict[str, str]:

@@ -1,6 +1,7 @@
 """Explorers under test: their names, and how they are found, loaded and played.
 
-Programs and libraries are imported only where a name asks for them: other players start faster.
+The modules of programs and libraries are imported only for their names, so that other players start
+faster.
 """
 
 from __future__ import annotations
@@ -32,31 +33,31 @@ if TYPE_CHECKING:
 EXPLORER = "an explorer is def explore(first) with yield"
 
 HASH_SEED = "PYTHONHASHSEED"
-"""The variable of the environment from which an interpreter takes its hash seed."""
+"""The environment variable from which Python takes its hash seed."""
 
 ENTRY_POINTS = "allworlds.explorers"
 EXEC = "exec:"
 NATIVE = "native:"
 SHIELD = "shield:"
 ELSEWHERE = "elsewhere:"
-"""The beginnings of the names of programs, of shared libraries, of explorers with a shield, and of
-those that first look for v0."""
+"""The prefixes of the names of programs, of shared libraries, of explorers with a shield, and of
+explorers that first look for v0."""
 
 ELSEWHERE_BUDGET = 100_000
-"""The step budget of explorers that look for v0, which takes some exponential of its distance."""
+"""The step budget of explorers that look for v0, whose cost is exponential in the distance."""
 
 SHIELD_BOUND = "9*paper"
 """The bound that every explorer with a shield keeps."""
 
 LIGHTHOUSE = "directional"
-"""The lighthouse of users' explorers unless another is named."""
+"""The default lighthouse of users' explorers."""
 
 
 # ---------------------------------------------------------------- names
 
 
 def entry_of(name: str) -> BuiltIn | None:
-    """The entry of a built-in explorer; None for any other, which need not load theirs."""
+    """The entry of a built-in explorer; None for any other, without loading the built-in ones."""
     if ":" in name:
         return None
     from allworlds.explorers.builtin.explorer_table import BUILT_IN
@@ -65,22 +66,22 @@ def entry_of(name: str) -> BuiltIn | None:
 
 
 def is_program(name: str) -> bool:
-    """Whether that is the name of a program behind a pipe, as ``exec:COMMAND``."""
+    """Whether this is the name of a program behind a pipe, as ``exec:COMMAND``."""
     return innermost(name).startswith(EXEC)
 
 
 def is_library(name: str) -> bool:
-    """Whether that is the name of a shared library, as ``native:PATH``."""
+    """Whether this is the name of a shared library, as ``native:PATH``."""
     return innermost(name).startswith(NATIVE)
 
 
 def has_shield(name: str) -> bool:
-    """Whether that is the name of an explorer with a shield, as ``shield:NAME``."""
+    """Whether this is the name of an explorer with a shield, as ``shield:NAME``."""
     return name.startswith(SHIELD)
 
 
 def wrapped(name: str) -> tuple[str, str]:
-    """The wrapper of an explorer's name, ``shield:`` or ``elsewhere:``, or none, and the rest."""
+    """The wrapper of a name (``shield:``, ``elsewhere:``, or empty), and the rest of the name."""
     found = next((each for each in (SHIELD, ELSEWHERE) if name.startswith(each)), "")
     return found, name.removeprefix(found)
 
@@ -107,9 +108,9 @@ def named_on_command_line(name: str) -> list[str]:
 
 
 def entry_point(plain: str) -> EntryPoint | None:
-    """The explorer that another package offers by a name; None if there is none.
+    """The explorer that another package offers under a name; None if there is none.
 
-    A name with a colon is that of a function: packages are not asked, which takes some time.
+    A name with a colon names a function, so other packages are not searched, which takes time.
     """
     return None if ":" in plain else importing.points_of(ENTRY_POINTS).get(plain)
 
@@ -117,12 +118,12 @@ def entry_point(plain: str) -> EntryPoint | None:
 def own_bound(name: str, lighthouse: str) -> str | None:
     """The own bound of the explorer of that name under this lighthouse; None if it has none.
 
-    Lighthouses are written ``KIND[:key=value,...]``; the bound holds under all options of the kind
-    that the explorer is written for.
+    Lighthouses are written ``KIND[:key=value,...]``; the bound holds under all options of the
+    explorer's kind of lighthouse.
 
     Raises:
-        InputError: if it has a shield, which helps under the directional lighthouse alone, or looks
-            for v0, where nothing shows it.
+        InputError: for a shield without the directional lighthouse, which it needs, or for a search
+            for v0 under a lighthouse that does not show v0.
     """
     if name.startswith(ELSEWHERE):
         return _bound_elsewhere(name.removeprefix(ELSEWHERE), str(lighthouse))
@@ -140,14 +141,14 @@ def own_bound(name: str, lighthouse: str) -> str | None:
 
 
 ANYWHERE = "start=any"
-"""The option of a lighthouse under which the robot starts at any vertex."""
+"""The option of a lighthouse by which the robot may start at any vertex."""
 
 SHOW_V0 = {"directional": "d", "cluster": "d", "door": "(d+1)"}
-"""The lighthouses that show one mark at v0, and the motions to there at most, by the diameter d."""
+"""The lighthouses with one mark at v0, each with the largest distance to it, by the diameter d."""
 
 
 def _bound_elsewhere(inside: str, lighthouse: str) -> str | None:
-    """The bound of an explorer that looks for v0, and there begins another one."""
+    """The bound of an explorer that looks for v0 and then starts another explorer there."""
     parts = [part.partition(":") for part in lighthouse.split("+")]
     if not any(kind in SHOW_V0 for kind, _, _ in parts):
         raise InputError(
@@ -170,15 +171,14 @@ class Subject(Struct, frozen=True, weakref=True):
     """An explorer under test.
 
     Attributes:
-        name: by which it is found again: a built-in name, ``module:attribute``,
-            ``path/to/file.py:attribute``, an entry point, each of which may end in ``?key=value``,
-            ``exec:COMMAND`` or ``native:PATH``;
-            any of them with a shield as ``shield:NAME``.
-        keywords: the ones of ``choices``, ``told`` and ``notice`` that it takes.
-        explore: the generator function; None where another process finds it by its name, so
+        name: the name by which other processes find it: a built-in name, ``module:attribute``,
+            ``path/to/file.py:attribute`` or an entry point, each perhaps with ``?key=value``;
+            ``exec:COMMAND`` or ``native:PATH``; with a shield ``shield:NAME``.
+        keywords: those of ``choices``, ``told`` and ``notice`` that it takes.
+        explore: the generator function; None if only other processes load it, by its name, so
             that its code never gets into this one.
-        source: the text of its file, if it stands in a file.
-        program: the user's program behind it, if there is one that is run here; also in a shield.
+        source: the text of its file, if it is in a file.
+        program: the user's program behind it, if it runs here; also in a shield.
         native: the shared library behind it, likewise.
     """
 
@@ -191,7 +191,7 @@ class Subject(Struct, frozen=True, weakref=True):
 
     @property
     def own(self) -> BuiltIn | None:
-        """Its entry among the built-in explorers; None for a user's explorer, or in a wrapper."""
+        """The entry of a built-in explorer; None for a user's explorer, or in a wrapper."""
         return entry_of(self.name)
 
     @property
@@ -201,17 +201,17 @@ class Subject(Struct, frozen=True, weakref=True):
 
     @property
     def compiled(self) -> bool:
-        """Whether it is a shared library; in a shield Python calls it, as any other explorer."""
+        """Whether it is a shared library outside a shield, where Python calls it."""
         return self.name.startswith(NATIVE)
 
     @property
     def importable(self) -> bool:
-        """Whether it can be played in other processes."""
+        """Whether other processes can play it."""
         return self.explore is None
 
     @property
     def lighthouse(self) -> str:
-        """The lighthouse under which it is run unless another is named."""
+        """The default lighthouse of the explorer."""
         searches = self.name.startswith(ELSEWHERE)
         own = entry_of(innermost(self.name)) if searches else self.own
         kind = own.lighthouse if own else LIGHTHOUSE
@@ -221,7 +221,7 @@ class Subject(Struct, frozen=True, weakref=True):
 
     @property
     def step_budget(self) -> int | None:
-        """The explorer's own step budget; None if the usual one is large enough."""
+        """The explorer's own step budget; None if the usual budget suffices."""
         if self.name.startswith(ELSEWHERE):
             return ELSEWHERE_BUDGET
         return self.own.step_budget if self.own else None
@@ -232,7 +232,7 @@ class Subject(Struct, frozen=True, weakref=True):
         return "choices" in self.keywords
 
     def player(self, notice: Callable[[str], None] = lambda _event: None) -> Player:
-        """The explorer with its keywords bound; its code must be in this process."""
+        """The player of the explorer; its code must be loaded in this process."""
         explore = self.explore
         assert explore is not None
 
@@ -243,7 +243,7 @@ class Subject(Struct, frozen=True, weakref=True):
         return play
 
     def running(self) -> AbstractContextManager[object]:
-        """A context at whose end the program or library behind the explorer is stopped."""
+        """A context whose end stops the program or library behind the explorer."""
         behind = self.program or self.native
         return closing(behind) if behind else nullcontext()
 
@@ -257,7 +257,7 @@ def built_in(name: str) -> Subject:
 
 
 def with_shield(inside: Subject) -> Subject:
-    """The explorer with a shield; one shield is enough."""
+    """The explorer with a shield; an explorer with a shield is returned unchanged."""
     from allworlds.explorers.builtin.folding import Shield
 
     if has_shield(inside.name):
@@ -270,7 +270,7 @@ def with_shield(inside: Subject) -> Subject:
 
 
 def with_search(inside: Subject) -> Subject:
-    """The explorer that looks for v0, and there begins another one."""
+    """The explorer that looks for v0 and then starts another explorer there."""
     from allworlds.explorers.builtin.elsewhere import FromElsewhere
 
     explore = None if inside.explore is None else FromElsewhere(inside.explore)
@@ -281,8 +281,8 @@ def with_search(inside: Subject) -> Subject:
 def in_process_subject(explore: Callable[..., Any]) -> Subject:
     """The subject for a function of this process.
 
-    One that can be imported by its name is played in processes of its own, any other (a closure,
-    or one of the running script) in this process.
+    If it can be imported by its name, it is played in processes of its own.  Any other function,
+    such as a closure or a function of the running script, is played in this process.
 
     Raises:
         InputError: if it is no explorer.
@@ -317,8 +317,8 @@ def _is_found_by_name(explore: Any) -> bool:
 def keywords_of(name: str, explore: Any) -> frozenset[str]:
     """The keywords ``choices`` and ``told`` that an explorer takes.
 
-    Of a generator function the form says that it is one; any other callable is called once with a
-    percept, and what it returns decides: it needs ``send``, as a generator has.
+    A generator function is recognised by its form.  Any other callable is called once with a
+    percept, and its result must have ``send``, as a generator has.
 
     Raises:
         InputError: if it is no explorer, or must be called in another way.
@@ -342,7 +342,7 @@ def _called(
     """Return the result of a call, and the keywords that a decorator's ``**`` can pass on.
 
     Raises:
-        InputError: if the call raises anything but that it knows none of them.
+        InputError: if the call raises anything but an error about these keywords.
     """
     offered = {"choices": Choices(), "told": None}
     given = {key: offered[key] for key in keywords}
@@ -358,7 +358,7 @@ def _called(
 
 
 def _accepted(name: str, explore: Callable[..., Any]) -> frozenset[str]:
-    """The keywords that a callable takes; none of one whose signature Python cannot tell."""
+    """The keywords that a callable takes; none if Python cannot tell its signature."""
     signature = importing.signature_of(explore)
     takes_all = any(p.kind is p.VAR_KEYWORD for p in signature.parameters.values())
     named = {k for k, p in signature.parameters.items() if p.kind is not p.POSITIONAL_ONLY}
@@ -379,7 +379,7 @@ def source_of(name: str) -> importing.SourceText | None:
     """The text of the file in an explorer's name; None if the name has no file.
 
     Raises:
-        InputError: if the name is that of no explorer, or the file cannot be read.
+        InputError: if the name is no explorer's, or the file cannot be read.
     """
     name = innermost(name)
     if is_program(name) or is_library(name):
@@ -408,20 +408,20 @@ def source_of(name: str) -> importing.SourceText | None:
 def load(
     name: str, answer_timeout: float = ANSWER_TIMEOUT, source: importing.SourceText | None = None
 ) -> Subject:
-    """The explorer of that name, ready to be played here.
+    """The explorer of that name, ready to be played in this process.
 
     Args:
         name: see :class:`Subject`.
-        answer_timeout: seconds after which a silent program is given up.
-        source: the text of its file, if it has been read before.
+        answer_timeout: the seconds after which a silent program is given up.
+        source: the text of its file, if it has already been read.
 
     Raises:
-        InputError: if there is none, it does not import, or it is no explorer.
+        InputError: if there is no such explorer, or it cannot be imported, or it is no explorer.
     """
     wrapper, inside = wrapped(name)
     if wrapper:
         import allworlds.explorers.builtin.elsewhere
-        import allworlds.explorers.builtin.folding  # noqa: F401  # no file opens after some explorers
+        import allworlds.explorers.builtin.folding  # noqa: F401  # some explorers use up all file descriptors
 
         loaded = load(inside, answer_timeout, source)
         return with_shield(loaded) if wrapper == SHIELD else with_search(loaded)
@@ -448,10 +448,10 @@ def load(
 
 
 def _function_named(plain: str, source: importing.SourceText | None) -> Any:
-    """The object that a name ``module:attribute`` or ``FILE.py:attribute`` stands for.
+    """The object of a name ``module:attribute`` or ``FILE.py:attribute``.
 
     Raises:
-        InputError: if there is none, or it does not import.
+        InputError: if there is no such object, or it cannot be imported.
     """
     where, _, attribute = plain.rpartition(":")
     module = importing.module_of_text(where, source) if source else importing.module_named(where)
@@ -473,16 +473,16 @@ def shield(explorer: Callable[..., Generator[Any, Any, Any]]) -> Shield: ...
 def shield(explorer: str | Callable[..., Generator[Any, Any, Any]]) -> str | Shield:
     """Return an explorer with a shield: right in every world under the directional lighthouse.
 
-    It walks less than nine times what the explorer walks until its log has no open dart, and less
-    than nine times the sum of the paper's bounds (1) and (2), whichever is less.  An explorer that
-    neither yields nor returns still breaks the law ``timeout``.
+    It walks less than nine times as far as the explorer does until its log has no open dart, and
+    less than nine times the sum of the paper's bounds (1) and (2).  An explorer that neither yields
+    nor returns still breaks the law ``timeout``.
 
     Args:
-        explorer: a generator function; or a name, as on the command line, of which
-            ``exec:COMMAND`` is a program and ``native:PATH`` a shared library.
+        explorer: a generator function; or a name, as on the command line, where ``exec:COMMAND`` is
+            a program and ``native:PATH`` a shared library.
 
     Returns:
-        a generator function of a function, a name of a name.
+        a generator function for a function, a name for a name.
 
     Raises:
         InputError: if it is neither.

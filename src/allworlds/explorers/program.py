@@ -1,4 +1,4 @@
-"""A program behind a pipe, and the words of its command."""
+"""Programs behind a pipe, and the words of their commands."""
 
 import contextlib
 import json
@@ -23,7 +23,7 @@ from allworlds.protocol import actions
 from allworlds.words import ended_by, plural
 
 INTERPRETER = re.compile(r"(python|pypy|node|nodejs|ruby|perl|lua|php)[0-9.]*")
-"""The names of programs that run a script, their first argument that is no option."""
+"""The names of interpreters, which run the script in their first argument that is no option."""
 
 SCRIPT = re.compile(r".+\.([cm]?js|lua|php|pl|py|rb)")
 """The names of scripts."""
@@ -52,22 +52,22 @@ def obstacle(name: str) -> str:
 
 
 ROBOTS = ("wait", "watch", "do")
-"""The keys of what only several robots say."""
+"""The keys of actions that are legal only with several robots."""
 
 SAYINGS = (
     *("move", "drop", "pick", "write", "checkpoint", "estimate", "ambiguous", "answer"),
     *ROBOTS,
 )
-"""A line of the program has exactly one of these keys."""
+"""The keys of lines of the program; a line has exactly one of them."""
 
 MAP_KEYS, QUOTIENT_KEYS = ("sigma", "alpha", "here"), ("sigma", "alpha", "degree", "marks", "here")
 
 SHORT = 256
-"""A line of fewer bytes, as most are, is parsed once."""
+"""The number of bytes below which parsed lines are cached; most lines are shorter."""
 
 
 class EpisodeEnd(NamedTuple):
-    """The answer of an episode, which is over."""
+    """The end of an episode, with its answer."""
 
     answer: object
 
@@ -86,7 +86,7 @@ def beginning(number: int, first: actions.Percept, told: actions.Told) -> bytes:
 
 
 def answering(percept: Any) -> bytes:
-    """The line that answers an action; a model's percept may be any value that JSON has."""
+    """The line that answers an action; the percept of a model may be any JSON value."""
     if isinstance(percept, actions.Percept):
         return _answering(percept)
     return json.dumps({"percept": percept}).encode() + b"\n"
@@ -104,7 +104,7 @@ def message_of(line: bytes) -> Message:
     """The message of a line.
 
     Raises:
-        ExplorerFault: if it is no line of the protocol, or what it says is malformed.
+        ExplorerFault: if it is no line of the protocol, or a value in it is malformed.
     """
     try:
         message = json.loads(line)
@@ -165,7 +165,7 @@ def _short(value: object) -> str:
 
 
 def shown(line: bytes | bytearray) -> str:
-    """A line as it is shown: its beginning, quoted."""
+    """The beginning of a line, quoted for messages."""
     return repr(line[:SHOWN].decode(errors="replace"))
 
 
@@ -174,14 +174,14 @@ LONGEST_LINE = 1 << 24
 
 
 class Program:
-    """The process behind ``--exec COMMAND``; started at the first episode, if not before.
+    """The process behind ``--exec COMMAND``, which starts at the first episode at the latest.
 
     Args:
-        command: split as a shell splits words; no shell is involved.
-        answer_timeout: seconds of silence after which it is killed.
+        command: the command; it is split into words as a shell does, but without a shell.
+        answer_timeout: the seconds of silence after which the process is killed.
 
     Attributes:
-        stays: whether it goes on where an episode is ended while it waits for an answer.
+        stays: whether the process goes on if an episode is ended while it waits for an answer.
 
     Raises:
         InputError: if the command is empty, or its program is not found or cannot be run.
@@ -232,7 +232,7 @@ class Program:
         finally:
             self._pass_stderr_on()
             if not finished and not waits:
-                # Whatever it would say next belongs to an episode that is over.
+                # Its next message would belong to an episode that has ended.
                 self._kill()
 
     def _next_message(self) -> Message:
@@ -260,14 +260,14 @@ class Program:
     def _begin(self, first: actions.Percept, told: actions.Told) -> None:
         if self._process is None:
             self.start()
-        self._read(0)  # it may have ended already, and its last words are of this episode
+        self._read(0)  # it may have ended, and its last prints belong to this episode
         if not self._is_new:
             self._err.clear()
         self._is_new = False
         if self._out:
             raise self._fault("illegal-action", f"a line before it was asked: {shown(self._out)}")
         self._heard = False
-        # The number is to tell nothing.
+        # The number must not give information.
         self._send(beginning(SystemRandom().getrandbits(53), first, told))
 
     def start(self) -> None:
@@ -309,7 +309,7 @@ class Program:
 
     def _send(self, line: bytes) -> None:
         try:
-            # A line is shorter than what a pipe takes whole or not at all.
+            # A pipe takes such a short line completely or not at all.
             os.write(self._in_to, line)
         except BlockingIOError:
             self._send_when_read(line)
@@ -317,7 +317,7 @@ class Program:
             raise self._ended("the end of its input: it reads no more, and goes on") from None
 
     def _send_when_read(self, line: bytes) -> None:
-        """Send a line to a program that has not read those before."""
+        """Send a line to a program that has not read earlier lines."""
         reads = select.poll()
         reads.register(self._in_to, select.POLLOUT)
         if not reads.poll(self._timeout * 1000):
@@ -346,7 +346,7 @@ class Program:
         return line
 
     def _read(self, wait: float) -> bool:
-        """Read the program's output for up to ``wait`` seconds; return False at its end of output.
+        """Read the program's output for at most ``wait`` seconds; return False once it has ended.
 
         Only the end of its stderr is kept.
         """
@@ -364,10 +364,10 @@ class Program:
         return goes_on
 
     def _ended(self, seen: str) -> actions.ExplorerFault:
-        """The fault of a program that has ended, or has closed a pipe, which ``seen`` tells.
+        """The fault of a program that has ended or closed a pipe; ``seen`` tells which.
 
         Raises:
-            NestedCheck: if it was refused to begin a check.
+            NestedCheck: if the program has tried to begin a check.
         """
         assert self._process is not None
         with contextlib.suppress(subprocess.TimeoutExpired):

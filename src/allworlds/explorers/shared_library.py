@@ -1,4 +1,4 @@
-"""A shared library, loaded, and played as an explorer; each buffer is behind a protected page."""
+"""Explorers in shared libraries; each of their buffers ends at a protected page."""
 
 import ctypes
 import mmap
@@ -30,7 +30,7 @@ MOVE, DROP, PICK, CHECKPOINT, ANSWER, AMBIGUOUS = range(1, 7)
 """The kinds of actions; in the header their names begin with ``ALLWORLDS_``."""
 
 NOTHING = -1
-"""The entry for no bearing, and for no number told."""
+"""The entry that stands for no bearing, or for no told number."""
 
 
 class CPercept(ctypes.Structure):
@@ -79,7 +79,7 @@ def library_path(path: str) -> Path:
 
 
 class Library:
-    """A library whose functions can be called, and which has the present version.
+    """A loaded library of the present interface version.
 
     Loading runs the user's code.
 
@@ -104,7 +104,7 @@ class Library:
             )
 
     def print_line_by_line(self) -> None:
-        """Make stdio write each line of stdout at once: a killed process would lose it."""
+        """Make stdio write each line of stdout at once, so that a killed process loses none."""
         program = ctypes.CDLL(None)
         with suppress(ValueError):  # a C library that calls it otherwise
             stdout = ctypes.c_void_p.in_dll(program, "stdout")
@@ -133,13 +133,13 @@ _NO_ACCESS = 0
 
 
 def guarded(kind: type[T]) -> T:
-    """A zeroed value of a type of :mod:`ctypes`, right in front of a page without access rights.
+    """A zeroed value of a type of :mod:`ctypes`, followed by a page without access rights.
 
     Source: mprotect(2).
     """
     size = ctypes.sizeof(kind)  # type: ignore[arg-type]
     whole = -(-size // mmap.PAGESIZE) * mmap.PAGESIZE
-    # Private: a copy of the process, forked by the explorer, has memory of its own.
+    # It is private, so that a copy that the explorer forks has its own memory.
     mine = mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS
     pages = mmap.mmap(-1, whole + mmap.PAGESIZE, flags=mine)
     start = ctypes.addressof(ctypes.c_char.from_buffer(pages))
@@ -157,14 +157,14 @@ def _integers(length: int) -> ctypes.Array[ctypes.c_int32]:
 
 
 THREADS_END = 0.5
-"""Seconds until a thread that has been joined is no longer listed."""
+"""Seconds until a joined thread is no longer listed."""
 
 
 class NativeExplorer:
     """A library with one state, which plays one episode after the other.
 
     Args:
-        library: loaded here.
+        library: the loaded library.
     """
 
     def __init__(self, library: Library) -> None:
@@ -208,14 +208,14 @@ class NativeExplorer:
         """Play one episode.
 
         Raises:
-            ExplorerFault: for an illegal action or answer, and for threads left behind.
+            ExplorerFault: for an illegal action or answer, and for threads that remain.
         """
         threads = threads_now()
         library, action, state = self.library, self._action, self.state()
         here, there = ctypes.addressof(self._percept), ctypes.addressof(action)
         asked = _Asked(choices)
         if library.choose is not None:
-            self._picks = Pick(asked.pick)  # who may still ask a picker must find it
+            self._picks = Pick(asked.pick)  # the library may still call the picker
             library.choose(state, self._picks, None)
         self._sensed = 0
         self._sense(first)
@@ -250,7 +250,7 @@ class NativeExplorer:
         ours.bearing = NOTHING if percept.bearing is None else percept.bearing
 
     def _said(self, function: Any, lists: int, law: actions.FaultLaw) -> list[tuple[int, ...]]:
-        """Lists of integers, each with one entry for each dart, as the library fills them now."""
+        """Lists of integers with one entry for each dart, which the library fills."""
         if self._sensed > len(self._rooms[0]):
             self._rooms = [_integers(2 * self._sensed) for _ in range(4)]
         self._here[0] = NOTHING
@@ -278,14 +278,14 @@ class NativeExplorer:
 
 
 def _one_number(told: actions.Told) -> int:
-    """The one number that a library is told; rules refuse a lighthouse that tells several."""
+    """The number that a library is told; the rules refuse a lighthouse that tells several."""
     if told is None or isinstance(told, int):
         return NOTHING if told is None else told
     return next(iter(told.values()), NOTHING)
 
 
 class _Asked:
-    """The answering of the choices of one episode."""
+    """The function that answers the choices of one episode."""
 
     def __init__(self, choices: Choices | None) -> None:
         self._choices = choices or Choices()
@@ -309,16 +309,16 @@ class _Asked:
 
 
 def threads_now() -> int:
-    """The number of threads of this process; 0 where that cannot be known."""
+    """The number of threads of this process; 0 if unknown."""
     with suppress(OSError):
         return len(os.listdir("/proc/self/task"))  # noqa: PTH208  # as short as it can be
     return 0
 
 
 def threads_left(before: int) -> int:
-    """The number of threads that are more than before, and stay.
+    """The number of additional threads that remain.
 
-    One that has been joined is listed for some microseconds more.
+    A joined thread is still listed for some microseconds.
     """
     deadline = time.monotonic() + THREADS_END
     while (more := threads_now() - before) > 0 and time.monotonic() < deadline:

@@ -1,7 +1,8 @@
 """Explorers in requests, and the files of explorers.
 
-An explorer is a name or a function in Python, options on the command line.  Of its files: names
-that are nearly theirs, their digest, and the line of the explorer.  No code of an explorer is run.
+In Python an explorer is given by a name or a function, on the command line by options.  This module
+finds similar names of files, the digest of the files, and the line of the explorer.  It runs no
+code of an explorer.
 """
 
 import ast
@@ -46,14 +47,14 @@ from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Option, Optio
 from allworlds.protocol import importing, user_code
 
 MOST_OF_A_COMMAND = 20
-"""The number of characters that stand for a command, if they tell it from others."""
+"""The number of characters of the short form of a command, if it is unique."""
 
 
 # ---------------------------------------------------------------- names
 
 
 def names_explorer(text: str) -> bool:
-    """Whether a text has the form of an explorer's name; whether there is one is not checked."""
+    """Whether a text has the form of an explorer's name; the explorer need not exist."""
     plain = text.partition("?")[0]
     if wrapped(text)[0] or plain in BUILT_IN or entry_point(plain) or plain.endswith(".py"):
         return True
@@ -61,12 +62,12 @@ def names_explorer(text: str) -> bool:
 
 
 def whole_name(name: str) -> str:
-    """The name; the function is added to the name of a file that has only one, but private ones.
+    """The name; if it names a file with only one public generator function, with that function.
 
-    If the file defines none, it may import one named ``explore``.
+    If the file defines no such function, it may import one named ``explore``.
 
     Raises:
-        InputError: if the file has several, is not there, or is no Python.
+        InputError: if the file has several such functions, is missing, or is no Python.
     """
     wrapper, inside = wrapped(name)
     if wrapper:
@@ -91,7 +92,7 @@ def whole_name(name: str) -> str:
 def explorers_in(module: CodeType) -> list[str]:
     """The names of a module's generator functions, in their order."""
     functions = [code for code in module.co_consts if isinstance(code, CodeType)]
-    # Lambdas and generator expressions have names that are none.
+    # The names of lambdas and generator expressions are no identifiers.
     return [
         code.co_name
         for code in functions
@@ -100,9 +101,9 @@ def explorers_in(module: CodeType) -> list[str]:
 
 
 def no_explorer(name: str, plain: str, known: Sequence[str]) -> str:
-    """The reason why a name without a function is none of an explorer, and what would be legal.
+    """The reason why a name without a function names no explorer, and the legal forms.
 
-    Without its arguments it is ``plain``; ``known`` are the explorers that stand alone.
+    ``plain`` is the name without its arguments; ``known`` are the explorers with plain names.
     """
     if os.path.isdir(plain):  # noqa: PTH112  # takes any text, as below
         return f"{show(plain)} is a directory; an explorer in it is {Path(plain)}/FILE.py:FUNCTION"
@@ -123,7 +124,7 @@ def no_explorer(name: str, plain: str, known: Sequence[str]) -> str:
 
 
 def _like_file(name: str) -> str:
-    """A hint at a Python file whose name is similar, in the same folder; empty if there is none."""
+    """A hint at a Python file of a similar name in the same folder; empty if there is none."""
     given = Path(name)
     try:
         files = sorted(file.name for file in given.parent.glob("*.py"))
@@ -134,7 +135,7 @@ def _like_file(name: str) -> str:
 
 
 def short_names(names: Sequence[str]) -> list[str]:
-    """The shortest ends of these names that tell them apart, as the heads of columns."""
+    """The shortest ends that distinguish these names, as the heads of columns."""
     ends = [[*_ends(name)] for name in names]
     short = []
     for i, name in enumerate(names):
@@ -159,22 +160,22 @@ def _ends(name: str) -> Iterator[str]:
 
 
 COMPILED = (".c", ".cc", ".cpp", ".cxx", ".d", ".f90", ".go", ".hs", ".ml", ".nim", ".rs", ".zig")
-"""The ends of the names of sources that are compiled."""
+"""The suffixes of files that are sources of compiled code."""
 
 
 class SourceLine(Struct, frozen=True):
-    """A place in a file.
+    """A line of a file.
 
     Attributes:
-        file: absolute.
-        line: from 1.
+        file: the absolute path.
+        line: the number of the line, from 1.
     """
 
     file: Path
     line: int = 1
 
     def is_in(self, folder: Path) -> bool:
-        """Whether the file is one of that project, and no package that is installed below it."""
+        """Whether the file belongs to that project, and not to a package installed below it."""
         return self.file.is_relative_to(folder) and "site-packages" not in self.file.parts
 
     def named_from(self, folder: Path) -> str:
@@ -183,7 +184,7 @@ class SourceLine(Struct, frozen=True):
 
 
 def files_of_explorer(name: str) -> list[Path]:
-    """The files of an explorer's code; none for a built-in explorer, or if they are unknown.
+    """The files of an explorer's code; none for a built-in explorer, or if unknown.
 
     For a program they are the files that its command names.
     """
@@ -194,11 +195,11 @@ def files_of_explorer(name: str) -> list[Path]:
 
 
 def place_of_explorer(name: str) -> SourceLine | None:
-    """The place of an explorer's code; None for a built-in explorer, or if it is unknown.
+    """The line of an explorer's code; None for a built-in explorer, or if unknown.
 
-    For a Python explorer the place is the line of its function, for a program the first line of
-    the last file that its command names, or else of the command's own.  Of compiled code it is the
-    first line of the source beside it, as explorer.c of explorer.so.
+    For a Python explorer it is the line of its function, for a program the first line of the last
+    file that its command names, or else of the command's own file.  For compiled code it is the
+    first line of the source beside it, such as explorer.c for explorer.so.
     """
     files, name = files_of_explorer(name), innermost(name)
     try:
@@ -216,7 +217,7 @@ def place_of_explorer(name: str) -> SourceLine | None:
 
 
 def _source(file: Path) -> Path | None:
-    """The file, if it is a text; of compiled code the source of its name beside it, if any."""
+    """The file, if it is a text; for compiled code the source of the same name beside it."""
     with file.open("rb") as opened:
         if b"\0" not in opened.read(4096):
             return file
@@ -226,7 +227,7 @@ def _source(file: Path) -> Path | None:
 
 
 def _files_named(name: str) -> list[Path]:
-    """The files that the name without wrappers stands for, which may be missing.
+    """The files of the name without wrappers; they may be missing.
 
     Raises:
         InputError: if there is no such module.
@@ -251,7 +252,7 @@ def _where(name: str) -> tuple[str, list[str]]:
     plain = name.partition("?")[0]
     point = entry_point(plain)
     where, colon, attribute = (point.value if point else plain).rpartition(":")
-    # Of a file with one explorer its name will do.
+    # The name of a file with one explorer needs no function.
     return (where, attribute.split(".")) if colon else (attribute, [])
 
 
@@ -271,19 +272,19 @@ def _line(tree: ast.Module, names: list[str]) -> int:
 
 
 OURS = "built-in"
-"""The digest of an explorer that comes with this program, and changes with its version alone."""
+"""The digest of a built-in explorer, which changes only with the version of this program."""
 
 
 def content_digest(subject: Subject) -> str:
     """SHA-256 of the explorer's text, or of the digests of its files, in hexadecimal.
 
-    The files of a program are the program itself and those that its command names.
-    A wrapper comes with this package, and changes with its version alone: the digest is that of the
-    explorer inside.
-    For a module it is the module's own file: imported modules are not included.
+    The files of a program are the program itself and the files that its command names.  For an
+    explorer in a wrapper the digest is that of the explorer inside, because the wrapper changes
+    only with the version of this program.  For a module it is the digest of its own file, without
+    imported modules.
 
     Raises:
-        InputError: if it exists in this process alone, or its file cannot be found.
+        InputError: if the explorer exists only in this process, or its file cannot be found.
     """
     name = innermost(subject.name)
     if name in BUILT_IN:
@@ -304,9 +305,9 @@ def content_digest(subject: Subject) -> str:
 
 
 def with_content(subject: Subject) -> Subject:
-    """The subject with the text that other machines need, if its code is one file.
+    """The subject with its text for other machines, if its code is one file.
 
-    For a module inside a package the text is not enough: the package must be there.
+    For a module inside a package the text is not enough: the other machine needs the package.
     """
     name = innermost(subject.name)
     where = name.partition("?")[0].rpartition(":")[0]
@@ -319,7 +320,7 @@ def with_content(subject: Subject) -> Subject:
 
 
 def not_alike(subject: Subject, digest: str, answer_timeout: float) -> str:
-    """The reason why the explorer is not the one of that digest here; empty if it is."""
+    """The reason why this process finds another explorer than that of the digest, or empty."""
     try:
         if is_program(subject.name):
             Program(command_or_path(subject.name), answer_timeout)
@@ -352,7 +353,7 @@ class ProgramWords(Request):
         """The name of the explorer that the argument or these options give; None if there is none.
 
         Raises:
-            InputError: if several are.
+            InputError: if several explorers are given.
         """
         given = {
             f"EXPLORER {show(explorer)}": explorer,

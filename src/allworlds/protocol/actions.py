@@ -1,7 +1,7 @@
-"""Percepts, actions, answers, and their log; and an explorer as the harness calls it.
+"""Percepts, actions, answers, and their log; and the interface of explorers.
 
 Answers are an explorer's statements about the world, at the end and on the way.  The log of a run
-is its actions and percepts.  A fault is raised by the adapter of an explorer.
+consists of its actions and percepts.  The adapter of an explorer raises faults.
 """
 
 import json
@@ -51,7 +51,7 @@ class Percept(Struct, WrittenByFields, frozen=True, gc=False):
         return self.in_words()
 
     def in_words(self, *, labels: bool = False) -> str:
-        """The percept in words; where vertices have ``labels``, these are sensed, and no marker."""
+        """The percept in words; with ``labels`` the marks are a vertex's label, not markers."""
         marks = {0: "", 1: ", marked"}.get(self.marks, f", marks {self.marks}")
         marks = f", label {self.marks}" if labels else marks
         bearing = "" if self.bearing is None else f", bearing {self.bearing}"
@@ -73,7 +73,7 @@ class Move(Struct, frozen=True, gc=False):
 
 
 class Drop(Struct, frozen=True, gc=False):
-    """Lay down one marker here; free.  Legal only where the lighthouse gives markers."""
+    """Lay down one marker here; free.  Legal only if the lighthouse gives markers."""
 
     def __str__(self) -> str:
         """The action in a word: ``drop``."""
@@ -81,7 +81,7 @@ class Drop(Struct, frozen=True, gc=False):
 
 
 class Pick(Struct, frozen=True, gc=False):
-    """Take up one marker from here; free.  Legal only where the lighthouse gives markers."""
+    """Take up one marker from here; free.  Legal only if the lighthouse gives markers."""
 
     def __str__(self) -> str:
         """The action in a word: ``pick``."""
@@ -89,7 +89,7 @@ class Pick(Struct, frozen=True, gc=False):
 
 
 class Write(Struct, frozen=True, gc=False):
-    """Write the number ``k`` here; free.  Legal only where the lighthouse has room for numbers."""
+    """Write the number ``k`` here; free.  Legal only if the lighthouse has room for numbers."""
 
     k: int
 
@@ -107,7 +107,7 @@ class Wait(Struct, frozen=True, gc=False):
 
 
 class Watch(Struct, frozen=True, gc=False):
-    """Do nothing, and be activated again once something else is sensed here than now.
+    """Do nothing, and be activated again once the percept here has changed.
 
     Only in worlds with several robots.
     """
@@ -118,7 +118,7 @@ class Watch(Struct, frozen=True, gc=False):
 
 
 class Do(Struct, frozen=True):
-    """Whatever the model of the world understands, a value that JSON has."""
+    """An action of the model of the world: a JSON value that the model understands."""
 
     value: Any
 
@@ -133,15 +133,15 @@ class End(Struct, frozen=True):
     answer: Any = None
 
     def __str__(self) -> str:
-        """The action in a word, with an answer that is no map."""
+        """The action in a word, with the answer unless it is a map."""
         return "end" if self.answer is None else f"end: {self.answer}"
 
 
 Action: TypeAlias = Move | Drop | Pick | Write
-"""Everything that an explorer may yield, besides a checkpoint."""
+"""The values that an explorer may yield, besides a checkpoint."""
 
 DROP, PICK, WRITE = -1, -2, -3
-"""The numbers of actions that are no motions; ``Write(k)`` has the number ``WRITE - k``."""
+"""The numbers of the actions but motions; ``Write(k)`` has the number ``WRITE - k``."""
 
 _MOVES = tuple(Move(k) for k in range(64))
 
@@ -170,10 +170,10 @@ class RootedMap(Document):
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
-    """A map of the world and the robot's place in it.
+    """A map of the world and the robot's dart in it.
 
-    ``here`` is the dart of ``map`` that stands for the dart the robot arrived by last (at
-    the start: the dart it faces).  Nothing is validated here: the judge does that.
+    ``here`` is the dart of ``map`` that stands for the robot's latest dart of arrival (at the
+    start: for the dart that it faces).  The judge validates these values, not this class.
     """
 
     map: CombinatorialMap
@@ -185,10 +185,10 @@ class Estimate:
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> "Estimate":
-        """The estimate of :meth:`to_json`'s document; other keys are ignored.
+        """The estimate that :meth:`to_json` has written; other keys are ignored.
 
         Raises:
-            InputError: if there is no map, or ``here`` is none of its darts.
+            InputError: if there is no map, or ``here`` is not one of its darts.
         """
         map_, here = CombinatorialMap.from_json(document), document.get("here")
         if type(here) is not int or here not in map_.darts:
@@ -217,9 +217,9 @@ class Ambiguous(WrittenByFields):
 class Checkpoint:
     """The paper's S and U after a pass, shown to the judge.
 
-    The darts known so far: ``alpha[d] == d`` marks an open dart, and U is the set of those;
-    ``here`` is the robot's dart.  Yielding it costs nothing, is answered with None, stands
-    in no transcript, and must not influence the walk.
+    It holds the darts known so far: ``alpha[d] == d`` marks an open dart, and U is the set of the
+    open darts; ``here`` is the robot's dart.  To yield it costs nothing; the reply is None.  A
+    transcript does not contain it, and it must not influence the walk.
     """
 
     sigma: Sequence[int]
@@ -228,7 +228,7 @@ class Checkpoint:
 
 
 Answer: TypeAlias = Estimate | Ambiguous
-"""Everything that an explorer may return."""
+"""The values that an explorer may return."""
 
 
 class AtStart(Document, forbid_unknown_fields=False):
@@ -273,9 +273,9 @@ class _Sensed(Document):
 
 @dataclass(frozen=True)
 class Transcript(Paged):
-    """The first percept, then each action with the percept that answered it.
+    """The first percept, then each action with the percept after it.
 
-    Motions stand modulo the degree.  Checkpoints stand in no transcript.
+    Motions are taken modulo the degree.  Checkpoints are left out.
     """
 
     first: Percept
@@ -303,10 +303,10 @@ class Transcript(Paged):
 
     @classmethod
     def from_json(cls, rows: Any) -> "Transcript":
-        """The transcript of :meth:`to_json`'s rows.
+        """The transcript that :meth:`to_json` has written.
 
         Raises:
-            InputError: naming a row that is none.
+            InputError: naming a row that is illegal.
         """
         from allworlds.documents.reading import parse  # which players do not need
 
@@ -320,7 +320,7 @@ class Transcript(Paged):
 
 
 def _said(action: Action) -> dict[str, Any]:
-    """The action as a row has it: see :class:`Moved` and those behind it."""
+    """The action as keys of a row; see :class:`Moved` and the classes after it."""
     match action:
         case Move(k):
             return {"move": k}
@@ -330,7 +330,7 @@ def _said(action: Action) -> dict[str, Any]:
 
 
 def action_from_json(row: object) -> Any:
-    """The action of a JSON object, None if it holds none; other keys are ignored."""
+    """The action that a JSON object holds, or None; other keys are ignored."""
     match row:
         case {"move": int() as k} if not isinstance(k, bool):
             return Move(k)
@@ -362,19 +362,19 @@ class Player(Protocol):
 
 
 ANSWER_TIMEOUT = 10.0
-"""Seconds of silence that break the law ``timeout``, unless another time is named."""
+"""The default number of seconds of silence that break the law ``timeout``."""
 
 
 FaultLaw: TypeAlias = Literal["crash", "timeout", "illegal-action", "no-estimate"]
-"""The laws that an explorer outside this process breaks by what it says."""
+"""The laws that an explorer outside this process can break by its messages."""
 
 
 class ExplorerFault(Exception):
-    """Raised by an adapter (a pipe to a user's program) in place of an action.
+    """Raised by an adapter, such as the pipe to a user's program, if no legal message comes.
 
     Attributes:
         law: the broken law.
-        seen: a sentence: the event in place of an answer.
+        seen: a sentence about the event.
         detail: for example the tail of the program's stderr; may be empty.
         machine: whether the machine, not the program, may be the cause.
     """
@@ -394,4 +394,4 @@ class IllegalAction(ValueError):
 
 
 class BeyondRecord(Exception):
-    """Raised where recorded percepts end: the first play made no action there."""
+    """Raised at the end of recorded percepts, where the first play has made no action."""

@@ -1,8 +1,8 @@
-"""Choices: an algorithm asks where it is free; a policy answers, or every answer is tried.
+"""Choices: an algorithm asks for each free decision; a policy decides, or all options are tried.
 
-Every call of :meth:`Choices.pick` is one choice and is recorded by the index of the element
-picked.  The record replays the run, and together with the number of options at each choice
-it is all that is needed to enumerate every schedule.
+Each call of :meth:`Choices.pick` is one choice; the index of the picked element is recorded.  The
+record suffices to replay the run, and together with the number of options at each choice it
+suffices to enumerate all schedules.
 """
 
 from collections.abc import Sequence, Sized
@@ -30,7 +30,7 @@ class Policy(Protocol):
 
 
 class Fifo:
-    """Take the first option: darts in the order in which they came into S; cheapest way first."""
+    """Take the first option: the dart that came into S first, the cheapest way."""
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
         """Return 0."""
@@ -38,18 +38,18 @@ class Fifo:
 
 
 class Lifo:
-    """Take the dart that came into S last; all else as :class:`Fifo`."""
+    """Take the dart that came into S last; other kinds as in :class:`Fifo`."""
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
-        """Return the last option of the kind ``edge``, of other kinds 0."""
+        """Return the last index for the kind ``edge``, and 0 for other kinds."""
         return len(options) - 1 if kind == "edge" else 0
 
 
 class Nearest:
-    """Take the dart with the shortest walk, of equals the first; all else as :class:`Fifo`."""
+    """Take the first dart with the shortest walk; other kinds as in :class:`Fifo`."""
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
-        """Return the first cheapest option of the kind ``edge``, of other kinds 0."""
+        """Return the index of the first cheapest option for ``edge``, and 0 for other kinds."""
         if kind != "edge" or not cost:
             return 0
         _check_costs(options, cost)
@@ -57,7 +57,7 @@ class Nearest:
 
 
 class Seeded:
-    """Take a random option of every kind, from a seed; equal on every machine."""
+    """Take a random option for every kind, by a seed; equal on all machines."""
 
     def __init__(self, seed: str) -> None:
         self._random = Random(seed)  # noqa: S311  # reproducible, not secret
@@ -68,22 +68,22 @@ class Seeded:
 
 
 POLICIES: dict[str, type[Fifo | Lifo | Nearest]] = {"fifo": Fifo, "lifo": Lifo, "nearest": Nearest}
-"""Every policy that has no seed, by its name."""
+"""The policies without a seed, by their names."""
 
 SEEDED = "random:SEED"
-"""The form of the policy's name that has a seed."""
+"""The form of the name of the policy with a seed."""
 
 DEFAULT_POLICY = "fifo"
-"""The name of the policy that answers unless another is named."""
+"""The name of the default policy."""
 
 
 def policy_named(name: str, run: str = "") -> Policy:
-    """The policy of that name, fresh for one run.
+    """A new policy of that name for one run.
 
     Args:
-        name: as on the command line.
-        run: names the run, so that a random policy draws anew in each, whatever the order
-            of the runs.
+        name: the name, as on the command line.
+        run: the name of the run, so that the draws of a random policy depend on the run and not on
+            the order of runs.
 
     Raises:
         InputError: naming the legal policies.
@@ -100,9 +100,9 @@ class Choices:
     """The choices of one run: ``choices.pick(options, of="edge")``.
 
     Args:
-        policy: answers choices (default :class:`Fifo`).
-        script: answers for the first choices, by index; if one does not fit, and when
-            they are used up, the policy answers.
+        policy: the policy (default :class:`Fifo`).
+        script: the indices for the first choices; after them, or if one is out of range, the policy
+            decides.
 
     Attributes:
         record: the index taken at each choice so far.
@@ -124,16 +124,16 @@ class Choices:
             cost: the walking distance of each option; None or empty if unknown.
 
         Raises:
-            ValueError: for a kind that is none, no option at all, options or costs that are no
-                sequence, or costs that are not one for each option; inside an explorer that is
-                a ``crash``.  The choice is not recorded then.
+            ValueError: for an unknown kind, without options, for options or costs that are no
+                sequence, or unless there is one cost for each option; in an explorer this is a
+                ``crash``.  The choice is then not recorded.
         """
         if of not in KINDS:
             raise ValueError(f"of={show(of)} is not one of {', '.join(KINDS)}")
         _check_sequence("options", options)
         if cost is not None:
             _check_sequence("cost", cost)
-            # Others may compute their length; a policy that looks at them checks it.
+            # Other sequences may compute their length; a policy that reads the costs checks it.
             if type(cost) in (list, tuple):
                 _check_costs(options, cost)
         turn = len(self.record)
@@ -149,7 +149,7 @@ class Choices:
 
     def _index(self, of: Kind, options: Sized, cost: Sequence[int] | None) -> int:
         turn = len(self.record)
-        # Options may compute their number; who need not know it does not ask.
+        # Options may compute their number, so it is not asked without need.
         if turn < len(self._script) and 0 <= self._script[turn] < len(options):
             return self._script[turn]
         return self._policy.choose(of, options, cost)
@@ -170,7 +170,7 @@ def _check_costs(options: Sized, cost: Sequence[int]) -> None:
 
 
 def are_due(script: Sequence[int], record: Sequence[int], widths: Sequence[int]) -> bool:
-    """Whether these are the choices of the script, all others being 0."""
+    """Whether these are the choices of the script, and all later ones are 0."""
     length = max(len(script), len(record))
     due = (*script, *(0,) * (length - len(script)))
     return tuple(record) == due and len(widths) == len(record)
@@ -179,7 +179,7 @@ def are_due(script: Sequence[int], record: Sequence[int], widths: Sequence[int])
 def next_script(
     script: Sequence[int], record: Sequence[int], widths: Sequence[int]
 ) -> tuple[int, ...] | None:
-    """The script of the schedule after this one; None after the last, or if this is not its run."""
+    """The script of the next schedule; None after the last one, or if the run is of another."""
     if not are_due(script, record, widths):
         return None
     for turn in reversed(range(len(record))):
@@ -189,10 +189,10 @@ def next_script(
 
 
 class ScheduledChoices(Choices):
-    """Choices of one of all schedules, which also record the number of options.
+    """The choices of one schedule among all, which also record the number of options.
 
     Args:
-        script: answers for the first choices; all others are 0.
+        script: the indices for the first choices; all later ones are 0.
     """
 
     def __init__(self, script: Sequence[int]) -> None:
@@ -207,10 +207,10 @@ class ScheduledChoices(Choices):
 
     @override
     def _index(self, of: Kind, options: Sized, cost: Sequence[int] | None) -> int:
-        # Asked once: it may be the explorer's code, and say something else the next time.
+        # It is asked only once, since the explorer's code may give another number the next time.
         self._width = len(options)
         return super()._index(of, range(self._width), cost)
 
 
 Schedule: TypeAlias = Literal["one", "all"]
-"""The schedules of a run: the policy's, or every one."""
+"""The schedules of a run: only the policy's, or all."""

@@ -1,6 +1,6 @@
-"""The lines of the user's code that a play goes through, where a finding is played again.
+"""The lines of the user's code that run in a play, when a finding is played again.
 
-They never stand in a log, and decide nothing.
+No log contains them, and no verdict depends on them.
 """
 
 import json
@@ -18,34 +18,34 @@ from typing_extensions import override
 from allworlds.protocol import actions
 
 Place: TypeAlias = tuple[str, int]
-"""A file and a line in it; ``("", 0)`` where no line is the user's."""
+"""A file and a line in it; ``("", 0)`` if no line is the user's."""
 
 NOWHERE: Place = ("", 0)
 
 ONCE = "once"
-"""In place of True, where lines are asked for without the turns in which they run."""
+"""The value, in place of True, that asks for lines without the turns in which they run."""
 
 LATELY, BUSIEST = 1000, 5
-"""The last turns of a play of which the lines are counted, and the lines of these that are told."""
+"""The number of last turns of a play whose lines are counted, and of those lines that are told."""
 
 _OURS = (__file__.rpartition("protocol")[0], sysconfig.get_path("stdlib"))
 
 
 @cache
 def is_users(file: str) -> bool:
-    """Whether a file is none of this package, of Python, or of an installed package."""
+    """Whether a file is the user's: not of this package, of Python, or of an installed package."""
     made = file.startswith("<") and file not in linecache.cache
     return not (made or file.startswith(_OURS) or "-packages" in file)
 
 
 class TracedPlay:
-    """A player's generator in which lines are noted: it has the part of one that a play needs.
+    """A player's generator that notes lines; it has those methods of generators that a play needs.
 
     Attributes:
-        turns: for each turn whether it showed a checkpoint, and the place of its ``yield``; the
-            last one is the place of the end, where the explorer came to one.
+        turns: for each turn whether it showed a checkpoint, and the line of its ``yield``; the last
+            entry is the line where the explorer ended, if it did.
         ran: the lines that have run.
-        lately: of each of the last turns how often each line ran.
+        lately: for each of the last turns the number of times that each line ran.
     """
 
     def __init__(self) -> None:
@@ -56,7 +56,7 @@ class TracedPlay:
         self._walk: Generator[Any, Any, Any]
 
     def player(self, player: actions.Player) -> Any:
-        """The player, whose one run is traced here."""
+        """The player whose only run is traced here."""
 
         def play(*told: Any) -> Any:
             self._walk = player(*told)
@@ -65,7 +65,7 @@ class TracedPlay:
         return play
 
     def send(self, reply: Any) -> Any:
-        """Go on to the next message; whoever traced before goes on afterwards."""
+        """Go on to the next message; afterwards an earlier trace function is set again."""
         self.lately.append(Counter())
         before = sys.gettrace()
         sys.settrace(self._trace)
@@ -99,7 +99,7 @@ class TracedPlay:
         return sorted(every, key=lambda line: (-every[line], line))[:BUSIEST]
 
     def _end(self, error: BaseException) -> Place:
-        """The innermost line of the user's that raised; of a return the line that was left last."""
+        """The innermost of the user's lines that raised; after a return the line that was left."""
         line, frames = self._left, error.__traceback__
         while frames and not isinstance(error, StopIteration):
             if is_users(frames.tb_frame.f_code.co_filename):
@@ -109,10 +109,10 @@ class TracedPlay:
 
 
 class LinesPlay(TracedPlay):
-    """A player's generator of which the lines that run are noted once, and no turns.
+    """A player's generator that notes each line that runs once, and notes no turns.
 
-    A function all of whose lines have run is traced no more: some 3 times as slow as without,
-    where a :class:`TracedPlay` is some 8 times as slow (Algorithm 1, up to 60 edges).
+    A function is no longer traced once all its lines have run: a play takes some 3 times as long,
+    with a :class:`TracedPlay` some 8 times as long (Algorithm 1, up to 60 edges).
     """
 
     def __init__(self) -> None:
@@ -147,7 +147,7 @@ def _line_of(frame: FrameType) -> Place:
 
 
 def _yielding(walk: Any) -> Place:
-    """The innermost line of the user's in a chain of ``yield from``."""
+    """The innermost of the user's lines in a chain of ``yield from``."""
     line = NOWHERE
     while (frame := getattr(walk, "gi_frame", None)) is not None:
         if is_users(frame.f_code.co_filename):
@@ -157,5 +157,5 @@ def _yielding(walk: Any) -> Place:
 
 
 def written(plays: Sequence[TracedPlay]) -> bytes:
-    """Traced plays, as a message holds them."""
+    """Traced plays as bytes for a message."""
     return json.dumps([(one.turns, sorted(one.ran), one.busiest()) for one in plays]).encode()

@@ -1,4 +1,4 @@
-"""Code of users', imported and called."""
+"""The import and the calls of users' code."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ T = TypeVar("T")
 
 
 class SourceText(Struct, frozen=True):
-    """The text of a file of the user's, read once: what happens to the file then does no harm.
+    """The text of a user's file, which is read only once, so that later changes do no harm.
 
     Attributes:
-        path: as it was named, made absolute.
-        text: of the file.
+        path: the given path, made absolute.
+        text: the text of the file.
     """
 
     path: str
@@ -56,7 +56,7 @@ class SourceText(Struct, frozen=True):
 
 
 def text_of(where: str) -> SourceText | None:
-    """The text of the file that the place of a name is; None where it is a module.
+    """The text of the file that a name begins with; None if it begins with a module.
 
     Raises:
         InputError: if there is no such file, or it cannot be read.
@@ -77,35 +77,35 @@ def points_of(group: str) -> dict[str, EntryPoint]:
 
 
 def module_named(name: str) -> Any:
-    """The module of that name, imported; one in the current directory is found last."""
+    """The imported module of that name; the current directory is searched last."""
     _look_last(os.getcwd())  # noqa: PTH109  # pathlib is not loaded in players
     return imported(name, lambda: importlib.import_module(name))
 
 
 def _look_last(folder: str) -> None:
-    """Make modules in a folder of the user's importable, after all others, so none is hidden."""
+    """Append a user's folder to the import path, so that it hides no other module."""
     if folder not in sys.path:
         sys.path.append(folder)
 
 
 def module_of_text(where: str, source: SourceText, name: str = "") -> Any:
-    """A fresh module of that text, with that name; by default with that of the file."""
+    """A new module with that text and name; the default is the name of the file."""
     folder, _, file = source.path.rpartition(os.sep)
     _look_last(folder or os.sep)
-    # A file may be called as a module that is already there, and must not take its place.
+    # A file may have the name of a loaded module, which it must not replace.
     stem = file.removesuffix(".py")
     name = name or (stem if stem not in sys.modules else f"{stem} in {folder}")
     module = ModuleType(name)
     module.__file__ = source.path
     module.__spec__ = importlib.util.spec_from_file_location(name, source.path)
     sys.modules[name] = module
-    # A traceback shows the lines that were run, whatever has become of the file.
+    # A traceback shows the lines that ran, even if the file has changed.
     lines = source.text.splitlines(keepends=True)
     linecache.cache[source.path] = (len(source.text), None, lines, source.path)
 
     def execute() -> Any:
         with warnings.catch_warnings():
-            # Every player would say the same of the text.
+            # Each player would repeat the same warning about the text.
             warnings.simplefilter("ignore")
             code = compile(source.text, source.path, "exec")
         exec(code, module.__dict__)  # noqa: S102  # the user's
@@ -120,7 +120,7 @@ def module_of_text(where: str, source: SourceText, name: str = "") -> Any:
 
 
 def _as_module(path: str) -> str:
-    """Say how a file of a package is named, so that its relative imports find the others."""
+    """A hint at the module name of a file of a package, for its relative imports."""
     from pathlib import Path  # not loaded in players otherwise
 
     file = Path(path)
@@ -134,25 +134,25 @@ def imported(name: str, importing: Callable[[], Any]) -> Any:
     """The result of an import, or an error in one line.
 
     Raises:
-        InputError: naming what does not import.
+        InputError: naming the code that cannot be imported.
     """
     return _tried(f"{show(name)} does not import:", importing, InputError)
 
 
 AT_WORK: list[str] = []
-"""The names of the code of users' that is being imported or called in this process."""
+"""The names of users' code that this process is importing or calling."""
 
 
 def attempted(what: str, act: Callable[[], T], kind: type[InputError] = InputError) -> T:
-    """The result of an action of a model; its prints go to stderr, and it ends no process.
+    """The result of a call of a model; its prints go to stderr, and it cannot end the process.
 
     Args:
         what: the first words of the message.
-        act: the action.
-        kind: of the error.
+        act: the function without arguments that calls the model.
+        kind: the class of the error.
 
     Raises:
-        InputError: beginning with these words, if it raises.
+        InputError: beginning with these words, if the model raises.
     """
     with exit_code_kept():
         return _tried(what, act, kind)
@@ -161,7 +161,7 @@ def attempted(what: str, act: Callable[[], T], kind: type[InputError] = InputErr
 def _tried(what: str, act: Callable[[], T], kind: type[InputError]) -> T:
     AT_WORK.append(what.removesuffix(" raises").removesuffix(" does not import:"))
     try:
-        # What it prints must not get into a document on stdout.
+        # Its prints must not get into a document on stdout.
         with redirect_stdout(sys.stderr):
             return act()
     except BaseException as error:  # noqa: BLE001  # a module may raise anything
@@ -172,7 +172,7 @@ def _tried(what: str, act: Callable[[], T], kind: type[InputError]) -> T:
 
 
 def said(error: BaseException) -> str:
-    """The first line of what an exception says, if it can be shown."""
+    """The first line of an exception's message, if it can be shown."""
     name = type(error).__name__
     try:
         text = str.__str__(str(error)).split("\n", 1)[0]
@@ -183,10 +183,10 @@ def said(error: BaseException) -> str:
 
 
 def attribute_of(module: Any, attribute: str, where: str) -> Any:
-    """The attribute of a module, which may be one of an attribute.
+    """The attribute of a module, or by a dotted name an attribute of an attribute.
 
     Raises:
-        InputError: if there is none.
+        InputError: if there is no such attribute.
     """
     value = module
     for part in attribute.split("."):
@@ -205,10 +205,10 @@ Argument: TypeAlias = int | bool | str
 
 
 def arguments_of(name: str) -> tuple[str, dict[str, Argument]]:
-    """A name without its arguments, and these: integers, true, false, or else texts.
+    """A name without its arguments, and the arguments: integers, booleans, or texts.
 
     Raises:
-        InputError: if one is not of the form ``key=value``, or is named twice.
+        InputError: if an argument has not the form ``key=value``, or is named twice.
     """
     plain, question, rest = name.partition("?")
     pairs = pairs_in(name, rest) if question else []
@@ -216,10 +216,10 @@ def arguments_of(name: str) -> tuple[str, dict[str, Argument]]:
 
 
 def pairs_in(name: str, text: str) -> list[tuple[str, str]]:
-    """The pairs of ``key=value,...`` behind a name.
+    """The pairs of ``key=value,...`` after a name.
 
     Raises:
-        InputError: if one is of another form, or a key is named twice.
+        InputError: if a pair has another form, or a key is named twice.
     """
     pairs: dict[str, str] = {}
     for part in text.split(","):
@@ -239,11 +239,11 @@ def _value(text: str) -> Argument:
 
 
 def _percept_alone(first: object) -> None:
-    """The form of an explorer that takes nothing else."""
+    """The form of an explorer that takes only the percept."""
 
 
 def signature_of(explore: Callable[..., Any]) -> inspect.Signature:
-    """The signature of an explorer; where Python cannot tell it, that of the percept alone."""
+    """The signature of an explorer; if Python cannot tell it, one with the percept alone."""
     try:
         return inspect.signature(explore)
     except (TypeError, ValueError):
@@ -254,7 +254,7 @@ def called(name: str, factory: Any, arguments: Mapping[str, Argument]) -> Any:
     """The result of a factory for the arguments of a name; the object itself if there are none.
 
     Raises:
-        InputError: if it cannot be called so, or raises.
+        InputError: if the factory does not take these arguments, or raises.
     """
     if not arguments:
         return factory

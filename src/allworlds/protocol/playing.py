@@ -1,6 +1,6 @@
-"""One run of an explorer, played to its end; its log is all that remains of it.
+"""The play of one run of an explorer to its end, which yields only a log.
 
-This is the explorer's side: what answers it may be a world, or the percepts of an earlier play.
+This is the explorer's side: a world answers its actions, or the percepts of an earlier play do.
 """
 
 import json
@@ -20,30 +20,30 @@ from allworlds.protocol import actions
 from allworlds.protocol.choices import Choices
 
 FREE = 10
-"""The drops and picks that are legal for each traversal of the budget, and as many more: they are
-free, and without a limit an explorer could go on so for ever."""
+"""The number of free actions that are legal for each traversal of the budget, and in addition to
+them.  Without a limit an explorer could drop and pick for ever."""
 
 LONGEST = 20_000
-"""The number of characters that are kept of a traceback."""
+"""The largest number of characters of a traceback that are kept."""
 
 FRAMES = 50
-"""The number of frames of a traceback that are kept, the innermost: of a recursion without an end
-there are a thousand, in each play of each run."""
+"""The number of innermost frames of a traceback that are kept.  An endless recursion has a thousand
+in each play of each run."""
 
 MOST_DARTS = 2 * checks.LARGEST_SIZE
-"""The largest number of darts in an answer, unless twice the step budget is more."""
+"""The largest number of darts in an answer, or twice the step budget if that is larger."""
 
 AN_ESTIMATE = "Estimate(map, here) with a dart of the map"
-"""The expectation of every answer but a quotient, as a finding states it."""
+"""The expectation of an answer that is not a quotient, in the words of findings."""
 
 A_QUOTIENT = "Ambiguous(sigma, alpha, degree, marks, here): a connected rooted quotient"
 """The expectation of a quotient."""
 
 A_VALUE = "an Estimate, or an answer that JSON has"
-"""The expectation of the answer of a task with any answer."""
+"""The expectation of an answer if the task allows any."""
 
 NO_MAP, BUILT = "no map: ", "built "
-"""The first words of the text about a map that could not be built, and of its line of code."""
+"""The first words of the text about a map that cannot be built, and about its line of code."""
 
 AN_ACTION = "an action, or an estimate at the end"
 
@@ -56,8 +56,8 @@ class Surroundings(Protocol):
 
     Attributes:
         first: the percept before any action.
-        told: what the lighthouse tells before the start; None if there is nothing.
-        over: whether all is done that the task asks for, so that the run ends here.
+        told: the value that the lighthouse tells before the start, or None.
+        over: whether the task is done, so that the run ends here.
     """
 
     @property
@@ -73,7 +73,7 @@ class Surroundings(Protocol):
         """Return whether the run ends here."""
 
     def move(self, k: int) -> actions.Percept:
-        """Return the percept behind a motion below the degree: a copy for the explorer alone."""
+        """Return a copy of the percept after a motion below the degree."""
 
     def act(self, action: actions.Drop | actions.Pick | actions.Write) -> actions.Percept:
         """Return the percept after an action; raise IllegalAction for one that is illegal."""
@@ -92,19 +92,19 @@ def play_run(
     """Play one run to its end, and return its log.
 
     Args:
-        around: answers the actions.
+        around: the surroundings, which answer the actions.
         player: the explorer.
-        choices: given to an explorer that takes choices.
+        choices: the choices, for an explorer that takes choices.
         budget: the largest legal number of traversals; one checkpoint more is legal.
-        beat: ``beat[1]`` grows at each turn of the explorer and is 0 when it has ended, so that
-            someone else can see a silent explorer.
-        any_answer: whether the task asks for no estimate.
-        hear: gets the log so far before each turn, if the run may not come to an end.
+        beat: shared numbers; ``beat[1]`` grows at each turn of the explorer, and is 0 after its
+            end, so that another process can notice silence.
+        any_answer: whether the task allows other answers than estimates.
+        hear: the function that gets the log so far before each turn, or None.
 
     Raises:
-        InputError: of a model of the user's that answers the explorer.
+        InputError: by a model of the user's that answers the explorer.
 
-    Cost: linear in the steps, besides the explorer's own.
+    Cost: linear in the steps, and the explorer's own cost.
     """
     log = bytearray()
     told = around.told
@@ -146,14 +146,14 @@ class _Turns(Struct):
     _shown: int = 0
 
     def note_choices(self) -> None:
-        """Write the choices since the last turn into the log."""
+        """Write the choices since the latest turn to the log."""
         record, widths = self.choices.record, self.choices.widths
         for i in range(self._noted, len(record)):
             self.log += entries.choice(record[i], widths[i] if i < len(widths) else 0)
         self._noted = len(record)
 
     def play(self, generator: Generator[Any, Any, Any]) -> None:
-        """Play until a fault, or until all is done; the answer arrives as StopIteration."""
+        """Play until a fault or until the task is done; StopIteration brings the answer."""
         around, log, beat, record = self.around, self.log, self.beat, self.choices.record
         send, move, add, hear = generator.send, around.move, log.append, self.hear
         left, free, turn = self.budget, FREE * (self.budget + 1), 1
@@ -206,7 +206,7 @@ class _Turns(Struct):
         return None
 
     def _integer(self, message: actions.Move | actions.Write) -> int | None:
-        """The number of an action; None if it is none, which the log says then."""
+        """The number of an action; None if it is no integer, and then note it in the log."""
         try:
             return checks.integer(message.k)
         except BaseException as error:  # noqa: BLE001  # __index__ is the explorer's code
@@ -218,7 +218,7 @@ class _Turns(Struct):
     def _act(
         self, action: actions.Drop | actions.Pick | actions.Write, free: int
     ) -> actions.Percept | None:
-        """The percept after an action that is no motion; None if the run ends with it."""
+        """The percept after an action but a motion; None if the action ends the run."""
         log = self.log
         if type(action) is actions.Write:
             number = self._integer(action)
@@ -243,7 +243,7 @@ class _Turns(Struct):
         return None
 
     def _publish(self, message: actions.Checkpoint) -> bool:
-        """Write a checkpoint into the log; return whether the run goes on."""
+        """Write a checkpoint to the log; return whether the run goes on."""
         if self._shown > self.budget:
             self.log.append(entries.SHOWN_TOO_OFTEN)
             return False
@@ -264,7 +264,7 @@ class _Turns(Struct):
 
 
 def illegal(expected: str, message: object) -> bytes:
-    """The entry of what is no action."""
+    """The entry of a message that is no action."""
     return entries.fault("illegal-action", expected, checks.show(message))
 
 
@@ -272,15 +272,15 @@ def illegal(expected: str, message: object) -> bytes:
 
 
 class TooManyDarts(ValueError):
-    """Raised for a map of more darts than the robot can have walked along."""
+    """Raised for a map with more darts than the robot can have walked along."""
 
 
 def answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
-    """The entry of an answer, which may be a subclass, or tampered with.
+    """The entry of an answer, whose class may be a subclass, and whose parts may be wrong.
 
     Args:
-        answer: anything.
-        most: the largest number of darts that is looked at.
+        answer: any value.
+        most: the largest number of darts that are read.
     """
     expected = A_QUOTIENT if type(answer) is actions.Ambiguous else AN_ESTIMATE
     try:
@@ -303,7 +303,7 @@ def answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
 
 
 def any_answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
-    """The entry of an answer for a task with any: an estimate, or a value that JSON has."""
+    """The entry of an answer if the task allows any: an estimate or a JSON value."""
     if type(answer) in (actions.Estimate, actions.Ambiguous):
         return answer_entry(answer, most)
     try:
@@ -315,11 +315,11 @@ def any_answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
 
 
 def integers(values: Iterable[object], most: int = MOST_DARTS) -> tuple[int, ...]:
-    """The values, perhaps an endless sequence, as integers.
+    """The values of a sequence, which may be endless, as integers.
 
     Raises:
-        TypeError: if one is none.
-        TooManyDarts: if there are more than ``most``; no more than that are asked for.
+        TypeError: if a value is no integer.
+        TooManyDarts: if there are more than ``most``; later values are not read.
     """
     kept = values if type(values) is tuple else tuple(islice(values, most + 1))
     if len(kept) > most:
@@ -369,11 +369,11 @@ def _no_map(error: InvalidMap) -> bytes:
 
 
 def closed(generator: Generator[Any, Any, Any] | None) -> None:
-    """Close the generator, and ignore every exception that it raises then."""
+    """Close the generator, and ignore each exception that it then raises."""
     try:
         if generator is not None:
             generator.close()
-    except BaseException as error:  # noqa: BLE001  # the run has been decided all the same
+    except BaseException as error:  # noqa: BLE001  # the run is already decided
         checks.let_users_interrupt(error)
 
 
@@ -381,14 +381,14 @@ def closed(generator: Generator[Any, Any, Any] | None) -> None:
 
 
 class TableWorld:
-    """A world as a table: five numbers for each dart; for lighthouses that no action changes.
+    """A world as a table with five numbers for each dart; for lighthouses that never change.
 
-    They are the first dart of its vertex, whose darts stand one behind the other clockwise, the
-    other dart of its edge, and the percept there: degree, marks, and the bearing and 1, or 0.
+    The numbers are the first dart of its vertex, whose darts are consecutive and clockwise, the
+    other dart of its edge, and the percept: degree, marks, and the bearing plus 1, or 0 for none.
 
     Args:
-        table: the numbers, as bytes where all are small; the start is dart 0.
-        told: before the start.
+        table: the numbers, as bytes if all are small; the start is dart 0.
+        told: the value that is told before the start.
     """
 
     over = False
@@ -398,12 +398,12 @@ class TableWorld:
         self.told, self.first, self.move = told, next(percepts), percepts.send
 
     def act(self, _action: object) -> actions.Percept:
-        """Raise IllegalAction: such a world takes motions alone."""
+        """Raise IllegalAction, because in such a world only motions are legal."""
         raise actions.IllegalAction
 
 
 def _along(table: bytes | tuple[int, ...]) -> Generator[actions.Percept, int, None]:
-    """Yield the percept at dart 0, then the one behind each motion that is sent."""
+    """Yield the percept at dart 0, and then the percept after each motion that is sent."""
     here = 0
     while True:
         degree = table[here + 2]
@@ -417,9 +417,9 @@ class Record:
     """The percepts of an earlier play, in place of a world.
 
     Args:
-        sensed: three numbers each, as in a table.
-        told: before the start.
-        over: whether the run is ended where they end.
+        sensed: three numbers for each percept, as in a table.
+        told: the value that is told before the start.
+        over: whether the task ends the run after the last percept.
     """
 
     def __init__(
@@ -432,15 +432,15 @@ class Record:
 
     @property
     def over(self) -> bool:
-        """Whether all was done here."""
+        """Whether the task was done here."""
         return self._ends and not length_hint(self._left)
 
 
 def _recorded(percepts: Iterable[actions.Percept]) -> Generator[actions.Percept, Any, None]:
-    """Yield the first percept, then the next one after each action that is sent.
+    """Yield the first percept, and then the next one after each action that is sent.
 
     Raises:
-        BeyondRecord: past the last one.
+        BeyondRecord: after the last one.
     """
     for percept in percepts:  # noqa: UP028  # a list takes no actions
         yield percept
@@ -448,9 +448,9 @@ def _recorded(percepts: Iterable[actions.Percept]) -> Generator[actions.Percept,
 
 
 def percept_of(degree: int, marks: int, bearing: int) -> actions.Percept:
-    """The percept of three numbers, in which a bearing has 1 added, and 0 stands for none.
+    """The percept of three numbers; the third is the bearing plus 1, or 0 without a bearing.
 
-    A new one each time: an explorer that spoils its percept deceives nobody.
+    It is a new object each time, so that an explorer may change it without an effect.
     """
     return actions.Percept(degree, marks, bearing - 1 if bearing else None)
 
@@ -466,7 +466,7 @@ def numbers_of(percepts: Iterable[actions.Percept]) -> bytes | tuple[int, ...]:
 
 
 def packed(numbers: Sequence[int]) -> bytes | tuple[int, ...]:
-    """The numbers, as bytes where all are small."""
+    """The numbers, as bytes if all are small."""
     try:
         return bytes(numbers)
     except ValueError:

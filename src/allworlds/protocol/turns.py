@@ -1,9 +1,9 @@
-"""Programs of robots that are asked turn by turn: what a program does next, after what it sensed.
+"""Programs of robots that are asked turn by turn for their next action after a percept.
 
-Nobody who asks knows of worlds or schedules here.  A *turn* is a row ``(number, before, percept)``:
-the history ``before`` with one percept more.  Runs of a generator are kept alive, and continued by
-that percept; a second branch is replayed, since a generator cannot be copied.  An automaton steps
-from a memory, which has a number here and is never sent.
+This module knows no worlds and no schedules.  A *turn* is a tuple ``(number, before, percept)``:
+the history ``before`` with one more percept.  Generators are kept alive, and get that percept; a
+second branch of a history is replayed, since a generator cannot be copied.  An automaton steps from
+a memory, which is named by a number, and never sent.
 """
 
 from __future__ import annotations
@@ -20,34 +20,34 @@ from allworlds.protocol import actions, playing
 from allworlds.protocol.choices import Choices
 
 ALIVE = 100_000
-"""The number of runs that are kept alive."""
+"""The largest number of runs that are kept alive."""
 
 Sensed: TypeAlias = tuple[int, ...] | bytes
-"""A percept on its way: the numbers of a :class:`Percept`, or a value as canonical JSON."""
+"""A percept in a message: the numbers of a :class:`Percept`, or a value as canonical JSON."""
 
 NumberedTurn: TypeAlias = tuple[int, int, Any]
-"""A turn: its number, that of the turn (of an automaton: of the memory) before it, and what is
-sensed; a beginning, whose number before is :data:`BEGIN`, has what is told in place of it."""
+"""A turn: its number, the number of the turn (of an automaton: of the memory) before it, and the
+percept; at the beginning, :data:`BEGIN` and the told value stand in their places."""
 
 BEGIN = -1
 """The number before the first turn."""
 
 ACTION, ENDED, FAULT = "aef"
-"""The letters of what a program says: an action, its answer, or a fault as a log has it."""
+"""The letters of a program's words: an action, its answer, or a fault as in a log."""
 
 LEGAL = "a Move, Drop, Pick, Write, Wait, Watch, Do or Checkpoint"
 
 
 @dataclass(frozen=True)
 class Automaton:
-    """A program with a memory: what it does is a function of the memory and of one percept.
+    """A program with a memory: its action is a function of the memory and of one percept.
 
     Attributes:
-        start: the memory at the start, any hashable value; or a function that returns it for what
-            the robot is told.
+        start: the memory at the start, any hashable value; or a function from the told value to
+            this memory.
         step: the function ``step(memory, percept) -> (memory, action)``.  ``End(answer)`` ends it.
 
-    Of finite automata everything is decided for all time.  Under ``check`` it is an explorer.
+    For finite automata everything can be decided for all time.  ``check`` takes it as an explorer.
     """
 
     start: Any
@@ -72,9 +72,9 @@ class Turns:
 
     Args:
         explore: the function of the program, or an automaton.
-        player: the same as a player calls it.
-        beat: ``beat[0]`` is the turn, ``beat[1]`` grows with every percept, and is 0 at the end.
-        keeps: whether runs are kept alive; a program behind a pipe has one at a time.
+        player: the same program in the form of a player.
+        beat: ``beat[0]`` is the turn, ``beat[1]`` grows with each percept, and is 0 at the end.
+        keeps: whether runs are kept alive; a program behind a pipe has one run at a time.
     """
 
     def __init__(
@@ -99,8 +99,8 @@ class Turns:
         """The words of the program in each turn, as bytes of :func:`said`.
 
         Args:
-            turns: in their order.
-            known: whether nothing is asked for: these were answered before.
+            turns: the turns, in their order.
+            known: whether these turns were answered before, so that no answer is needed.
         """
         found = []
         for index, turn in enumerate(turns):
@@ -114,9 +114,9 @@ class Turns:
         return found
 
     def plays(self, histories: Sequence[tuple[Any, Sequence[Sensed]]]) -> list[bytes]:
-        """All words of the program in each history: what was told, and the percepts.
+        """All words of the program in each history, which is a told value and percepts.
 
-        Nothing of it is kept; of an automaton the memories are numbered as they are met.
+        These histories are not kept, but the memories of an automaton are numbered.
         """
         found = []
         for index, (told, history) in enumerate(histories):
@@ -209,7 +209,7 @@ class Turns:
 
 
 def percept_of(sensed: Sensed) -> Any:
-    """The percept that a program gets; a value of JSON is its own."""
+    """The percept that a program gets; of a JSON value it gets its own copy."""
     return json.loads(sensed) if isinstance(sensed, bytes) else _percept(*sensed)
 
 
@@ -219,7 +219,7 @@ def _percept(*numbers: Any) -> actions.Percept:
 
 
 def told_of(told: bytes | None) -> Any:
-    """The value that a robot is told, from canonical JSON."""
+    """The value that a robot is told, read from canonical JSON."""
     return None if told is None else json.loads(told)
 
 
@@ -229,7 +229,7 @@ def marshalled(number: int, letter: str, words: Any) -> bytes:
 
 
 def said(answer: bytes) -> tuple[int, str, Any]:
-    """The number of the memory, the letter, and the words of what a program said."""
+    """The number of the memory, the letter, and the words, read from these bytes."""
     return marshal.loads(answer)  # type: ignore[no-any-return]  # noqa: S302  # of our own process
 
 
@@ -254,7 +254,7 @@ def _action(message: Any) -> tuple[str, Any]:
 
 @lru_cache(maxsize=1 << 12)
 def action_of(words: int | str) -> Any:
-    """The action of these words."""
+    """The action, read from its words."""
     if isinstance(words, int):
         return actions.Move(words)
     return actions.action_from_json(json.loads(words))

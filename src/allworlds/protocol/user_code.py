@@ -1,9 +1,9 @@
-"""Code of the user's: how it is named and found, and by what it is known.
+"""Code of the user's: its names, its files, and its identity.
 
 A name is ``path/to/file.py:attribute``, ``module:attribute``, or an entry point, and may end in
-``?key=value,...``: what it stands for is then called with these arguments, and what that returns
-is meant.  Explorers, lighthouses, tasks and predicates are all found so.  A lighthouse, judge or
-predicate is a *model*: it is called where verdicts are made, and its errors are bad input.
+``?key=value,...``; then the named object is called with these arguments, and the name stands for
+the result.  All explorers, lighthouses, tasks and predicates are found in this way.  A lighthouse,
+task or predicate is a *model*: the judge calls it, and its errors are bad input.
 """
 
 from __future__ import annotations
@@ -32,16 +32,16 @@ if TYPE_CHECKING:
 
 
 class OtherText(InputError):
-    """Raised for code of the user's whose text is not the recorded one."""
+    """Raised for a user's code whose text differs from the recorded text."""
 
 
 class Role(Struct, frozen=True):
-    """A purpose of code of the user's.
+    """A purpose of users' code.
 
     Attributes:
-        noun: of messages.
-        group: of entry points, in which other packages offer some.
-        shape: of a function of this role, for messages; empty where it is none.
+        noun: the noun for messages.
+        group: the group of entry points in which other packages offer such code.
+        shape: the form of a function of this role, for messages; empty if it is no function.
         known: the names that come with this program.
     """
 
@@ -51,7 +51,7 @@ class Role(Struct, frozen=True):
     known: tuple[str, ...] = ()
 
     def find(self, name: str) -> UserCode:
-        """The code of that name, with its text, which is not run.
+        """The code of that name with its text; the code is not run.
 
         Raises:
             InputError: if the name is incomplete, or there is no such file or module.
@@ -80,7 +80,7 @@ class Role(Struct, frozen=True):
         """The code of a function or class that other processes can import.
 
         Raises:
-            InputError: if they cannot.
+            InputError: if they cannot import it.
         """
         module, name = getattr(given, "__module__", None), getattr(given, "__qualname__", "")
         if module in (None, "__main__") or not name or "<" in name:
@@ -99,13 +99,13 @@ class Role(Struct, frozen=True):
 
 
 class UserCode(Struct, frozen=True):
-    """The code of a name, wherever it is loaded: equal text in every process.
+    """The code of a name, with the same text in each process that loads it.
 
     Attributes:
-        name: as it is written.
-        role: what it is written for.
+        name: the name, as the user wrote it.
+        role: its purpose.
         source: the text of its file; None for a module that is imported.
-        digest: SHA-256 of the text; another one at loading is bad input.
+        digest: SHA-256 of the text; another digest at loading is bad input.
     """
 
     name: str
@@ -115,7 +115,7 @@ class UserCode(Struct, frozen=True):
 
     @property
     def arguments(self) -> dict[str, importing.Argument]:
-        """Those that the name ends in."""
+        """The arguments at the end of the name."""
         return importing.arguments_of(self.name)[1]
 
     @property
@@ -125,21 +125,21 @@ class UserCode(Struct, frozen=True):
 
     @property
     def bare(self) -> UserCode:
-        """The code of that name."""
+        """The code of the name without its arguments."""
         return replace(self, name=self.plain)
 
     @property
     def recorded(self) -> bool:
-        """Whether it was found in a record, not in a file: see :func:`as_recorded`."""
+        """Whether its text comes from a record, not from a file; see :func:`as_recorded`."""
         return self.plain in _RECORDED.get()
 
     @property
     def record(self) -> str:
-        """The text, or of a module the digest: what is kept to know it again, and to load it."""
+        """The text, or the digest of a module, by which it is recognised and loaded later."""
         return self.source.text if self.source else self.digest
 
     def ensure_recorded(self, digest: object) -> None:
-        """Raise OtherText if another digest than that of its text is recorded."""
+        """Raise OtherText if the recorded digest differs from the digest of its text."""
         if digest not in (None, self.digest):
             raise OtherText(
                 f"{self.role.noun} {show(self.name)} has another text now: its digest is "
@@ -148,7 +148,7 @@ class UserCode(Struct, frozen=True):
 
     @property
     def file(self) -> Path:
-        """The file in which it stands."""
+        """The file that contains the code."""
         if self.source is not None:
             return Path(self.source.path)
         point = self.role.offered(self.plain)
@@ -156,11 +156,11 @@ class UserCode(Struct, frozen=True):
 
     @property
     def files(self) -> frozenset[Path]:
-        """The files that are run when it is loaded: its own, and those of what it imports."""
+        """The files that run when it is loaded: its own, and the files of its imports."""
         return frozenset({self.file.resolve(), *_loaded(self.bare).brought})
 
     def load(self) -> Any:
-        """The object that the plain name stands for; a file is run once in a process.
+        """The object for which the plain name stands; a file runs once in a process.
 
         Raises:
             InputError: if it cannot be imported, or has another text here.
@@ -171,13 +171,13 @@ class UserCode(Struct, frozen=True):
         """The object itself, or what it returns for the arguments of the name.
 
         Raises:
-            InputError: if it cannot be called so, or raises.
+            InputError: if the object does not take these arguments, or raises.
         """
         return importing.called(self.name, self.load(), self.arguments)
 
     @property
     def function(self) -> Any:
-        """The function that the name stands for; made once in a process.
+        """The function for which the name stands; it is made once in a process.
 
         Raises:
             InputError: if it cannot be loaded, or is no function.
@@ -185,10 +185,10 @@ class UserCode(Struct, frozen=True):
         return _function(self)
 
     def __call__(self, *values: Any) -> Any:
-        """Call the function, a model.
+        """Call the function of a model.
 
         Raises:
-            InputError: naming it, if it raises.
+            InputError: naming the model, if it raises.
         """
         function = _function(self)
         return importing.attempted(
@@ -197,11 +197,11 @@ class UserCode(Struct, frozen=True):
 
 
 class LocalCode(Struct, frozen=True):
-    """A function of the user's that lives in this process alone.
+    """A user's function that exists only in this process.
 
     Attributes:
-        role: what it is written for.
-        function: itself.
+        role: its purpose.
+        function: the function.
     """
 
     role: Role
@@ -209,11 +209,11 @@ class LocalCode(Struct, frozen=True):
 
     @property
     def name(self) -> str:
-        """Its own name."""
+        """The name of the function."""
         return str(getattr(self.function, "__name__", show(self.function)))
 
     def __call__(self, *values: Any) -> Any:
-        """Call it as :class:`UserCode` does."""
+        """Call the function as :class:`UserCode` does."""
         return importing.attempted(
             f"{self.role.noun} {show(self.name)} raises", lambda: self.function(*values)
         )
@@ -223,7 +223,7 @@ class LocalCode(Struct, frozen=True):
 
 
 class _Loaded(NamedTuple):
-    """An object of the user's, and the files of the modules that were imported with it."""
+    """A user's object, and the files of the modules that its loading imported."""
 
     object: Any
     brought: frozenset[Path]
@@ -250,7 +250,7 @@ def _found(code: UserCode) -> Any:
 
 @cache
 def _module(where: str, source: importing.SourceText) -> Any:
-    # The user's own import of the file must find another module: this one is ours to change.
+    # If the user imports the file, too, this must be another module, since this one is changed.
     name = f"{Path(source.path).stem} of {source.digest[:12]}"
     return importing.module_of_text(where, source, name)
 
@@ -274,7 +274,7 @@ _RECORDED: ContextVar[Mapping[str, str]] = ContextVar("recorded", default=Mappin
 
 @contextmanager
 def as_recorded(texts: Mapping[str, str]) -> Iterator[None]:
-    """Find the code of these names as it was recorded, whatever has become of its file.
+    """Find the code of these names as it was recorded, even if its file has changed.
 
     Args:
         texts: :attr:`UserCode.record` of the code, by its name without arguments.
@@ -287,7 +287,7 @@ def as_recorded(texts: Mapping[str, str]) -> Iterator[None]:
 
 
 def recorded(plain: str) -> str | None:
-    """The text that was recorded under that name, while a record is read; else None."""
+    """The text that was recorded under that name, within :func:`as_recorded`; else None."""
     return _RECORDED.get().get(plain)
 
 
@@ -303,10 +303,10 @@ def _as_recorded(plain: str, record: str) -> tuple[importing.SourceText | None, 
 
 
 def module_file(module: str) -> Path:
-    """The file of a module, found without importing anything.
+    """The file of a module, found without an import.
 
     Raises:
-        InputError: if there is none.
+        InputError: if there is no such file.
     """
     places: list[str] | None = [*sys.path, str(Path.cwd())]
     names = module.split(".")
