@@ -1,11 +1,11 @@
-"""Documents: the description of every result, once, as a class.
+"""Documents: classes that describe each result once.
 
 ``document``
-    a document: its keys, their types and meanings, and its JSON;
+    the keys of a document, their types and meanings, and its JSON;
 ``report``
-    the document that a verb writes, and who made it, where and when;
+    the document that a verb writes, and its maker, place and time;
 ``reading``
     the strict reading of a JSON value as a value of a type;
 ``shown``
-    values that show themselves, and the registry of those who write each form.
+    values that can be shown, and the registry of the writers of each form.
 """

@@ -1,22 +1,22 @@
-"""A document, described once: the class of a result names its keys, their types and meanings.
+"""Documents: the class of a result defines its keys, their types and their meanings, once.
 
 A result is a frozen :class:`Document`: its fields are the keys of its JSON object, in their order,
 each annotated with its type and, by :func:`about`, with one line of meaning.  From the same class
 come the JSON (:meth:`Document.to_json`), the strict reading (``reading.parse``), the JSON Schemas
 and the reference of keys.
 
-With ``@with_options(Request)`` a class has a key for each option of a request, too, whose type and
-meaning stand beside the option.  A method with ``@computed`` is a key that follows from the fields,
-after which it stands: its type is that of the annotation, its meaning the docstring.
+With ``@with_options(Request)`` a class also has a key for each option of a request; the option
+defines its type and meaning.  A method with ``@computed`` is a key that follows from the fields,
+and comes after them; its annotation is the type, its docstring the meaning.
 
-Three things are said beside a type:
+A type has three variants:
 
 ``key: T | UnsetType = UNSET``
-    may be missing in the object;
+    the key may be missing in the object;
 ``key: IfAny[T]``
-    is missing while it is None or empty;
+    the key is missing if its value is None or empty;
 ``name: NotInDocument[T]``
-    belongs to the result in Python, and is no key.
+    the field belongs to the result in Python only, and is no key.
 """
 
 from __future__ import annotations
@@ -66,29 +66,29 @@ NotInDocument: TypeAlias = Annotated[T, NOT_IN_DOCUMENT]
 
 IF_ANY = Meta(extra={"if any": True})
 IfAny: TypeAlias = Annotated[T, IF_ANY]
-"""A key that is left out where its value is None or empty."""
+"""A key that is left out if its value is None or empty."""
 
 
 class ReadBy(NamedTuple):
-    """The type of a value, and how it is read from JSON."""
+    """The type of a value, and the function that reads it from JSON."""
 
     type: Any
     read: Callable[[Any], Any]
 
 
 def read_by(kind: Any, read: Callable[[Any], Any] | None = None) -> Meta:
-    """Values of a type that msgspec does not read, in a field of the type Any.
+    """The annotation of a field of type Any for a type that msgspec cannot read.
 
     Args:
         kind: the type.
-        read: makes a value of what a parser of JSON hands back; None where none is read.
+        read: the function from a parsed JSON value to the value; None if none is read.
     """
     return Meta(extra={"kind": kind, "read": read and ReadBy(kind, read)})
 
 
 if TYPE_CHECKING:
     FromJson: TypeAlias = Annotated[T, "read by its from_json"]
-    """A field of a class that reads its values by itself."""
+    """A field whose class reads its own values."""
 else:
 
     class FromJson:
@@ -104,7 +104,7 @@ def about(meaning: str) -> Meta:
 
 
 def narrowed(**keywords: Any) -> Meta:
-    """Keywords of JSON Schema that narrow a type which needs no words."""
+    """Keywords of JSON Schema that narrow a type, without a meaning."""
     return Meta(extra_json_schema=keywords)
 
 
@@ -148,17 +148,17 @@ _AS_IT_IS = frozenset({int, str, bool, float, NoneType})
 
 
 class computed(cached_property[T]):  # noqa: N801  # as cached_property
-    """A key that is no field: what the method returns, made when it is asked for, once.
+    """A key that is no field: the value of the method, computed once, on demand.
 
-    Its type is that of the method's annotation, its meaning the first line of the docstring.  In
-    the object it follows the fields.
+    Its type is the method's annotation, its meaning the first line of the docstring.  In the object
+    it comes after the fields.
     """
 
 
 def with_options(*parts: type[Any]) -> Callable[[type[T]], type[T]]:
     """Give a document a key for each option of these requests that a scope shows.
 
-    A key that the document itself describes comes in its place.
+    A key that the document itself defines replaces the option's key.
     """
     from allworlds.inputs.requests import in_scope  # which players do not need
 
@@ -183,14 +183,14 @@ def with_options(*parts: type[Any]) -> Callable[[type[T]], type[T]]:
 
 
 def _default_of_key(one: Field) -> Any:
-    """The value of a key that is left out in what is read; NODEFAULT where it must be there."""
+    """The value of a missing key when a document is read; NODEFAULT if the key is required."""
     if IF_ANY in getattr(_type_of_key(one), "__metadata__", ()):
         return None
     return NODEFAULT if one.default is MISSING else one.default
 
 
 def _type_of_key(one: Field) -> Any:
-    """The type and the meaning of the key for an option, in a document."""
+    """The type and the meaning of the key of an option in a document."""
     from allworlds.inputs.requests import Option  # which players do not need
 
     assert isinstance(one.asked, Option)
@@ -259,10 +259,10 @@ class Key(NamedTuple):
     """A key of a document.
 
     Attributes:
-        attribute: that holds its value.
-        name: in the object.
-        type: with the meaning, as annotated.
-        if_any: it is left out while the value is empty.
+        attribute: the attribute with its value.
+        name: the name in the object.
+        type: the annotated type, with the meaning.
+        if_any: whether it is left out if the value is empty.
     """
 
     attribute: str
@@ -283,7 +283,7 @@ def _meaning(key: computed[Any]) -> str:
 
 @cache
 def keys_of(kind: type[Document]) -> tuple[Key, ...]:
-    """The keys, in the order of the document: fields, then what is computed."""
+    """The keys in the order of the document: the fields, then the computed keys."""
     hints = get_type_hints(kind, include_extras=True)
     notes = {name: getattr(hint, "__metadata__", ()) for name, hint in hints.items()}
     names = {field.name: field.encode_name for field in fields(kind)}
@@ -304,7 +304,7 @@ def keys_of(kind: type[Document]) -> tuple[Key, ...]:
 
 
 def plain(value: Any) -> Any:
-    """A value as JSON holds it. Anything that is no JSON by itself is asked for ``to_json()``."""
+    """The JSON value of a value; values of other classes are converted by ``to_json()``."""
     if type(value) in _AS_IT_IS:  # nearly always
         return value
     match value:
@@ -325,9 +325,9 @@ def plain(value: Any) -> Any:
 
 
 def plain_at_once(value: object) -> Any:
-    """The JSON value of what holds nothing but JSON, structs, dataclasses and tuples.
+    """The JSON value of a value that consists of JSON, structs, dataclasses and tuples.
 
-    Cost: a fifth of that of :func:`plain`; tuples stay tuples.
+    Cost: a fifth of the cost of :func:`plain`; tuples stay tuples.
     """
     return to_builtins(value)
 

@@ -1,4 +1,4 @@
-"""The strict reading of documents: a value of a type, made of a JSON value."""
+"""The strict reading of documents: from a JSON value to a value of a type."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ T = TypeVar("T")
 
 
 def parse(document: object, kind: type[T], what: str) -> T:
-    """The value of that type that a JSON value stands for.
+    """The value of this type for a JSON value.
 
     Args:
-        document: as a parser of JSON hands it back.
+        document: the parsed JSON value.
         kind: a type that msgspec knows.
-        what: the words for the whole.
+        what: the words for the whole in errors.
 
     Raises:
-        InputError: naming the offending value, where it stands, and what would be legal.
+        InputError: naming the offending value, its place, and what would be legal.
     """
     try:
         return convert(document, kind)
@@ -46,7 +46,7 @@ _PLACED = re.compile(r"(.*?)(?: - at `(?:key` in `)?\$([^`\n]*)`)?", re.DOTALL)
 
 
 def _at(document: Any, steps: Iterable[str]) -> object:
-    """The value to which steps such as ``rows`` and ``[0]`` lead, or the last one on the way."""
+    """The value to which steps such as ``rows`` and ``[0]`` lead, as far as they exist."""
     for step in steps:
         if step == "[...]":
             return document
@@ -58,7 +58,7 @@ def _at(document: Any, steps: Iterable[str]) -> object:
 
 
 def _legal(kind: inspect.Type, steps: Sequence[str]) -> Iterator[object]:
-    """The values of an enumeration that stands where the steps lead."""
+    """The values of the enumeration to which the steps lead."""
     match kind:
         case inspect.Metadata(type=one):
             yield from _legal(one, steps)

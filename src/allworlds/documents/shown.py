@@ -1,7 +1,7 @@
-"""Values that show themselves: as a text, as a page, as a picture.
+"""Values that can be shown: as a text, as a page, as a picture.
 
-Those who write these forms stand above: the package registers them when it is imported, and they
-are loaded with the first value that is shown.
+The writers of these forms are in a higher wing.  The package registers them when it is imported,
+and loads them when the first value is shown.
 """
 
 from collections.abc import Callable
@@ -13,8 +13,8 @@ class Writers(NamedTuple):
     """The writer of each form.
 
     Attributes:
-        text: as the command line has it, 100 columns wide.
-        short_text: at most 20 lines of that.
+        text: the text of the command line, 100 columns wide.
+        short_text: at most 20 lines of this text.
         page: the element that notebooks show.
         picture: the text of an SVG.
         records: the rows for programs, by the names of their columns.
@@ -31,14 +31,14 @@ _registered = list[Callable[[], Writers]]()
 
 
 def register(load: Callable[[], Writers]) -> Callable[[], Writers]:
-    """Take the function that loads the writers; the last one that was registered counts."""
+    """Register the function that loads the writers; it replaces an earlier one."""
     _registered.append(load)
     return load
 
 
 @cache
 def writers() -> Writers:
-    """The writers that are registered."""
+    """The registered writers, loaded."""
     return _registered[-1]()
 
 
@@ -53,7 +53,7 @@ class Pictured:
 
 
 class Paged:
-    """A value that is printed as text, and that notebooks show as a page, or as a part of one."""
+    """A value that is printed as a text, and that notebooks show as a page or a part of one."""
 
     __slots__ = ()
 
@@ -62,7 +62,7 @@ class Paged:
         return writers().text(self)
 
     def __repr__(self) -> str:
-        """The text in at most 20 lines, as a plain Python shows it."""
+        """The text in at most 20 lines, for a plain Python."""
         return writers().short_text(self)
 
     def __init_subclass__(cls, **keywords: Any) -> None:

@@ -1,10 +1,10 @@
-"""Input from outside: checks of values, requests, and where these may be made.
+"""Input from outside: checks of values, requests, and the refusal of nested checks.
 
 ``checks``
-    checks of values, and the error that is the user's to mend; what keeps a model from setting the
-    exit code of the process, and from taking the user's interrupt for its own error;
+    checks of values, and the error about bad input; guards against a model that sets the exit code
+    of the process, or catches the user's interrupt;
 ``nesting``
     the refusal of a check that another one causes;
 ``requests``
-    requests: what a verb is asked for, as a value.
+    requests: the questions to a verb as values.
 """

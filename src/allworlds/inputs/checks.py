@@ -1,6 +1,6 @@
-"""Checks of what comes from outside, and the error that is the user's to mend.
+"""Checks of values from outside, and the error about bad input.
 
-The exit code of the process is no matter of a model's: it would pass for a verdict.
+A model must not set the exit code of the process, because this would pass for a verdict.
 """
 
 from __future__ import annotations
@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 
 
 SHOWN = 200
-"""The number of characters of a value that are shown."""
+"""The largest number of characters of a value that are shown."""
 
 LARGEST_SIZE = 100_000
-"""The largest number of edges, or of vertices, that is taken at all."""
+"""The largest legal number of edges, or of vertices."""
 
 
 class InputError(ValueError):
@@ -34,23 +34,23 @@ class InputError(ValueError):
 
 
 class NotInstalled(InputError):
-    """Raised where a package is missing: the words say what needs it, and which extra has it."""
+    """Raised if a package is missing; the message names its use, and the extra with it."""
 
 
 class OutOfTime(BaseException):
-    """Raised if the time of a job is up: also in a model of the user's, which must let it pass."""
+    """Raised if the time of a job is up, also in a user's model, which must not catch it."""
 
 
 class NestedCheck(InputError):
-    """Raised if a check begins because of another one, as it would again and again."""
+    """Raised if a check begins because of another one, which would repeat without end."""
 
 
 INTERRUPTS = [each for each in signal.Signals if each.name in ("SIGINT", "SIGTERM", "SIGHUP")]
-"""The signals that interrupt: from the keyboard, to terminate, of a terminal that is closed."""
+"""The signals that interrupt: from the keyboard, for termination, from a closed terminal."""
 
 
 def at_interrupts(act: Any) -> None:
-    """Give these signals a handler, but for those that are to be ignored (``nohup``)."""
+    """Set a handler for these signals, except for ignored ones (``nohup``)."""
     for number in INTERRUPTS:
         if signal.getsignal(number) is not signal.SIG_IGN:
             signal.signal(number, act)
@@ -58,7 +58,7 @@ def at_interrupts(act: Any) -> None:
 
 @contextmanager
 def interrupts_held() -> Iterator[None]:
-    """A context in which none arrives; it does at the end."""
+    """A context in which no interrupt arrives; pending ones arrive at its end."""
     before = signal.pthread_sigmask(signal.SIG_BLOCK, INTERRUPTS)
     try:
         yield
@@ -67,15 +67,15 @@ def interrupts_held() -> Iterator[None]:
 
 
 class _Interrupts:
-    """Whether interrupts of this process are its owner's business."""
+    """Whether only the owner of this process handles interrupts."""
 
     of_owner = False
 
 
 def leave_interrupts_to_owner() -> None:
-    """Take no more notice of interrupts: only users' code raises KeyboardInterrupt from now on.
+    """Leave interrupts to the owner: from now on only users' code raises KeyboardInterrupt.
 
-    A signal that is for this process alone ends it.
+    A signal to this process alone ends it.
     """
     _Interrupts.of_owner = True
     signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -83,9 +83,9 @@ def leave_interrupts_to_owner() -> None:
 
 
 def let_users_interrupt(error: BaseException) -> None:
-    """Raise an interrupt again, unless interrupts are the business of this process's owner.
+    """Raise an interrupt again, unless the owner of this process handles interrupts.
 
-    A check that may not begin is the user's to mend, too, wherever it would have begun.
+    The refusal of a nested check is also raised again, because it is bad input.
     """
     interrupt = isinstance(error, KeyboardInterrupt) and not _Interrupts.of_owner
     if interrupt or isinstance(error, NestedCheck | OutOfTime):
@@ -93,7 +93,7 @@ def let_users_interrupt(error: BaseException) -> None:
 
 
 def show(value: object) -> str:
-    """A short text of one line for any object, also for one whose repr fails."""
+    """A short text of one line for any object, even if its repr fails."""
     try:
         text = str.__str__(repr(value))
     except BaseException as error:  # noqa: BLE001  # repr may be anybody's code
@@ -108,8 +108,8 @@ def show(value: object) -> str:
 def did_you_mean(name: str, known: Iterable[str], also: Mapping[str, str] | None = None) -> str:
     """A hint such as ``; did you mean 'algorithm1'?``; empty if no name is similar.
 
-    Of a form such as ``wheel:N`` the part before the colon is compared, and what stands behind it
-    in the name is kept.  ``also`` has other words for names, such as ``grid`` for a lattice.
+    For a form such as ``wheel:N`` the part before the colon is compared, and the rest of the name
+    is kept.  ``also`` has other words for names, such as ``grid`` for a lattice.
     """
     from difflib import get_close_matches  # which players do not need
 
@@ -131,7 +131,7 @@ def not_one_of(
     more: str = "",
     also: Mapping[str, str] | None = None,
 ) -> InputError:
-    """The refusal of a value that is none of some names, with the one that may be meant."""
+    """The refusal of a value that is not one of these names, with a hint at a similar name."""
     names = [str(each) for each in known]  # of an enumeration, too
     hint = did_you_mean(given, names, also) if isinstance(given, str) else ""
     return InputError(f"{what} {show(given)} is not one of {', '.join(names)}{more}{hint}")
@@ -152,7 +152,7 @@ def integer(value: object) -> int:
 
 
 def are_plain(values: Sequence[object]) -> bool:
-    """Whether all are of the type ``int`` itself, as nearly always; then none need be converted."""
+    """Whether all values have the type ``int`` itself, so that none need be converted."""
     return [*map(type, values)].count(int) == len(values)
 
 
@@ -160,7 +160,7 @@ def an_integer(name: str, value: object) -> int:
     """The value as an ``int``.
 
     Raises:
-        InputError: naming it, for booleans and everything else that is no integer.
+        InputError: naming the value, for booleans and all others that are no integers.
     """
     try:
         return integer(value)
@@ -169,7 +169,7 @@ def an_integer(name: str, value: object) -> int:
 
 
 def a_word(name: str, words: Sequence[str]) -> Callable[[object], Any]:
-    """Return what takes one of these words, and raises InputError, naming it, for anything else."""
+    """Return the function that takes one of these words, and refuses other values by InputError."""
 
     def taken(given: object) -> object:
         if given not in words:
@@ -180,12 +180,10 @@ def a_word(name: str, words: Sequence[str]) -> Callable[[object], Any]:
 
 
 def at_most(name: str, value: float, most: int) -> None:
-    """Refuse a value that is larger.
-
-    What follows from larger ones could not be counted, printed or waited for.
+    """Refuse a larger value, with which a job could not be counted, printed or finished.
 
     Raises:
-        InputError: naming it.
+        InputError: naming the value.
     """
     if value > most:
         raise InputError(f"{name} = {show(value)} is too big; at most {most:,} is legal")
@@ -195,7 +193,7 @@ def a_text(name: str, value: object) -> str:
     """The value, if it is a text.
 
     Raises:
-        InputError: naming it.
+        InputError: naming the value.
     """
     if not isinstance(value, str):
         raise InputError(f"{name} = {show(value)} is not a text")
@@ -206,8 +204,8 @@ def a_path(name: str, value: object) -> Path:
     """The value as a path.
 
     Raises:
-        InputError: naming it, for what is no path, and for an empty text, which Python would
-            take for the current directory.
+        InputError: naming the value if it is no path, or empty, which Python would take for the
+            current directory.
     """
     if value == "" or not isinstance(value, str | os.PathLike):
         raise InputError(f"{name} = {show(value)} is no path, not even of the current directory")
@@ -223,12 +221,12 @@ def a_path(name: str, value: object) -> Path:
 
 
 def existing_file(name: str, value: str) -> Path | None:
-    """The file at that path, made absolute; None if there is none.
+    """The file at that path, made absolute; None if there is no file.
 
     Raises:
-        InputError: if it is no path, or its folder cannot be read.
+        InputError: if the value is no path, or its folder cannot be read.
     """
-    # Unlike Path.resolve, it takes a loop of links, in which there is no file.
+    # Unlike Path.resolve, this accepts a loop of links, which leads to no file.
     path = a_path(name, value)
     file = type(path)(os.path.realpath(path))
     try:
@@ -238,7 +236,7 @@ def existing_file(name: str, value: str) -> Path | None:
 
 
 def is_loop_of_links(path: str | Path) -> bool:
-    """Whether links at that path lead to themselves, and so to no file."""
+    """Whether the links at that path form a loop, which leads to no file."""
     try:
         os.stat(path)  # noqa: PTH116  # takes any text
     except ValueError:
@@ -256,30 +254,30 @@ def no_file(path: str, hint: str = "") -> str:
 
 
 INSTALL = "in a clone of allworlds, pip install '.[{}]'"
-"""How an extra is installed."""
+"""The instruction for the installation of an extra."""
 
 
 def ensure_installed(package: str, extra: str, what: str) -> None:
     """Raise NotInstalled unless the package can be imported.
 
     Raises:
-        NotInstalled: saying what needs it, and which extra brings it.
+        NotInstalled: naming the use of the package, and the extra with it.
     """
     if lack := lack_of(package, extra):
         raise NotInstalled(f"{what} {lack}")
 
 
 def lack_of(package: str, extra: str) -> str:
-    """The words that a package is needed, and which extra brings it; empty if it is installed."""
+    """The clause about a missing package, with the extra that has it; empty if installed."""
     return "" if find_spec(package) else f"needs {package}: {INSTALL.format(extra)}"
 
 
 def parse_json(text: str, kind: type[InputError] = InputError, file: str = "") -> Any:
-    """The value of a JSON text, which was read from a file perhaps.
+    """The value of a JSON text; ``file`` names its file in errors.
 
     Raises:
-        InputError: of the kind that was asked for, if it is none, or if an object has a key
-            twice: which value is meant cannot be told.
+        InputError: of class ``kind``, if the text is no JSON, or if an object has a key twice, so
+            that its value is ambiguous.
     """
 
     def once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -301,7 +299,7 @@ def parse_json(text: str, kind: type[InputError] = InputError, file: str = "") -
 
 @contextmanager
 def in_file(name: str) -> Iterator[None]:
-    """Name the file in what is told of bad input in it; an empty name is no file."""
+    """A context in which errors about bad input name the file, unless the name is empty."""
     try:
         yield
     except InputError as error:
@@ -309,7 +307,7 @@ def in_file(name: str) -> Iterator[None]:
 
 
 def read_text(path: str) -> str:
-    """The text of a file that the user has named; of stdin for ``-``.
+    """The text of a file that the user names; ``-`` stands for stdin.
 
     Raises:
         InputError: naming the file and the reason why it cannot be read.
@@ -327,10 +325,10 @@ def read_text(path: str) -> str:
 
 
 def integer_of(text: str) -> int:
-    """The integer of a text; unlike ``int`` without 1_0 and other scripts.
+    """The integer of a text; unlike ``int``, it accepts neither 1_0 nor other scripts.
 
     Raises:
-        ValueError: saying what the text is not; so do all that read the text of an option.
+        ValueError: with the words for this kind of value, as all readers of options do.
     """
     if re.fullmatch(r"[+-]?[0-9]{1,4000}", text):
         return int(text)
@@ -345,30 +343,30 @@ def seconds_of(text: str) -> float:
 
 
 def one_of(names: Iterable[str]) -> str:
-    """The names of a table, as a help says them: ``a, b or c``."""
+    """The names of a table in the form of a help: ``a, b or c``."""
     *others, last = names
     return f"{', '.join(others)} or {last}"
 
 
 ENDINGS = {name: getattr(os, name) for name in ("_exit", "execv", "execve")}
-"""The functions of ``os`` that end a process, or its program, at once; others call these."""
+"""The functions of ``os`` that end a process or its program at once; other functions call them."""
 
 
 class _Kept:
-    """The process in which they are refused; 0 if they are refused nowhere."""
+    """The number of the process in which these functions are refused; 0 if in none."""
 
     process = 0
 
 
 def keep_exit_code() -> None:
-    """Refuse ``os._exit`` and ``os.exec...`` in this process, and not in those that are forked."""
+    """Refuse ``os._exit`` and ``os.exec...`` in this process, but not in forked ones."""
     _Kept.process = os.getpid()
     vars(os).update(_REFUSALS)
 
 
 @contextmanager
 def exit_code_kept() -> Iterator[None]:
-    """A context in which these are refused in this process."""
+    """A context in which this process refuses these functions."""
     process, functions = _Kept.process, {name: getattr(os, name) for name in ENDINGS}
     keep_exit_code()
     try:

@@ -1,6 +1,6 @@
-"""Where a check may begin: neither in what another one has started, nor while it loads a file.
+"""The refusal of checks that begin in processes of another check, or while it loads a file.
 
-A file that begins a check as it is imported would do so in each player that imports it.
+A file that begins a check at its import would do so in each player that imports it.
 """
 
 from __future__ import annotations
@@ -16,10 +16,10 @@ from types import FrameType
 from allworlds.inputs.checks import NestedCheck, show
 
 PLAYER = "ALLWORLDS_PLAYER"
-"""The variable in the environment of players, and of all that users' code starts there."""
+"""The environment variable of players, and of all processes that users' code starts there."""
 
 SAID = "begins a check where none may begin"
-"""These words are in each refusal, and in what a program has to say of one."""
+"""The words that each refusal contains, also as a program prints it."""
 
 PACKAGE = str(Path(__file__).parents[1])
 
@@ -28,7 +28,7 @@ _LOADING: ContextVar[bool] = ContextVar("loading", default=False)
 
 @contextmanager
 def loading() -> Iterator[None]:
-    """A context in which a file of the user's is loaded for a check."""
+    """A context in which a user's file is loaded for a check."""
     token = _LOADING.set(True)
     try:
         yield
@@ -37,7 +37,7 @@ def loading() -> Iterator[None]:
 
 
 def ensure_outermost() -> None:
-    """Refuse to begin a check, a run or the like where another one is the cause.
+    """Refuse to begin a check, a run or the like that another one causes.
 
     Raises:
         NestedCheck: naming the file, the line and the remedy.
@@ -47,7 +47,7 @@ def ensure_outermost() -> None:
 
 
 def refusal_in(words: str) -> NestedCheck | None:
-    """The refusal that a program has printed last; None if it has not."""
+    """The refusal in the last prints of a program; None if there is none."""
     last = words.rstrip().rpartition("\n")[2]
     return NestedCheck(last.partition(": ")[2]) if SAID in last else None
 
@@ -69,5 +69,5 @@ def _is_imported(frame: FrameType) -> bool:
 
 
 def _of_program(frame: FrameType) -> Mapping[str, object]:
-    """The names of a frame of the program itself; of no others."""
+    """The variables of a frame of the main program; empty for other frames."""
     return frame.f_globals if frame.f_globals.get("__name__") == "__main__" else {}

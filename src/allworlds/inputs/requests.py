@@ -1,10 +1,10 @@
-"""Requests: what a verb is asked for, as a value.
+"""Requests: the questions to a verb as values.
 
-A *request* (:class:`Request`) is composed of parts that verbs share.  Each field says its type, its
-default and, by :class:`Option` beside the type, how it is asked for on the command line; a plain
-text in that place tells of a field that Python has alone.  From the same class come the function in
-Python (:func:`answers`), the command line (``allworlds.cli.app``), and what a run directory is
-of (:func:`meant`).
+A *request* (:class:`Request`) consists of parts that verbs share.  Each field has its type, its
+default and, in an :class:`Option` beside the type, its form on the command line; a plain text in
+this place describes a field that only Python has.  The same class yields the function in Python
+(:func:`answers`), the command line (``allworlds.cli.app``), and the identity of a run directory
+(:func:`meant`).
 """
 
 import inspect
@@ -45,7 +45,7 @@ PANELS = (SCOPE, RULES, EFFORT, OUTPUT)
 
 
 class Rare(str):
-    """A panel, for those of its options that a long help leaves to ``--help-all``."""
+    """A panel for options that only ``--help-all`` shows in a long help."""
 
     __slots__ = ()
 
@@ -53,29 +53,29 @@ class Rare(str):
 RARE_SCOPE, RARE_RULES, RARE_EFFORT = Rare(SCOPE), Rare(RULES), Rare(EFFORT)
 
 EXPLORER_FIELDS = ("explore", "explorers")
-"""The fields of requests for which explorers are played."""
+"""The fields of requests that name explorers to be played."""
 
 AS_IN_PYTHON: Final = object()
 
 GIVEN_IN_FILE: ContextVar[frozenset[str]] = ContextVar("given in a file", default=frozenset())
-"""The options for which a file of the user's has defaults: commands that are printed name them."""
+"""The options with defaults in a user's file, which printed commands therefore name."""
 
 
 @dataclass(frozen=True, slots=True)
 class Option:
-    """How a field is asked for on the command line.
+    """The form of a field on the command line.
 
     Attributes:
-        panel: of the help, under which it stands.
-        metavar: stands for the value in the help; empty for a flag.
-        help: what it is, in a line or two, for Python too.
-        name: of the option, without dashes; by default that of the field.
-        short: a letter that is a name, too.
-        parse: what the field gets of the text.
-        default: the text where the option is left out, if that means something else in Python.
-        apart: it says where, how long or for whom a job is done; what is found does not depend
-            on it.
-        repeated: it may be given several times; the field gets a list.
+        panel: the panel of the help.
+        metavar: the word for the value in the help; empty for a flag.
+        help: the description in a line or two, also for Python.
+        name: the name of the option, without dashes; by default the name of the field.
+        short: a letter as a second name.
+        parse: the function from the text to the value of the field.
+        default: the text of a missing option, if Python has another default.
+        apart: whether it only concerns where, how long or for whom a job is done, so that results
+            do not depend on it.
+        repeated: whether it may be given several times; the field gets a list.
         document_type: the type and the meaning of its key in documents; by default its own type,
             and the help.
     """
@@ -93,7 +93,7 @@ class Option:
 
 
 class Argument(Option):
-    """An option without a name: the command line knows it by its place."""
+    """An option without a name, which the command line recognises by its position."""
 
     __slots__ = ()
 
@@ -103,8 +103,8 @@ class OptionGroup:
     """A field that the command line expresses by several options.
 
     Attributes:
-        words: a dataclass of these words, whose ``value()`` is the field's.
-        help: what the field is, for Python.
+        words: the dataclass of these options; its ``value()`` is the value of the field.
+        help: the description of the field for Python.
     """
 
     words: type
@@ -112,7 +112,7 @@ class OptionGroup:
 
 
 class Converted(Generic[Given, Value]):
-    """A field that takes what users may give, and holds the value that is meant by it.
+    """A field that takes a user's value, and holds the value that is made from it.
 
     ``field: Converted[str, Color] = Converted(color_named, "red")``
     """
@@ -139,7 +139,7 @@ class Converted(Generic[Given, Value]):
 class Request:
     """A request, or a part that verbs share: a frozen dataclass whose fields are keywords.
 
-    With ``kw_only=False`` the fields of that class alone may be given by their place.
+    With ``kw_only=False`` the fields of that class may also be given by position.
     """
 
     __dataclass_fields__: ClassVar[dict[str, Any]]
@@ -164,11 +164,11 @@ class Field(NamedTuple):
     """A field of a request.
 
     Attributes:
-        name: in Python.
-        type: what callers may give.
+        name: the name in Python.
+        type: the type of the values that callers may give.
         held: the type of its value.
         asked: its option.
-        default: what is given where it is left out.
+        default: the default value.
     """
 
     name: str
@@ -179,7 +179,7 @@ class Field(NamedTuple):
 
     @property
     def option(self) -> str:
-        """The name of its option, which is that of its key in documents."""
+        """The name of its option, which is also its key in documents."""
         return (isinstance(self.asked, Option) and self.asked.name) or self.name
 
 
@@ -204,7 +204,7 @@ def answers(
 ) -> Callable[[Callable[[Asked], Answer]], Callable[P, Answer]]:
     """Give a function of a request the signature of the request's constructor.
 
-    Type checkers know its keywords.  Its docstring tells of each, in the words of the help.
+    Type checkers know its keywords.  Its docstring describes each by the words of the help.
     """
 
     def made(answered: Callable[[Asked], Answer]) -> Callable[P, Answer]:
@@ -222,12 +222,12 @@ def takes_fields(
     several: str = "",
     answered: Callable[[Any], Any] | None = None,
 ) -> Callable[[Callable[P, Answer]], Callable[P, Answer]]:
-    """Give a function the signature and the docstring that tell of a request's fields.
+    """Give a function a signature and a docstring with a request's fields.
 
     Args:
         request: the class of the request.
-        several: the field that the function takes as positional arguments, of any number.
-        answered: the function that takes a finished request, if it is not wrapped in this one.
+        several: the field that the function takes as any number of positional arguments.
+        answered: the function that takes a finished request, if it is not the wrapped one.
     """
 
     def made(function: Callable[P, Answer]) -> Callable[P, Answer]:
@@ -273,7 +273,7 @@ def ensure_takes(
 
 
 def answer(function: Callable[..., Answer], request: object) -> Answer:
-    """The answer of such a function, or of one that takes a request, to a finished request."""
+    """The answer of such a function to a finished request."""
     answered: Answer = inspect.unwrap(function)(request)
     return answered
 
@@ -289,10 +289,10 @@ def _with_arguments(text: str, fields_: Iterable[Field]) -> str:
 
 
 def meant(request: object) -> dict[str, Any]:
-    """All that the answer to a request depends on, but for the explorer, as JSON has it.
+    """All values but the explorer on which the answer to a request depends, as JSON.
 
-    A value that JSON does not have stands there by its name, which is its text; of the user's
-    code there is the record, from which it can be loaded again, and of given files the digest.
+    A value that JSON lacks is replaced by its text, which is its name; the user's code by its
+    record, from which it can be loaded again; given files by their digests.
     """
     values = [getattr(request, each.name) for each in _meant(type(request))]
     values.append(getattr(request, "given", None))
@@ -302,7 +302,7 @@ def meant(request: object) -> dict[str, Any]:
 
 
 def meant_by(part: type[Any], request: object) -> dict[str, Any]:
-    """The options of a part of a request on which the answer depends, as JSON has them."""
+    """The options in a part of a request on which the answer depends, as JSON."""
     return {each.option: as_json(getattr(request, each.name)) for each in _meant(part)}
 
 
@@ -316,9 +316,9 @@ def as_json(value: object) -> Any:
 
 
 def given_again(part: type[Any], request: object, but: Iterable[str] = ()) -> list[str]:
-    """The options of the command line that give this part of a request again.
+    """The options of the command line that reproduce this part of a request.
 
-    Those that are left out have their defaults, or are of the fields ``but`` which all are told.
+    Options with default values, and the fields in ``but``, are left out.
     """
     words, left, in_file = list[str](), {*but}, GIVEN_IN_FILE.get()
     for each in _meant(part):
@@ -331,12 +331,12 @@ def given_again(part: type[Any], request: object, but: Iterable[str] = ()) -> li
 
 
 def remembered(request: type, options: Mapping[str, Any]) -> dict[str, Any]:
-    """The constructor's keywords for the request that :func:`meant` described."""
+    """The constructor's keywords for the request that :func:`meant` has described."""
     return {each.name: options[each.option] for each in _meant(request)}
 
 
 def without_effort(request: T) -> T:
-    """The request with the defaults of all that is apart, but for the shard."""
+    """The request with the defaults of all options that are ``apart``, except the shard."""
     apart = (
         each
         for each in fields_of(type(request))
@@ -346,7 +346,7 @@ def without_effort(request: T) -> T:
 
 
 def in_scope(request: type[Any]) -> Iterator[Field]:
-    """The fields that stand in the scope of a document: those that say what is asked."""
+    """The fields that the scope of a document contains, because they define the question."""
     return (
         each
         for each in _meant(request)

@@ -3,8 +3,8 @@
 Glossary
 --------
 dart
-    Half of an edge: one of the integers ``0..2m-1``.  A robot stands *at* a dart:
-    it faces it, or has come in by it.
+    Half of an edge: one of the integers ``0..2m-1``.  A robot stands *at* a dart if it
+    faces the dart, or has arrived by it.
 sigma
     Permutation of the darts: the next dart **clockwise** round the same vertex.
 alpha
@@ -30,34 +30,34 @@ canonical code
     the root (see :mod:`allworlds.maps.combinatorial`).  Of a map: the least code of its
     rootings.
 class
-    Which maps are meant: one of :class:`allworlds.maps.classes.MapClass`.
+    A set of maps: one of :class:`allworlds.maps.classes.MapClass`.
 
 Modules
 -------
 ``combinatorial``
     the map itself; codes, automorphisms and isomorphisms;
 ``mixture``
-    the distributions of which samples beyond the exhaustive bound are drawn;
+    the distributions of random maps, for samples beyond the exhaustive bound;
 ``classes``
     **the** tables of the classes of maps, and of the conditions that narrow them;
 ``enumeration``, ``counting``
-    every map of a class: glued together, and counted without making one;
+    all maps of a class, glued together; their number, computed without making a map;
 ``count_source``
-    the source with which the enumeration of an extent is compared, and how many maps a partial
-    gluing can become;
+    the source with which the enumeration of an extent is compared, and the number of maps that
+    complete a partial gluing;
 ``build``, ``families``
-    maps by hand and by name, small changes to a map, and the shortest walk along every edge; large
+    maps by hand and by name, small changes to a map, and the shortest walk along all edges; large
     maps by a text and a seed;
 ``networks``
     maps to networkx and back, and every embedding of a graph;
 ``quotient``
     indistinguishable darts, the quotient by them, and the number of worlds that share a quotient.
 
-Inside this package a map in a hot place is a bare pair of tuples or lists; everywhere
-else it is a :class:`CombinatorialMap`.
+Code of this package that must be fast has maps as bare pairs of tuples or lists; all other code
+has a :class:`CombinatorialMap`.
 
-``dir(allworlds.maps)`` lists the names for users' programs. The others are for the rest of this
-program; a few of them are used by tests alone.
+``dir(allworlds.maps)`` lists the names for users' programs.  The other names are for this program,
+and a few of them only for its tests.
 """
 
 from typing import TYPE_CHECKING

@@ -1,10 +1,10 @@
 """Maps made by hand, by name and by recipe.
 
-Two notations.  A *rotation* lists the neighbours of every vertex clockwise, with keys where edges
-are parallel.  *Cycles* list the names of the edges round every vertex clockwise.  Both can tell
-every map, loops and parallel edges included.  Everything else here is written in one of the two.
+There are two notations.  A *rotation* lists the neighbours of each vertex clockwise, with keys for
+parallel edges.  *Cycles* list the names of the edges round each vertex clockwise.  Both can express
+all maps, also with loops and parallel edges.  The other functions use one of these notations.
 
-From these come maps with an edge less; and here is the postman's walk.
+The module also makes maps with one edge less, and the postman's walk.
 """
 
 import random
@@ -27,7 +27,7 @@ LARGEST = 10_000
 
 
 class NoSuchMap(InputError):
-    """Raised for a name that no map has."""
+    """Raised for a name without a map."""
 
 
 def from_rotation(
@@ -36,17 +36,16 @@ def from_rotation(
     """The map from the clockwise list of neighbours of each vertex.
 
     Args:
-        rotation: of each vertex its neighbours; a plain sequence stands for the vertices
-            ``0, 1, ...``.  A neighbour is a name, or a list ``[name, key]``: an edge is its two
-            ends and its key, and parallel edges have different keys.  Both ends list an edge;
-            a loop stands twice in the list of its vertex.
+        rotation: the neighbours of each vertex; a plain sequence stands for the vertices
+            ``0, 1, ...``.  A neighbour is a name, or a list ``[name, key]``; parallel edges have
+            different keys.  Both ends list an edge; a loop occurs twice in the list of its vertex.
 
-    Darts are numbered vertex by vertex in the order given, and within a vertex in the order of
-    its list; the vertices of the map are in this order, too.
+    Darts are numbered vertex by vertex in the given order, and within a vertex in the order of
+    its list; the vertices of the map are also in this order.
 
     Raises:
         InvalidMap: naming the vertex: an empty list, an unknown neighbour, an edge that is
-            listed too often or at one end alone, or a graph that is not connected.
+            listed too often or only at one end, or a graph that is not connected.
 
     Cost: O(m).
     """
@@ -88,12 +87,12 @@ def from_cycles(
 ) -> CombinatorialMap:
     """The map from the clockwise list of edge names round each vertex.
 
-    Every name stands exactly twice: ``["aab", "b"]`` is a loop ``a`` and an edge ``b`` to a
+    Each name occurs exactly twice: ``["aab", "b"]`` is a loop ``a`` and an edge ``b`` to a
     second vertex.  A plain sequence stands for the vertices ``0, 1, ...``.  Darts are numbered
     vertex by vertex, and within a vertex in its order.
 
     Raises:
-        InvalidMap: naming the edge or the vertex: an empty list, a name that does not stand
+        InvalidMap: naming the edge or the vertex: an empty list, a name that does not occur
             exactly twice, or a graph that is not connected.
 
     Cost: O(m).
@@ -145,7 +144,7 @@ def _assembled(vertices: Mapping[Any, Sequence[Any]]) -> CombinatorialMap:
 def map_at(
     sigma: Sequence[int], alpha: Sequence[int], vertex_at: Sequence[object]
 ) -> CombinatorialMap:
-    """The map of two permutations, of which ``vertex_at`` has the vertex of each dart.
+    """The map of two permutations; ``vertex_at`` holds the vertex of each dart, for errors.
 
     Raises:
         InvalidMap: naming a vertex that cannot be reached, or if there is no dart.
@@ -195,7 +194,7 @@ def lattice(rows: int, columns: int, holes: float = 0.0, seed: int = 0) -> Combi
 def dense(vertices: int, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
     """The complete graph with every rotation in ascending order of neighbours, with holes.
 
-    ``holes`` and ``seed`` are those of :func:`lattice`.  The genus follows from that.
+    ``holes`` and ``seed`` are as in :func:`lattice`.  The genus follows from the rotations.
 
     Raises:
         ValueError: if ``vertices < 2``, ``holes`` is not in 0..1, or the removal would disconnect.
@@ -208,10 +207,10 @@ def dense(vertices: int, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
 
 
 def _with_holes(rotation: dict[int, list[int]], holes: float, seed: int) -> dict[int, list[int]]:
-    """The connected rotation less ``round(holes * m)`` edges, chosen in a random order.
+    """The rotation without ``round(holes * m)`` edges, in a random order, but still connected.
 
-    Removing edges one after the other, bridges excepted, keeps in the end the least spanning tree,
-    where the first edges weigh most; so an edge is a bridge in its turn exactly when it is in it.
+    Removing edges one after the other, except bridges, leaves the least spanning tree, if earlier
+    edges weigh more; so an edge is a bridge in its turn exactly if it is in this tree.
     """
     if not 0 <= holes <= 1:
         raise ValueError(f"holes = {holes} is not a fraction in 0..1")
@@ -247,14 +246,14 @@ def _at_least(least: int, **values: int) -> None:
 def named_map(name: str) -> CombinatorialMap:
     """The map called ``name``; see :func:`named_maps` for the names.
 
-    The N of a family counts: edges (dipole), loops (bouquet), leaves (star), vertices (cycle,
-    path), spokes (wheel).  Dart 0 is at the hub of a wheel or star.  Families are in the plane.
-    ``theta`` is three parallel edges; ``k4-torus`` is K4 with faces of 4 and 8 edges.
-    ``fig1-left`` and ``fig1-right`` are a planar simple pair with all that the caption of the
-    paper's Fig. 1 says, its marked vertex first; that the paper drew this pair is a guess.
+    The N of a family is the number of edges (dipole), loops (bouquet), leaves (star), vertices
+    (cycle, path), or spokes (wheel).  Dart 0 is at the hub of a wheel or star.  All are planar.
+    ``theta`` has three parallel edges; ``k4-torus`` is K4 with faces of 4 and 8 edges.
+    ``fig1-left`` and ``fig1-right`` are a planar simple pair with all properties in the caption of
+    the paper's Fig. 1, the marked vertex first; whether the paper shows this pair is unknown.
 
     Raises:
-        NoSuchMap: for another name, or an N out of range, naming what is legal.
+        NoSuchMap: for another name, or an N out of range, naming the legal ones.
     """
     if name in _SINGLE:
         return _SINGLE[name]()
@@ -312,13 +311,13 @@ _NUMBERED: dict[str, tuple[int, Callable[[int], CombinatorialMap]]] = {
     "star": (1, lambda n: from_rotation([range(1, n + 1), *([0] for _ in range(n))])),
     "wheel": (3, _wheel),
 }
-"""For each family the least N and the map of N."""
+"""For each family the least N, and the function from N to the map."""
 
 
 def deleted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
     """The map without the edge of ``dart``; None if the rest is disconnected or empty.
 
-    The end of a leaf goes with its edge.
+    A vertex of degree 1 is removed with its edge.
     """
     gone = (dart, map_.alpha[dart])
     return _rebuilt(map_, [[d for d in vertex if d not in gone] for vertex in map_.vertices])
@@ -327,7 +326,7 @@ def deleted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
 def contracted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
     """The map in which both ends of the edge of ``dart`` are one vertex; None for a loop.
 
-    The rotation of one end takes the place that the edge had in the rotation of the other.
+    The rotation of one end replaces the edge in the rotation of the other end.
     """
     ends = [map_.vertex_of[d] for d in (dart, map_.alpha[dart])]
     if ends[0] == ends[1]:
@@ -340,12 +339,13 @@ def contracted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
 
 
 def completed(sigma: Sequence[int], alpha: Sequence[Dart]) -> CombinatorialMap:
-    """The map of an explored part: a dart that is its own other end leads to a new vertex.
+    """The map of an explored part, in which each open dart leads to a new vertex.
 
-    Where another dart leads there, it leads back.
+    A dart is open if ``alpha`` maps it to itself and no other dart to it; if another dart leads to
+    it, the two are joined.
 
     Raises:
-        InvalidMap: if that is no map.
+        InvalidMap: if the result is no map.
     """
     after, ends = [*sigma], [*alpha]
     for dart, end in enumerate(alpha):
@@ -359,9 +359,9 @@ def completed(sigma: Sequence[int], alpha: Sequence[Dart]) -> CombinatorialMap:
 
 
 def without(map_: CombinatorialMap, gone: set[Dart]) -> CombinatorialMap | None:
-    """The part without these edges that is connected to the vertex of dart 0, its root there.
+    """The connected part at the vertex of dart 0 after these edges are removed.
 
-    The root is the first dart of that vertex that is left, from dart 0 on; None if none is left.
+    The root is the first remaining dart of that vertex, from dart 0 on; None if none remains.
     """
 
     def left(dart: Dart) -> Dart:
@@ -380,7 +380,7 @@ def without(map_: CombinatorialMap, gone: set[Dart]) -> CombinatorialMap | None:
 
 
 def moved(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
-    """The maps with as many edges in which one dart stands at another place of a rotation."""
+    """Yield the maps that arise if one dart is moved to another position in a rotation."""
     for dart in map_.darts:
         without = [[d for d in vertex if d != dart] for vertex in map_.vertices]
         for v, vertex in enumerate(without):
@@ -394,7 +394,7 @@ def moved(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
 def _rebuilt(
     map_: CombinatorialMap, rotations: Sequence[Sequence[Dart]]
 ) -> CombinatorialMap | None:
-    """The map with these rotations on the edges that are left."""
+    """The map with these rotations on the remaining edges."""
     number = {d: i for i, d in enumerate(sorted(d for vertex in rotations for d in vertex))}
     sigma, alpha = [0] * len(number), [0] * len(number)
     for vertex in rotations:

@@ -1,7 +1,7 @@
 """**The** tables of the classes of maps and of the conditions that narrow them.
 
-In this order: the classes; conditions, and the table of those with a name; classes of bounded size
-under a condition; the options by which requests name them.
+The order is: the classes; the conditions, and the table of those with names; classes of bounded
+size under a condition; the options of requests.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class MapClass(StrEnum):
         """Return the class of that name.
 
         Raises:
-            InputError: naming those that there are.
+            InputError: naming the classes.
         """
         if not isinstance(text, str) or text not in list(cls):
             raise not_one_of("class", text, cls)
@@ -71,7 +71,7 @@ class MapClass(StrEnum):
         return self in (MapClass.PLANAR, MapClass.PLANAR_SIMPLE)
 
     def includes(self, map_: CombinatorialMap) -> bool:
-        """Whether a map belongs to the class, by the map's own derived properties."""
+        """Whether a map belongs to the class, by the properties of the map."""
         return (not self.simple or map_.is_simple) and (not self.planar or map_.is_planar)
 
 
@@ -91,7 +91,7 @@ class Condition(Protocol):
 
     @property
     def name(self) -> str:
-        """As ``--where`` takes it."""
+        """The name that ``--where`` takes."""
 
     def holds(self, map_: CombinatorialMap) -> bool:
         """Whether the map has the property."""
@@ -101,11 +101,11 @@ AND = " and "
 """The text between the names of several conditions."""
 
 LEGAL = "cubic, regular:D, eulerian, trees, girth:G, genus:G, triangulation, quadrangulation"
-"""How they are written."""
+"""The forms of conditions."""
 
 
 class NamedCondition(Struct, frozen=True):
-    """A condition that comes with this program, with its number where it has one."""
+    """A condition that comes with this program, perhaps with a number."""
 
     name: str
 
@@ -115,11 +115,11 @@ class NamedCondition(Struct, frozen=True):
 
     @property
     def dual(self) -> bool:
-        """Whether such maps are made as duals."""
+        """Whether such maps are made as duals of maps that are glued together."""
         return self._kind.dual
 
     def may_begin(self, gluing: Gluing) -> bool:
-        """Whether a map that has the property, or its dual, can begin as this gluing."""
+        """Whether this gluing can become a map (or the dual of one) with the property."""
         return self._kind.begins(gluing, self.number)
 
     @property
@@ -129,7 +129,7 @@ class NamedCondition(Struct, frozen=True):
 
     @property
     def number(self) -> int:
-        """The number in the name; 0 where there is none."""
+        """The number in the name; 0 if there is none."""
         return int(self.name.partition(":")[2] or 0)
 
     @property
@@ -156,7 +156,7 @@ class AllOf(Struct, frozen=True):
         return tuple(code for part in self.parts for code in getattr(part, "codes", ()))
 
     def holds(self, map_: CombinatorialMap) -> bool:
-        """Whether the map has every property."""
+        """Whether the map has all properties."""
         return all(part.holds(map_) for part in self.parts)
 
     def __str__(self) -> str:
@@ -164,17 +164,17 @@ class AllOf(Struct, frozen=True):
 
 
 def narrowing(where: Condition | None) -> tuple[NamedCondition, ...]:
-    """The conditions that cut off gluings: of maps, or else of their duals."""
+    """The conditions that cut off gluings, all for maps or all for their duals."""
     parts = where.parts if isinstance(where, AllOf) else (where,)
     found = [part for part in parts if isinstance(part, NamedCondition)]
     return tuple([part for part in found if not part.dual] or found)
 
 
 def condition_named(text: str) -> NamedCondition | None:
-    """The condition of that name; None where the name is none of ours.
+    """The condition of that name; None if the name is not built in.
 
     Raises:
-        InputError: if its number is missing, too small, or none.
+        InputError: if its number is missing, too small, or no number.
     """
     name, colon, number = text.partition(":")
     if name not in CONDITIONS:
@@ -200,11 +200,11 @@ class ConditionKind(Struct, frozen=True):
     """A condition that comes with this program.
 
     Attributes:
-        holds: whether it does; of a map and the number of the name.
-        begins: whether a map of which it holds can begin as a partial gluing; of both likewise.
-        least: the least number that is legal; None where the name has none.
-        dual: such maps are made as the duals of maps that are glued together, and ``begins`` is
-            asked of these.
+        holds: the function from a map and the number of the name to whether the condition holds.
+        begins: the function from a gluing and the number to whether such a map can begin so.
+        least: the least legal number; None if the name has none.
+        dual: whether such maps are made as duals of maps that are glued together; then ``begins``
+            is about these.
     """
 
     holds: Callable[[CombinatorialMap, int], bool]
@@ -214,9 +214,9 @@ class ConditionKind(Struct, frozen=True):
 
 
 def girth(map_: CombinatorialMap) -> int | None:
-    """The length of a shortest cycle; None of a tree.
+    """The length of a shortest cycle; None for a tree.
 
-    A loop is a cycle of length 1, two parallel edges are one of length 2.
+    A loop is a cycle of length 1, two parallel edges are a cycle of length 2.
     Cost: O(m) a dart.
     """
     owner, alpha = map_.vertex_of, map_.alpha
@@ -232,7 +232,7 @@ def girth(map_: CombinatorialMap) -> int | None:
 
 
 def regular(gluing: Gluing, degree: int) -> bool:
-    """Every vertex so far has this degree, and the owed darts make vertices of it."""
+    """Whether all vertices so far have this degree, and the owed darts can form such vertices."""
     room = gluing.limit - len(gluing.degrees)
     return (
         all(met == degree for met in gluing.degrees)
@@ -242,12 +242,12 @@ def regular(gluing: Gluing, degree: int) -> bool:
 
 
 def even(gluing: Gluing, _number: int) -> bool:
-    """Every vertex so far has an even degree."""
+    """Whether all vertices so far have even degrees."""
     return not any(degree % 2 for degree in gluing.degrees)
 
 
 def tree(gluing: Gluing, _number: int) -> bool:
-    """Each edge so far has led to a new vertex, and each open dart can, too."""
+    """Whether each edge so far has led to a new vertex, and each open dart can do so."""
     open_darts = sum(map(len, gluing.faces))
     edges = (len(gluing.alpha) - open_darts) // 2
     return (
@@ -258,7 +258,7 @@ def tree(gluing: Gluing, _number: int) -> bool:
 
 
 def girth_at_least(gluing: Gluing, least: int) -> bool:
-    """The cycle that the newest edge closes, if it closes one, has at least this length."""
+    """Whether the newest edge closes no cycle that is shorter than this length."""
     dart = gluing.newest
     if dart == OPEN:
         return True
@@ -273,9 +273,9 @@ def girth_at_least(gluing: Gluing, least: int) -> bool:
 def _shortest_round(
     start: int, goal: int, beyond: Callable[[int], Iterable[int]], most: int
 ) -> int | None:
-    """The length of a shortest cycle through an edge with these ends, of those up to ``most``.
+    """The length of a shortest cycle through an edge with these ends, if it is at most ``most``.
 
-    The other edges lead from a vertex to those ``beyond`` it.
+    ``beyond`` holds the vertices to which the other edges of a vertex lead.
     """
     ring, met = {start}, {start}
     for length in range(1, most + 1):
@@ -289,10 +289,10 @@ def _shortest_round(
 
 
 def genus_exactly(gluing: Gluing, genus: int) -> bool:
-    """The surface so far has no more handles, and enough cycles to get as many are to come.
+    """Whether the surface so far has at most ``genus`` handles, and can still reach this number.
 
-    Closed edges alone make a surface whose handles stay; of a finished map with n vertices and one
-    face at least, ``2g <= m - n + 1``.
+    The handles of the surface of the closed edges remain.  A finished map with n vertices and at
+    least one face has ``2g <= m - n + 1``.
     """
     vertices = len(gluing.degrees)
     most = (gluing.edges - vertices - (gluing.owed > 0) + 1) // 2
@@ -309,7 +309,7 @@ def genus_exactly(gluing: Gluing, genus: int) -> bool:
 
 
 def _faces_of(length: int) -> ConditionKind:
-    """Every face has that many darts."""
+    """The condition that all faces have this number of darts."""
     return ConditionKind(
         lambda m, _: all(len(face) == length for face in m.faces),
         lambda dual, _: regular(dual, length),
@@ -327,20 +327,20 @@ CONDITIONS: dict[str, ConditionKind] = {
     "triangulation": _faces_of(3),
     "quadrangulation": _faces_of(4),
 }
-"""Every condition with a name."""
+"""The conditions with names."""
 
 # ---------------------------------------------------------------- classes of a size
 
 
 class MapSource(Protocol):
-    """Maps that are given one by one, in place of every map of a class.
+    """Maps that are given one by one, instead of all maps of a class.
 
     Attributes:
-        starts: by the number of edges, ascending, how many rooted maps there are.
-        count: how many there are.
-        fixed: whether the start and the lighthouse of each are.
-        words: how many there are, and where they come from.
-        gate: why nobody counts them.
+        starts: the number of rooted maps for each number of edges, ascending.
+        count: the number of the maps.
+        fixed: whether the start and the lighthouse of each map are fixed.
+        words: the words for their number and their origin.
+        gate: the reason why their number is not compared with a count.
     """
 
     starts: Mapping[int, int]
@@ -350,7 +350,7 @@ class MapSource(Protocol):
     gate: str
 
     def like(self, world: Any) -> Iterable[Any]:
-        """The given worlds that are this one in another numbering, in their order."""
+        """The given worlds that equal this one up to the numbering of darts, in their order."""
 
 
 class Extent(Struct, frozen=True):
@@ -358,10 +358,10 @@ class Extent(Struct, frozen=True):
 
     Attributes:
         map_class: the class.
-        edges: M, or None where only the vertices are bounded (simple classes).
-        vertices: N, or None where only the edges are bounded.
-        where: what besides is true of the maps, or None.
-        given: the maps, if they are given, and not all of the class.
+        edges: M, or None if only the vertices are bounded (simple classes).
+        vertices: N, or None if only the edges are bounded.
+        where: a condition on the maps, or None.
+        given: the given maps; None for all maps of the class.
 
     Raises:
         InputError: naming the offending bound and what would be legal.
@@ -400,7 +400,7 @@ class Extent(Struct, frozen=True):
 
     @property
     def levels(self) -> Sequence[int]:
-        """The numbers of edges m that are to be visited, ascending."""
+        """The numbers of edges m of the levels, ascending."""
         if self.given is not None:
             assert self.edges is not None
             return [edges for edges in self.given.starts if edges <= self.edges]
@@ -420,7 +420,7 @@ class Extent(Struct, frozen=True):
         return within and self.map_class.includes(map_) and self.admits(map_)
 
     def admits(self, map_: CombinatorialMap) -> bool:
-        """Whether the condition holds of a map, if there is one."""
+        """Whether a map meets the condition; true without a condition."""
         return self.where is None or self.where.holds(map_)
 
 

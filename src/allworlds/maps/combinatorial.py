@@ -1,10 +1,10 @@
-"""The map itself, two permutations of darts, validated once; its codes and isomorphisms.
+"""The map, which is two permutations of darts, validated once; its codes and isomorphisms.
 
-The code of a map rooted at ``r``: number ``r`` with 0; then take the numbered darts in the
-order of their numbers and give the next free numbers to ``sigma(x)`` and ``alpha(x)``.  The
-code is ``(sigma, alpha)`` written in these numbers.  Two rooted maps are the same exactly
-when their codes are equal, because an isomorphism is fixed by the image of one dart.
-Codes are compared lexicographically, sigma first.
+The canonical numbering of a map rooted at ``r`` gives ``r`` the number 0; then, for each numbered
+dart ``x`` in order, ``sigma(x)`` and ``alpha(x)`` get the next free numbers.  The code of the
+rooted map is ``(sigma, alpha)`` in these numbers.  Two rooted maps are the same exactly if their
+codes are equal, because an isomorphism is determined by the image of one dart.  Codes are compared
+lexicographically, sigma first.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class InvalidMap(InputError):
     """Raised for a pair of sequences that is no map; the message names the broken law.
 
     Attributes:
-        sigma, alpha: the entries that were tried; empty if one of the two is no sequence.
+        sigma, alpha: the entries of the two sequences; empty if one of them is no sequence.
     """
 
     def __init__(
@@ -46,7 +46,7 @@ class InvalidMap(InputError):
 
     @property
     def tried(self) -> str:
-        """The two sequences, each in a line that is cut where it is long; empty without them."""
+        """The two sequences, each in a line, which is cut if it is too long; may be empty."""
         sequences = {"sigma": self.sigma, "alpha": self.alpha}
         return "\n".join(f"{name} {show([*each])}" for name, each in sequences.items() if each)
 
@@ -82,9 +82,9 @@ class CombinatorialMap(Pictured, WrittenByFields):
 
     @classmethod
     def trusted(cls, sigma: Sequence[Dart], alpha: Sequence[Dart]) -> CombinatorialMap:
-        """A map from permutations that the caller has made by a construction known to be right.
+        """A map from permutations that a proven construction has made.
 
-        The law is not checked; enumerators and builders use this, users should not.
+        The law is not checked.  Only enumerators and builders use this, users should not.
         """
         self = object.__new__(cls)
         object.__setattr__(self, "sigma", tuple(sigma))
@@ -159,7 +159,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
 
     @cached_property
     def parallel_count(self) -> int:
-        """How many edges could go without changing which vertices are joined.
+        """The number of edges that can be removed without a change of adjacency.
 
         Loops do not count: two loops at one vertex are two loops.
         """
@@ -170,7 +170,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
 
     @property
     def is_simple(self) -> bool:
-        """No loop, and no two edges with the same two ends."""
+        """Whether there are no loops and no two edges with the same two ends."""
         return not self.loop_count and not self.parallel_count
 
     @property
@@ -187,7 +187,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
         return vertex[(self._places[1][dart] + offset) % len(vertex)]
 
     def move(self, dart: Dart, offset: int) -> Dart:
-        """``alpha(sigma^offset(dart))``: the dart of arrival after leaving by that one."""
+        """``alpha(sigma^offset(dart))``: the dart of arrival of a motion."""
         return self.alpha[self.turn(dart, offset)]
 
     def offset(self, start: Dart, end: Dart) -> int:
@@ -233,7 +233,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
 
     @classmethod
     def from_json(cls, document: str | Mapping[str, Any]) -> CombinatorialMap:
-        """The map of :meth:`to_json`'s document, or of its text; other keys are ignored.
+        """The map that :meth:`to_json` has written, or its text; other keys are ignored.
 
         Raises:
             InvalidMap: if the text is no JSON object with two lists, or no map.
@@ -268,7 +268,7 @@ def cycles(permutation: Sequence[int]) -> tuple[tuple[int, ...], ...]:
 
 
 def places(cycles: Sequence[Sequence[int]]) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """For each element of a permutation its cycle, and its place in it, by their numbers."""
+    """For each element of a permutation the number of its cycle, and its position there."""
     size = sum(map(len, cycles))
     owner, positions = [0] * size, [0] * size
     for index, cycle in enumerate(cycles):
@@ -290,7 +290,7 @@ def distances(map_: CombinatorialMap, vertex: Vertex) -> dict[Vertex, int]:
 
 
 def inverse(permutation: Sequence[int]) -> list[int]:
-    """The permutation that leads back."""
+    """The inverse permutation."""
     found = [0] * len(permutation)
     for x, y in enumerate(permutation):
         found[y] = x
@@ -321,7 +321,7 @@ def _integers(name: str, tried: Mapping[str, tuple[object, ...]]) -> tuple[int, 
 
 
 def _are_lawful(sigma: tuple[int, ...], alpha: tuple[int, ...]) -> bool:
-    """Whether these are a map, as nearly always; :func:`_broken_laws` says why they are none."""
+    """Whether these are a map; if not, :func:`_broken_laws` tells the reason."""
     darts = [*range(len(sigma))]
     if not darts or not sorted(sigma) == darts == sorted(alpha):
         return False
@@ -424,8 +424,8 @@ def carries(
 ) -> bool:
     """Whether ``order[0] -> image`` extends to an isomorphism onto a map of the same size.
 
-    ``order`` is the :func:`numbering` of the first map.  Cost: O(m), and O(1) on average
-    where there is none.
+    ``order`` is the :func:`numbering` of the first map.  Cost: O(m), and O(1) on average if there
+    is none.
     """
     to = [-1] * len(sigma)
     to[order[0]] = image
@@ -437,17 +437,17 @@ def carries(
                 to[a] = b
             elif to[a] != b:
                 return False
-    # A map that commutes with two transitive actions on equally many darts is onto.
+    # A function that commutes with two transitive actions on equally many darts is onto.
     return True
 
 
 def isomorphism(a: CombinatorialMap, b: CombinatorialMap) -> tuple[Dart, ...] | None:
     """A bijection ``w`` of darts with ``w . sigma = sigma . w`` and ``w . alpha = alpha . w``.
 
-    Shape: ``w[d]`` is the dart of ``b`` for dart ``d`` of ``a``; of all witnesses the one
-    with the smallest image of dart 0.  None if there is none: the maps are not the same.
+    Shape: ``w[d]`` is the dart of ``b`` for dart ``d`` of ``a``; among all bijections it is the one
+    with the smallest image of dart 0.  None if the maps are not the same.
 
-    Cost: O(m) on average where there is none, O(m^2) at worst.
+    Cost: O(m) on average if there is none, O(m^2) at worst.
     """
     if len(a.sigma) != len(b.sigma):
         return None
@@ -461,7 +461,7 @@ def isomorphism(a: CombinatorialMap, b: CombinatorialMap) -> tuple[Dart, ...] | 
 def rooted_isomorphism(
     a: CombinatorialMap, root: Dart, b: CombinatorialMap, other: Dart
 ) -> tuple[Dart, ...] | None:
-    """The one isomorphism with ``root -> other``; None if there is none.  Cost: O(m)."""
+    """The only isomorphism with ``root -> other``; None if there is none.  Cost: O(m)."""
     order = numbering(a.sigma, a.alpha, root)
     if len(a.sigma) != len(b.sigma) or not carries(
         a.sigma, a.alpha, order, b.sigma, b.alpha, other

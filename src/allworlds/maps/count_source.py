@@ -1,4 +1,4 @@
-"""The independent source of a count, and the completions of a beginning."""
+"""The independent source of a count, and the number of completions of a partial gluing."""
 
 from collections import Counter
 from collections.abc import Mapping
@@ -11,15 +11,15 @@ from allworlds.maps.counting import NARROWED, SOURCES, CountSource
 from allworlds.maps.enumeration import FINGERPRINTS, Gluing, fingerprint, rooted_maps
 
 Size: TypeAlias = tuple[int, int]
-"""New darts, and new vertices."""
+"""The numbers of new darts and of new vertices."""
 
 NOTHING: Mapping[Size, int] = MappingProxyType({(0, 0): 1})
 
 
 def completions(gluing: Gluing) -> int:
-    """The rooted maps that begin as this gluing; of the simple classes an upper bound.
+    """The number of rooted maps that begin as this gluing; an upper bound in simple classes.
 
-    The gluing holds its first vertex at least.  Cost: microseconds; polynomial in the edges.
+    The gluing has at least its first vertex.  Cost: microseconds; polynomial in the edges.
     """
     left = gluing.limit - len(gluing.degrees)
     if not gluing.planar:
@@ -32,7 +32,7 @@ def completions(gluing: Gluing) -> int:
 
 @cache
 def _anywhere(open_: int, owed: int, vertices: int) -> int:
-    """The number of ways to close ``open_`` darts with exactly the owed ones, any to any."""
+    """The number of ways to glue ``open_`` darts and exactly the owed darts, in any pairs."""
     if open_ == 0:
         return int(owed == 0)
     ways = (open_ - 1) * _anywhere(open_ - 2, owed, vertices) if open_ > 1 else 0
@@ -44,9 +44,9 @@ def _anywhere(open_: int, owed: int, vertices: int) -> int:
 
 @cache
 def _fillings(open_: int, most: int) -> Mapping[Size, int]:
-    """The numbers of ways to close a face of ``open_`` darts, by size: at most ``most`` new darts.
+    """The numbers of ways, by size, to close a face of ``open_`` darts with at most ``most`` more.
 
-    The oldest dart is glued to another one, which parts the face, or to a new vertex.
+    The oldest dart is glued to another one, which divides the face, or to a new vertex.
     """
     if open_ == 0:
         return NOTHING
@@ -69,7 +69,7 @@ def _product(a: Mapping[Size, int], b: Mapping[Size, int]) -> Mapping[Size, int]
 
 
 def source_of(extent: Extent) -> CountSource | None:
-    """The source of the numbers of the maps in an extent; None where there is none."""
+    """The source of the numbers of maps in an extent; None if there is none."""
     where = extent.where
     if extent.given is not None:
         return None
@@ -82,9 +82,9 @@ def source_of(extent: Extent) -> CountSource | None:
 
 @cache
 def listed(extent: Extent, edges: int) -> Mapping[int, int]:
-    """The fingerprints of a level, summed, by vertices: by no unit, class or condition cut short.
+    """The sums of the fingerprints of a level, by vertices, without units and without cut-offs.
 
-    Every rooted map with so many edges is made, and asked whether it belongs to the extent.
+    All rooted maps with this number of edges are made, and then selected by the extent.
     Cost: up to 5 edges 0.3 s; 0.03 ms for each map of any class.
     """
     sums: Counter[int] = Counter()

@@ -1,17 +1,16 @@
-"""Every rooted map of a class, each exactly once, streamed.
+"""The enumeration of all rooted maps of a class, one by one, each exactly once.
 
-A map is glued together from its root: number the darts in the order in which they come
-into being, take the oldest open dart, and glue it either to another open dart or to the
-first dart of a new vertex of degree d, whose other darts open behind it.  Every rooted map
-has exactly one such history, so no map is made twice.
+A map is glued together from its root: the darts are numbered in the order in which they are made,
+and the oldest open dart is glued either to another open dart or to the first dart of a new vertex
+of degree d, whose other darts become open.  Each rooted map has exactly one such history, so no map
+is made twice.
 
-Only histories that can be finished are begun (classes ``maps`` and ``planar``): the last open
-dart may not close while darts are still owed.  In the plane a dart is glued only within its
-own face of the open boundary, and the vertices to come must be enough to even out every
-face with an odd number of open darts.  In the simple classes a vertex needs enough partners left;
-there the rule is only necessary, so a few histories end without a map.  A condition
-cuts off, in the same way, what can become no map of which it holds; one on the faces of a map is
-one on the vertices of its dual, which is glued together in its place.
+In the classes ``maps`` and ``planar`` each history can be finished: the last open dart is not
+closed while darts are owed.  In the plane a dart is glued only within its own face of the open
+boundary, and there must be enough further vertices to make the number of open darts in each face
+even.  In simple classes each vertex needs enough remaining partners; this is only necessary, so a
+few histories end without a map.  A condition cuts off histories in the same way.  A condition on
+the faces of a map becomes a condition on the vertices of its dual, which is glued together instead.
 """
 
 from collections.abc import Iterator, Sequence
@@ -34,8 +33,8 @@ class Gluing:
         alpha: for each dart so far its partner, or OPEN.
         vertex: for each dart its vertex.
         degrees: the degree of each vertex.
-        faces: the open darts round each face of the boundary, in the order in which they
-            are met; for classes that are not planar one face that holds them all.
+        faces: the open darts round each face of the boundary, in their order; in classes that are
+            not planar a single face holds all of them.
         newest: a dart of the edge that was glued last, or OPEN.
     """
 
@@ -63,7 +62,7 @@ class Gluing:
 
     @property
     def owed(self) -> int:
-        """The number of darts that have not come into being."""
+        """The number of darts that have not been made yet."""
         return 2 * self.edges - len(self.alpha)
 
     @property
@@ -72,11 +71,10 @@ class Gluing:
         return bool(self.degrees) and not self.faces
 
     def successors(self) -> "Iterator[tuple[Decision, Gluing]]":
-        """The legal decisions about the oldest open dart.
+        """Yield the legal decisions about the oldest open dart, with the gluings after them.
 
-        They come in the fixed order: gluings ascending, then degrees ascending.  Each successor can
-        be followed up to a finished map (simple classes: as far as the counting of partners can
-        tell).  Cost: O(m) for each.
+        The order is fixed: ascending partners, then ascending degrees.  Each gluing can be finished
+        (in simple classes only by the necessary count of partners).  Cost: O(m) for each.
         """
         if not self.degrees:
             most = self.edges if self.simple else 2 * self.edges
@@ -114,14 +112,14 @@ class Gluing:
         self.faces = rest + [part for part in parts if part]
 
     def _oldest(self) -> tuple[Dart, list[Dart]]:
-        """The oldest open dart, and the face that it is in."""
+        """The oldest open dart, and its face."""
         face = min(self.faces, key=min)
         return min(face), face
 
     def finish(self) -> CombinatorialMap:
         """The finished map; its root is dart 0.
 
-        The darts of a vertex are consecutive, or those of a face where the dual was glued together.
+        The darts of a vertex are consecutive; if the dual was glued together, those of a face are.
         """
         sigma = list(range(1, 2 * self.edges + 1))
         first = 0
@@ -255,9 +253,9 @@ FINGERPRINTS = 1 << 62
 
 
 def fingerprint(map_: CombinatorialMap) -> int:
-    """A number for a map rooted at dart 0, of its :func:`history`, in any numbering of its darts.
+    """A number of a map rooted at dart 0, computed from its :func:`history`.
 
-    The sum over some maps, in any order, tells which maps they are.  Cost: O(m).
+    The sum over some maps identifies the set of these maps.  Cost: O(m).
     """
     code = 0
     for decision in history(map_):
@@ -273,9 +271,9 @@ def prefixes(
     depth: int = 2,
     where: Condition | None = None,
 ) -> Iterator[tuple[Decision, ...]]:
-    """The histories cut after ``depth`` decisions: each map extends exactly one of them.
+    """The histories cut after ``depth`` decisions; each map extends exactly one of them.
 
-    Under a condition those are left out that can become no map of which it is true.
+    Histories of which no map meets the condition are left out.
     """
     for history, _ in _grown(Gluing(edges, map_class, vertices, where), (), depth):
         yield history

@@ -13,7 +13,7 @@ from allworlds.maps.build import cycle, dense, from_cycles, lattice
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, automorphisms, rooted_code
 
 Ends: TypeAlias = list[tuple[int, int]]
-"""The edges of a graph: the numbers of the two vertices of each."""
+"""The edges of a graph, each as the numbers of its two vertices."""
 
 
 def torus(rows: int, columns: int, random: Random) -> CombinatorialMap:
@@ -47,7 +47,7 @@ def cubic(vertices: int, random: Random) -> CombinatorialMap:
 
 
 def sparse(vertices: int, edges: int, random: Random) -> CombinatorialMap:
-    """A random tree with random edges besides, loops and parallel ones among them."""
+    """A random tree with further random edges, which may be loops or parallel."""
     if not 0 < vertices <= edges + 1 or edges < 1:
         raise ValueError("N vertices need N - 1 edges at least, and a map has 1")
     ends = [(v, random.randrange(v)) for v in range(1, vertices)]
@@ -59,9 +59,9 @@ def sparse(vertices: int, edges: int, random: Random) -> CombinatorialMap:
 def planar(edges: int, random: Random) -> CombinatorialMap:
     """A rooted map of genus 0 with that many edges, uniform among all of them, without rejection.
 
-    A plane tree whose labels change by -1, 0 or 1 along its edges: each corner is joined to the
-    next one with a label less, or to a further vertex.  That is a quadrangulation, and its
-    diagonals between the vertices of one colour are the map.
+    In a plane tree the labels change by -1, 0 or 1 along each edge.  Each corner is joined to the
+    next corner with a smaller label, or to an additional vertex.  The result is a quadrangulation,
+    and its diagonals between the vertices of one colour form the map.
 
     Source: G. Schaeffer, Conjugaison d'arbres et cartes combinatoires aleatoires, 1998; with a
     random plane tree by the cycle lemma.  Cost: O(m).
@@ -79,8 +79,8 @@ def planar(edges: int, random: Random) -> CombinatorialMap:
         else:
             path.pop()
         corners.append(path[-1])
-    # The dart of corner i is 2i, and that of its successor 2i + 1; those that come to a corner
-    # stand before its own, the nearest first.
+    # The dart of corner i is 2i, and its successor's dart 2i + 1; darts that arrive at a corner
+    # come before the corner's own dart, the nearest first.
     size, least = len(corners), min(label)
     coming: list[list[int]] = [[] for _ in range(size)]
     top, waiting = list[int](), dict[int, int]()
@@ -128,17 +128,17 @@ def bouquet(loops: int, random: Random) -> CombinatorialMap:
 
 
 def lollipop(degree: int, length: int, random: Random) -> CombinatorialMap:
-    """A path that looks like the knot at its end, and leads to it from a first vertex of degree 1.
+    """A path from a first vertex of degree 1 to a knot that looks like the path.
 
-    The path has ``length`` inner vertices, filled up with loops, and the knot as many vertices,
-    the last of which has degree D + 1.
+    The path has ``length`` inner vertices, filled up with loops; the knot has the same number of
+    vertices, of which the last one has degree D + 1.
     """
     if degree < 4 or degree % 2 or length < 1:
         raise ValueError("D is even and at least 4, L at least 1")
     path = list(pairwise(range(length + 2)))
     path += [(v, v) for v in range(1, length + 1) for _ in range(degree // 2 - 1)]
     knot = [v for v in range(length + 1, 2 * length + 1) for _ in range(degree)][1:]
-    # The darts of the knot are odd in number: its last vertex has one more.
+    # The number of darts of the knot is odd, because its last vertex has one more.
     knot.append(2 * length)
 
     return _connected(lambda: _drawn(2 * length + 1, path + _matched(knot, random), random))
@@ -172,7 +172,7 @@ BASE_VERTICES, BASE_EDGES = 3, 5
 def cover(sheets: int, random: Random) -> CombinatorialMap:
     """A connected k-fold cover of a random map with 3 vertices and 5 edges; m = 5k.
 
-    Only the lighthouse tells its sheets apart.
+    Only the lighthouse distinguishes its sheets.
     """
     if sheets < 1:
         raise ValueError("K is at least 1")
@@ -224,7 +224,7 @@ LEAST_DEGREE = 14
 
 
 def usual_degree(far: int) -> int:
-    """The degree of hubs where none is named: 12F + 6, so that all hubs have different types."""
+    """The default degree of hubs, 12F + 6, by which all hubs have different types."""
     return 12 * far + 6
 
 
@@ -259,7 +259,7 @@ class CorridorShape(Struct, frozen=True):
 
     @property
     def window(self) -> int:
-        """The number g of consecutive near hubs whose types tell which ones they are."""
+        """The number g of consecutive near hubs whose types identify them."""
         window = 1
         while self.types**window < (window + 1) * self.far:
             window += 1
@@ -315,7 +315,7 @@ def hub_types(shape: CorridorShape) -> Iterator[int]:
 
 
 def _de_bruijn(letters: int, length: int) -> Iterator[int]:
-    """The least word over 1..letters that holds each word of that length once, read as a ring.
+    """The least cyclic word over 1..letters that contains each word of that length once.
 
     Source: H. Fredricksen, J. Maiorana, Necklaces of beads in k colors and k-ary de Bruijn
     sequences, Discrete Math. 23 (1978): Lyndon words whose lengths divide that length, ascending.
@@ -332,7 +332,7 @@ def _de_bruijn(letters: int, length: int) -> Iterator[int]:
 
 
 def corridor_edges(far: int, degree: int) -> int:
-    """The number of edges m; 0 where there is no such corridor."""
+    """The number of edges m; 0 if there is no such corridor."""
     try:
         return CorridorShape(far, degree).edges
     except ValueError:
@@ -340,18 +340,18 @@ def corridor_edges(far: int, degree: int) -> int:
 
 
 LARGEST = 100_000
-"""Larger maps are refused: a robot would not come to an end in them."""
+"""The largest number of edges; in larger maps a robot would not finish."""
 
 
 class Family(Struct, frozen=True):
     """Maps of one kind, large or small.
 
     Attributes:
-        form: how a member is written; a capital letter stands for a number.
-        edges: the number of edges of the member with these numbers, without holes.
-        build: the member; of these numbers, the fraction of holes, and a seed.
-        has_holes: edges can be removed from it.
-        one_map: without holes a seed draws no more than the dart where a robot starts.
+        form: the form of a member's name; a capital letter stands for a number.
+        edges: the function from these numbers to the number of edges without holes.
+        build: the function from these numbers, the fraction of holes, and a seed to the member.
+        has_holes: whether edges can be removed from its members.
+        one_map: whether without holes a seed draws only the dart where a robot starts.
     """
 
     form: str
@@ -365,11 +365,11 @@ def family(text: str, *, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
     """The map of a family.
 
     Args:
-        text: of one of :data:`FAMILIES`, such as ``lattice:5x6`` (5 x 6 vertices in the plane),
+        text: a member of :data:`FAMILIES`, such as ``lattice:5x6`` (5 x 6 vertices in the plane),
             ``dense:7`` (a complete graph) or ``random:9`` (see :func:`random_map`).
         holes: the fraction of edges that are removed at random; lattice, strip and dense only.
-        seed: of all random choices.  In a lattice or a strip these are the holes; without holes
-            any seed but 0 draws dart 0, where a robot starts.
+        seed: the seed of all random choices.  In a lattice or a strip it draws the holes; without
+            holes any seed but 0 draws dart 0, where a robot starts.
 
     Raises:
         InputError: naming the text, or the holes, and what would be legal.
@@ -386,20 +386,20 @@ def family(text: str, *, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
 
 
 def edges_of(text: str) -> int:
-    """The number of edges of a member, without holes.  Whether it can be built is not checked.
+    """The number of edges of a member without holes; the member need not exist.
 
     Raises:
-        InputError: if the text is that of no family.
+        InputError: if the text belongs to no family.
     """
     kind, sizes = _parsed(text)
     return kind.edges(*sizes)
 
 
 def rootings(text: str, map_: CombinatorialMap, holes: float | str | None = None) -> int | None:
-    """The number of rooted maps that seeds draw of a member, each with the same chance.
+    """The number of rooted maps that seeds draw for a member, with equal probability.
 
-    None where a seed draws more than the dart at which a robot starts.  ``map_`` is the member
-    from any seed.  Cost: O(m^2).
+    None if a seed draws more than the dart at which a robot starts.  ``map_`` is the member for any
+    seed.  Cost: O(m^2).
     """
     kind, _ = _parsed(text)
     if not kind.one_map or holes:
@@ -419,8 +419,8 @@ def _parsed(text: str) -> tuple[Family, tuple[int, ...]]:
 def random_map(edges: int, random: Random) -> CombinatorialMap:
     """A rooted map with that many edges, uniform among all of them; its root is dart 0.
 
-    A uniform permutation sigma with alpha fixed is drawn until it is connected: each rooted
-    map has equally many labellings that keep its root and alpha.
+    A uniform permutation sigma is drawn, with a fixed alpha, until the map is connected.  Each
+    rooted map has the same number of labellings with this root and this alpha.
 
     Cost: O(m), and fewer than two draws on average for m >= 2.
     """
@@ -450,7 +450,7 @@ def _random(edges: int, _holes: float, seed: int) -> CombinatorialMap:
 
 
 def _from_seed(draw: Callable[..., CombinatorialMap]) -> Callable[..., CombinatorialMap]:
-    """A family that is drawn; each size is drawn independently."""
+    """The builder of a drawn family; each size is drawn independently."""
 
     def build(*numbers: Any) -> CombinatorialMap:
         *sizes, _holes, seed = numbers
@@ -496,10 +496,10 @@ FAMILIES = (
     ),
     Family("corridor:FxR", corridor_edges, lambda f, r, _holes, seed: corridor(f, r, seed)),
 )
-"""Every family."""
+"""The families."""
 
 FORMS: str = ", ".join(kind.form for kind in FAMILIES)
-"""How their members are written."""
+"""The forms of the names of their members."""
 
 OTHER_WORDS = {
     "grid": "lattice",

@@ -1,6 +1,6 @@
-"""Distributions of random maps, by name: the parts of the mixture of which ``fuzz`` draws.
+"""Distributions of random maps, by name: the parts of the mixtures from which ``fuzz`` draws.
 
-Each draws a map with at most as many edges as are asked, and about as many, with a random root.
+Each draws a map with at most, and about, the requested number of edges, and with a random root.
 """
 
 from collections.abc import Callable, Iterable
@@ -16,16 +16,16 @@ from allworlds.maps.combinatorial import CombinatorialMap, rooted_code, unreache
 from allworlds.maps.enumeration import Gluing
 
 Generator: TypeAlias = Callable[[int, Random], CombinatorialMap]
-"""A function that draws a map of the size that is asked, or less."""
+"""The function that draws a map of the requested number of edges, or fewer."""
 
 DEAD_ENDS = 5
-"""The number of histories under a condition that may come to nothing."""
+"""The largest number of histories under a condition that may end without a map."""
 
 
 def glued(map_class: MapClass, where: Condition | None = None) -> Generator:
-    """Draw a random sequence of gluings, every decision uniform: any class, not a uniform map.
+    """Draw a random sequence of gluings with uniform decisions, in any class; maps are not uniform.
 
-    Where a condition lets no map with that many edges begin, it is another map of the class.
+    If too many histories under the condition end without a map, the condition is dropped.
     """
 
     def generate(edges: int, random: Random) -> CombinatorialMap:
@@ -239,7 +239,7 @@ PARTS: dict[str, Generator] = {
 """Every part by its name, but for the random histories of a class."""
 
 HISTORIES = "histories"
-"""The part that every class has, with every number of edges."""
+"""The part that all classes have, for all numbers of edges."""
 
 MIXES: dict[MapClass, tuple[str, ...]] = {
     MapClass.MAPS: tuple(PARTS),
@@ -251,22 +251,22 @@ MIXES: dict[MapClass, tuple[str, ...]] = {
 
 
 def default_mix(extent: Extent) -> tuple[str, ...]:
-    """The names of the parts of an extent; of a condition with a name its own histories alone."""
+    """The names of the parts of an extent; under a named condition only its histories."""
     return (HISTORIES,) if narrowing(extent.where) else MIXES.get(extent.map_class, (HISTORIES,))
 
 
 def generator(part: str, extent: Extent) -> Generator:
-    """The generator of that name; what it makes need not be of the extent."""
+    """The generator of that name; its maps need not belong to the extent."""
     if part == HISTORIES:
         return glued(extent.map_class, extent.where if narrowing(extent.where) else None)
     return PARTS[part]
 
 
 def mix_named(given: object) -> tuple[str, ...] | None:
-    """The names of parts, each once; of None there are none.
+    """The names of parts, each once; None for None.
 
     Raises:
-        InputError: naming what is no part, or comes twice.
+        InputError: naming a text that is no part, or occurs twice.
     """
     if given is None:
         return None

@@ -1,4 +1,4 @@
-"""Maps to and from networkx, and every embedding of a graph."""
+"""Maps to and from networkx, and all embeddings of a graph."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ if TYPE_CHECKING:
 
 
 def to_networkx(map_: CombinatorialMap) -> nx.MultiGraph:
-    """The graph of the map; its rotation stands in attributes.
+    """The graph of the map; attributes hold its rotation.
 
     Its nodes are the vertices ``0..n-1``, each with its darts clockwise as the attribute
     ``darts``; the edge of darts ``d < e`` has the key ``d`` and the attribute ``darts=(d, e)``,
-    with ``d`` at the end that is named first.  :func:`from_networkx` takes it back.
+    with ``d`` at its first end.  :func:`from_networkx` is the inverse function.
     """
     import networkx as nx  # 'import allworlds' stays fast
 
@@ -45,19 +45,20 @@ def from_networkx(
     """The map of a graph of networkx.
 
     Args:
-        graph: of any type; a directed one has both directions of each edge, which are one edge.
-        order: where the clockwise order round each node comes from.  ``"positions"``: from its
-            attribute ``pos``, as :func:`from_positions` reads it.  ``"planar"``: from the embedding
-            in the plane that :func:`networkx.check_planarity` finds.  None: from the graph itself:
-            from the attributes ``darts`` of :func:`to_networkx`, or the attributes ``cw`` and
-            ``ccw`` of a ``PlanarEmbedding``, of any genus; other graphs are refused.
+        graph: a graph of any type; in a directed graph both directions of each edge must exist,
+            and are one edge.
+        order: the source of the clockwise order round each node.  ``"positions"``: its attribute
+            ``pos``, as in :func:`from_positions`.  ``"planar"``: the embedding in the plane by
+            :func:`networkx.check_planarity`.  None: the graph itself, by the attributes ``darts``
+            of :func:`to_networkx`, or the attributes ``cw`` and ``ccw`` of a ``PlanarEmbedding``,
+            of any genus; other graphs are refused.
 
-    The vertices of the map are the nodes in their order, unless ``darts`` have another one.
+    The vertices of the map are the nodes in their order, unless ``darts`` define another order.
 
     Raises:
-        InvalidMap: naming a node without an order, a broken attribute, an edge that leads one way
-            only, or one that the order does not place; if the graph is not connected or has no
-            edge; or if the map would not have all its edges.
+        InvalidMap: naming a node without an order, a broken attribute, an edge with only one
+            direction, or an edge without a position in the order; if the graph is not connected or
+            has no edge; or if the map would lack an edge.
 
     Cost: O(m log m).
     """
@@ -75,7 +76,7 @@ def from_networkx(
     if order == "planar":
         _refuse_loops_and_parallels(plain)
         names = list(plain)
-        # With numbers for names: networkx loses edges of names such as nan.
+        # Numbers replace the names, because networkx loses edges of names such as nan.
         planar, embedding = nx.check_planarity(nx.convert_node_labels_to_integers(plain))
         if not planar:
             raise InvalidMap(f"the graph of node {show(names[0])} is not planar; {LISTS}")
@@ -102,7 +103,7 @@ def undirected(graph: nx.Graph) -> nx.Graph:
     """The graph, in which both directions of an edge are one edge.
 
     Raises:
-        InvalidMap: for anything else, and naming an edge without its other direction, or a node
+        InvalidMap: for any other value, and naming an edge without its other direction, or a node
             without an edge.
     """
     import networkx as nx
@@ -138,20 +139,20 @@ def _refuse_loops_and_parallels(graph: nx.Graph) -> None:
 
 
 def from_positions(graph: nx.Graph, pos: Mapping[Any, Sequence[float]]) -> CombinatorialMap:
-    """The map of a drawing in straight lines, which may cross; the genus follows from the order.
+    """The map of a drawing with straight lines, which may cross; the genus follows from the order.
 
     Args:
-        graph: as for :func:`from_networkx`, without loops and parallel edges.
-        pos: of each node the two coordinates, to the right and **up**; on screens, where the second
-            one counts down, the map is mirrored.  They are compared exactly, as the decimals that
-            they are printed as.
+        graph: as in :func:`from_networkx`, without loops and parallel edges.
+        pos: the two coordinates of each node, to the right and **up**; coordinates of screens,
+            where the second one counts down, yield the mirror image.  They are compared exactly, as
+            the printed decimals.
 
     Darts are numbered node by node, from straight up clockwise.
 
     Raises:
-        InvalidMap: naming a node without a position of two finite numbers, two nodes at one place
-            that are joined, two edges that leave a node in one direction, a loop or parallel edges;
-            or as for :func:`from_networkx`.
+        InvalidMap: naming a node without a position of two finite numbers, two joined nodes at one
+            place, two edges that leave a node in one direction, a loop or parallel edges; or as in
+            :func:`from_networkx`.
 
     Cost: O(m log m).
     """
@@ -171,8 +172,9 @@ def from_directions(
     """The map of edges that leave their two ends in these directions, as :func:`turn` tells them.
 
     Args:
-        graph: undirected; its nodes in their order are the vertices, and its edges are compared.
-        passages: of each edge both ends, each with the direction in which it leaves there.
+        graph: an undirected graph; its nodes in their order are the vertices, and its edges are
+            compared with the map.
+        passages: both ends of each edge, each with the direction in which the edge leaves.
 
     Raises:
         InvalidMap: naming two edges that leave a node in one direction.
@@ -214,13 +216,13 @@ def turn(v: Hashable, w: Hashable, here: Sequence[Fraction], there: Sequence[Fra
 def embeddings(
     graph: nx.Graph, *, up_to_isomorphism: bool = True, genus: int | None = None
 ) -> Iterator[CombinatorialMap]:
-    """Every map of a graph: with each choice of a cyclic order of the edges round each vertex.
+    """Yield the maps of a graph, for all choices of cyclic orders of the edges round each vertex.
 
     Args:
-        graph: of networkx, of any type; parallel edges and loops are told apart.
-        up_to_isomorphism: of maps that are the same up to the names of darts only the first comes;
-            mirror images are in general not the same.
-        genus: of these maps alone.
+        graph: a graph of networkx, of any type; parallel edges and loops are distinguished.
+        up_to_isomorphism: whether only the first of maps that are the same up to the names of darts
+            is yielded; mirror images are in general not the same.
+        genus: the genus of the yielded maps; None for any.
 
     All have the same ``alpha``, and as vertices the nodes in their order.  The order is that of
     their rotations, lexicographically: the edges round a vertex begin with its first one.
@@ -230,7 +232,7 @@ def embeddings(
             that is no integer of at least 0.
 
     Cost: ``(d - 1)!`` choices for each vertex of degree d; each O(m), and O(m^2) for each class,
-    of which the codes of all rootings are kept.
+    because the codes of all its rootings are kept.
     """
     if genus is not None and an_integer("genus", genus) < 0:
         raise InputError(f"genus = {genus}; legal is an integer of at least 0")
@@ -272,7 +274,7 @@ def _one_of_each_class(maps: Iterable[CombinatorialMap]) -> Iterator[Combinatori
 
 
 def compared(map_: CombinatorialMap, nodes: Sequence[Any], graph: nx.Graph) -> CombinatorialMap:
-    """The map, whose vertices are these nodes.
+    """The map, if its vertices and edges are the nodes and edges of the graph.
 
     Raises:
         InvalidMap: unless the map has the edges of the graph, with the same ends, and its nodes.
@@ -311,7 +313,7 @@ def _from_darts(graph: nx.Graph) -> CombinatorialMap:
 
 
 def _darts(node: str, data: Mapping[str, Any]) -> list[int]:
-    """The darts of the node or edge with these attributes; one at least."""
+    """The darts of the node or edge with these attributes; at least one."""
     if "darts" not in data:
         raise InvalidMap(f"{node} has no attribute 'darts'; all nodes and edges have it, or none")
     try:
@@ -324,10 +326,10 @@ def _darts(node: str, data: Mapping[str, Any]) -> list[int]:
 
 
 def permutation(cycles: Iterable[Sequence[int]]) -> list[int]:
-    """The images of the permutation with these cycles, by the numbers that are moved.
+    """The permutation with these cycles, as the list of its images.
 
     Raises:
-        InvalidMap: unless each of 0..N-1 stands in one cycle.
+        InvalidMap: unless each of 0..N-1 is in exactly one cycle.
     """
     pairs = sorted((a, b) for cycle in cycles for a, b in pairwise([*cycle, *cycle[:1]]))
     darts = [dart for dart, _ in pairs]
@@ -337,17 +339,17 @@ def permutation(cycles: Iterable[Sequence[int]]) -> list[int]:
 
 
 def from_faces(faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
-    """The map of a closed surface that is glued of polygons.
+    """The map of a closed surface that is glued from polygons.
 
     Args:
-        faces: of each face the vertices in the order of its walk, such as ``"abc"``; each edge is
-            walked once in each direction.  Darts are numbered in this order, each at the vertex
-            where it begins.  Two vertices are joined by one edge at most, and no vertex to itself:
-            :func:`~allworlds.maps.build.from_cycles` takes parallel edges and loops, too.
+        faces: the vertices of each face in the order of its walk, such as ``"abc"``; each edge must
+            be walked once in each direction.  Darts are numbered in this order, each at the vertex
+            where it begins.  There are no parallel edges and loops, for which
+            :func:`~allworlds.maps.build.from_cycles` exists.
 
     Raises:
-        InvalidMap: naming an edge that is not walked so, a vertex at which two pieces meet, or
-            one that no walk along edges reaches.
+        InvalidMap: naming an edge that is not walked once in each direction, a vertex at which two
+            pieces of surface meet, or a vertex that cannot be reached.
 
     Cost: O(m).
     """
@@ -378,7 +380,7 @@ def from_faces(faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
 
 
 def _clockwise(v: Hashable, around: Mapping[Hashable, Mapping[str, Any]]) -> list[Hashable]:
-    """The neighbours of ``v`` clockwise, as ``PlanarEmbedding.neighbors_cw_order`` begins."""
+    """The neighbours of ``v`` clockwise, in the order of ``PlanarEmbedding.neighbors_cw_order``."""
     following = {w: data.get("cw") for w, data in around.items()}
     first = w = next(reversed(following), None)
     walk = []

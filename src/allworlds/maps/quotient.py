@@ -17,19 +17,19 @@ def coarsest_partition(
 ) -> list[int]:
     """For each element its block in the coarsest partition that the permutations respect.
 
-    Elements of one block have equal labels, and each permutation takes a block into a block.
-    Blocks are numbered from 0 in an order that is fixed by the arguments, and has no meaning.
+    Elements of one block have equal labels, and each permutation maps blocks into blocks.  Blocks
+    are numbered from 0; their order depends only on the arguments, and has no meaning.
 
     Args:
-        labels: one for each element ``0..n-1``.
-        permutations: each of the elements.
+        labels: the label of each element ``0..n-1``.
+        permutations: permutations of the elements.
 
     Cost: O(n log n) for each permutation.  Source: Hopcroft 1971 ('process the smaller
     half').
     """
     parts = _Partition(labels)
     inverses = [combinatorial.inverse(permutation) for permutation in permutations]
-    # What splits by the largest block splits by the others too.
+    # A split by the largest block follows from the splits by the other ones.
     sizes = [past - first for first, past in zip(parts.first, parts.past, strict=True)]
     largest = sizes.index(max(sizes))
     waiting = [block for block in range(len(sizes)) if block != largest]
@@ -54,7 +54,7 @@ class _Partition:
         self.first = [0, *self.past[:-1]]
 
     def split(self, chosen: Sequence[int]) -> list[int]:
-        """Split every block into its chosen and its other elements; the new blocks.
+        """Split each block into its chosen and its other elements; return the new blocks.
 
         The smaller half of a block becomes the new one.  Cost: O(len(chosen)).
         """
@@ -88,7 +88,7 @@ class Quotient(Struct, frozen=True, dict=True):
     """A quotient rooted at class 0, in canonical numbering.
 
     Attributes:
-        sigma, alpha: of the classes; alpha may have fixed points.
+        sigma, alpha: the permutations of the classes; alpha may have fixed points.
         degree: for each class the degree of the vertices over it.
         labels: for each class the label of its darts.
         sheets: k, the number of darts over each class.
@@ -115,7 +115,7 @@ class Quotient(Struct, frozen=True, dict=True):
 
     @cached_property
     def cone_indices(self) -> tuple[int, ...]:
-        """For each vertex how often a vertex of the map goes round it; divides k."""
+        """For each vertex the number of times that a vertex of the map covers it; divides k."""
         return tuple(self.degree[vertex[0]] // len(vertex) for vertex in self.vertices)
 
     @cached_property

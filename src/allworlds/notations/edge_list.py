@@ -1,7 +1,7 @@
-"""A table of edges, in CSV: two ends, and which one clockwise the edge is at each of them.
+"""Tables of edges in CSV: the two ends of each edge, and its rank in clockwise order at each end.
 
-The header ``from,to,from_rank,to_rank`` must be there; every line is an edge.  Ranks are any
-numbers, and differ at one vertex.
+The header ``from,to,from_rank,to_rank`` is required; each further line is an edge.  Ranks are
+numbers, which differ at each vertex.
 """
 
 import csv
@@ -20,7 +20,7 @@ COLUMNS = ["from", "to", "from_rank", "to_rank"]
 
 
 def read_edge_list(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
-    """The one world of a table."""
+    """The only world of a table."""
     rows = csv.reader(io.StringIO(text_of(file.read()), newline=""), strict=True)
     ranks = dict[str, dict[float, int]]()
     try:

@@ -1,4 +1,4 @@
-"""Places in files, their texts, and what readers and writers share besides."""
+"""Places in files, their texts, and further functions that readers and writers share."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -10,7 +10,7 @@ from allworlds.world.world import Entry
 
 @contextmanager
 def at(where: str) -> Iterator[None]:
-    """Name the place in what is told of bad input there."""
+    """A context in which errors about bad input name this place."""
     try:
         yield
     except InputError as error:
@@ -21,7 +21,7 @@ def text_of(content: bytes) -> str:
     """The text of some bytes of a file.
 
     Raises:
-        InputError: naming the first byte that is no UTF-8.
+        InputError: naming the first byte that is not UTF-8.
     """
     try:
         return content.decode("utf-8-sig")
@@ -30,7 +30,7 @@ def text_of(content: bytes) -> str:
 
 
 def neighbours(entry: Entry) -> list[list[Vertex]]:
-    """The other ends of the edges round each vertex, for a notation that tells no more.
+    """The other ends of the edges round each vertex, for a notation of simple maps.
 
     Raises:
         InputError: naming a vertex with a loop or parallel edges.

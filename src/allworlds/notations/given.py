@@ -1,4 +1,4 @@
-"""Worlds that users give in place of a class: of files, of a graph's embeddings, or made here."""
+"""Worlds that users give instead of a class: from files, from embeddings of a graph, or values."""
 
 import re
 from array import array
@@ -35,20 +35,20 @@ from allworlds.world.lighthouses.options import InvalidWorld
 from allworlds.world.world import Entry, World
 
 PIECE = 50
-"""The given maps that one worker does at a time."""
+"""The number of given maps that a worker gets at a time."""
 
 Placed: TypeAlias = tuple[CombinatorialMap, list[tuple[int, Lighthouse]]]
 """A map rooted at dart 0, and the numbered places of its lighthouse that are tried."""
 
 
 class GivenMap(Struct, frozen=True):
-    """A map, with what is fixed in it.
+    """A given map, with its fixed parts.
 
     Attributes:
-        map: numbered in any way.
+        map: the map, with any numbering.
         starts: the darts that the robot may face at the start.
-        lighthouse: at its only place, or None: every place is tried.
-        labels: what the user calls it.
+        lighthouse: the lighthouse at its only place, or None: every place is tried.
+        labels: the user's names.
     """
 
     map: CombinatorialMap
@@ -69,33 +69,33 @@ class GivenMap(Struct, frozen=True):
 
 
 class Digest(Struct, frozen=True):
-    """A file of worlds, as an identity knows it: by its name, and the SHA-256 of its content."""
+    """A file of worlds in an identity: its name, and the SHA-256 of its content."""
 
     plain: str
     record: str
 
 
 class GivenMaps:
-    """Maps that are given one by one, in place of every map of a class.
+    """Maps that are given one by one, instead of all maps of a class.
 
-    What other processes get of them is what is said here, and not the maps: those are in units.
+    Other processes get these attributes, but not the maps, which are in units.
 
     Args:
-        noun: of one of them.
-        of: where they come from, in words; empty for worlds that were made in this process.
-        gate: why nobody counts them.
-        found: the maps, each with the name by which it is refused, and its key.
-        find: the map of such a key.
-        codes: their files.
+        noun: the noun for one of them.
+        of: the words for their origin; empty for worlds that were made in this process.
+        gate: the reason why their number is not compared with a count.
+        found: the maps, each with its name for error messages, and its key.
+        find: the function from a key to the map.
+        codes: the files of the maps.
 
     Attributes:
-        count: how many there are; ``words`` is ``3 worlds of plan.json``.
-        starts: by the number of edges, ascending, how many rooted maps there are.
-        lighthouse: the kind of those that are fixed; None: none is.
-        fixed: whether start and lighthouse of each are.
+        count: the number of the maps; ``words`` is ``3 worlds of plan.json``.
+        starts: the number of rooted maps for each number of edges, ascending.
+        lighthouse: the kind of the fixed lighthouses; None if none is fixed.
+        fixed: whether start and lighthouse of each map are fixed.
 
     Raises:
-        InputError: if there are none, or lighthouses of two kinds.
+        InputError: if there are no maps, or lighthouses of two kinds.
     """
 
     def __init__(
@@ -132,13 +132,13 @@ class GivenMaps:
 
     @property
     def described(self) -> dict[str, Any]:
-        """Their keys in the scope of a document."""
+        """The keys of the given maps in the scope of a document."""
         digests = {code.plain: code.record for code in self.codes}
         named = {} if self.of else {"worlds": ()}
         return {"sha256": digests or None, "given": self.count, **named}
 
     def weights(self, edges: int) -> list[int]:
-        """How many rooted maps each piece of a level has."""
+        """The number of rooted maps in each piece of a level."""
         starts = self._at[edges][3::4]
         return [sum(starts[i : i + PIECE]) for i in range(0, len(starts), PIECE)]
 
@@ -148,7 +148,7 @@ class GivenMaps:
         return tuple(map(self._find, keys[::4], keys[1::4], keys[2::4]))
 
     def like(self, world: World) -> Iterator[World]:
-        """The given worlds that are this one in another numbering, in their order."""
+        """The given worlds that equal this one up to the numbering of darts, in their order."""
         order = numbering(world.map.sigma, world.map.alpha, world.start)
         edges = world.map.edge_count
         pieces = (self.piece(edges, i) for i in range(len(self.weights(edges))))
@@ -163,16 +163,16 @@ class GivenMaps:
 def held(
     noun: str, of: str, gate: str, maps: Sequence[GivenMap], codes: tuple[Digest, ...] = ()
 ) -> GivenMaps:
-    """Given maps that are held: see :class:`GivenMaps`."""
+    """Given maps that are kept in memory; see :class:`GivenMaps`."""
     found = ((f"worlds[{i}]", (0, i, i), each) for i, each in enumerate(maps))
     return GivenMaps(noun, of, gate, found, lambda _file, _offset, number: maps[number], codes)
 
 
 def files_of(*names: str) -> tuple[Digest, ...]:
-    """These files as they are now, each once.
+    """The digests of these files, each once.
 
     Raises:
-        InputError: if one cannot be read, or is not as a record says that is being read.
+        InputError: if a file cannot be read, or differs from the record that is being read.
     """
     found = list[Digest]()
     for name in dict.fromkeys(names):
@@ -185,7 +185,7 @@ def files_of(*names: str) -> tuple[Digest, ...]:
 
 @lru_cache(maxsize=4)
 def worlds_of_files(codes: tuple[Digest, ...], order: Order | None, y: YAxis | None) -> GivenMaps:
-    """Every world of these files; they are read twice, and never held.
+    """All worlds of these files, which are read twice, and never kept in memory.
 
     Raises:
         InputError: naming the file, the world in it, and what would be legal.
@@ -211,7 +211,7 @@ def worlds_of_files(codes: tuple[Digest, ...], order: Order | None, y: YAxis | N
 def embeddings_of(
     graph: str, codes: tuple[Digest, ...], which: str, order: Order | None, y: YAxis | None
 ) -> GivenMaps:
-    """Every embedding of a graph, which has a name or a file, up to isomorphism; each is held.
+    """All embeddings, up to isomorphism, of a graph given by a name or a file.
 
     Raises:
         InputError: naming the graph, or the words about its embeddings; or if there are none.
@@ -228,9 +228,9 @@ def embeddings_of(
 
 
 def _given(entry: Entry, name: str) -> GivenMap:
-    """The entry with its lighthouse, and the starts from which it can stand there.
+    """The entry with its lighthouse, and the starts from which this lighthouse is legal.
 
-    The name is for a refusal.
+    The name is for error messages.
     """
     map_, placed = entry.map, None
     starts: Sequence[Dart] = map_.darts if entry.start is None else (entry.start,)
@@ -251,7 +251,7 @@ def _given(entry: Entry, name: str) -> GivenMap:
 
 
 def _worlds(given: object) -> tuple[Any, ...] | None:
-    """The names of files, or worlds; each as it is."""
+    """The names of files, or the worlds, unchanged."""
     if given is None:
         return None
     every = [given] if isinstance(given, str | Path) else given
@@ -271,7 +271,7 @@ def _said(meaning: str) -> Any:
 
 
 class FileOptions(Request):
-    """The part of a request that says how files list edges, and where their y axis leads."""
+    """The part of a request with the order of edges in files, and the direction of the y axis."""
 
     order: Annotated[
         Order | None,
@@ -294,7 +294,7 @@ class FileOptions(Request):
 
 
 class GivenOptions(FileOptions):
-    """The part of a request that gives worlds in place of those of a class."""
+    """The part of a request that gives worlds instead of a class."""
 
     worlds: Annotated[
         Converted[Any, tuple[Any, ...] | None],
@@ -331,7 +331,7 @@ class GivenOptions(FileOptions):
 
     @cached_property
     def given(self) -> GivenMaps | None:
-        """The given worlds; None for those of a class.
+        """The given worlds; None for the worlds of a class.
 
         Raises:
             InputError: naming the file and the place in it, or the option.
@@ -368,10 +368,10 @@ class GivenOptions(FileOptions):
         return {**super().in_effect, **(self.given.described if self.given else {})}
 
     def lighthouse_of_given(self, named: Any) -> Any:
-        """The lighthouse that the given worlds fix, or the one that is named.
+        """The lighthouse that the given worlds fix, or the named one.
 
         Raises:
-            InputError: if both are there, and are two.
+            InputError: if both are given, and differ.
         """
         fixed = self.given and self.given.lighthouse
         if named and fixed and named != fixed:

@@ -1,18 +1,18 @@
 """Graphs in GraphML (of networkx, of yEd), GML and graph6; networkx reads them.
 
-The edges round each vertex follow from a drawing: from straight lines between positions, or from
-the points of a line with bends, by :func:`allworlds.maps.networks.from_directions`.  A position
-stands in ``pos`` (two numbers, or a text of two), in ``x`` and ``y``, in ``graphics`` of GML, or in
-the boxes of yEd, of which the middle is taken.  The points of a line stand in yEd's ``Path``, in
-``Line`` of GML, or in ``geometry``; it leaves a room where it leaves the box of the room.  A line
-that is not read is refused, as is every file of which the graph would not have each node and each
-edge.  Without positions a graph has no order of its edges; :func:`named_graph` is for those who try
-every one.
+The order of the edges round each vertex follows from a drawing: from straight lines between
+positions, or from the points of a line with bends, by
+:func:`allworlds.maps.networks.from_directions`.  A position is read from ``pos`` (two numbers, or a
+text of two), from ``x`` and ``y``, from ``graphics`` in GML, or as the middle of a box in yEd.  The
+points of a line are read from yEd's ``Path``, from ``Line`` in GML, or from ``geometry``; the line
+leaves a vertex at the side of its box.  Other lines are refused, and so is a file if the graph
+would lack a node or an edge.  Without positions a graph has no order of its edges; for such graphs
+:func:`named_graph` serves a search of all embeddings.
 
-Names are the labels, if each node has one of its own, else the ids.  Groups are no vertices; what
-is in them is read.  Of directed edges both directions must be there, which are one edge, unless
-they have ids of their own.  yEd calls every edge directed; there an edge leads one way if it has an
-arrow at one end alone.
+The names are the labels, if all nodes have different ones, else the ids.  Groups are no vertices,
+but their contents are read.  A directed edge needs the reverse edge, too; the two are one edge,
+unless they have different ids.  yEd calls all edges directed; there an edge leads one way if it has
+an arrow at one end only.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ Box: TypeAlias = tuple[Point, Point]
 def read_graph(
     make: Callable[[bytes], nx.Graph],
 ) -> Callable[[IO[bytes]], Iterator[tuple[int, Entry]]]:
-    """A reader of the world of a file, whose content is made a graph so."""
+    """A reader of the world of a file; ``make`` makes the graph from its content."""
 
     def read(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
         yield 0, _entry(named_graph(make, file.read()))
@@ -56,10 +56,10 @@ def read_graph(
 
 
 def named_graph(make: Callable[[bytes], nx.Graph], content: bytes) -> nx.Graph:
-    """The graph that is made of the content of a file; its nodes are the names of rooms.
+    """The graph of the content of a file; its nodes are the names of the vertices.
 
     Raises:
-        InputError: if there is none.
+        InputError: if the content is no graph.
     """
     import networkx as nx
 
@@ -78,7 +78,7 @@ def named_graph(make: Callable[[bytes], nx.Graph], content: bytes) -> nx.Graph:
 
 
 def of_graph6(content: bytes) -> nx.Graph:
-    """The one graph of a text in graph6, which has edges alone."""
+    """The only graph of a text in graph6, which has edges but no positions."""
     import networkx as nx
 
     lines = content.removeprefix(b">>graph6<<").split()
@@ -116,7 +116,7 @@ def of_gml(content: bytes) -> nx.Graph:
 
 
 ARROWS = {"first": ("first", "none"), "last": ("none", "last"), "both": ("first", "last")}
-"""The heads at both ends that a word of GML stands for."""
+"""The heads at both ends, for each word of GML."""
 
 
 def of_graphml(content: bytes) -> nx.Graph:
@@ -151,14 +151,14 @@ def of_yed(content: bytes) -> nx.Graph:
 
 
 def _box_in_yed(box: ET.Element) -> dict[str, float]:
-    """The box of a node, as GML has it: of yEd's two corners the upper left one is told."""
+    """The box of a node in the form of GML; yEd gives its upper left corner."""
     x, y = (float(box.get(key, "nan")) for key in "xy")
     width, height = (float(box.get(key, "0")) for key in ("width", "height"))
     return {"x": x + width / 2, "y": y + height / 2, "w": width, "h": height}
 
 
 def _line_in_yed(edge: ET.Element, source: Any, target: Any) -> dict[str, Any]:
-    """The line of an edge with its ends, as GML has it; nothing if it is straight."""
+    """The line of an edge with its ends in the form of GML; empty if it is straight."""
     path = edge.find(f".//{YED}Path")
     if path is None or not (source and target):
         return {}
@@ -172,7 +172,7 @@ def _line_in_yed(edge: ET.Element, source: Any, target: Any) -> dict[str, Any]:
 
 
 def _label_in_yed(node: ET.Element) -> str:
-    """The first label of a node that is not blank, of whatever shape; empty if there is none."""
+    """The first label of a node, of any shape, that is not blank; empty if there is none."""
     texts = (label.text or "" for label in node.iterfind(f"{PLAIN}data//{YED}NodeLabel"))
     return next(filter(None, map(str.strip, texts)), "")
 
@@ -213,7 +213,7 @@ def _is_group(node: ET.Element) -> bool:
 
 
 def _take_out_of_groups(root: ET.Element, groups: set[str | None]) -> None:
-    """Put what is in groups of nodes into the graph itself, and leave the groups out."""
+    """Move the contents of groups of nodes to the graph itself, and remove the groups."""
     graph = root.find(f"{PLAIN}graph")
     assert graph is not None
     if len({each.get("edgedefault") for each in root.iter(f"{PLAIN}graph")}) > 1:
@@ -247,14 +247,14 @@ def _not_read(ends: str) -> InputError:
 
 
 def _ensure_differ(ids: Iterable[object]) -> None:
-    """Refuse nodes that have one id."""
+    """Refuse nodes with equal ids."""
     for each, number in Counter(ids).items():
         if number > 1:
             raise InputError(f"{number} nodes have the id {show(each)}; each has one of its own")
 
 
 def _ensure_whole(graph: nx.Graph, nodes: int, edges: int) -> None:
-    """Refuse a graph that networkx has read with other numbers of nodes or edges."""
+    """Refuse a graph unless networkx has read these numbers of nodes and edges."""
     n, m = graph.number_of_nodes(), graph.number_of_edges()
     if (n, m) != (nodes, edges):
         read = f"{nodes} nodes and {edges} edges, of which networkx reads {n} and {m}"
@@ -290,7 +290,7 @@ def _entry(graph: nx.Graph) -> Entry:
 
 
 def _box(name: str, data: dict[str, Any]) -> Box:
-    """The middle of the box of a node, wherever it stands, and half its width and height."""
+    """The middle of the box of a node, from any attribute, and half its width and height."""
     graphics = data.get("graphics")
     drawn = graphics if isinstance(graphics, dict) else data
     pos = data.get("pos") or [drawn.get("x"), drawn.get("y")]
@@ -305,15 +305,15 @@ def _box(name: str, data: dict[str, Any]) -> Box:
 
 
 def _point(given: Iterable[Any]) -> Point:
-    """Two coordinates, exactly as they are printed; raise TypeError or ValueError for others."""
+    """Two coordinates, exactly as printed; raise TypeError or ValueError for other values."""
     x, y, *_ = (Fraction(str(each)) for each in given)
     return x, y
 
 
 def _line(ends: str, data: dict[str, Any]) -> list[Point]:
-    """The points of the line that an edge is drawn as, with its ends; none if it is straight.
+    """The points of the line of an edge, with its ends; none if it is straight.
 
-    They stand in ``Line`` of GML, or in ``geometry`` of OSMnx.
+    They are read from ``Line`` of GML, or from ``geometry`` of OSMnx.
     """
     graphics = data.get("graphics")
     try:
@@ -330,7 +330,7 @@ def _line(ends: str, data: dict[str, Any]) -> list[Point]:
 
 
 def _ends(v: str, w: str, line: list[Point], boxes: Mapping[str, Box]) -> Any:
-    """Both ends of an edge, each with the direction in which it leaves there."""
+    """Both ends of an edge, each with the direction in which the edge leaves."""
     if v == w and not line:
         raise InputError(f"the edge from {show(v)} to {show(v)} is a loop that is drawn as a point")
     path = line or [boxes[v][0], boxes[w][0]]
@@ -355,10 +355,10 @@ def _inside(point: Point, middle: Point, half: Point, slack: Fraction) -> bool:
 
 
 def _leaves(path: list[Point], middle: Point, half: Point, slack: Fraction) -> Point:
-    """The point towards which a line leaves a box, as it is seen from its middle.
+    """The point towards which a line leaves a box, seen from the middle of the box.
 
-    It is the point where the line crosses the side; of a line that begins in the middle the next
-    point of it is in the same direction.
+    It is the point where the line crosses the side, or for a line from the middle its next point,
+    which is in the same direction.
     """
     before, after = middle, path[-1]
     for point in path:

@@ -3,13 +3,13 @@
 ========================================  ========================================================
 ``{"sigma": [...], "alpha": [...]}``      our own; also ``start``, ``lighthouse``, ``name``,
                                           ``names`` and ``positions`` of the vertices
-``{"hall": ["a", ["b", 0], ...], ...}``   a rotation: the neighbours of each vertex; an edge that
-                                          is one of several has a key, at both its ends
+``{"hall": ["a", ["b", 0], ...], ...}``   a rotation: the neighbours of each vertex; parallel edges
+                                          have keys, which stand at both ends
 ``{"vertices": [[0, 1], ...], "edges":``  a fat graph: cycles of darts; two of the three suffice
 ``..., "faces": ...}``
 ========================================  ========================================================
 
-In a face a dart is followed by the one before its other half in the order round the vertex, as in
+In a face, the dart after d is the dart before alpha(d) in the order round its vertex, as in
 ``FatGraph`` of the package surface_dynamics for Sage, whose vertices are anticlockwise.
 """
 
@@ -28,11 +28,11 @@ from allworlds.world.lighthouses.options import InvalidWorld
 from allworlds.world.world import Entry, WorldDocument
 
 FAT = {"vertices", "edges", "faces"}
-"""The keys of a fat graph, of which two at least are there."""
+"""The keys of a fat graph, which has at least two of them."""
 
 
 def entry_of(given: object, name: str = "") -> Entry:
-    """The world of an object; ``name`` is that of the world in its file.
+    """The world of an object; ``name`` is the name of the world in its file.
 
     Raises:
         InputError: naming the key, the vertex or the dart.
@@ -49,7 +49,7 @@ def entry_of(given: object, name: str = "") -> Entry:
         raise InputError("this is a report or a finding, not a world; see replay and explain")
     if len(given) > 1 and given.keys() <= FAT:
         return Entry(_fat(given), Labelling(name))
-    if all(isinstance(vertex, str) for vertex in given):  # in JSON they are, whatever is meant
+    if all(isinstance(vertex, str) for vertex in given):  # in JSON all names are texts
         given = {v: [*map(_end, ends)] if type(ends) is list else ends for v, ends in given.items()}
     return Entry(from_rotation(given), Labelling(name, tuple(map(str, given))))
 
@@ -64,7 +64,7 @@ def rotation_of(entry: Entry) -> dict[str, list[str | list[str | int]]]:
 
 
 def doors_of(entry: Entry) -> list[list[str | list[str | int]]]:
-    """The neighbours of each vertex, clockwise; with a key where edges are parallel, or loops."""
+    """The neighbours of each vertex, clockwise; parallel edges and loops have keys."""
     map_, at_ = entry.map, entry.map.vertex_of
     edge = {dart: number for number, darts in enumerate(map_.edges) for dart in darts}
     ends = [frozenset((at_[d], at_[e])) for d, e in map_.edges]
@@ -78,7 +78,7 @@ def doors_of(entry: Entry) -> list[list[str | list[str | int]]]:
 
 
 def _fat(given: Mapping[str, Any]) -> CombinatorialMap:
-    """The map of two or three of the permutations."""
+    """The map from two or three of the permutations."""
     images = dict[str, list[int]]()
     for key, value in given.items():
         with at(key):

@@ -1,12 +1,13 @@
 """The two binary codes of plantri: neighbours, or numbers of edges, clockwise round each vertex.
 
-``planar_code``: after a header the number of vertices, then for each its neighbours, from 1 on, and
-a 0.  Numbers have one byte, or two after a first byte 0; the header says whether the lower byte is
-first (``le``, as without a word) or the higher (``be``).  It cannot tell loops and parallel edges.
+``planar_code`` has a header, the number of vertices, and for each vertex its neighbours, counted
+from 1, and a 0.  Numbers have one byte, or two bytes after a first byte 0; the header tells whether
+the lower byte comes first (``le``, the default) or the higher one (``be``).  The code has no loops
+and parallel edges.
 
-``edge_code``: the number of bytes, then for each vertex the numbers of its edges, and between two
-vertices a byte 255.  If the first byte is 0, the two halves of the second say how many bytes the
-size has, and each number of an edge; the higher byte is first.
+``edge_code`` has the number of bytes, and for each vertex the numbers of its edges, with a byte 255
+between two vertices.  If the first byte is 0, the two halves of the second byte are the lengths in
+bytes of the size and of the number of an edge; the higher byte comes first.
 
 Source: the guide of plantri, and its program; the headers are also those of CaGe.
 """
@@ -21,11 +22,11 @@ from allworlds.world.world import Entry
 
 PLANAR, EDGE = b">>planar_code", b">>edge_code"
 MOST = 255
-"""The most vertices, and the most bytes, for which numbers have one byte."""
+"""The largest number of vertices, or of bytes, for which numbers have one byte."""
 
 
 def _begun(file: IO[bytes], code: bytes) -> bytes:
-    """The word after the name in the header; the position is not before the end of it."""
+    """The word after the name in the header; leave the file at least at the header's end."""
     here = file.tell()
     file.seek(0)
     header = file.read(len(code) + 5)
@@ -40,7 +41,7 @@ def _begun(file: IO[bytes], code: bytes) -> bytes:
 
 
 def _number(file: IO[bytes], size: int, order: Literal["little", "big"] = "big") -> int:
-    """The next number of so many bytes."""
+    """The next number, which has this many bytes."""
     read = file.read(size)
     if len(read) < size:
         raise InputError("the file ends in the middle of a world")

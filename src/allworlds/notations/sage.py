@@ -19,7 +19,7 @@ from allworlds.world.world import Entry
 
 
 def opens(line: str) -> int:
-    """How many brackets a line opens and does not close; those in texts do not count."""
+    """The number of brackets that a line opens and does not close, except in texts."""
     plain = re.sub(r"'[^']*'|\"[^\"]*\"", "", line)
     return sum((sign in "([{") - (sign in ")]}") for sign in plain)
 
@@ -33,7 +33,7 @@ FAT_GRAPH = re.compile(
 
 
 def _fat_graph(text: str) -> dict[str, list[list[int]]] | None:
-    """The permutations of a fat graph that is printed as a call; None for any other text."""
+    """The permutations of a fat graph whose text is a call; None for any other text."""
     found = FAT_GRAPH.fullmatch(text)
     if not found:
         return None
@@ -43,7 +43,7 @@ def _fat_graph(text: str) -> dict[str, list[list[int]]] | None:
 
 
 def literal(text: str) -> Any:
-    """The value of a literal; raise InputError if it is none, or if a key stands in it twice."""
+    """The value of a literal; raise InputError if the text is none, or repeats a key."""
     if fat := _fat_graph(text):
         return fat
     try:

@@ -1,4 +1,4 @@
-"""The notations of embedded graphs that files are read in and written in."""
+"""The notations in which files of embedded graphs are read and written."""
 
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
@@ -43,29 +43,30 @@ from allworlds.world.labels import Labelling
 from allworlds.world.world import Entry
 
 Order: TypeAlias = Literal["clockwise", "anticlockwise"]
-"""In which order a file lists the edges round a vertex."""
+"""The order in which a file lists the edges round a vertex."""
 
 YAxis: TypeAlias = Literal["up", "down"]
-"""Where the second coordinate of a position grows."""
+"""The direction in which the second coordinate of a position grows."""
 
 EVERY = ("name", "names", "positions", "start", "lighthouse")
-"""All that a world of a file can have besides its map, by the keys of our JSON."""
+"""The parts that a world in a file can have besides its map, by the keys of our JSON."""
 
 
 class Notation(Struct, frozen=True):
     """One notation.
 
     Attributes:
-        name: its usual one.
-        suffixes: of files in it.
-        read: the entries of an open binary file from its position on, clockwise and with the y axis
-            upward, each with the offset at which it begins; its number where it does not stream.
-        write: the bytes of an entry; None where it is not written.
-        keeps: those of :data:`EVERY` that it can tell.
-        mark: bytes that stand near the beginning of such files alone, where it has some.
-        streams: whether it holds many entries, of which one at a time is in memory.
-        y: the usual direction of its y axis, where the order follows from positions.
-        graph: the graph of a content, for those who need its edges alone.
+        name: the usual name.
+        suffixes: the suffixes of its files.
+        read: the function that yields the entries of an open binary file from its position on,
+            clockwise and with the y axis upward, each with its offset in the file, or with its
+            number if the notation does not stream.
+        write: the function from an entry to bytes; None if the notation is not written.
+        keeps: those of :data:`EVERY` that it can express.
+        mark: bytes near the beginning of such files, which no other files have; may be empty.
+        streams: whether a file can hold many entries, of which one at a time is in memory.
+        y: the usual direction of the y axis, if the order of edges follows from positions.
+        graph: the function from a content to its graph, for uses of the edges alone.
     """
 
     name: str
@@ -117,17 +118,17 @@ NOTATIONS = (
 """Every notation; the first is that of a file that begins as JSON does."""
 
 HEAD = 2000
-"""The bytes from the beginning in which a mark is looked for."""
+"""The number of bytes at the beginning in which a mark is searched."""
 
 
 def by_suffix(file: str) -> Notation | None:
-    """The notation of the longest suffix that the name ends with."""
+    """The notation whose suffix is the longest one that the name has."""
     ends = ((end, each) for each in NOTATIONS for end in each.suffixes if file.endswith(end))
     return max(ends, key=lambda found: len(found[0]), default=("", None))[1]
 
 
 def notation_in(stream: IO[bytes], file: str) -> Notation:
-    """The notation of an open file, by its mark, its suffix, or how it begins."""
+    """The notation of an open file, by its mark, its suffix, or its first character."""
     head = stream.read(HEAD)
     stream.seek(0)
     for each in NOTATIONS:
@@ -141,14 +142,14 @@ def notation_in(stream: IO[bytes], file: str) -> Notation:
 
 
 def legal(*, written: bool = False) -> str:
-    """The suffixes of the notations, or of those that are written, in words."""
+    """The suffixes of all notations, or of the written ones, in words."""
     notations = (each for each in NOTATIONS if each.write or not written)
     return one_of(end for each in notations for end in each.suffixes)
 
 
 @contextmanager
 def _opened(file: str | Path) -> Iterator[tuple[IO[bytes], Notation]]:
-    """The file, at its beginning, and its notation; what is told of bad input names it."""
+    """A context with the opened file and its notation, in which errors name the file."""
     try:
         stream = a_path("file", file).open("rb")
     except OSError as error:
@@ -160,14 +161,14 @@ def _opened(file: str | Path) -> Iterator[tuple[IO[bytes], Notation]]:
 def entries(
     file: str | Path, order: Order | None = None, y: YAxis | None = None
 ) -> Iterator[tuple[int, Entry]]:
-    """Every world of a file in any notation, with the offset in bytes at which it begins.
+    """Yield all worlds of a file in any notation, each with its offset in bytes.
 
-    In a notation that does not stream the number of the world, from 0 on, is in its place.
+    In a notation that does not stream, the number of the world, from 0 on, replaces the offset.
 
     Raises:
         InputError: naming the file, the place in it and what would be legal.
 
-    Cost: the memory of one entry at a time, where the notation streams.
+    Cost: the memory of one entry at a time, if the notation streams.
     """
     with _opened(file) as (stream, notation):
         _check(notation, order, y)
@@ -188,7 +189,7 @@ def _check(notation: Notation, order: str | None, y: str | None) -> None:
 
 
 def _turned(entry: Entry, notation: Notation, order: Order | None, y: YAxis | None) -> Entry:
-    """The entry as it is meant, which was read clockwise and with the y axis upward."""
+    """The entry with its right order and y axis; it was read clockwise, with the y axis upward."""
     labels = entry.labels.checked(entry.map)
     if notation.y:
         if order == "anticlockwise":
@@ -206,9 +207,9 @@ def _turned(entry: Entry, notation: Notation, order: Order | None, y: YAxis | No
 def entry_at(
     file: str | Path, offset: int, order: Order | None = None, y: YAxis | None = None
 ) -> Entry:
-    """The world of a file at an offset that :func:`entries` has told.
+    """The world of a file at an offset from :func:`entries`.
 
-    Cost: that of this world; the file is read as a whole, once, where its notation does not stream.
+    Cost: the cost of this world; without streaming the whole file is read, once.
     """
     with _opened(file) as (stream, notation):
         if notation.streams:
@@ -235,10 +236,10 @@ SHOWN = 5
 def entry_named(
     file: str | Path, name: str, order: Order | None = None, y: YAxis | None = None
 ) -> Entry:
-    """The world of that name in the file, or of that number, from 1 on; the only one for ``""``.
+    """The world of this name or number (from 1 on) in the file; for ``""`` the only one.
 
     Raises:
-        InputError: naming the first worlds, if it is none of them, or if one of several is meant.
+        InputError: naming the first worlds, if there is no such world, or for ``""`` several.
     """
     known, numbered = list[str](), None
     for number, (_, entry) in enumerate(entries(file, order, y), 1):
@@ -260,10 +261,10 @@ def entry_named(
 def graph_in(
     file: str | Path, order: Order | None = None, y: YAxis | None = None
 ) -> tuple[Any, Labelling]:
-    """The graph of networkx of a file, of which the edges alone are asked, and names of vertices.
+    """The graph of networkx of a file, for its edges and the names of its vertices.
 
     Raises:
-        InputError: naming what cannot be read.
+        InputError: naming the part that cannot be read.
     """
     with _opened(file) as (stream, notation):
         if notation.graph:
@@ -278,7 +279,7 @@ def to_write(file: str) -> Notation:
     """The notation in which a file of that name is written.
 
     Raises:
-        InputError: if it is of none that is written.
+        InputError: if no written notation has its suffix.
     """
     if (found := by_suffix(file)) and found.write:
         return found
@@ -286,10 +287,10 @@ def to_write(file: str) -> Notation:
 
 
 def written(worlds: Iterable[Entry], notation: Notation) -> Iterator[bytes]:
-    """The bytes of a file in a notation that is written, without what it does not keep.
+    """Yield the bytes of a file in a notation; parts that the notation lacks are left out.
 
     Raises:
-        InputError: naming the world whose map the notation cannot tell.
+        InputError: naming a world whose map the notation cannot express.
     """
 
     def parts() -> Iterator[bytes]:

@@ -1,4 +1,4 @@
-"""Files of JSON: worlds, rotations and fat graphs, alone, in lists, by names, or one a line."""
+"""JSON files of worlds, rotations and fat graphs: one, a list, named ones, or one in each line."""
 
 import json
 from collections.abc import Callable, Iterator
@@ -34,10 +34,10 @@ def _worlds(document: Any) -> list[tuple[str, Any]]:
 def read_lines(
     parse: Callable[[str], Any], opens: Callable[[str], int] = lambda _line: 0
 ) -> Callable[[IO[bytes]], Objects]:
-    """A reader of files that have a world a line, which is parsed so.
+    """A reader of files with one world in each line, which ``parse`` reads.
 
-    ``opens`` tells how many brackets a line opens and does not close: up to the line that closes
-    them all the lines are of one world.
+    ``opens`` is the function to the number of brackets that a line opens and does not close; a
+    world ends with the line that closes its last bracket.
     """
 
     def read(file: IO[bytes]) -> Objects:
@@ -60,11 +60,11 @@ def read_lines(
 
 
 def _entry(parse: Callable[[str], Any], text: str, line: int, start: int) -> Entry:
-    """The world of a text that begins in this line behind a byte of the file."""
+    """The world of a text that begins in this line after this byte of the file."""
     with at(f"line {line}" + (f" from byte {start} on" if start else "")):
         return entry_of(parse(text.strip()))
 
 
 def write_json(of: Callable[[Entry], Any]) -> Callable[[Entry], bytes]:
-    """A writer of what each entry becomes, in a line."""
+    """A writer that writes the JSON value of each entry in a line."""
     return lambda entry: f"{json.dumps(of(entry), ensure_ascii=False)}\n".encode()

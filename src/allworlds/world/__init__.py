@@ -3,19 +3,19 @@
 ``lighthouses``
     the marks and directions in a world, and the percepts that they cause;
 ``state``
-    the state that a step changes: the places of the robot and of its markers, and what is written;
+    the state that a step changes: the robot's dart, its markers, and the written numbers;
 ``world``
     map, lighthouse and start together, and the effect of a step;
 ``labels``
-    what a user calls a world and its vertices, and where they are drawn;
+    the names of a world and its vertices, and the positions of the vertices;
 ``named``
     the forms of a WORLD on the command line and in Python; the worlds, findings and pairs that
     ship with the package;
 ``selection``
-    the lighthouse of a request, and conditions that narrow a class of maps; the user's are tried;
-    every world of a class;
+    the lighthouse and the condition on maps of a request, with a trial of users' code; all worlds
+    of a class;
 ``bisimulation``
-    the checker of a proof that two worlds look alike.
+    the checker of proofs that worlds are indistinguishable.
 """
 
 from typing import TYPE_CHECKING

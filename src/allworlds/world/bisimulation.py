@@ -1,4 +1,4 @@
-"""The checker of bisimulations, and worlds that are the same; how twins are found is not used."""
+"""The checker of bisimulations, and equality of worlds; it does not use the search for twins."""
 
 from collections.abc import Sequence
 
@@ -10,12 +10,12 @@ from allworlds.world.world import World
 def flaw(worlds: Sequence[World], bisimulation: Sequence[Sequence[int]]) -> str | None:
     """The reason why the classes do not prove the worlds indistinguishable; None if they do.
 
-    No motion tells the worlds apart if the starts are in one class, and darts of one class
-    sense the same and lead, by sigma and by alpha, to darts of one class: every motion is made
-    of these two.
+    No motions distinguish the worlds if the starts are in one class, and if darts of one class have
+    equal percepts and lead, by sigma and by alpha, to darts of one class, because each motion
+    consists of sigma and alpha.
 
     Args:
-        worlds: two of them (or any number).
+        worlds: two worlds (or any number).
         bisimulation: for each world the class of each dart.
 
     Cost: O(m).
@@ -37,12 +37,12 @@ def flaw(worlds: Sequence[World], bisimulation: Sequence[Sequence[int]]) -> str 
 
 
 def same_world_from(a: World, b: World) -> Dart | None:
-    """The start with which ``b`` is the same world as ``a``, its own if that is one.
+    """The start with which ``b`` is the same world as ``a``, if possible its own start.
 
-    With it an isomorphism of the maps and their percepts takes start to start.  None if there is
-    none: the two are different worlds.
+    That is, an isomorphism of the maps preserves the percepts and maps start to start.  None if
+    there is no such start: the two worlds are different.
 
-    Cost: O(m) where there is one at once, O(m^2) at worst.
+    Cost: O(m) if the first start suffices, O(m^2) at worst.
     """
     if len(a.map.sigma) != len(b.map.sigma):
         return None

@@ -11,7 +11,7 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart, Vertex
 from allworlds.world.lighthouses.options import InvalidWorld
 
 FARTHEST = 1e300
-"""No coordinate is larger, so that differences are finite."""
+"""The largest coordinate, so that differences are finite."""
 
 Coordinate: TypeAlias = Annotated[float, Meta(ge=-FARTHEST, le=FARTHEST)]
 
@@ -20,12 +20,12 @@ Position: TypeAlias = tuple[Coordinate, Coordinate]
 
 
 class Labelling(Struct, frozen=True, rename={"vertices": "names"}):
-    """Names of a world and of its vertices; nothing of it is sensed, or decides anything.
+    """The names of a world and of its vertices; no percept and no verdict depends on them.
 
     Attributes:
-        name: of the world, in its file; empty if it has none.
-        vertices: their names, in the order of ``map.vertices``; empty if they have none.
-        positions: where each vertex is drawn; empty if that is not known.
+        name: the name of the world in its file; may be empty.
+        vertices: the names of the vertices, in the order of ``map.vertices``; may be empty.
+        positions: the position of each vertex in a drawing; empty if unknown.
     """
 
     name: str = ""
@@ -40,7 +40,7 @@ class Labelling(Struct, frozen=True, rename={"vertices": "names"}):
         """These labels, in tuples.
 
         Raises:
-            InvalidWorld: naming a label that is none, and what would be legal.
+            InvalidWorld: naming an illegal label, and what would be legal.
         """
         try:
             labels = parse(
@@ -91,7 +91,7 @@ PLAIN = Labelling()
 def labels_of_nodes(
     name: object, nodes: Sequence[tuple[object, Mapping[str, Any]]], map_: CombinatorialMap
 ) -> Labelling:
-    """The labels that nodes, in the order of vertices, and their attributes make; else none."""
+    """The labels from nodes, in the order of vertices, and their attributes; else no labels."""
     names = [data.get("name", node) for node, data in nodes]
     if names == [*range(map_.vertex_count)]:
         names = []

@@ -1,8 +1,8 @@
-"""The world of a text: inline JSON, a file, a name, a family of maps, and the corpus.
+"""The world of a text: inline JSON, a file, a name, a family of maps, or the corpus.
 
-The corpus ships with the package: known worlds, and every finding so far.  It is a manifest, and a
-file for each of its entries: named worlds, findings, pairs of worlds that no motion tells apart,
-counts, and checks, with their provenance and what is expected of them.
+The corpus ships with the package: known worlds, and every finding so far.  It consists of a
+manifest and a file for each entry: named worlds, findings, pairs of indistinguishable worlds,
+counts, and checks, with their provenance and their expected results.
 """
 
 import re
@@ -97,7 +97,7 @@ def own_corpus() -> Corpus:
 WORLD = Argument(
     "", "WORLD", "Inline JSON, @file or @file:name, or a name such as k4, wheel:4, cycle:5."
 )
-"""An argument of every verb that takes a world."""
+"""The argument of all verbs that take a world."""
 
 LIGHTHOUSE = Option(
     SCOPE,
@@ -105,7 +105,7 @@ LIGHTHOUSE = Option(
     f"The lighthouse for a WORLD that names none: {one_of(LIGHTHOUSES)}, {OWN}, or several with + "
     "between them.",
 )
-"""An option of most of them."""
+"""An option of most of these verbs."""
 
 HOLES = Option(
     RARE_SCOPE,
@@ -113,7 +113,7 @@ HOLES = Option(
     "Share of a family's edges to remove [default: none].",
     document_type=Annotated[Text | None, about("the share of a family's edges that was removed")],
 )
-"""An option of every verb that takes a family."""
+"""An option of all verbs that take a family."""
 
 
 def world_named(
@@ -124,9 +124,8 @@ def world_named(
 ) -> World:
     """The world of inline JSON, of ``@file``, of the corpus, of a named map, of a family or a code.
 
-    If no lighthouse is named, it is of that kind, at its default place: at dart 0 of a
-    named map.  The seed is that of a family, by default 0, the holes are those in it.
-    A world that is given as such is that world.
+    If no lighthouse is named, it is of this kind, at its default place: at dart 0 of a named map.
+    Seed (by default 0) and holes are those of a family.  A value that is a world is returned.
 
     Raises:
         InputError: naming a text that is none of these, or a seed or holes without effect.
@@ -166,7 +165,7 @@ def _world_of_text(text: str, kind: LighthouseKind, seed: int | None, holes: str
 
 
 def _names_family(given: str | World) -> bool:
-    """Whether a WORLD is one of a family, and so depends on a seed."""
+    """Whether a WORLD belongs to a family, and so depends on a seed."""
     if isinstance(given, World) or _is_json(given):
         return False
     return given.partition(":")[0] in _families()
@@ -178,8 +177,8 @@ _CODE = re.compile(r"[0-9.]+/[0-9.]+", re.ASCII)
 def code_of(map_: CombinatorialMap, root: Dart = 0) -> str:
     """The canonical code of a map rooted at a dart, as a WORLD: ``SIGMA/ALPHA``.
 
-    Each is written as its images, with dots between; two worlds have one code exactly if they
-    are isomorphic as rooted maps.
+    Both permutations are written as their images, with dots between.  Two rooted maps have the same
+    code exactly if they are isomorphic.
     """
     return "/".join(".".join(map(str, each)) for each in rooted_code(map_.sigma, map_.alpha, root))
 
@@ -188,7 +187,7 @@ def map_of_code(text: str) -> CombinatorialMap:
     """The map of :func:`code_of`, or of another numbering in the same form.
 
     Raises:
-        InvalidMap: naming what is no map.
+        InvalidMap: naming the part that is no map.
     """
     sigma, _, alpha = text.partition("/")
     return CombinatorialMap(*([int(f"0{image}") for image in t.split(".")] for t in (sigma, alpha)))
@@ -230,7 +229,7 @@ def _is_json(text: str) -> bool:
 
 
 class WorldOptions(Request):
-    """The part of a request that says of a WORLD what its text does not, or names a family."""
+    """The part of a request that completes the text of a WORLD, or names a family."""
 
     family: Annotated[str | None, Option(SCOPE, "F", f"One world of a family: {FORMS}.")] = None
     holes: Annotated[str | None, HOLES] = None
@@ -258,14 +257,14 @@ class WorldOptions(Request):
     ] = None
 
     def meant(self, given: str | World | None, usual: GivenLighthouse) -> World:
-        """The world of a text, or the given one, or the one of the family.
+        """The world of a text, the given world, or the world of the family.
 
         Args:
-            given: a world, or what :func:`world_named` reads; None for the family's.
-            usual: the lighthouse where none is named.
+            given: a world, or a text for :func:`world_named`; None for the family.
+            usual: the default lighthouse.
 
         Raises:
-            InputError: naming what is not there, or has no effect.
+            InputError: naming a value that is missing, or that has no effect.
         """
         kind = tried_kind(usual if self.lighthouse is None else self.lighthouse)
         if given is None:
@@ -273,7 +272,7 @@ class WorldOptions(Request):
                 raise InputError("there is neither a world nor a family")
             world = World(map_of_family(self.family, self.holes, self.seed or 0), kind)
         else:
-            # Scripts may name a seed in every run.
+            # Scripts may give a seed in every run.
             seed = self.seed if isinstance(given, str) and _names_family(given) else None
             world = world_named(given, kind, seed, self.holes)
             lighthouse = self.lighthouse if isinstance(given, World) else None

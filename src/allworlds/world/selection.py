@@ -1,6 +1,6 @@
-"""The worlds that are meant: a condition on the maps, and the kind of the lighthouse.
+"""The selection of worlds: a condition on the maps, and the kind of the lighthouse.
 
-Code of the user's is tried in small maps before it is used.
+A user's code is tried in small maps before it is used.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -39,11 +39,11 @@ from allworlds.world.lighthouses.kinds import (
 from allworlds.world.world import World
 
 TRIED_EDGES = 3
-"""Code of the user's is tried in all maps with so many edges."""
+"""The number of edges up to which a user's code is tried in all maps."""
 
 
 def _renamed(edges: int) -> Iterator[tuple[CombinatorialMap, Sequence[int]]]:
-    """Every map with so many edges at most, with other names for its darts."""
+    """Yield all maps with at most this number of edges, each with other names of its darts."""
     names = Random(edges)  # noqa: S311  # any names
     for level in range(1, edges + 1):
         for map_ in rooted_maps(level):
@@ -66,13 +66,13 @@ Predicate: TypeAlias = Callable[[CombinatorialMap], bool]
 
 
 class OwnCondition(Struct, frozen=True):
-    """A predicate of the user's; it is loaded where maps are made."""
+    """A user's predicate, which is loaded in the processes that make maps."""
 
     code: UserCode | LocalCode
 
     @property
     def name(self) -> str:
-        """As ``--where`` takes it."""
+        """The name that ``--where`` takes."""
         return self.code.name
 
     @property
@@ -81,10 +81,10 @@ class OwnCondition(Struct, frozen=True):
         return (self.code,) if isinstance(self.code, UserCode) else ()
 
     def holds(self, map_: CombinatorialMap) -> bool:
-        """Whether the predicate says so.
+        """Whether the predicate is true of a map.
 
         Raises:
-            InputError: if it raises, or says neither True nor False.
+            InputError: if it raises, or returns no boolean.
         """
         found: object = self.code(map_)
         if type(found) is not bool:
@@ -96,14 +96,14 @@ class OwnCondition(Struct, frozen=True):
 
 
 def a_condition(given: object, *, local: bool = False) -> Condition | None:
-    """The condition of a name or function, or all of several; the user's are tried on small maps.
+    """The condition of a name or function, or of several; users' code is tried on small maps.
 
     Args:
         given: names, functions, or conditions.
-        local: whether it is used in this process alone, so that any function will do.
+        local: whether only this process uses it, so that any function is legal.
 
     Raises:
-        InputError: naming the legal ones, or two numberings of one map that it takes apart.
+        InputError: naming the legal conditions, or a map with two numberings of different value.
     """
     if given is None:
         return None
@@ -127,7 +127,7 @@ def _one_condition(given: object, *, local: bool) -> Condition:
 
 
 def _tried(own: OwnCondition) -> OwnCondition:
-    """The condition itself, unless it was recorded, and so tried before.
+    """The condition, after its trial; a recorded one has been tried before.
 
     Raises:
         InputError: if it is no function of the map.
@@ -146,7 +146,7 @@ def _tried(own: OwnCondition) -> OwnCondition:
 
 
 def files_of_condition(condition: Condition | None) -> tuple[Path, ...]:
-    """The files of the user's that a condition needs."""
+    """The user's files that a condition needs."""
     return tuple(file for code in getattr(condition, "codes", ()) for file in code.files)
 
 
@@ -154,7 +154,7 @@ def files_of_condition(condition: Condition | None) -> tuple[Path, ...]:
 
 
 def tried_kind(given: object) -> LighthouseKind:
-    """The kind of a name, or of a class; one of the user's is tried in all small maps.
+    """The kind of a name or a class; a user's kind is tried in all small maps.
 
     Raises:
         InvalidWorld: naming the legal kinds, or the map in which it is no function of the world.
@@ -172,13 +172,12 @@ def _try(kind: LighthouseKind) -> None:
 
 
 def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:
-    """Why a lighthouse is no function of the world, for each small map where it is none.
+    """Yield the faults of a lighthouse in each small map in which it is no function of the world.
 
-    It has a place in some map with one edge more at most.
-
-    Each place is there once. Asked twice it senses and tells the same. Under other names of the
-    darts there are the same places in the same order, and the same is sensed and told there. It
-    gives marks and bearings only if it says so. It is read again as it was written.
+    It must have a place in some map with at most one more edge.  No place occurs twice.  Asked
+    twice, it senses and tells the same.  With other names of the darts, the places, their order,
+    and all that is sensed and told are the same.  It gives marks and bearings only if it says so.
+    Reading what was written yields the same lighthouse.
     """
     for map_, other in _renamed(edges):
         for wrong in islice(_flaws(kind.as_class, map_, other), 1):
@@ -237,16 +236,16 @@ def worlds(
     places: Literal["all", "first"] = "first",
     where: str | Predicate | Condition | None = None,
 ) -> Iterator[World]:
-    """Every world of a class, in the fixed order.
+    """Yield all worlds of a class, in a fixed order.
 
     Args:
-        edges: the largest number of edges (default: one that takes seconds).
+        edges: the largest number of edges (the default takes seconds).
         vertices: the largest number of vertices.
         map_class: one of :class:`~allworlds.maps.classes.MapClass`.
         lighthouse: the kind of lighthouse.
-        places: ``first``: one world a rooted map, as reports count worlds; ``all``: one for
-            every place of the lighthouse, as reports count runs.
-        where: what besides is true of the maps, as ``--where`` takes it, or any function of a map.
+        places: ``first``: one world for each rooted map, as reports count worlds; ``all``: one for
+            each place of the lighthouse, as reports count runs.
+        where: a condition on the maps, as ``--where`` takes it, or any function of a map.
 
     Raises:
         InputError: naming the offending option and what would be legal.

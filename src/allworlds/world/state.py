@@ -13,11 +13,11 @@ class State:
     """The part of a world that the robot's actions change.
 
     Attributes:
-        dart: by which the robot has arrived; at the start the one it faces.
-        lying: the vertices at which markers lie that the robot has dropped, ascending; one that
-            has several stands there several times.
+        dart: the robot's dart of arrival; at the start the dart that it faces.
+        lying: the vertices of the markers that the robot has dropped, ascending; a vertex occurs
+            once for each of its markers.
         hand: the number of markers in the robot's hand.
-        written: where a number other than 0 stands, with the number, ascending.
+        written: the places with written numbers other than 0, each with its number, ascending.
     """
 
     dart: Dart
@@ -26,11 +26,11 @@ class State:
     written: tuple[tuple[int, int], ...] = ()
 
     def number_at(self, where: int) -> int:
-        """The number that stands there."""
+        """The number that is written there."""
         return dict(self.written).get(where, 0)
 
     def with_number(self, where: int, number: int) -> State:
-        """The state after that number was written there."""
+        """The state after this number has been written there."""
         written = {**dict(self.written), where: number}
         kept = tuple(sorted((at, each) for at, each in written.items() if each))
         return replace(self, written=kept)

@@ -1,4 +1,4 @@
-"""The world: pure, and the only place where the robot's position is known."""
+"""The world, an immutable value; its states alone hold the robot's position."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -47,13 +47,13 @@ class WorldDocument(Document):
 
 
 class Entry(Struct, frozen=True):
-    """A map with what a file fixes in it.
+    """A map with those parts of its world that a file fixes.
 
     Attributes:
-        map: its darts are numbered as its notation lists them.
-        labels: the name of the world in the file, and those of its vertices.
+        map: the map, with its darts numbered in the order of the notation.
+        labels: the names of the world and of its vertices in the file.
         start: the dart that the robot faces, if the file fixes it.
-        lighthouse: the JSON object of the lighthouse that stands there, if the file fixes it.
+        lighthouse: the JSON object of the lighthouse, if the file fixes it.
     """
 
     map: CombinatorialMap
@@ -94,11 +94,11 @@ class World(Pictured):
 
     Args:
         map: the map.
-        lighthouse: one that stands at its place; or a kind, such as ``"position"``, which is put
-            at its default place; None stands for ``"directional"``, as in a WORLD that names none.
+        lighthouse: a lighthouse at its place; or a kind, such as ``"position"``, which is put at
+            its default place; None stands for ``"directional"``, as in a WORLD without one.
         start: the dart.
-        labels: the name of the world, and names and positions of its vertices. Worlds are equal
-            whatever they are called.
+        labels: the name of the world, and names and positions of its vertices.  The equality of
+            worlds ignores them.
 
     Raises:
         InvalidWorld: if the start is no dart, or the lighthouse or the labels do not fit.
@@ -151,7 +151,7 @@ class World(Pictured):
 
     @property
     def in_words(self) -> str:
-        """``a world with 1 edge and 2 vertices``; one that has a name is called by it."""
+        """``a world with 1 edge and 2 vertices``; the name of the world replaces ``a``."""
         called = f"the world {self.labels.name}," if self.labels.name else "a world"
         return f"{called} with {size(self.map.edge_count, self.map.vertex_count)}"
 
@@ -161,10 +161,10 @@ class World(Pictured):
         return self.lighthouse.told(self.map)
 
     def step(self, state: State, action: Action) -> tuple[State, Percept]:
-        """The state after the action, and the robot's percept then.
+        """The state after the action, and the robot's percept in it.
 
         Raises:
-            IllegalAction: for markers that are not there, naming the legal actions.
+            IllegalAction: for missing markers, naming the legal actions.
         """
         if type(action) is Move:
             dart = self.map.move(state.dart, action.k)
@@ -179,7 +179,7 @@ class World(Pictured):
         return after, self.sensed(after)
 
     def sensed(self, state: State) -> Percept:
-        """The robot's percept in a state, with the marks that it has left there itself."""
+        """The robot's percept in a state, with the marks that it has left there."""
         return self.percepts[state.dart].marked(self.lighthouse.left_marks(self.map, state))
 
     def relabelled(self, names: Sequence[Dart]) -> "World":
@@ -190,7 +190,7 @@ class World(Pictured):
         return World(map_, self.lighthouse.relabelled(names), names[self.start], labels=labels)
 
     def mirrored(self) -> "World":
-        """The mirror image, marker and start included."""
+        """The mirror image, with the marker and the start."""
         return World(
             self.map.mirrored(), self.lighthouse, self.start, labels=self.labels.mirrored()
         )
@@ -198,9 +198,9 @@ class World(Pictured):
     def to_networkx(self) -> Any:
         """The graph of the map, of networkx; see :func:`allworlds.maps.networks.to_networkx`.
 
-        Its attributes ``start`` and ``lighthouse`` are those of the world's document; ``name`` and
-        ``pos`` of its nodes, and its own ``name``, are the labels, where there are any.
-        :meth:`from_networkx` takes them back.
+        The attributes ``start`` and ``lighthouse`` of the graph are those of the world's document.
+        Its attribute ``name``, and ``name`` and ``pos`` of its nodes, are the labels, if any.
+        :meth:`from_networkx` reads all of them.
         """
         graph, labels = to_networkx(self.map), self.labels
         graph.graph.update(start=self.start, lighthouse=self.lighthouse.to_json())
@@ -222,12 +222,12 @@ class World(Pictured):
 
         Args:
             graph: as :func:`allworlds.maps.networks.from_networkx` takes it.
-            lighthouse: as for a world, if the graph has no attribute of that name.
+            lighthouse: as in :class:`World`, if the graph has no attribute of that name.
             start: likewise.
             order: as there; only ``darts`` fix the numbers of darts that these two name.
 
-        The nodes' attributes ``name``, or the nodes themselves unless they are 0, 1, ..., and the
-        attributes ``pos`` are the labels, if they can be.
+        The labels are the nodes' attributes ``name`` and ``pos``, if they are legal labels; without
+        ``name`` the nodes themselves are the names, unless they are 0, 1, ...
 
         Raises:
             InvalidMap, InvalidWorld: naming the offending value and what would be legal.
@@ -258,9 +258,9 @@ class World(Pictured):
     def from_json(
         cls, document: str | Mapping[str, Any], *, missing: GivenLighthouse = Directional.kind
     ) -> "World":
-        """The world of :meth:`to_json`'s document, or of its text; other keys are refused.
+        """The world that :meth:`to_json` has written, or its text; other keys are refused.
 
-        ``start`` may be missing (0), and so may the lighthouse: then it is of the kind
+        ``start`` may be missing (0), and so may the lighthouse, which is then of the kind
         ``missing``, at its default place.
 
         Raises:
@@ -272,7 +272,7 @@ class World(Pictured):
 
 
 def at_place(world: World, number: int) -> World:
-    """The world with its lighthouse at the place of that number.
+    """The world with its lighthouse at the place with this number.
 
     Raises:
         InvalidWorld: naming the numbers of its places.

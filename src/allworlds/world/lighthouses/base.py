@@ -1,4 +1,4 @@
-"""The base of every lighthouse, and the values that it looks at."""
+"""The base class of all lighthouses, and the values that it uses."""
 
 from __future__ import annotations
 
@@ -40,11 +40,11 @@ class Where(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Sensing:
-    """The part of a robot's percepts that a lighthouse causes; the degree comes on top.
+    """The part of a robot's percepts that a lighthouse causes, in addition to the degree.
 
     Attributes:
         where: the vertices at which there is such a part.
-        bearing: whether the bearing of one of the vertex's darts, its reference dart, is sensed.
+        bearing: whether the robot senses the bearing of the vertex's reference dart there.
     """
 
     where: Where
@@ -52,7 +52,7 @@ class Sensing:
 
     @property
     def marks_v0(self) -> bool:
-        """Whether one mark lies at v0, so that v0 is recognised by its percept alone."""
+        """Whether only v0 has one mark, so that its percept alone identifies it."""
         return self.where in (Where.AT_V0, Where.AT_V0_AND_V1)
 
     @property
@@ -75,8 +75,8 @@ class WalkInAnswer(NamedTuple):
 
     Attributes:
         map: the answered map.
-        trail: its darts there at the start and after each step.
-        sensed: what it sensed there.
+        trail: the robot's darts there at the start and after each step.
+        sensed: the percepts that the robot had.
     """
 
     map: CombinatorialMap
@@ -85,39 +85,37 @@ class WalkInAnswer(NamedTuple):
 
 
 ACTING = ("acted", "in_hand", "left_marks", "refusal")
-"""The methods by which a robot's actions change what is sensed."""
+"""The methods by which a robot's actions change percepts."""
 
 
 class Lighthouse(ABC):
     """A lighthouse that stands at a place of a map.
 
-    A lighthouse of one's own is a frozen dataclass with this base: it says at which places of a
-    map it can stand (:meth:`places`), and what is sensed of it there (:meth:`sensed`).  A field
-    with the name ``dart`` holds a dart, one with the name ``darts`` a tuple of them; a class with
-    darts in other fields says how they are renamed (:meth:`relabelled`).  An integer, boolean or
-    text in a field with a default is an option: its name on the command line may give it another
-    default, which ``cls.name`` and every ``cls(...)`` in :meth:`places` then have, but not the
-    fields of the dataclass.
+    A user's lighthouse is a frozen dataclass with this base class.  It defines its places in a map
+    (:meth:`places`), and the percepts there (:meth:`sensed`).  A field named ``dart`` holds a dart,
+    and a field named ``darts`` a tuple of darts; a class with darts in other fields also defines
+    their renaming (:meth:`relabelled`).  An integer, boolean or text in a field with a default is
+    an option: the name on the command line may give it another default, which then ``cls.name`` and
+    every ``cls(...)`` in :meth:`places` have, but not the fields of the dataclass.
 
     Attributes:
         kind: the name on the command line and in files.
-        default_bound: the bound on the traversals that is checked unless another is named.
-        folds: whether the log of a correct explorer determines the map (every arrival at v0
-            tells where the robot is, and how it is turned): then the law ``folding`` applies.
-        leaves_open: whether an explorer may answer with the rooted quotient, where several
-            worlds look alike.
-        gives_marks, gives_bearings: whether it can make a percept have them; of two that are put
-            together only one may.
-        leaves_marks: whether the robot can leave marks itself.
-        static: whether no action changes what is sensed, so that the percepts of all darts say
-            everything; unless a class says so itself, whether it has none of the :data:`ACTING`
-            methods.
-        labels_vertices: whether its marks are the labels of vertices, and no markers.
-        code: where the class comes from, if it is the user's.
+        default_bound: the bound on the traversals that is checked by default.
+        folds: whether the log of a correct explorer determines the map, because each arrival at v0
+            determines the robot's dart; then the law ``folding`` applies.
+        leaves_open: whether an explorer may answer with the rooted quotient if several worlds look
+            alike.
+        gives_marks, gives_bearings: whether percepts can have marks, or bearings, by it; at most
+            one part of a composed lighthouse may give them.
+        leaves_marks: whether the robot can leave marks.
+        static: whether no action changes a percept, so that the percepts of all darts say
+            everything; by default, whether the class has none of the :data:`ACTING` methods.
+        labels_vertices: whether its marks are the labels of vertices, not markers.
+        code: the user's code of the class, or None.
         chosen: the options that were given to the kind.
         every_place_to: the largest number of edges of the maps in which :meth:`places` yields every
             place; None: in all maps.
-        beyond: the places that it yields in larger ones, in words.
+        beyond: the words for the places that it yields in larger maps.
     """
 
     kind: ClassVar[str]
@@ -140,7 +138,7 @@ class Lighthouse(ABC):
 
     @classmethod
     def tried_in_maps_of(cls, edges: int) -> str:
-        """The places that are tried in maps of up to so many edges, in words; empty: every one."""
+        """The words for the places that are tried up to this number of edges; empty for all."""
         if cls.every_place_to is None or edges <= cls.every_place_to:
             return ""
         return f"every place up to {cls.every_place_to} edges; beyond, {cls.beyond}"
@@ -152,17 +150,17 @@ class Lighthouse(ABC):
 
     @property
     def as_kind(self) -> type[Lighthouse]:
-        """The kind of which it is a place: its class, with its options."""
+        """The kind of the lighthouse: its class, with its options."""
         kind: type[Lighthouse] = kind_with(type(self), values_in(self))
         return kind
 
     @classmethod
     @abstractmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Lighthouse]:
-        """Every place in the map rooted at ``start``, in an order that renaming darts keeps."""
+        """Yield the places in the map rooted at ``start``; a renaming of darts keeps the order."""
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless the lighthouse can stand there: at one of its places."""
+        """Raise InvalidWorld unless the lighthouse is at one of its places in the map."""
         if self not in self.as_kind.places(map_, start):
             raise InvalidWorld(
                 f"the lighthouse {self.kind} cannot stand at {show(self)} in this map with start "
@@ -189,7 +187,7 @@ class Lighthouse(ABC):
     def to_json(self) -> dict[str, Any]:
         """``{"kind": ...}`` with the options and the place.
 
-        Of a class of the user's the options stand apart, with the content by which it is known.
+        For a user's class the options are separate, together with the text or digest of the class.
         """
         kind: Any = type(self)
         code = kind.code
@@ -220,7 +218,7 @@ class Lighthouse(ABC):
         """The lighthouse at its first place, for a document that names no place.
 
         Raises:
-            InvalidWorld: if it has none.
+            InvalidWorld: if it has no place in the map.
         """
         for placed in cls.places(map_, start):
             return placed
@@ -228,7 +226,7 @@ class Lighthouse(ABC):
         raise InvalidWorld(f"the lighthouse {name} has no place in this map with start {start}")
 
     def number(self, map_: CombinatorialMap, start: Dart) -> int:
-        """The number of this place among the places of the rooted map; 0 if it is none of them."""
+        """The number of this place among the places of the rooted map; 0 if it is not there."""
         places = enumerate(self.as_kind.places(map_, start))
         return next((i for i, placed in places if placed == self), 0)
 
@@ -251,19 +249,19 @@ class Lighthouse(ABC):
         """A sentence about the legal actions if this one is illegal; empty if it is legal.
 
         Args:
-            action: what the robot wants to do, besides moving.
-            lying: the number of markers at its vertex that have been dropped there.
+            action: the robot's action, which is no motion.
+            lying: the number of markers that lie at its vertex.
             hand: the number of markers in its hand.
         """
         lacks = "has no room for numbers" if type(action) is actions.Write else "gives no markers"
         return f"the {self.kind} lighthouse {lacks}"
 
     def acted(self, map_: CombinatorialMap, state: State, action: actions.Action) -> State:  # noqa: ARG002
-        """The state after an action that is no motion, and that is not refused."""
+        """The state after a legal action that is no motion."""
         return state
 
     def left_marks(self, map_: CombinatorialMap, state: State) -> int:  # noqa: ARG002
-        """The marks that the robot senses of what it has left itself."""
+        """The number of sensed marks that the robot has left."""
         return 0
 
     def told(self, map_: CombinatorialMap) -> actions.Told:  # noqa: ARG002  # for kinds that need it
@@ -272,10 +270,10 @@ class Lighthouse(ABC):
 
 
 class ReferenceLighthouse(Lighthouse):
-    """A lighthouse of which all that is sensed follows from some darts, its references.
+    """A lighthouse whose percepts follow from some darts, its references.
 
     Attributes:
-        sensing: the percepts of a robot near it.
+        sensing: the percepts that it causes.
     """
 
     sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)
@@ -286,16 +284,16 @@ class ReferenceLighthouse(Lighthouse):
         cls.gives_bearings = cls.sensing.bearing
 
     def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:  # noqa: ARG002  # none
-        """One dart of each vertex at which more than the degree is sensed, with the marks there.
+        """One dart of each vertex at which more than the degree is sensed, with its marks.
 
-        That of v0 is the first.
+        The dart of v0 comes first.
         """
         return {}
 
     def percepts(self, map_: CombinatorialMap) -> tuple[actions.Percept, ...]:
         """For each dart the percept of a robot that has arrived by it."""
         sensed = [_percept(degree) for degree in map_.degree_at]
-        # The first comes last: where a wrong answer takes v1 for v0, what is sensed is v0.
+        # The first one is set last: if a wrong answer confuses v1 with v0, the percept is v0's.
         for reference, marks in reversed([*self.references(map_).items()]):
             around = map_.vertices[map_.vertex_of[reference]]
             at, pointed = around.index(reference), self.sensing.bearing
@@ -307,13 +305,13 @@ class ReferenceLighthouse(Lighthouse):
 
 
 class PlacelessLighthouse(ReferenceLighthouse):
-    """A lighthouse of which nothing stands anywhere: any map and any start are one place."""
+    """A lighthouse without anything in the map: it has one place, in any map with any start."""
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Lighthouse]:  # noqa: ARG003
-        """One place."""
+        """Yield the only place."""
         yield cls()
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any
-        """Raise InvalidWorld unless its options are legal; every map and every start will do."""
+        """Raise InvalidWorld unless its options are legal; all maps and starts are legal."""
         ensure_legal(self)

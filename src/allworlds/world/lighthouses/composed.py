@@ -1,7 +1,7 @@
-"""Two or more lighthouses in one world, and those of which nothing stands anywhere.
+"""Several lighthouses in one world, and lighthouses without anything in the map.
 
-Of several lighthouses percepts add up, and places multiply.  Where nothing stands something is
-told, or the robot leaves marks.
+The percepts of several lighthouses add up, and their places multiply.  A lighthouse without
+anything in the map tells numbers, or lets the robot leave marks.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ TOLD: dict[ToldName, Callable[[CombinatorialMap], int]] = {
     "d": lambda map_: map_.diameter,
     "g": lambda map_: map_.genus,
 }
-"""The numbers that can be told, by their names: of vertices, of edges, the diameter, the genus."""
+"""The numbers that can be told, by their names: vertices, edges, diameter, genus."""
 
 
 @dataclass(frozen=True)
@@ -118,7 +118,7 @@ class Movable(PlacelessLighthouse):
 
 
 LEAST, MOST = 2, 2**31
-"""The numbers of numbers that there can be room for."""
+"""The least and the largest legal number of states."""
 
 
 HowMany = Annotated[int, Meta(ge=LEAST, le=MOST), about("how many numbers there are")]
@@ -138,7 +138,7 @@ class Whiteboard(PlacelessLighthouse):
     leaves_marks: ClassVar[bool] = True
 
     def place_of_number(self, map_: CombinatorialMap, dart: Dart) -> int:
-        """Where a robot writes and reads that has arrived by this dart: at its vertex."""
+        """The place where a robot at this dart writes and reads: the vertex of the dart."""
         return map_.vertex_of[dart]
 
     @override
@@ -213,28 +213,28 @@ class Composed(Lighthouse):
 
     @property
     def _marking(self) -> Lighthouse:
-        """The part that has to do with marks; any where none has."""
+        """The part that gives marks; any part if none does."""
         return next((part for part in self.parts if part.gives_marks), self.parts[0])
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Composed]:
-        """Every combination of places of the parts; that of the last changes first."""
+        """Yield all combinations of places of the parts; the place of the last changes first."""
         for parts in product(*(kind.places(map_, start) for kind in cls.kinds)):
             yield Composed(parts)
 
     @classmethod
     def usual(cls, map_: CombinatorialMap, start: Dart) -> Composed:
-        """Every part where it is if no place is named."""
+        """The parts, each at its default place."""
         return Composed(tuple(kind.usual(map_, start) for kind in cls.kinds))
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Every part can stand there, and they go together."""
+        """Raise InvalidWorld unless each part is legal there, and the parts fit together."""
         check_together([part.kind for part in self.parts], [*map(type, self.parts)])
         for part in self.parts:
             part.check(map_, start)
 
     def percepts(self, map_: CombinatorialMap) -> tuple[actions.Percept, ...]:
-        """The marks of the part that has them, with the bearing of the part that has one."""
+        """The percepts with the marks of one part and the bearings of one part."""
         marks, bearings = (
             next((part.percepts(map_) for part in self.parts if getattr(part, gives)), None)
             for gives in ("gives_marks", "gives_bearings")
@@ -249,13 +249,13 @@ class Composed(Lighthouse):
         )
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Composed | None:
-        """Every part where a robot must believe that it stands."""
+        """The parts, each where a robot must believe it."""
         parts = [part.believed(map_, start, walk) for part in self.parts]
         return None if None in parts else Composed(tuple(part for part in parts if part))
 
     @property
     def in_hand(self) -> int:
-        """The markers of the part that gives them."""
+        """The number of markers of the part that gives them."""
         return self._marking.in_hand
 
     @override
@@ -282,17 +282,17 @@ class Composed(Lighthouse):
 
 @cache
 def composed(names: tuple[str, ...], kinds: tuple[type[Lighthouse], ...]) -> type[Composed]:
-    """The kind of these parts.
+    """The kind that consists of these parts.
 
     Raises:
-        InvalidWorld: if they do not go together, with the reason.
+        InvalidWorld: if they do not fit together, with the reason.
     """
     check_together(names, kinds)
     marking = ("leaves_marks", "gives_marks", "gives_bearings")
     attributes: dict[str, Any] = {
         name: any(getattr(kind, name) for kind in kinds) for name in marking
     }
-    # Two worlds that look alike under a marker at one vertex have as many vertices and edges.
+    # Worlds that look alike under a marker at one vertex have equal numbers of vertices and edges.
     attributes["leaves_open"] = any(kind.leaves_open for kind in kinds) and all(
         kind.leaves_open or _adds(kind) <= {"n", "m"} for kind in kinds
     )
@@ -307,7 +307,7 @@ def composed(names: tuple[str, ...], kinds: tuple[type[Lighthouse], ...]) -> typ
 
 
 def _adds(kind: type[Lighthouse]) -> set[str]:
-    """The kinds of knowledge that a robot has by a lighthouse, besides degrees."""
+    """The kinds of knowledge besides degrees that a robot has by a lighthouse."""
     found = {name for name in ("marks", "bearings") if getattr(kind, f"gives_{name}")}
     if issubclass(kind, Knowledge):
         return found | {*kind.names}
@@ -315,7 +315,7 @@ def _adds(kind: type[Lighthouse]) -> set[str]:
 
 
 def check_together(names: Sequence[str], kinds: Sequence[type[Lighthouse]]) -> None:
-    """Raise InvalidWorld if two of these kinds, with their names, cannot be put together."""
+    """Raise InvalidWorld if two of these kinds cannot be parts of one lighthouse."""
     for number, kind in enumerate(kinds):
         if kind in kinds[:number]:
             raise options.InvalidWorld(f"the lighthouse {names[number]} stands there twice")

@@ -52,18 +52,18 @@ LIGHTHOUSES: dict[str, type[Lighthouse]] = {
         *(Whiteboard, Doormarks, Knowledge),
     )
 }
-"""Every kind of lighthouse that comes with this program, by its name."""
+"""The kinds of lighthouses that come with this program, by their names."""
 
 OWN = "path/to/file.py:Class or module:Class"
-"""How a lighthouse of the user's own is named."""
+"""The form of the name of a user's lighthouse."""
 
 
 class LighthouseKind(Struct, frozen=True):
-    """A kind of lighthouse as requests and rules hold it, and as it gets to other processes.
+    """A kind of lighthouse in the form that requests, rules and other processes use.
 
     Attributes:
         name: ``KIND[:key=value,...]``, or several of these with ``+`` between them.
-        codes: the user's code that it needs, in the order of the name.
+        codes: the user's code that the kind needs, in the order of the name.
     """
 
     name: str
@@ -71,7 +71,7 @@ class LighthouseKind(Struct, frozen=True):
 
     @property
     def as_class(self) -> type[Lighthouse]:
-        """The kind as a class; one of the user's is loaded once in a process."""
+        """The class of the kind; a user's class is loaded once in a process."""
         return _type_of(self)
 
     def __str__(self) -> str:
@@ -103,7 +103,7 @@ def lighthouse_kind(given: object) -> LighthouseKind:
 
 
 def kind_of(lighthouse: Lighthouse) -> LighthouseKind:
-    """The kind of a lighthouse that stands somewhere."""
+    """The kind of a lighthouse at a place."""
     codes = [
         replace(part.code, name=part.written)
         for part in parts_of(lighthouse)
@@ -113,12 +113,12 @@ def kind_of(lighthouse: Lighthouse) -> LighthouseKind:
 
 
 def parts_of(lighthouse: Lighthouse) -> tuple[Lighthouse, ...]:
-    """The lighthouses that it is put together from; itself alone if it is one."""
+    """The parts of a lighthouse; a lighthouse without parts is its only part."""
     return lighthouse.parts if isinstance(lighthouse, Composed) else (lighthouse,)
 
 
 def numbers_told(kind: LighthouseKind) -> tuple[str, ...]:
-    """The names of the numbers that a robot is told by the lighthouses that come with this program.
+    """The names of the numbers that built-in parts of a kind tell a robot.
 
     They are known before any world is made.
     """
@@ -127,7 +127,7 @@ def numbers_told(kind: LighthouseKind) -> tuple[str, ...]:
 
 
 def _part(text: str) -> str | user_code.UserCode:
-    """One part of a name: as it is for one of ours, else the code, with its text."""
+    """One part of a name: the part itself for a built-in kind, else the user's code."""
     if text.partition(":")[0] in LIGHTHOUSES:
         return text
     parts = re.fullmatch(r"([^?]+):([^:?=]+=[^?]*)", text)
@@ -219,10 +219,10 @@ def _of_parts(name: str, parts: object, map_: CombinatorialMap, start: Dart) -> 
 
 
 def _own_of(document: Mapping[str, Any]) -> type[Lighthouse]:
-    """The class of the user's in a document, without its options; that of a factory with them.
+    """The user's class in a document, without its options unless a factory takes them.
 
     Raises:
-        InputError: if there is none, or it has another text than the one in the document.
+        InputError: if the class is missing, or its text differs from the text in the document.
     """
     name, given = document["kind"], document.get("options", {})
     if not isinstance(given, Mapping):

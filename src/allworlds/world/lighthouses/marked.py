@@ -1,4 +1,4 @@
-"""Lighthouses that stand at vertices: at the start's, at a neighbour of it too, or at every one."""
+"""Lighthouses at vertices: at the start vertex, also at one of its neighbours, or at all."""
 
 from __future__ import annotations
 
@@ -57,13 +57,13 @@ class MarkedStart(base.ReferenceLighthouse):
         return {self.dart: 1} if self.sensing.marks else {}
 
     def legal_darts(self, map_: CombinatorialMap, start: Dart) -> Sequence[Dart]:
-        """The darts at which it can stand: those of each vertex that may be v0."""
+        """The legal darts: all darts of each vertex that may be v0."""
         kind: Any = self.as_kind
         homes: Sequence[Dart] = kind.homes(map_, start)
         return [dart for home in homes for dart in map_.vertices[map_.vertex_of[home]]]
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless its options are legal, and its dart is one of those."""
+        """Raise InvalidWorld unless its options and its dart are legal."""
         ensure_legal(self)
         legal = self.legal_darts(map_, start)
         if the_integer("lighthouse.dart", self.dart) not in legal:
@@ -87,7 +87,7 @@ class TowardsNeighbour(MarkedStart):
     def believed(
         self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer
     ) -> base.Lighthouse | None:
-        """The lighthouse in the same direction from the start, even if it may not stand there."""
+        """The lighthouse in the same direction from the start, even if it is illegal there."""
         if self.start == "any":
             return super().believed(map_, start, walk)
         dart = walk.map.turn(walk.trail[0], map_.offset(start, self.dart))
@@ -135,8 +135,8 @@ class Directional(MarkedStart):
 def word_of(pattern: str, degree: int) -> tuple[int, ...]:
     """The letters of a pattern for the bearings ``0..degree-1``.
 
-    The pattern is repeated to the degree.  One with ``x*`` is not: there ``x`` stands as often as
-    the others leave room for.  At a smaller degree it is cut off.
+    The pattern is repeated up to the degree, or cut off at a smaller degree.  In a pattern with
+    ``x*`` only ``x`` is repeated, as often as the other letters leave room.
     """
     before, star, after = pattern.partition("*")
     if star:
@@ -243,7 +243,7 @@ class Natural(TowardsNeighbour):
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Natural]:
-        """One place for each neighbour that will do, at the first dart clockwise to it."""
+        """One place for each legal neighbour, at the first dart clockwise that leads to it."""
         vertices = Counter(map_.degrees)
         if vertices[map_.degree_at[start]] > 1:
             return
@@ -264,7 +264,7 @@ class Natural(TowardsNeighbour):
 
 
 def first_darts(map_: CombinatorialMap, start: Dart) -> dict[int, Dart]:
-    """By vertex its first dart, in canonical numbering from the start."""
+    """The first dart of each vertex in canonical numbering from the start."""
     first: dict[int, Dart] = {}
     for dart in numbering(map_.sigma, map_.alpha, start):
         first.setdefault(map_.vertex_of[dart], dart)
@@ -293,7 +293,7 @@ class AtEveryVertex(base.ReferenceLighthouse):
 def _first_sensed(walk: base.WalkInAnswer) -> dict[int, tuple[Dart, int]]:
     """The reference dart and the marks sensed at the first visit of each vertex of an answer.
 
-    Of one that was never visited, they are its first dart, and 0.
+    For a vertex that was never visited they are its first dart and 0.
     """
     answer = walk.map
     found = {vertex: (darts[0], 0) for vertex, darts in enumerate(answer.vertices)}

@@ -35,17 +35,17 @@ def the_integer(what: str, value: object) -> int:
 OptionValue: TypeAlias = int | bool | str | tuple[str, ...]
 
 PLACE = ("dart", "darts", "parts")
-"""The names of fields that say where a lighthouse stands, and are no options."""
+"""The names of the fields that hold a lighthouse's place, and are no options."""
 
 
 class FieldOption(NamedTuple):
     """An option of a kind.
 
     Attributes:
-        default: the value where none is given; its type is that of every value.
-        limits: of an integer, or the pattern of a text; None: there are none.
-        legal: the words of which it is one; of a tuple, those that it may hold, each once.
-        always: whether a document holds it even if it is the default.
+        default: the default value; all values have its type.
+        limits: the limits of an integer, or the pattern of a text; or None.
+        legal: the legal words; a tuple may hold each of them once.
+        always: whether a document also holds the default.
     """
 
     default: OptionValue
@@ -55,11 +55,11 @@ class FieldOption(NamedTuple):
 
     @property
     def alone(self) -> bool:
-        """Whether it is the only one, whose value stands without its name."""
+        """Whether it is the kind's only option, whose value is written without its name."""
         return type(self.default) is tuple or bool(self.limits and self.limits.pattern)
 
     def of_text(self, what: str, text: str) -> OptionValue:
-        """The value of a text, as ``key=value`` has it; ``what`` names it.
+        """The value of the text in ``key=value``; ``what`` names it in errors.
 
         Raises:
             InvalidWorld: naming the text and what would be legal.
@@ -74,7 +74,7 @@ class FieldOption(NamedTuple):
         return self.checked(what, value)
 
     def checked(self, what: str, value: Any) -> OptionValue:
-        """The value itself, of the type of the default; ``what`` names it.
+        """The value, if it is legal; ``what`` names it in errors.
 
         Raises:
             InvalidWorld: naming the value and what would be legal.
@@ -117,11 +117,11 @@ class FieldOption(NamedTuple):
 def options_of(kind: Any) -> dict[str, FieldOption]:
     """The options of a class of lighthouses, in the order of its fields.
 
-    A class that a factory makes for its arguments has none besides.
+    A class that a factory makes has no options but the factory's arguments.
     """
     if kind.code is not None and kind.code.arguments:
         return {}
-    # The annotations of a class of the user's may be texts that mean nothing here.
+    # The annotations of a user's class may be texts that cannot be evaluated here.
     hints = get_type_hints(kind, include_extras=True) if kind.code is None else {}
     found = {each.name: _option(each, hints.get(each.name)) for each in fields(kind)}
     return {name: option for name, option in found.items() if option}
@@ -150,9 +150,9 @@ def _words_in(hint: Any) -> tuple[str, ...]:
 
 
 def kind_with(kind: Any, options: Mapping[str, OptionValue]) -> Any:
-    """The kind with other values of some options, which are known to be legal; one class each.
+    """The kind with other, legal values of some options; a class for each choice of them.
 
-    A place of it is one of ``kind`` itself, with these values in its fields.
+    Its instances are lighthouses of class ``kind`` with these values in their fields.
     """
     of = options_of(kind)
     other = [
@@ -173,7 +173,7 @@ def _another_kind(kind: Any, options: tuple[tuple[str, OptionValue], ...]) -> An
 
 
 def options_in(kind: Any, name: str, text: str) -> dict[str, OptionValue]:
-    """The options of a kind in the text ``key=value,...`` behind its name.
+    """The options of a kind in the text ``key=value,...`` after its name.
 
     Raises:
         InvalidWorld: naming the option, or the value, that the kind does not have.
@@ -189,7 +189,7 @@ def options_in(kind: Any, name: str, text: str) -> dict[str, OptionValue]:
 
 
 def ensure_options(kind: Any, name: str, given: Mapping[str, object]) -> dict[str, OptionValue]:
-    """The options of a document, which are legal.
+    """The options in a document, if they are legal.
 
     Raises:
         InvalidWorld: naming the option, or the value, that the kind does not have.
@@ -210,7 +210,7 @@ def _legal(kind: Any, name: str, key: str) -> FieldOption:
 
 
 def values_in(placed: Any) -> dict[str, OptionValue]:
-    """The options of a place that have another value than the default, and a pattern."""
+    """The options of a lighthouse whose values differ from the default, or are its only text."""
     kind: Any = type(placed)
     values = {key: (getattr(placed, key), option) for key, option in options_of(kind).items()}
     return {
@@ -221,7 +221,7 @@ def values_in(placed: Any) -> dict[str, OptionValue]:
 
 
 def ensure_legal(placed: Any) -> None:
-    """Raise InvalidWorld unless the options of a place are legal."""
+    """Raise InvalidWorld unless the options of a lighthouse are legal."""
     kind: Any = type(placed)
     for key, option in options_of(kind).items():
         option.checked(f"lighthouse.{key}", getattr(placed, key))
@@ -237,7 +237,7 @@ def named_with(kind: Any, options: Mapping[str, OptionValue]) -> str:
 
 
 def with_arguments(name: str, arguments: Mapping[str, Any], mark: str = "?") -> str:
-    """A name, a mark, and arguments; the words of a tuple stand without its key."""
+    """A name, a mark, and arguments; the words of a tuple are written without its key."""
     texts = [
         ",".join(value)
         if isinstance(value, tuple)
@@ -249,7 +249,7 @@ def with_arguments(name: str, arguments: Mapping[str, Any], mark: str = "?") -> 
 
 @cache
 def place_keys(kind: Any) -> tuple[str, ...]:
-    """The fields that stand in a document beside the kind: of the user's, all but the options."""
+    """The fields that a document holds beside the kind: for a user's kind, all but options."""
     if kind.code is not None:
         return tuple(each.name for each in fields(kind) if each.name not in options_of(kind))
     hints = get_type_hints(kind, include_extras=True)

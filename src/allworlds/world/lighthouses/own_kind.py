@@ -1,4 +1,4 @@
-"""Lighthouses of users: their classes are loaded, and their mistakes told by their names."""
+"""Users' lighthouses: loading their classes, and naming them in errors."""
 
 import copyreg
 import inspect
@@ -20,10 +20,10 @@ SHAPE = "a class with the base allworlds.Lighthouse and a class method places"
 
 
 def own_kind(code: user_code.UserCode) -> type[Lighthouse]:
-    """The class that the code stands for, with its options, ready to be used as one of ours.
+    """The class of the code, with its options, in a form like a built-in kind.
 
     Raises:
-        InvalidWorld: if there is none, or it has no such options.
+        InvalidWorld: if there is no such class, or it has no such options.
     """
     if code.arguments and isinstance(code.load(), type):
         kind = _kind(code.bare)
@@ -33,7 +33,7 @@ def own_kind(code: user_code.UserCode) -> type[Lighthouse]:
 
 @cache
 def _kind(code: user_code.UserCode) -> type[Lighthouse]:
-    """The class, which is loaded once a process; of a factory one for each of its arguments."""
+    """The class, loaded once in a process; a factory makes one for each choice of arguments."""
     made = code.made()
     if not isinstance(made, type) or not issubclass(made, Lighthouse) or inspect.isabstract(made):
         raise InvalidWorld(f"{show(code.name)} is no lighthouse, but {shown(made)}; one is {SHAPE}")
@@ -58,16 +58,16 @@ def _kind(code: user_code.UserCode) -> type[Lighthouse]:
 
 
 _OF_THEIRS: dict[type[Lighthouse], type[Lighthouse]] = {}
-"""By the user's class the kind that was made from it."""
+"""The kind that was made from each user's class."""
 
 NOT_INHERITED = {"__dict__", "__weakref__", "__slots__", "__abstractmethods__", "_abc_impl"}
-"""Parts of a class that Python makes anew for each class."""
+"""The attributes of a class that Python makes for each class."""
 
 
 def _subclass(theirs: Any, code: user_code.UserCode) -> type[Lighthouse]:
-    """A subclass that names itself in errors, files and pickles; the user's class stays as it is.
+    """A subclass with its own name for errors, files and pickles; the user's class is unchanged.
 
-    It has the same body, and is a dataclass even where the user's class is none.
+    It has the same body, and is a dataclass even if the user's class is none.
     """
     body = {name: part for name, part in vars(theirs).items() if name not in NOT_INHERITED}
     body |= {"kind": code.plain, "code": code}
@@ -76,7 +76,7 @@ def _subclass(theirs: Any, code: user_code.UserCode) -> type[Lighthouse]:
 
 
 def own_place(placed: Lighthouse) -> Lighthouse:
-    """The place of the kind that was made from the class of this one; itself if there is none."""
+    """The same lighthouse in the kind that was made from its class; itself without such a kind."""
     own = _OF_THEIRS.get(type(placed))
     if own is None:
         return placed
@@ -84,7 +84,7 @@ def own_place(placed: Lighthouse) -> Lighthouse:
 
 
 def shown(value: object) -> str:
-    """A short text for any object, without the name of the module that its class was loaded as."""
+    """A short text for any object, without the name of the module of its class."""
     if isinstance(value, type):
         return f"the class {value.__qualname__}"
     plain = type(value).__repr__ is object.__repr__
@@ -99,7 +99,7 @@ METHODS = [
     *(name for name, value in vars(Lighthouse).items() if name[0] != "_" and _is_method(value)),
     "__post_init__",
 ]
-"""The methods that can be written anew: their errors are the user's."""
+"""The methods that a user may write, so that their errors are the user's."""
 
 
 def _check_methods(kind: type[Lighthouse], code: user_code.UserCode) -> None:
@@ -112,9 +112,9 @@ def _check_methods(kind: type[Lighthouse], code: user_code.UserCode) -> None:
 
 
 def _check(kind: type[Lighthouse], name: str, method: str, *, theirs: bool) -> None:
-    """Let errors of a method of the user's name the lighthouse, and check what it returns."""
+    """Make errors of a user's method name the lighthouse, and check the values that it returns."""
     found = inspect.getattr_static(kind, method)
-    if not _is_method(found):  # a plain value in the place of a property
+    if not _is_method(found):  # a plain value instead of a property
         value = found
         found = property(lambda _self: value)
     function: Any = found.fget if isinstance(found, property) else getattr(found, "__func__", found)
@@ -159,7 +159,7 @@ def named_darts(placed: Lighthouse, map_: CombinatorialMap) -> dict[str, tuple[i
 
 
 def _several(value: Any) -> tuple[int, ...]:
-    """The integers of a field that holds one or several; none of any other."""
+    """The integers in a field that holds one or several integers; else none."""
     values = value if isinstance(value, tuple) else (value,)
     return values if all(type(each) is int for each in values) else ()
 
@@ -168,7 +168,7 @@ def _several(value: Any) -> tuple[int, ...]:
 
 
 def _places(places: tuple[Any, ...], kind: type[Lighthouse], *_asked: object) -> Iterator[Any]:
-    """Places of the class, with the options that were asked for."""
+    """The places, if all of them are of the class with the given options."""
     made = [own_place(placed) if isinstance(placed, Lighthouse) else placed for placed in places]
     for placed in made:
         ours = isinstance(placed, Lighthouse) and placed.code is kind.code
@@ -231,14 +231,14 @@ RETURNS: dict[str, tuple[Callable[..., Any], str]] = {
     "refusal": (_refusal, "a text, empty if the action is legal"),
     "acted": (_state, "a State with the dart of the one before"),
 }
-"""By method: its value in plain types, or a TypeError, and the legal values in words."""
+"""For each method the function to plain values, or a TypeError, and words for legal values."""
 
 
 # ---------------------------------------------------------------- in other processes
 
 
 def _reduced(placed: Lighthouse) -> tuple[Any, ...]:
-    """The content of a pickle: the code with its text, from which any process makes the class."""
+    """The content of a pickle: the code with its text, from which each process makes the class."""
     state = {each.name: getattr(placed, each.name) for each in fields(placed)}  # type: ignore[arg-type]
     return _placed, (type(placed).code, state)
 
