@@ -76,7 +76,7 @@ def _subclass(theirs: Any, code: user_code.UserCode) -> type[Lighthouse]:
 
 
 def own_place(placed: Lighthouse) -> Lighthouse:
-    """The same lighthouse in the kind that was made from its class; itself without such a kind."""
+    """The lighthouse in the kind that was made from its class; itself without such a kind."""
     own = _OF_THEIRS.get(type(placed))
     if own is None:
         return placed
