@@ -17,10 +17,10 @@ from typing_extensions import override
 
 from allworlds.protocol import actions
 
-Place: TypeAlias = tuple[str, int]
+UserLine: TypeAlias = tuple[str, int]
 """A file and a line in it; ``("", 0)`` if no line is the user's."""
 
-NOWHERE: Place = ("", 0)
+NOWHERE: UserLine = ("", 0)
 
 ONCE = "once"
 """The value, in place of True, that asks for lines without the turns in which they run."""
@@ -49,10 +49,10 @@ class TracedPlay:
     """
 
     def __init__(self) -> None:
-        self.turns: list[tuple[bool, Place]] = []
-        self.ran: set[Place] = set()
-        self.lately: deque[Counter[Place]] = deque(maxlen=LATELY)
-        self._left: Place = NOWHERE
+        self.turns: list[tuple[bool, UserLine]] = []
+        self.ran: set[UserLine] = set()
+        self.lately: deque[Counter[UserLine]] = deque(maxlen=LATELY)
+        self._left: UserLine = NOWHERE
         self._walk: Generator[Any, Any, Any]
 
     def player(self, player: actions.Player) -> Any:
@@ -93,12 +93,12 @@ class TracedPlay:
             self._left = _line_of(frame)
         return self._trace
 
-    def busiest(self) -> list[Place]:
+    def busiest(self) -> list[UserLine]:
         """The lines that ran most in the last turns, the busiest first."""
-        every = sum(self.lately, Counter[Place]())
+        every = sum(self.lately, Counter[UserLine]())
         return sorted(every, key=lambda line: (-every[line], line))[:BUSIEST]
 
-    def _end(self, error: BaseException) -> Place:
+    def _end(self, error: BaseException) -> UserLine:
         """The innermost of the user's lines that raised; after a return the line that was left."""
         line, frames = self._left, error.__traceback__
         while frames and not isinstance(error, StopIteration):
@@ -142,11 +142,11 @@ class LinesPlay(TracedPlay):
         return self._trace if left else None
 
 
-def _line_of(frame: FrameType) -> Place:
+def _line_of(frame: FrameType) -> UserLine:
     return frame.f_code.co_filename, frame.f_lineno
 
 
-def _yielding(walk: Any) -> Place:
+def _yielding(walk: Any) -> UserLine:
     """The innermost of the user's lines in a chain of ``yield from``."""
     line = NOWHERE
     while (frame := getattr(walk, "gi_frame", None)) is not None:

@@ -27,7 +27,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import CodeLines, Finding, place_of
 from allworlds.judging.laws.bounds import NO_BOUND
 from allworlds.protocol.actions import action_numbered
-from allworlds.protocol.code_lines import NOWHERE, Place
+from allworlds.protocol.code_lines import NOWHERE, UserLine
 from allworlds.world.lighthouses.options import InvalidWorld
 from allworlds.world.world import World
 
@@ -116,7 +116,7 @@ def _runs(scope: Scope, edges: int) -> Iterator[Placed]:
 # ---------------------------------------------------------------- lines
 
 
-Turns: TypeAlias = list[tuple[bool, Place]]
+Turns: TypeAlias = list[tuple[bool, UserLine]]
 """The places of a play, turn by turn; see :func:`allworlds.protocol.code_lines.written`."""
 
 
@@ -141,7 +141,7 @@ def located(
     due += [Due(i, place, world) for i, (world, place) in enumerate(islice(others, RIGHT), 1)]
     try:
         *logs, lines = plays.traced(due)
-        traced = msgspec.json.decode(lines, type=list[tuple[Turns, set[Place], list[Place]]])
+        traced = msgspec.json.decode(lines, type=list[tuple[Turns, set[UserLine], list[UserLine]]])
         judged = [plays.judge.judged(one, log) for one, log in zip(due, logs, strict=True)]
     except (InputError, msgspec.MsgspecError, ValueError):  # it may do something else now
         return finding
@@ -151,12 +151,12 @@ def located(
     (turns, ran, busiest), *plays_of_others = traced
     pairs = zip(plays_of_others, judged[1:], strict=True)
     right = [lines for (_, lines, _), one in pairs if one.outcome.violation is None]
-    alone = ran.difference(*right) if right else set[Place]()
+    alone = ran.difference(*right) if right else set[UserLine]()
     busy = busiest if finding.law == "budget" else []
     return replace(finding, code=_code(turns, sorted(alone), len(right), busy))
 
 
-def _code(turns: Turns, alone: list[Place], right: int, busy: list[Place]) -> CodeLines:
+def _code(turns: Turns, alone: list[UserLine], right: int, busy: list[UserLine]) -> CodeLines:
     shown = {where for _, where in turns} | {*alone, *busy} - {NOWHERE}
     sources = ((where, linecache.getline(*where).strip()) for where in sorted(shown))
     return CodeLines(
@@ -169,7 +169,7 @@ def _code(turns: Turns, alone: list[Place], right: int, busy: list[Place]) -> Co
     )
 
 
-def _named(where: Place) -> str:
+def _named(where: UserLine) -> str:
     """``FILE:LINE``, relative to the current folder if the file is below it.
 
     A cell of a notebook, or what was typed, is called ``input``.

@@ -19,7 +19,7 @@ from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.mixture import mutated
 from allworlds.notations.given import Placed
-from allworlds.protocol.code_lines import ONCE, Place
+from allworlds.protocol.code_lines import ONCE, UserLine
 from allworlds.studies.fuzz.sampling import Batch
 from allworlds.world import world
 from allworlds.world.lighthouses.base import Lighthouse
@@ -113,7 +113,7 @@ def bred(
             ]
             message = judge.worlds_message(due) | {"lines": ONCE, "runs": len(due) + 1}
             *logs, traced = answered(player, message)
-            traces = json.decode(traced, type=list[tuple[Any, list[Place], Any]]) if due else []
+            traces = json.decode(traced, type=list[tuple[Any, list[UserLine], Any]]) if due else []
             for run, log, (_, lines, _) in zip(due, logs, traces, strict=True):
                 pool.add(run.world.map, lines)
                 if generation and judge.judged(run, log).outcome.violation:
@@ -137,12 +137,12 @@ class _Pool:
     """
 
     def __init__(self, unit: Bred, extent: Extent, kind: type[Lighthouse]) -> None:
-        self.lately: dict[Place, deque[CombinatorialMap]] = {}
-        self._often = Counter[Place]()
+        self.lately: dict[UserLine, deque[CombinatorialMap]] = {}
+        self._often = Counter[UserLine]()
         self._least, self._extent, self._kind = unit.drawn.min_edges, extent, kind
         self._random = Random(f"bred/{unit.key}")  # noqa: S311  # reproducible
 
-    def add(self, map_: CombinatorialMap, lines: Iterable[Place]) -> None:
+    def add(self, map_: CombinatorialMap, lines: Iterable[UserLine]) -> None:
         """Add a world that ran these lines."""
         for line in lines:
             self._often[line] += 1
