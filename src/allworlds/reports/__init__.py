@@ -1,8 +1,8 @@
 """Results for people and for other programs; each form of report is loaded on first use.
 
 ``parts``
-    the parts of which the content of a report is made, scenes among them, which every form can
-    show, and rows for programs;
+    the parts of a report's content, with the scenes that every form can show, and rows for
+    programs;
 ``content``
     the content of each verb's report;
 ``plain_text``, ``web``

@@ -210,7 +210,7 @@ CHECK_SAID = (
     *(*SAID, "task", "laws", "schedules", "min_edges", "mix", "runs"),
     *("max_findings", "engine"),
 )
-"""The fields of the request of which the scope, and other facts, tell."""
+"""The fields of the request that the scope and other facts describe."""
 
 
 def _which(report: CheckReport) -> str:

@@ -219,7 +219,7 @@ def _growth_facts(report: growth.Growth) -> list[tuple[str, str]]:
 
 
 GROWTH_SAID = (*SAID, "to", "draws", "places")
-"""The fields of the request of which the facts tell."""
+"""The fields of the request that the facts describe."""
 
 
 def _walks(report: comparison.Comparison) -> Iterator[parts.Section]:

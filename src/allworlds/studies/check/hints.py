@@ -1,6 +1,6 @@
-"""A finding with what more plays of its explorer show: an option that helps, and lines of code.
+"""Hints for a finding from more plays of its explorer: an option that helps, and lines of code.
 
-Neither decides anything.  An option is told only if the check with it was made.
+They do not change the verdict.  An option is named only if the check with it was made.
 """
 
 import linecache
@@ -32,23 +32,23 @@ from allworlds.world.lighthouses.options import InvalidWorld
 from allworlds.world.world import World
 
 MOST = 4000
-"""The most runs of a trial; where there are more, nothing is told."""
+"""The most runs of a trial; a level with more runs is not tried."""
 
 SECONDS = 5.0
-"""The time of a trial; what is not decided by then is not told."""
+"""The seconds of a trial; an option that is not decided by then is not named."""
 
 LARGER = 4
-"""A larger step budget is tried that is so many times the one that was exceeded."""
+"""The factor by which the larger step budget of a trial exceeds the broken one."""
 
 Placed: TypeAlias = tuple[World, int]
-"""A world with the number of its place."""
+"""A world with the number of the lighthouse's place."""
 
 RIGHT = 200
 """The most right runs whose lines are compared with those of a finding."""
 
 
 def hinted(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> Finding:
-    """The confirmed finding of a check with both."""
+    """The confirmed finding of a check, with both kinds of hints."""
     levels = (edges for edges in scope.extent.levels if edges <= finding.world.map.edge_count)
     others = (run for edges in levels for run in _runs(scope, edges))
     tried = tried_options(finding, subject, limits, scope)
@@ -59,16 +59,16 @@ def hinted(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> 
 
 
 def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> str:
-    """The options with which the check breaks no law; empty if there are none, or it is not known.
+    """The options with which the check breaks no law; empty if none are known.
 
-    They name the worlds that were tried, too: all with at most so many edges, at least as many as
-    the finding's; before these that of the finding, and its mirror image.
+    The text also names the worlds that were tried: the finding's world, its mirror image, and all
+    worlds with at most a number of edges, which is not less than the finding's.
 
     Args:
-        finding: confirmed: so the explorer as it is fails in one of them.
-        subject: its explorer.
-        limits: of the check.
-        scope: of the check.
+        finding: the confirmed finding, so that without the options a tried world refutes.
+        subject: the explorer.
+        limits: the limits of the check.
+        scope: the scope of the check.
     """
     rules, changes = finding.rules, dict[str, Any]()
     if finding.law == "budget" and rules.step_budget is None:
@@ -106,7 +106,7 @@ def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Sco
 
 
 def _runs(scope: Scope, edges: int) -> Iterator[Placed]:
-    """The runs of a level, whatever part of it the check itself has tried."""
+    """The runs of a whole level, even if the check has tried a part of it."""
     for unit in units_of_level(scope.extent, edges):
         for run in numbered_runs(unit, scope.extent, scope.rules.kind):
             if run.lighthouse is not None:
@@ -117,19 +117,19 @@ def _runs(scope: Scope, edges: int) -> Iterator[Placed]:
 
 
 Turns: TypeAlias = list[tuple[bool, UserLine]]
-"""The places of a play, turn by turn; see :func:`allworlds.protocol.code_lines.written`."""
+"""The lines of code of a play, turn by turn; see :func:`allworlds.protocol.code_lines.written`."""
 
 
 def located(
     finding: Finding, subject: Subject, limits: Limits, others: Iterable[Placed] = ()
 ) -> Finding:
-    """The finding with the lines of its explorer's code, if that is in Python and runs alike again.
+    """The finding with lines of its explorer's code, if that is in Python and repeats the run.
 
     Args:
-        finding: which one.
-        subject: its explorer.
-        limits: of time for an answer, and of memory.
-        others: worlds with places; the lines of the first right runs there are compared.
+        finding: the finding.
+        subject: the explorer.
+        limits: the limits of the time for an answer, and of memory.
+        others: worlds with places; lines of the first right runs in them are left out.
 
     Cost: that of the runs, some ten times slower.
     """
@@ -172,7 +172,7 @@ def _code(turns: Turns, alone: list[UserLine], right: int, busy: list[UserLine])
 def _named(where: UserLine) -> str:
     """``FILE:LINE``, relative to the current folder if the file is below it.
 
-    A cell of a notebook, or what was typed, is called ``input``.
+    The name of a notebook's cell, or of typed code, is ``input``.
     """
     file, line = where
     if file and not Path(file).is_file():

@@ -149,7 +149,7 @@ def ensure_unnamed(request: CompareRequest, names: Iterable[str], of: str) -> No
 
 
 MapKey: TypeAlias = tuple[int, int, tuple[int, ...], tuple[int, ...]]
-"""Numbers of edges and vertices, sigma and alpha: sorts rooted maps from small to large."""
+"""The numbers of edges and vertices, sigma and alpha, by which rooted maps are sorted."""
 
 
 @dataclass(slots=True)

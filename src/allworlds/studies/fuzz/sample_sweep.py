@@ -210,7 +210,7 @@ class FuzzSweep(TallySweep[CheckReport]):
     @override
     def leave(self, level: SweptLevel, total: Tally) -> None:
         found = total.findings
-        if level.of == 0:  # of the small worlds only who walks for ever is told
+        if level.of == 0:  # a finding in small worlds counts only if the explorer walks for ever
             found = total.findings = [one for one in found if one.law == "budget"]
         if level.of or (level.of == 0 and not found):  # bred worlds do not count, nor these
             total = Tally(total.keep, findings=found, remarks=total.remarks)

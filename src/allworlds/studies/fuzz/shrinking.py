@@ -103,7 +103,7 @@ def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterato
 
 
 def _less_by(piece: int, finding: Finding, scope: Scope) -> Iterator[tuple[world.World, int]]:
-    """Yield the finding's world without one piece of so many edges, and the lighthouse's place."""
+    """Yield the finding's world without one of its pieces, and the number of the place."""
     map_, extent = finding.world.map, scope.extent
     for end in range(map_.edge_count, 0, -piece):
         gone = {d for edge in map_.edges[max(0, end - piece) : end] for d in edge}
