@@ -42,9 +42,9 @@ def broken_for_ever(search: Search) -> Broken | None:
         if condition.holds is not None and not condition.forever:
             inside = [number for number in every if not _holds(search, condition, number)]
         for outgoing, counted in ways:
-            criteria = [*_broken_by(search, condition), *counted]
+            criteria = [*_criteria_of(search, condition), *counted]
             for component in components(search, inside, outgoing):
-                if broken := _broken_in(search, condition, component, criteria, outgoing):
+                if broken := _broken_in_component(search, condition, component, criteria, outgoing):
                     return broken
     return None
 
@@ -62,7 +62,7 @@ def cut_for_ever(search: Search) -> int | None:
     return None
 
 
-def _broken_in(
+def _broken_in_component(
     search: Search,
     condition: Liveness,
     component: list[int],
@@ -96,7 +96,7 @@ def _holds(search: Search, condition: Liveness, number: int) -> bool:
     return search.world.holds(condition, search.states[search.state_number(number)])
 
 
-def _broken_by(search: Search, condition: Liveness) -> Iterator[Criterion]:
+def _criteria_of(search: Search, condition: Liveness) -> Iterator[Criterion]:
     """The criteria of a cycle that breaks the condition; none if every cycle breaks it."""
     if condition.holds is None:
         yield lambda _before, index: bool(search.graph.has_action(index))

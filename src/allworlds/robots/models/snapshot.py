@@ -46,7 +46,7 @@ class Snapshot(Apart):
     """Robots that see the whole map from their own darts, with all robots in it.
 
     A view is ``[robots, degrees, alpha]``: the number of robots at each vertex, its degree, and the
-    other end of each dart, see :class:`allworlds.robots.models.views.Ordered`.  The robot's own
+    other end of each dart, see :class:`allworlds.robots.models.views.ViewOrder`.  The robot's own
     vertex is the first one, and the robot itself is counted there.  On a ring ``robots`` has the
     numbers at successive vertices in one direction.
 

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, TypeAlias
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, Vertex
 
 
-class Ordered(NamedTuple):
+class ViewOrder(NamedTuple):
     """The order of vertices and darts in the view from a dart.
 
     Attributes:
@@ -26,25 +26,25 @@ class Ordered(NamedTuple):
 
 
 View: TypeAlias = list[list[int]]
-"""The number of robots at each vertex, its degree, the other end of each dart: see `Ordered`."""
+"""The number of robots at each vertex, its degree, the other end of each dart: see `ViewOrder`."""
 
 
 @lru_cache(maxsize=1 << 12)
-def ordered_from(map_: CombinatorialMap, dart: Dart, clockwise: int) -> Ordered:
+def view_order(map_: CombinatorialMap, dart: Dart, clockwise: int) -> ViewOrder:
     """The order in the view from a dart; anticlockwise if ``clockwise`` is -1."""
-    rounds: dict[Vertex, list[Dart]] = {}
+    darts_at: dict[Vertex, list[Dart]] = {}
     stack = [dart]
     while stack:
         arrival = stack.pop()
         vertex = map_.vertex_of[arrival]
-        if vertex not in rounds:
+        if vertex not in darts_at:
             offsets = range(map_.degree_at[arrival])
-            rounds[vertex] = [map_.turn(arrival, clockwise * offset) for offset in offsets]
-            stack += [map_.alpha[each] for each in reversed(rounds[vertex])]
-    order = [each for around in rounds.values() for each in around]
+            darts_at[vertex] = [map_.turn(arrival, clockwise * offset) for offset in offsets]
+            stack += [map_.alpha[each] for each in reversed(darts_at[vertex])]
+    order = [each for around in darts_at.values() for each in around]
     number = {each: index for index, each in enumerate(order)}
     alpha = tuple([number[map_.alpha[each]] for each in order])
-    return Ordered(tuple(rounds), tuple(map(len, rounds.values())), alpha)
+    return ViewOrder(tuple(darts_at), tuple(map(len, darts_at.values())), alpha)
 
 
 class Eyes(NamedTuple):
@@ -63,7 +63,7 @@ class Eyes(NamedTuple):
     ) -> View:
         """The view from a dart, with robots at some darts."""
         at = Counter(map_.vertex_of[each] for each in darts)
-        vertices, degrees, alpha = ordered_from(map_, dart, clockwise)
+        vertices, degrees, alpha = view_order(map_, dart, clockwise)
         robots = [min(at[vertex], self.elsewhere) for vertex in vertices]
         robots[0] = min(at[vertices[0]], self.here)
         return [robots, [*degrees], [*alpha]]
