@@ -388,7 +388,7 @@ class LedgerRequest(ListenerOptions, limits.WorkerOptions, kw_only=False):
 
 @answers(LedgerRequest)
 def ledger(request: LedgerRequest) -> LedgerReport:
-    """Check the sentences of a paper, each on its scope, and compare with what is expected.
+    """Check the sentences of a paper, each on its scope, and compare with the expected outcomes.
 
     ``claims.py`` in the folder has a function for each claim of ``ledger.toml``.  It takes
     ``Means`` and the bounds of the claim as keywords, and returns a ``Found`` or a ``NotChecked``

@@ -10,7 +10,7 @@ from allworlds.documents.report import Report
 
 
 class EndedReport(Report):
-    """A report of what was finished when a job came to its ``ending``."""
+    """A report of the part of a job that was finished at its ``ending``."""
 
     ending: doc.NotInDocument[outcome.Ending]
 
@@ -67,7 +67,7 @@ class EndedReport(Report):
 
 
 class RowsReport(EndedReport):
-    """A report with rows of all that was finished."""
+    """A report with rows for the finished part."""
 
     @doc.computed
     def complete(self) -> doc.AllRows:

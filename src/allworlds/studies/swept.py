@@ -62,7 +62,7 @@ ToldGate: TypeAlias = Annotated[
 
 
 class PortionReport(EndedReport):
-    """A report about the worlds of an ``extent``; the ``request`` says what was asked."""
+    """A report about the worlds of an ``extent``, for a ``request``."""
 
     request: doc.NotInDocument[Any]
     extent: doc.NotInDocument[classes.Extent]

@@ -48,7 +48,7 @@ def view_order(map_: CombinatorialMap, dart: Dart, clockwise: int) -> ViewOrder:
 
 
 class Eyes(NamedTuple):
-    """The limits of what robots see.
+    """The limits of a robot's sight.
 
     Attributes:
         here: the largest number of robots that is seen exactly at one's own vertex.

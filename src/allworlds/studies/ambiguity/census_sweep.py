@@ -72,10 +72,10 @@ class SizeCounts(Struct):
     """Counts of the worlds of some sizes.
 
     Attributes:
-        marked_worlds: maps with a lighthouse in them, up to isomorphism.
-        ambiguous_worlds: those with a twin, of any size.
-        classes: parts with two or more members, one of which is among these worlds.
-        largest_class: the number of members of the largest of these parts; 0: there is none.
+        marked_worlds: the number of maps with a lighthouse, up to isomorphism.
+        ambiguous_worlds: the number of these worlds that have a twin, of any size.
+        classes: the number of classes with two or more members, of which one is a world here.
+        largest_class: the number of members of the largest of these classes; 0: no class.
     """
 
     marked_worlds: int = 0

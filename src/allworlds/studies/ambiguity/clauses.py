@@ -93,7 +93,7 @@ class Formula:
         self.clauses += [(-a, *unless, b), (a, *unless, -b)]
 
     def write(self, path: Path) -> None:
-        """The formula as a DIMACS file; comments say what each variable and clause means.
+        """Write the formula as a DIMACS file, with the meanings of variables and clauses.
 
         Cost: about a microsecond a literal.
         """

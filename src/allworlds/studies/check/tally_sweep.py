@@ -224,7 +224,7 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
     """The sweep of one explorer through many worlds.
 
     Args:
-        request: what was asked for.
+        request: the request.
         scope: the worlds, the rules and the schedules.
         subject: the explorer.
         keep: the number of findings to keep.

@@ -114,7 +114,7 @@ def compared(request: CompareRequest) -> Comparison | Growth:
 
 @takes_fields(CompareRequest, several="explorers", answered=compared)
 def compare(*explorers: str | Callable[..., Any], **options: Any) -> Comparison | Growth:
-    """Run explorers in the same worlds, judge every run, and compare what they walk.
+    """Run explorers in the same worlds, judge every run, and compare their costs.
 
     With ``to`` the worlds grow: of each family a few members of each size are run; then one
     explorer is enough.

@@ -367,12 +367,12 @@ class ContestScope(doc.Document):
 
 
 class ContestReport(SweptReport, kw_only=True):
-    """The report of explorers that were run in the same worlds.
+    """The report of explorers in the same worlds.
 
-    ``entrants`` were run; ``by`` says for what there are rows for programs.
+    ``entrants`` are the explorers, with their rules; ``by`` chooses the rows for programs.
 
     Attributes:
-        steps: what is finished one after another.
+        steps: the name of the parts of the job, in the plural.
     """
 
     steps: ClassVar[str] = "levels"

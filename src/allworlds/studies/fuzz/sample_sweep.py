@@ -90,7 +90,7 @@ class FuzzRequest(
 
 @answers(FuzzRequest)
 def fuzz(request: FuzzRequest) -> CheckReport:
-    """Run an explorer in random worlds of up to ``edges`` edges; shrink what refutes it.
+    """Run an explorer in random worlds of up to ``edges`` edges; shrink a world that refutes it.
 
     The report is about a sample: at best ``not-refuted``, never complete.  The sample depends on
     the class, ``where``, ``edges``, ``min_edges``, ``mix``, ``runs`` and ``seed`` alone.  A few

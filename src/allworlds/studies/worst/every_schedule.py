@@ -37,7 +37,7 @@ class WrongTest(Disagreement):
 
 
 class TestCost(Struct, frozen=True):
-    """A hypothesis, the path on which it is tested, and what the test costs."""
+    """A hypothesis, the path on which it is tested, and the cost of the test."""
 
     hypothesis: Dart
     path: Path
