@@ -3,6 +3,7 @@
    Model.v, and at the head of the files named in README.md.
    --------------------------------------------------------------------------------------------- *)
 From mathcomp Require Import all_ssreflect.
+From Allworlds Require Import Features WeakestSensors.
 From Allworlds Require Import Model Maps Percepts RootedMaps Codes Explorers Indistinguishable.
 From Allworlds Require Import PartialMaps Paths Pass Cost Correctness PassCounts Lighthouses Routes.
 From Allworlds Require Import Algorithm Execution OnePass Refinement Policies ShortestPaths.
@@ -654,6 +655,26 @@ Theorem other_sensors_at_v0 :
       forall q d, 0 < q -> 0 < d ->
       sufficient_at (at_v0 (remainder_word q)) d <-> ~~ ((q %| d) && (q < d))].
 Proof. exact: And3 half_suffices distance_suffices remainder_suffices. Qed.
+
+(* Sensors that look further than v0.  feature r x is one of six kinds of darts, by their place relative to the
+   door r; coarsened c shows the letter c i for kind i (Features.v).  Such a sensor is sufficient if and only if one
+   of three conditions on its letters holds: the dart behind the door shows its letter alone; or the door's
+   letter is at v0 alone, that of the dart behind it neither there nor at neighbours; or none of ten sets of
+   features share letters. *)
+Theorem features_that_suffice c : invariant (coarsened c) /\
+  (sufficient (coarsened c) <-> [|| reason_behind c, reason_edge c | reason_apart c]).
+Proof. exact: conj (coarsened_invariant c) (suffices_iff c). Qed.
+
+(* The six features have 203 coarsenings, each listed once; 131 are sufficient, in worlds of all sizes; of 24 of
+   these nothing that tells less is. *)
+Theorem weakest_sensors :
+  [/\ [/\ uniq coarsenings, forall c, exists2 u, u \in coarsenings & same_letters c (nth 0 u) &
+        forall u v, u \in coarsenings -> v \in coarsenings -> same_letters (nth 0 u) (nth 0 v) -> u = v],
+      [/\ size coarsenings = 203, size sufficing = 131 & size weakest = 24],
+      forall u, u \in coarsenings -> u \in sufficing <-> sufficient (coarsened (nth 0 u)) &
+      forall u, u \in coarsenings -> u \in weakest <-> sufficient (coarsened (nth 0 u)) /\
+      forall c, tells_less (nth 0 u) c -> sufficient (coarsened c) -> tells_less c (nth 0 u)].
+Proof. exact: And4 each_once rows_counted sufficing_iff weakest_iff. Qed.
 
 (* An explorer for each of them: at the end of each test, and once at the start, the robot scans the vertex
    where it is, out and back by each dart, and compares the letters.  Only the word for the degree of v0

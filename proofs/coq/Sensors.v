@@ -168,6 +168,32 @@ by rewrite (mem y A) (mem x) //; exact: indistinct_refl.
 Qed.
 
 (* ---- Where no two darts of a world look alike, it has no twin ---- *)
+Lemma paired_isomorphic (G H : combinatorial_map) (x0 : G) (y0 : H) (R : G -> H -> bool) :
+  R x0 y0 -> (forall x y, R x y -> R (sigma x) (sigma y)) -> (forall x y, R x y -> R (alpha x) (alpha y)) ->
+  (forall x y y', R x y -> R x y' -> y = y') -> (forall x x' y, R x y -> R x' y -> x = x') ->
+  isomorphic (rooted x0) (rooted y0).
+Proof.
+move=> R0 Rs Ra right_one left_one.
+have some (x : G) : exists y, R x y.
+  apply: (everywhere (A := fun x => exists y, R x y) (d := x0)) x => [|x [y /Rs]|x [y /Ra]]; last 2 first.
+  - by exists (sigma y).
+  - by exists (alpha y).
+  by exists y0.
+have some' (y : H) : exists x, R x y.
+  apply: (everywhere (A := fun y => exists x, R x y) (d := y0)) y => [|y [x /Rs]|y [x /Ra]]; last 2 first.
+  - by exists (sigma x).
+  - by exists (alpha x).
+  by exists x0.
+pose f x := xchoose (some x); pose g y := xchoose (some' y).
+have fP x : R x (f x) by exact: (xchooseP (some x)).
+have gP y : R (g y) y by exact: (xchooseP (some' y)).
+exists f, g; split=> /= [x _|y _|]; last exact: right_one (fP _) R0.
+  split=> //; first exact: left_one (gP _) (fP _).
+    by apply: right_one (fP _) _; exact: Rs.
+  by apply: right_one (fP _) _; exact: Ra.
+by split=> //; exact: right_one (fP _) (gP _).
+Qed.
+
 Section Rigid.
 Variables (A : eqType) (lambda : sensor A) (W W' : lighthouse_world).
 Local Notation sW := (percept_by lambda (W := W)).
@@ -186,29 +212,11 @@ Proof.
 move=> Rg Rg' /indistinguishable_starts I; pose R := indistinct sW sW'.
 have pick x y : R x y -> forall v, percepts_in (M := rooted (@start W)) sW v x
     = percepts_in (M := rooted (@start W')) sW' v y by case/(indistinct_alikeP sW sW' start start).
-have right_one x y y' : R x y -> R x y' -> y = y'.
-  by move=> /pick E /pick E'; apply: Rg'; apply/(indistinctP sW' start) => v; rewrite -E E'.
-have left_one x x' y : R x y -> R x' y -> x = x'.
-  by move=> /pick E /pick E'; apply: Rg; apply/(indistinctP sW start) => v; rewrite E E'.
-have some (x : W) : exists y, R x y.
-  apply: (everywhere (A := fun x => exists y, R x y) (d := start)) x => [|x [y H]|x [y H]].
-  - by exists start.
-  - by exists (sigma y); exact: indistinct_sigma.
-  by exists (alpha y); exact: indistinct_alpha.
-have some' (y : W') : exists x, R x y.
-  apply: (everywhere (A := fun y => exists x, R x y) (d := start)) y => [|y [x H]|y [x H]].
-  - by exists start.
-  - by exists (sigma x); exact: indistinct_sigma.
-  by exists (alpha x); exact: indistinct_alpha.
-pose f x := xchoose (some x); pose g y := xchoose (some' y).
-have fP x : R x (f x) by exact: (xchooseP (some x)).
-have gP y : R (g y) y by exact: (xchooseP (some' y)).
-exists f, g; split=> /= [x _|y _|].
-- split=> //; first exact: left_one (gP _) (fP _).
-    by apply: right_one (fP _) _; exact: indistinct_sigma.
-  by apply: right_one (fP _) _; exact: indistinct_alpha.
-- by split=> //; exact: right_one (fP _) (gP _).
-exact: right_one (fP _) I.
+apply: (paired_isomorphic (R := R)) => // [x y|x y|x y y'|x x' y].
+- exact: indistinct_sigma.
+- exact: indistinct_alpha.
+- by move=> /pick E /pick E'; apply: Rg'; apply/(indistinctP sW' start) => v; rewrite -E E'.
+by move=> /pick E /pick E'; apply: Rg; apply/(indistinctP sW start) => v; rewrite E E'.
 Qed.
 End Rigid.
 

@@ -133,6 +133,7 @@ Check (@door_is_right :
 (* ==== Further.v ==== *)
 
 From mathcomp Require Import all_ssreflect.
+From Allworlds Require Import Features WeakestSensors.
 From Allworlds Require Import Model Maps Percepts RootedMaps Codes Explorers Indistinguishable.
 From Allworlds Require Import PartialMaps Paths Pass Cost Correctness PassCounts Lighthouses Routes.
 From Allworlds Require Import Algorithm Execution OnePass Refinement Policies ShortestPaths.
@@ -598,6 +599,19 @@ Check (@other_sensors_at_v0 :
   [/\ sufficient (at_v0 half_word), sufficient (at_v0 distance_word) &
       forall q d, 0 < q -> 0 < d ->
       sufficient_at (at_v0 (remainder_word q)) d <-> ~~ ((q %| d) && (q < d))]).
+
+Check (@features_that_suffice :
+  forall c,
+  invariant (coarsened c) /\
+  (sufficient (coarsened c) <-> [|| reason_behind c, reason_edge c | reason_apart c])).
+
+Check (@weakest_sensors :
+  [/\ [/\ uniq coarsenings, forall c, exists2 u, u \in coarsenings & same_letters c (nth 0 u) &
+        forall u v, u \in coarsenings -> v \in coarsenings -> same_letters (nth 0 u) (nth 0 v) -> u = v],
+      [/\ size coarsenings = 203, size sufficing = 131 & size weakest = 24],
+      forall u, u \in coarsenings -> u \in sufficing <-> sufficient (coarsened (nth 0 u)) &
+      forall u, u \in coarsenings -> u \in weakest <-> sufficient (coarsened (nth 0 u)) /\
+      forall c, tells_less (nth 0 u) c -> sufficient (coarsened c) -> tells_less c (nth 0 u)]).
 
 Check (@scanning_is_right :
   forall w (W : lighthouse_world),
