@@ -1,6 +1,7 @@
 """Damaged tables and damaged lists of work: each dies by name, and none as a crash."""
 
 from collections import Counter
+from types import SimpleNamespace
 
 import pytest
 
@@ -8,10 +9,13 @@ from allworlds import check
 from allworlds.documents.document import replace
 from allworlds.engines import compiled_engine as compiled
 from allworlds.engines.compiled_engine import AGREED, UNBOUNDED, bounds_of
-from allworlds.engines.kernel.arrays import Counts
+from allworlds.engines.kernel.arrays import BrokenRun, Counts
 from allworlds.engines.kernel.capabilities import POLICIES
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.kernel.runs import UNDEFINED
+from allworlds.engines.tally import EnginesDisagree, Tally
+from allworlds.engines.units import LevelUnit, Scope
+from allworlds.explorers.loading import load
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent, condition_named
@@ -161,3 +165,61 @@ def test_of_large_levels_the_corpus_has_the_worlds_of_all_maps_alone(map_class):
     assert known_fingerprints(Extent(map_class, 9, where=condition_named("trees")), 6) == {}
     assert known_fingerprints(Extent(map_class, 9), 9) == {}
     assert known_fingerprints(Extent(map_class, 9), 2).keys() <= {1, 2, 3}
+
+
+# ---------------------------------------------------------------- what two engines say of a world
+
+
+@pytest.fixture
+def edge():
+    """The question of the world with one edge and two vertices, with what Python counts."""
+    scope, unit = Scope(Extent(MapClass.MAPS, 1), Rules()), LevelUnit(1, (-1,))
+    subject = load("algorithm1")
+    python = compiled.played_tally(scope, subject, unit)
+    return lambda walked: compiled._compare_in(unit, python, scope, subject, walked=walked)
+
+
+def test_engines_that_agree_are_found_to(edge):
+    edge(walked=True)
+
+
+def test_a_law_that_one_engine_alone_finds_broken_is_told_with_the_world(edge, monkeypatch):
+    honest = judge
+
+    def blaming(*question, **options):
+        rows = honest(*question, **options)
+        return replace(rows, broken=(BrokenRun(2, (0, 1), (1, 0), 0, "map"),))
+
+    monkeypatch.setattr("allworlds.engines.kernel.engine.judge", blaming)
+    said = r"that {'map'} is broken, the python engine none, in the world sigma=\[0, 1\] alpha="
+    with pytest.raises(EnginesDisagree, match=said):
+        edge(walked=False)
+
+
+def test_another_count_of_one_walk_for_every_bearing_is_told(edge, monkeypatch):
+    fewer = SimpleNamespace(counts=())
+    monkeypatch.setattr("allworlds.engines.kernel.engine.walk", lambda *_: fewer)
+    edge(walked=False)
+    with pytest.raises(EnginesDisagree, match=r"for every bearing, .* run by run, in the"):
+        edge(walked=True)
+
+
+@pytest.mark.parametrize(
+    ("run", "said"),
+    [
+        (BrokenRun(2, (0, 1), (0, 1), None, "map"), "the kernel met a world that is none"),
+        (
+            BrokenRun(2, (0, 1), (1, 0), 0, "map"),
+            "says that map is broken, .* that none is, in the",
+        ),
+        (
+            BrokenRun(2, (0, 1), (1, 0), None, ""),
+            "says that a law is broken, .* that none is.*place=0",
+        ),
+    ],
+)
+def test_what_only_the_kernel_blames_is_told_with_the_world_and_its_place(run, said):
+    scope = Scope(Extent(MapClass.MAPS, 1), Rules())
+    engine = compiled.CompiledEngine(scope, load("algorithm1"), keep=1)
+    with pytest.raises(EnginesDisagree, match=said):
+        engine._blame(run, Tally(1))
