@@ -1,0 +1,223 @@
+"""What reports say in their rarer cases, of reports that are made by hand."""
+
+from types import SimpleNamespace
+
+import pytest
+
+from allworlds.maps import named_map
+from allworlds.reports.content import ambiguity, ledger, sizes
+from allworlds.reports.content.scope import gate_facts
+from allworlds.reports.content.single_run import (
+    LONGEST_LIST,
+    MOST_LINES,
+    _lines,
+    _remarks,
+    wrong_line,
+)
+
+
+def said(headline):
+    return headline.word, headline.text, headline.verdict
+
+
+MET = (
+    "with 2 edges 1 rooted map was met, but Tutte counts 9; "
+    "with 2 edges 2 rooted maps were met, but Tutte counts 9"
+)
+
+
+def row(**given):
+    return SimpleNamespace(edges=2, marked_worlds=3, ambiguous_worlds=None, **given)
+
+
+def test_a_census_that_differs_from_its_source_names_each_row():
+    rows = [
+        row(rooted=number, counted=9, agrees=lambda *, whole, number=number: number == 9)
+        for number in (1, 9, 2)
+    ]
+    census = SimpleNamespace(agrees=False, rows=rows, source="Tutte", whole=True)
+    assert said(ambiguity._counted(census)) == ("MISMATCH", MET, "error")
+
+
+@pytest.mark.parametrize(
+    ("given", "ambiguous", "word"),
+    [
+        ({"whole": False, "empty": False}, (0, 4), "SHARD"),
+        ({"whole": True, "empty": True}, (0, None), "VACUOUS"),
+        ({"whole": True, "empty": False}, (None, 4), "AMBIGUOUS"),
+        ({"whole": True, "empty": False}, (0, None), "TOLD APART"),
+    ],
+)
+def test_the_first_line_of_a_census(given, ambiguous, word, monkeypatch):
+    monkeypatch.setattr(ambiguity.parts, "so_far", lambda _, done: done)
+    monkeypatch.setattr(ambiguity, "finished", lambda *_: "of two edges")
+    rows = [SimpleNamespace(edges=2, marked_worlds=3, ambiguous_worlds=each) for each in ambiguous]
+    census = SimpleNamespace(agrees=True, rows=rows, places="one place", portion="1/2", **given)
+    done = ambiguity._counted(census)
+    assert done.word == word
+    assert "of two edges (one place)" in done.text
+    if word != "VACUOUS":
+        assert "6 marked worlds" in done.text
+    if word == "AMBIGUOUS":
+        assert done.text.startswith("4 of 6 marked worlds")
+    if word == "SHARD":
+        assert done.text.endswith("of the shard 1/2")
+
+
+def test_a_tour_goes_the_nearest_way_to_what_is_left():
+    cube = named_map("cube")
+    for dart in cube.darts:
+        way = ambiguity._nearest(cube, 0, {dart}) if dart else []
+        at = 0
+        for k in way:
+            at = cube.move(at, k)
+        assert at == dart
+        assert len(way) <= 6
+    assert ambiguity._nearest(cube, 0, {cube.move(0, 1), cube.move(0, 2)}) == [1]
+
+
+@pytest.mark.parametrize(
+    ("given", "what"),
+    [
+        ({"agrees": False}, ("MISMATCH", "with 2 edges [1, 2] were enumerated, but T counts 9")),
+        ({"agrees": True}, ("VACUOUS", "there is no such map")),
+    ],
+)
+def test_the_first_line_of_a_count(given, what):
+    rows = [
+        SimpleNamespace(edges=2, by_vertices=[1, 2], counted=9, agrees=False),
+        SimpleNamespace(edges=3, by_vertices=[1, 2], counted=9, agrees=True),
+    ]
+    census = SimpleNamespace(rows=rows, source="T", complete=True, whole=True, empty=True, **given)
+    found = sizes._counted(census)
+    assert (found.word, found.text) == what
+
+
+def test_the_first_line_where_no_schedule_was_worked_on(monkeypatch):
+    report = SimpleNamespace(agrees=True, complete=True, rows=[])
+    assert said(sizes._worst(report)) == ("VACUOUS", "there is no run", "vacuous")
+    report = SimpleNamespace(agrees=False, disagreement="they differ")
+    assert said(sizes._worst(report)) == ("MISMATCH", "they differ", "error")
+
+
+@pytest.mark.parametrize(
+    ("given", "rows", "gate"),
+    [
+        ({}, True, "no map was forgotten: their number equals an independent count (T)"),
+        ({}, False, "no level was finished, so nothing was compared"),
+        ({"whole": False}, True, "of the shard 1/2 alone; the merge of all shards compares"),
+        ({"source": ""}, True, "absent: no source counts the maps that are cubic"),
+    ],
+)
+def test_the_gate_says_what_was_compared(given, rows, gate):
+    extent = SimpleNamespace(given=None, where="cubic")
+    made = {"extent": extent, "source": "T", "whole": True, "portion": "1/2", **given}
+    assert gate_facts(SimpleNamespace(**made), "map", rows=rows) == [("gate", gate)]
+    extent.given = SimpleNamespace(gate="the given ones")
+    assert gate_facts(SimpleNamespace(**made), "map", rows=rows) == [("gate", "the given ones")]
+
+
+@pytest.mark.parametrize(
+    ("section", "heading"),
+    [
+        *[("IV", "Section IV"), ("3.1", "Section 3.1"), ("A", "Section A")],
+        *[("Proofs", "Proofs"), ("AB", "AB"), ("IV a", "IV a")],
+    ],
+)
+def test_a_section_with_a_number_is_called_one(section, heading):
+    assert ledger._heading(section) == heading
+
+
+CLAIM = {
+    "section": "IV",
+    "id": "all",
+    "statement": "All is well.",
+    "method": "exhaustive",
+    "expected": "holds",
+    "verdict": "holds",
+    "told": "too long",
+}
+
+
+@pytest.mark.parametrize(
+    ("standing", "required", "result"),
+    [
+        ("as-expected", True, ("passed", "", "")),
+        ("not-as-expected", False, ("failure", "not-as-expected", "one; two")),
+        ("not-checked", True, ("failure", "required", "too long")),
+        ("not-checked", False, ("skipped", "", "too long")),
+    ],
+)
+def test_each_claim_is_a_case(standing, required, result, monkeypatch):
+    monkeypatch.setattr(ledger, "_details", lambda _: [("a", "b")])
+    claim = SimpleNamespace(**CLAIM, standing=standing, differences=["one", "two"])
+    case = ledger._case(claim, required=required)
+    assert case.name == "Section IV: all: All is well."
+    assert (case.result, case.kind, case.message) == result
+    assert bool(case.sections) == (case.result == "failure")
+
+
+def test_each_claim_is_a_row():
+    rows = ledger._rows(SimpleNamespace(claims=[SimpleNamespace(**CLAIM, standing="as-expected")]))
+    told = ["IV", "all", "All is well.", "exhaustive", "holds", "holds", "as-expected"]
+    assert rows.rows == [told]
+    assert len(rows.columns) == len(told)
+
+
+def test_lines_that_run_in_a_refuting_run_alone_are_told_up_to_a_number():
+    code = SimpleNamespace(source=str, alone=["a:1", "a:2", "a:3"], right=1, steps=(), busy=())
+    finding = SimpleNamespace(code=code, believed=None, law="crash", detail="")
+    told = dict(_lines(finding, None))
+    only = "a:1; a:2; a:3 (not reached in 1 run without a finding)"
+    assert told["only here"] == only
+    code.alone.append("a:4")
+    assert len(code.alone) == MOST_LINES + 1
+    assert "a:3; 1 other line, which --json has (not" in dict(_lines(finding, None))["only here"]
+    assert [*_lines(SimpleNamespace(code=None), None)] == []
+
+
+@pytest.mark.parametrize(
+    ("confirmed", "minimal", "among", "words"),
+    [
+        (False, False, None, "no; a smaller one may refute"),
+        (True, True, None, "yes: a new process, given only the percepts, repeated the run; no "),
+        (False, True, "cubic", "no; no smaller world of the scope (--where cubic) refutes"),
+        (False, True, None, "no; no smaller world of the scope refutes"),
+    ],
+)
+def test_a_finding_says_whether_it_is_confirmed_and_the_smallest(confirmed, minimal, among, words):
+    rules = SimpleNamespace(among=among and SimpleNamespace(name=among))
+    before = SimpleNamespace(to_json=lambda: {"a": 1}, in_words="one edge")
+    finding = SimpleNamespace(
+        confirmed=confirmed, minimal=minimal, rules=rules, earlier=[before], choices=()
+    )
+    told = dict(_remarks(finding, "here", checked=True))
+    assert told["confirmed"].startswith(words)
+    assert (told["explored before"], told["origin"]) == ('one edge: {"a":1}', "here")
+    assert "confirmed" not in dict(_remarks(finding, "here", checked=False))
+
+
+def wrong(parting, /, **given):
+    code = SimpleNamespace(steps=("s1", "s2", "s3"), checkpoints=("c0", "c1"))
+    found = {"code": code, "believed": None, "law": "map", "detail": "", "step": None, **given}
+    return wrong_line(SimpleNamespace(**found), parting)
+
+
+def test_the_first_wrong_line_is_that_of_the_checkpoint_or_of_the_step_or_the_last():
+    shown = SimpleNamespace(number=1)
+    assert wrong(2, step=0, believed=shown) == "c1"
+    assert wrong(2, believed=shown) == "s2"
+    assert wrong(2, step=0, believed=SimpleNamespace(number=2)) == "s2"
+    assert [wrong(step) for step in (0, 1, 3, 4, None)] == ["s1", "s1", "s3", "s3", "s3"]
+    assert wrong(4, law="bound") == ""
+    assert wrong(1, law="bound") == "s1"
+    assert wrong(1, code=None) == ""
+
+
+def test_the_first_choices_are_told():
+    finding = SimpleNamespace(choices=[0] * LONGEST_LIST, earlier=[])
+    told = dict(_remarks(finding, "here", checked=False))
+    assert told["choices"] == ", ".join("0" * LONGEST_LIST)
+    finding.choices.append(1)
+    told = dict(_remarks(finding, "here", checked=False))
+    assert told["choices"] == ", ".join("0" * LONGEST_LIST) + ", and 1 more"
