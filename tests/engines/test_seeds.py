@@ -76,7 +76,7 @@ def test_what_differs_under_another_seed_is_explained_once():
     explained = []
     settler = SimpleNamespace(
         judge=SimpleNamespace(
-            counter=SimpleNamespace(tally=lambda: "tally"), records_message=lambda *_: None
+            counter=SimpleNamespace(tally=lambda: "tally"), percepts_message=lambda *_: None
         ),
         plays=SimpleNamespace(anew=lambda *_: ([bytes((entries.OVER,))] * 2, ())),
         differ=lambda one, _: one == "another",
