@@ -114,7 +114,9 @@ def test_the_gate_says_what_was_compared(given, rows, gate):
     made = {"extent": extent, "source": "T", "whole": True, "portion": "1/2", **given}
     assert gate_facts(SimpleNamespace(**made), "map", is_compared=rows) == [("gate", gate)]
     extent.given = SimpleNamespace(gate="the given ones")
-    assert gate_facts(SimpleNamespace(**made), "map", is_compared=rows) == [("gate", "the given ones")]
+    assert gate_facts(SimpleNamespace(**made), "map", is_compared=rows) == [
+        ("gate", "the given ones")
+    ]
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,8 @@ from array import array
 from collections.abc import Iterable
 from typing import NamedTuple
 
+from allworlds.inputs.checks import InputError
+
 
 class Transition(NamedTuple):
     """A step of some robots at once, with a choice of the adversary.
@@ -67,7 +69,13 @@ class Graph:
         self._packed.append(target << BITS + 1 | bits << 1 | has_action)
 
     def discover(self, before: int, bits: int, adversary: int) -> None:
-        """Add a configuration, with the transition by which it was reached first."""
+        """Add a configuration, with the transition by which it was reached first.
+
+        Raises:
+            InputError: if the adversary has more choices than a search keeps.
+        """
+        if adversary >> INDEX:
+            raise InputError(f"a model has more than {1 << INDEX:,} states after one step")
         self._discovered.append(before << BITS + INDEX | bits << INDEX | adversary)
 
     def __len__(self) -> int:
