@@ -13,6 +13,7 @@ import pytest
 
 import processes
 from allworlds.cli.app import call, command_line
+from allworlds.cli.run import _Stopping
 from processes import PATIENCE
 
 EXPLORERS = Path(__file__).parents[1] / "support" / "explorers_for_tests"
@@ -344,3 +345,34 @@ def test_without_a_verb_the_help_is_shown(cli):
     code, out, err = cli()
     assert (code, err) == (0, "")
     assert "Usage: allworlds [OPTIONS] COMMAND" in out
+
+
+def test_the_debugger_stops_in_the_users_generators_before_a_step(monkeypatch):
+    class Debugger:
+        def __init__(self, skip):
+            stopped.append(skip)
+
+        def reset(self):
+            stopped.append("reset")
+
+        def set_next(self, frame):
+            stopped.append(frame.f_code.co_name)
+
+        trace_dispatch = "trace"
+
+    def inner():
+        yield 1
+        yield 2
+
+    def outer():
+        yield from inner()
+        yield 3
+
+    stopped = []
+    monkeypatch.setattr("pdb.Pdb", Debugger)
+    monkeypatch.setattr("sys.settrace", stopped.append)
+    walk = _Stopping(outer(), 1)
+    assert walk.send(None) == 1
+    assert stopped == []
+    assert [walk.send("percept") for _ in range(2)] == [2, 3]
+    assert stopped == [["allworlds", "allworlds.*"], "reset", "outer", "inner", "trace"]

@@ -114,3 +114,20 @@ def test_no_run_is_enumerated_again_to_keep_it_for_more_seeds(monkeypatch):
     for _ in range(9):
         seeds.keep(batch)
     assert seeds
+
+
+@pytest.mark.usefixtures("compiled")
+@pytest.mark.parametrize("native", [False, True])
+def test_logs_that_compiled_code_cannot_read_are_judged_by_python_if_they_have_words(
+    native, monkeypatch
+):
+    batch, _ = next(laid_out("directional", edges=1))
+    asked = []
+    monkeypatch.setattr(CompiledJudge, "_by_python", lambda _, each: asked.append(each))
+    batch.by.native, batch.plain = native, False
+    batch.logs[0] = [bytes((255,))] * len(batch)
+    assert batch.by.judge(batch) is not native
+    assert asked == ([] if native else [batch])
+    batch.plain = True
+    assert batch.by.judge(batch) or not native
+    assert batch in asked

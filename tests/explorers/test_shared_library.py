@@ -267,3 +267,9 @@ def test_a_path_that_cannot_be_read_is_refused():
         libraries.library_path("x\0y")
     with pytest.raises(InputError, match="cannot be read"):
         libraries.library_path("x" * 300)
+
+
+def test_where_threads_cannot_be_counted_there_are_none(monkeypatch):
+    assert abi.threads_now() > 0
+    monkeypatch.setattr("os.listdir", lambda _: (_ for _ in ()).throw(OSError()))
+    assert abi.threads_now() == 0

@@ -99,6 +99,7 @@ def test_a_map_that_is_left_out_is_noticed(monkeypatch):
     [
         ("raises", "crash", 1),
         ("says_a_number", "illegal-action", 1),
+        ("no_pair", "illegal-action", 1),
         ("does", "illegal-action", 1),
         ("other_end", "progress", 2),
     ],

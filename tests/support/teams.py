@@ -119,6 +119,10 @@ def changes_at_ends(first):
         seen = yield Move(hash("where") % 997 if seen.degree == 1 else 0)
 
 
+no_pair = Automaton(None, lambda memory, percept: Move(0))
+"""Says an action without a memory."""
+
+
 def says_a_number(first):
     """Says what is no action."""
     yield 5
