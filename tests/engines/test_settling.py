@@ -25,7 +25,7 @@ def tried(monkeypatch):
         settler.plays = SimpleNamespace(
             again=lambda *_: {3: log}, fresh=lambda seed, *_: {3: again} if seed == 2 else {}
         )
-        settler.judge = SimpleNamespace(records_message=lambda runs: runs)
+        settler.judge = SimpleNamespace(percepts_message=lambda runs: runs)
         settler.differ = lambda first, second: first is not second
         settler._anew = lambda _, anew: SimpleNamespace(episode=anew)
         tally = SimpleNamespace(remark=remarks.append)

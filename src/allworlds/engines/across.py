@@ -195,7 +195,7 @@ class Across:
         return logs[-1] if len(logs) > len(earlier) else b""
 
     def _fresh(self, seed: int, order: Sequence[int]) -> list[bytes]:
-        """The logs of a fresh player; if it is lost, empty ones and the log of the lost run."""
+        """The logs of a fresh player; if it is lost, the log of that run, after empty logs."""
         player = started(self._setup, seed)
         try:
             return [*answered(player, self._in_order(order))]

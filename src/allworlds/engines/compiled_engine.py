@@ -1,11 +1,11 @@
-"""The compiled engine of a check of a built-in explorer, which is first compared with the examiner.
+"""The compiled engine of a check of a built-in explorer; the general engine checks it first.
 
-In small worlds every run is played and judged by itself.  From
-:data:`allworlds.engines.engine_table.WALKED_FROM` edges Algorithm 1 with its directional lighthouse
-walks each rooted map once, and this walk counts for every bearing, because the marker's direction
-only distinguishes the darts of v0.  Before the first level the examiner plays all small worlds, and
-the kernel must agree with it, run by run and by single walks; another process compiles the kernel
-meanwhile.  A broken law is reported only as the examiner finds it.
+In small worlds the kernel plays and judges every run.  With
+:data:`allworlds.engines.engine_table.WALKED_FROM` edges or more, Algorithm 1 with its directional
+lighthouse walks each rooted map once.  This walk counts for every bearing, because the marker's
+direction only distinguishes the darts of v0.  Before the first level the general engine plays all
+small worlds, and the kernel must agree with it, in runs and in single walks; meanwhile another
+process compiles the kernel.  The report has a broken law only as the general engine finds it.
 """
 
 from collections.abc import Iterator

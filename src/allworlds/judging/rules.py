@@ -201,7 +201,7 @@ class RuleOptions(Request):
 
 
 class Among(NamedTuple):
-    """A condition on the maps of a check; its findings are minimal among these maps.
+    """A condition on maps: a check runs in the maps that meet it, and shrinks findings among them.
 
     Attributes:
         name: the name that ``--where`` takes.

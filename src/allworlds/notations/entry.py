@@ -1,4 +1,4 @@
-"""Places in files, their texts, and further functions that readers and writers share."""
+"""Names of lines in files for messages, and further functions that readers and writers share."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager

@@ -24,7 +24,7 @@ class SweptOptions(
     TimeLimitOptions,
     ShardOptions,
 ):
-    """The part of a request with the shard, the run directory, the cluster and the limits."""
+    """The part of a request with the shard, the run directory, the Dask cluster and the limits."""
 
 
 _by = a_word("by", get_args(By))

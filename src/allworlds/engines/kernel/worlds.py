@@ -341,7 +341,7 @@ def directional(world):  # pragma: no cover  # compiled
 
 
 def door(world):  # pragma: no cover  # compiled
-    """Put one mark at one of v0's darts: each of them is a place."""
+    """Mark one dart of v0, the one that the number of the place names."""
     world.place += 1
     darken(world)
     if world.place == world.degree[0]:

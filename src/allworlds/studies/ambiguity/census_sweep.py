@@ -118,7 +118,7 @@ class SensedParts(Struct, forbid_unknown_fields=True):
             self._meet(look, name)
 
     def meet(self, worlds: arrays.SensedWorlds, *, counted: bool) -> None:
-        """Add worlds with equally many edges; ``counted``: with Burnside's count of each look."""
+        """Add worlds with one number of edges; ``counted``: count them by Burnside, too."""
         edges = worlds.sigma.shape[1] // 2
         for i, (look, name, sheets) in enumerate(arrays.named(worlds)):
             self.sizes[name] = edges, worlds.vertices[i]

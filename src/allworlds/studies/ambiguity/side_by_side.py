@@ -146,8 +146,8 @@ class Sensor(Struct):
         kind: the kind of lighthouse.
         worlds: the rooted maps, each with every place of the lighthouse.
         roots: for each world the number of its rooted map.
-        places: for each world that number, and where the lighthouse stands.
-        looks, names: for each world its look and its name, see :class:`NamedWorld`.
+        places: for each world the number of its rooted map, and the dart of the lighthouse.
+        looks, names: for each world all that a robot can sense of it, as a code, and its name.
         sensed: for each dart of each world its percept, and the value that the robot is told.
     """
 

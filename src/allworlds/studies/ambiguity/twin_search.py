@@ -59,7 +59,7 @@ class Twins(doc.Document):
 class Searched(doc.Document):
     """One level of a search.
 
-    Writing and solving took ``seconds``. ``same_map`` holds twins that turned out to be one world
+    Writing and solving took ``seconds``. ``same_map`` holds twins that turned out to be one map
     with two starts; ``twins`` holds the decoded worlds, if the formula has a model.
     """
 

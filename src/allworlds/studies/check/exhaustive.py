@@ -98,7 +98,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
 
     @override
     def levels(self) -> Iterable[units.SweptLevel]:
-        """All levels; the last small ones include the test of runs that affect later runs."""
+        """All levels; small ones also test whether a run affects later runs."""
         for level in super().levels():
             across = units.across_level(self.scope.extent, level.edges, self.portion)
             subject = self.job.subject

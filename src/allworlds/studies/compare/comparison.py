@@ -78,8 +78,8 @@ class Comparison(ContestReport):
     Explorers side by side in the same worlds.
 
     ``member`` is the one world, if they were run in one of a family; ``all_counted`` tells that an
-    independent source counts the worlds that were enumerated; ``in_worlds`` holds the runs in each
-    world if rows are wanted by them.
+    independent source counts the worlds that were enumerated; ``in_worlds`` holds the runs of
+    each world, if the user asks for a row for each world.
     """
 
     rows: Annotated[

@@ -56,7 +56,7 @@ class Bred(Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        """The key in a run directory: ``SEED/FIRST/bred``."""
+        """The key of the bred worlds in a run directory: the key of their draws, and ``bred``."""
         return f"{self.drawn.key}/bred"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
@@ -83,7 +83,7 @@ def is_bred_for(subject: loading.Subject) -> bool:
 def bred(
     unit: Bred, scope: Scope, subject: loading.Subject, limits: Limits
 ) -> Iterator[NumberedRun]:
-    """Yield the bred worlds that seem to refute, towards lines that few worlds run.
+    """Breed worlds that run the rarest lines of the explorer; yield those that seem to refute it.
 
     The first draws of the block are played and their lines traced; then, generation by generation,
     mutants of worlds that ran one of the rarest lines.  The worlds depend on the explorer and on
@@ -92,10 +92,10 @@ def bred(
     Rare lines are the only target, since no other one helps.  Measured with up to 60 edges, in 48
     searches for a slip behind four nested conditions: 256 draws found 4 slips, 64 draws and 192
     bred worlds 14.  With up to 12 edges breeding found one such slip from 7 of 8 seeds, and 448
-    draws from one seed.  Towards a high cost, or long agreement with a wrong hypothesis, breeding
-    finds less than as many draws: the slip of an explorer that trusts a hypothesis after 24 steps,
-    depth first, from 2 and 1 of 6 seeds, draws from 4; a cost above 8,000 from 4 and 3, draws
-    from 5; at up to four times the processor time.
+    draws from one seed.  Two other targets, a high cost and long agreement with a wrong hypothesis,
+    found less than plain draws, in up to four times the time.  Of 6 seeds they found the slip of an
+    explorer that trusts a hypothesis after 24 steps from 2 and 1, plain draws from 4; a cost above
+    8,000 from 4 and 3, plain draws from 5.
 
     Cost: 256 traced runs, each some three times a plain one.
     """

@@ -93,7 +93,7 @@ class Batch(Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        """The key of the batch in a run directory: ``SEED/FIRST``."""
+        """The key of the batch in a run directory: the seed and the number of its first draw."""
         return f"{self.seed}/{self.first}"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:

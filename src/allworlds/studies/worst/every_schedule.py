@@ -246,7 +246,7 @@ class EverySchedule:
 
 
 class Planned(Choices):
-    """An answerer that makes prepared choices, which are darts of S."""
+    """A list of choices, prepared as darts of S, with which an explorer is answered."""
 
     def __init__(self, darts: Sequence[Dart]) -> None:
         super().__init__()
