@@ -1,8 +1,8 @@
-"""The numbers of rooted maps: the count gate, computed without making a single map.
+"""The numbers of rooted maps, computed without making a map, for the count gate.
 
-An enumeration is exhaustive if its counts equal counts from an independent source.  The
-sources here are generating functions, recurrences and sums from the literature.
-They share no code with the enumeration of maps, nor with the maps themselves.
+An enumeration is exhaustive if its counts equal counts from an independent source.  The sources
+here are generating functions, recurrences and sums from the literature.  They share no code with
+the enumeration of maps, nor with the maps themselves.
 
 All functions return exact integers by number of vertices (or genus) for one number of edges
 ``m >= 1``.  A connected map with m edges has ``1..m+1`` vertices: these are the keys.
@@ -37,10 +37,10 @@ Degrees: TypeAlias = frozenset[int]
 
 Polynomial: TypeAlias = tuple[int, ...]
 Series: TypeAlias = list[Polynomial]
-"""The coefficients of a power series in z, as far as they are needed."""
+"""The needed coefficients of a power series in z."""
 
 Cells: TypeAlias = dict[int, int]
-"""By the number of vertices."""
+"""The numbers of maps, by the number of vertices."""
 
 
 # ---------------------------------------------------------------- polynomials and partitions
@@ -49,7 +49,7 @@ Cells: TypeAlias = dict[int, int]
 def vertex_counts(edges: int) -> range:
     """The numbers of vertices that connected maps with ``edges`` edges have.
 
-    Raises: ValueError for edges < 1; and so do all that give ``{vertices: rooted maps}``.
+    Raises: ValueError for edges < 1, as do all functions with ``{vertices: rooted maps}``.
     """
     if edges < 1:
         raise ValueError(f"a map has at least 1 edge, not {edges}")
@@ -93,7 +93,7 @@ def exactly(numerator: int, denominator: int) -> int:
 
 
 def coefficient(p: Polynomial, power: int) -> int:
-    """The coefficient of a power, 0 beyond the last."""
+    """The coefficient of a power; 0 above the degree."""
     return p[power] if power < len(p) else 0
 
 
@@ -124,7 +124,7 @@ def times(p: Polynomial, q: Polynomial) -> Polynomial:
 
 
 def series_product(a: Series, b: Series) -> Series:
-    """The product of two series cut off alike."""
+    """The product of two series of the same length."""
     return [plus(*(times(a[i], b[k - i]) for i in range(k + 1))) for k in range(len(a))]
 
 

@@ -1,5 +1,5 @@
-"""Explorers: generator functions that are written against the protocol alone.
+"""Built-in explorers: generator functions that depend only on the protocol.
 
 A new built-in explorer is a module of this package and an entry of ``BUILT_IN`` in its module
-``explorer_table``, which tells of the others too.
+``explorer_table``, which lists the other modules.
 """

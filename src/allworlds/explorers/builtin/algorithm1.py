@@ -1,7 +1,7 @@
 """Algorithm 1 of the paper, mapping with one directional lighthouse, and its partial map.
 
-One function for each group of lines; the paper's names S, U, H, M and P are kept in the
-docstrings.  Every freedom that the paper leaves is a choice:
+There is one function for each group of lines; the docstrings keep the paper's names S, U, H, M and
+P.  Each decision that the paper leaves open is a choice:
 
 ``edge``
     The dart that leaves U (line 3). Options: U in the order in which its darts came into S;
@@ -15,9 +15,9 @@ docstrings.  Every freedom that the paper leaves is a choice:
     The simple path in S from v_k' to v0 (line 9), one dart at a time.
 
 Options of ``transit`` and ``path``: the darts from which the goal can still be reached
-without entering a vertex twice, those with the shortest way to go first, equals in the order
-of S; cost: the length of that way.  So every simple path is one sequence of answers, and
-answering 0 always takes a shortest one.
+without entering a vertex twice, sorted by the length of the way from there, and then in the order
+of S; cost: the length of that way.  So each simple path is one sequence of answers, and the answers
+0 always yield a shortest one.
 """
 
 from collections.abc import Callable, Generator, Iterator, Sequence
@@ -30,7 +30,7 @@ from allworlds.protocol.choices import Choices, Kind
 
 
 def bearing_of(percept: Percept) -> int:
-    """The bearing that an explorer cannot do without."""
+    """The bearing of a percept, which must have one."""
     if percept.bearing is None:
         raise ValueError("this explorer needs a bearing here, and the lighthouse shows none")
     return percept.bearing
@@ -39,9 +39,8 @@ def bearing_of(percept: Percept) -> int:
 class PartialMap:
     """S with its open darts U, as Algorithm 1 builds it.
 
-    The darts of a vertex are consecutive and clockwise; dart 0 is the one that the robot
-    faces at the start, and the first dart of every later vertex is the one by which the
-    robot discovered it.
+    The darts of a vertex are consecutive and clockwise.  Dart 0 is the dart that the robot faces at
+    the start, and the first dart of each later vertex is the dart by which the robot discovered it.
 
     Attributes:
         sigma, alpha: the permutations so far; ``alpha[d] == d`` for an open dart.
@@ -88,7 +87,7 @@ class PartialMap:
         self.unexplored.remove(partner)
 
     def ways(self, vertex: int) -> Iterator[tuple[int, int]]:
-        """The explored darts of a vertex, clockwise, each with the vertex it leads to."""
+        """Yield the explored darts of a vertex, clockwise, each with the vertex behind it."""
         first = self.first[vertex]
         for dart in range(first, first + self.expected[first].degree):
             other = self.alpha[dart]
@@ -131,7 +130,7 @@ class PartialMap:
 
 
 class Lazy(Sequence[int]):
-    """Integers that are computed when a policy looks at them; the first may be known before."""
+    """Integers that are computed when a policy reads them; the first may already be known."""
 
     def __init__(self, compute: Callable[[], list[int]], first: int | None = None) -> None:
         self._compute, self._first = compute, first
@@ -177,10 +176,10 @@ def simple_path(
 def _next_darts(
     s: PartialMap, goal: int, visited: list[int], lengths: dict[int, int]
 ) -> tuple[Lazy, Lazy]:
-    """The options of the next step of a path through these vertices, and the ways to go.
+    """The options of the next step of a path through these vertices, and the lengths of the ways.
 
-    While a path has only taken first options it is a shortest one, and the first option is the
-    first dart that is one step nearer to the goal: the others need not be known for that.
+    As long as a path has taken only first options, it is a shortest one, and the first option is
+    the first dart that leads nearer to the goal, so that the others need not be computed.
     """
     vertex = visited[-1]
 
@@ -212,10 +211,10 @@ def algorithm1(
 
     Args:
         first: the percept at v0 before any motion; it has a bearing.
-        choices: answers every choice listed above (default: first in, first out).
-        notice: told of each event: ``case-1``, ``case-2``, ``case-3`` (a test's outcome),
-            ``v0-hypothesis`` (a test without a step, at v0), ``empty-H``, ``loop`` and
-            ``non-loop`` (the augmentation).  It changes nothing.
+        choices: the answers to all choices listed above (default: first in, first out).
+        notice: the function that gets each event: ``case-1``, ``case-2``, ``case-3`` (a test's
+            outcome), ``v0-hypothesis`` (a test without a step, at v0), ``empty-H``, ``loop`` and
+            ``non-loop`` (the augmentation).  It has no influence.
 
     Cost: at most (1) + (2) of Section VI traversals.  Source: Algorithm 1, Section IV.
     """
@@ -223,13 +222,13 @@ def algorithm1(
 
 
 class Algorithm1:
-    """One exploration.  Each method is a group of lines, and can be overridden by a variant.
+    """One exploration.  Each method is a group of lines, which a variant can override.
 
     Attributes:
         s: the map S with its open darts U.
         here: the robot's dart in S; only meaningful between two passes.
-        turned: after a test, how far clockwise of the dart by which it has entered the vertex
-            the robot stands; after a rejected hypothesis that is v_u.
+        turned: after a test, the robot's turn clockwise from its dart of entry; after a rejected
+            hypothesis this is a dart of v_u.
     """
 
     def __init__(
@@ -278,9 +277,9 @@ class Algorithm1:
         return (yield Move(s.offset(at, goal)))
 
     def hypotheses(self, goal: int, percept: Percept) -> list[int]:
-        """Line 6: H, the other darts in U by which a robot would get just this percept.
+        """Line 6: H, the other darts in U on arrival by which a robot would have this percept.
 
-        At v0 that includes the direction, which is the whole test of such a hypothesis.
+        At v0 the percept includes the direction, which is the whole test of such a hypothesis.
         """
         s = self.s
         return [d for d in s.unexplored if d != goal and s.expected[d] == percept]
@@ -313,10 +312,10 @@ class Algorithm1:
         return list(simple_path(self.s, self.s.vertex[partner], 0, self.choices, "path"))
 
     def try_path(self, partner: int, path: list[int]) -> Walk[tuple[list[int], bool]]:
-        """Lines 10-13: execute the motions M while the percepts are those expected, P.
+        """Lines 10-13: execute the motions M as long as the percepts are the expected ones, P.
 
         Returns:
-            The motions executed, counted from the dart of entry, and whether all matched.
+            The executed motions, counted from the dart of entry, and whether all percepts matched.
         """
         s, at = self.s, partner
         motions: list[int] = []
@@ -333,9 +332,9 @@ class Algorithm1:
     def retrace(self, motions: list[int]) -> Walk[None]:
         """Line 15: undo the motions.
 
-        The run ``k1..kr`` is undone by ``0, -kr, ..., -k2``; the turn by ``-k1`` that is left
-        costs nothing and is folded into the next motion.  So is a turn from the dart of entry
-        that is left from the test.
+        The motions ``k1..kr`` are undone by ``0, -kr, ..., -k2``; the remaining turn by ``-k1``
+        costs nothing and becomes a part of the next motion, and so does a remaining turn from the
+        dart of entry.
         """
         back = -self.turned
         for motion in reversed(motions):
@@ -344,7 +343,7 @@ class Algorithm1:
         self.turned = -back
 
     def augment_by_vertex(self, goal: int, percept: Percept) -> None:
-        """Lines 20-21: v_u is a new vertex; its first dart is the one of entry."""
+        """Lines 20-21: v_u is a new vertex; its first dart is the dart of entry."""
         entry = self.s.add_vertex(goal, percept)
         self.here = self.s.turn(entry, self.turned)
 
@@ -353,23 +352,23 @@ class Algorithm1:
         self.s.add_loop(goal, partner)
 
     def answer(self) -> Estimate:
-        """Line 22: S, and the robot's place in it."""
+        """Line 22: S, and the robot's dart in it."""
         return self.s.estimate(self.here)
 
 
 # ---------------------------------------------------------------- without a direction
 #
 # Two vertices can be recognised, v0 and v1, and one edge joins them; the dart of v0 that leads to
-# v1 stands for the pointed dart of a directional lighthouse.  It is searched first.  Where
-# Algorithm 1 compares a bearing, at the end of a test that has come to v0, the robot leaves by the
-# dart that should lead to v1, looks, and comes back: the *query*, two traversals.  A hypothesis at
-# v0 is tested by the query alone.
+# v1 stands for the pointed dart of a directional lighthouse.  It is searched first.  Instead of
+# comparing a bearing at the end of a test that has come to v0, the robot leaves by the dart that
+# should lead to v1, senses, and comes back: the *query*, two traversals.  A hypothesis at v0 is
+# tested by the query alone.
 #
 # Source: Sections IV and VIII of the paper; that it is right if exactly one edge joins v0 and v1
 # is proved in proofs/coq (TwoVertices).
 
 Recognised: TypeAlias = Callable[[Percept], bool]
-"""Whether a percept is that of one certain vertex."""
+"""The function that tells whether a percept is that of a certain vertex."""
 
 
 def algorithm1_cluster(
@@ -395,7 +394,7 @@ def algorithm1_natural(
 ) -> Walk[Estimate]:
     """Explore from a natural lighthouse: no other vertex has the degree of v0, or that of v1.
 
-    It is told the degree of v1; choices and events are those of Algorithm 1.
+    The explorer is told the degree of v1; choices and events are those of Algorithm 1.
 
     Cost: as for :func:`algorithm1_cluster`.
     """
@@ -405,7 +404,7 @@ def algorithm1_natural(
 
 
 class TwoVertices(Algorithm1):
-    """An exploration from v0, whose neighbour v1 is recognised too.
+    """An exploration from v0, whose neighbour v1 can also be recognised.
 
     Attributes:
         is_v0, is_v1: whether a percept is that of v0, or of v1.
@@ -430,10 +429,10 @@ class TwoVertices(Algorithm1):
         return (yield from super().explore())
 
     def search(self) -> Walk[None]:
-        """Try the darts of v0, from the dart faced on clockwise, until one leads to v1.
+        """Try the darts of v0, clockwise from the dart faced at the start, until one leads to v1.
 
-        If none does, the promise of the lighthouse is broken.  The last dart is taken then, and no
-        query will ever be answered by v1.
+        If none does, the lighthouse has broken its promise.  Then the last dart is taken, and no
+        query will reach v1.
         """
         for dart in list(self.s.unexplored):
             seen = yield Move(dart - self.here)
@@ -458,5 +457,5 @@ class TwoVertices(Algorithm1):
         return motions, matched
 
     def confirmed_at(self, partner: int, path: list[int]) -> int:  # noqa: ARG002  # any path
-        """The pointed dart, by which the query has led back."""
+        """The pointed dart, by which the query has returned."""
         return self.pointed

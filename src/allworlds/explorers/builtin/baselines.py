@@ -1,18 +1,17 @@
-"""Explorers to compare with: depth-first search under labels, and one movable marker.
+"""Explorers for comparison: depth-first search under labels, and one movable marker.
 
-The marker points nowhere, and the worlds are simple: Dudek, Jenkin, Milios, Wilkes 1991.  Each pass
-explores one dart.  At its unknown end the robot drops the marker, comes back, and looks for it at
-the vertices of S that this end could be (place validation).  If it is not found, the end is a new
-vertex.  If it is, the robot drops it at the known end of the dart, and tries the open darts there
-until one leads to it (back-link validation).
+The marker has no direction, and the worlds are simple: Dudek, Jenkin, Milios, Wilkes 1991.  Each
+pass explores one dart.  At its unknown end the robot drops the marker, comes back, and searches the
+marker at the vertices of S that this end could be (place validation).  If it is not found, the end
+is a new vertex.  If it is found, the robot drops it at the known end of the dart, and tries the
+open darts at the other vertex until one leads to it (back-link validation).
 
-In a simple world the answer is right.  Where edges are parallel, or a vertex has two loops,
-back-link validation can take a wrong dart for the other end, and no explorer with markers does
-better everywhere.
+In a simple world the answer is right.  With parallel edges, or two loops at a vertex, back-link
+validation can find a wrong dart, and no explorer with markers is right in all such worlds.
 
 The source leaves three points open.  Here the dart that leaves U is a choice (``edge``); the
-candidates are visited in the order of a depth-first walk of a spanning tree of S, which the bound
-needs; the open darts there are tried clockwise from the dart of entry.
+candidates are visited in the order of a depth-first walk of a spanning tree of S, as the bound
+requires; the open darts there are tried clockwise from the dart of entry.
 """
 
 from collections.abc import Callable
@@ -25,12 +24,12 @@ from allworlds.protocol.choices import Choices
 def dfs(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Walk[Estimate]:
-    """Explore under labels: the number tells the vertex, and the bearing the dart of entry.
+    """Explore under labels: the number identifies the vertex, the bearing the dart of entry.
 
-    A choice (``edge``) is by which open dart the robot leaves a vertex; events are ``known`` and
-    ``unknown`` vertices beyond a dart.
+    The choice ``edge`` is the open dart by which the robot leaves a vertex; events are ``known``
+    and ``unknown`` vertices beyond a dart.
 
-    Cost: at most 2m traversals: an edge is walked along once, and back once at most.
+    Cost: at most 2m traversals: each edge is walked once, and at most once back.
     """
     choices = choices or Choices()
     s, here = PartialMap(first), 0
@@ -132,7 +131,7 @@ class _Dudek:
         self.seen = yield Move(self.s.offset(self.here, dart))
 
     def candidates(self, explored: int, beyond: Percept) -> list[int]:
-        """The vertices of S that the unknown end can be, in the order of a walk round a tree."""
+        """The candidates for the unknown end in S, in the order of a walk round a tree."""
         s = self.s
         possible = {
             s.vertex[dart]
@@ -161,7 +160,7 @@ class _Dudek:
         partners = [other for other in around if s.alpha[other] == other and other != dart]
         for partner in partners:
             yield from self.leave_by(partner)
-            # In a simple world the last one that is left must be it.
+            # In a simple world it must be the last remaining one.
             if self.seen.marks or partner == partners[-1]:
                 yield Pick()
                 s.add_loop(dart, partner)

@@ -1,11 +1,12 @@
-"""An explorer for a robot that starts elsewhere: it looks for v0, and there another one begins.
+"""An explorer for a robot that starts elsewhere: it searches v0, and starts another explorer there.
 
-All words of motions are tried, shorter ones first, of one length in the order of their letters;
-each is taken back as far as the next one differs from it.  The way back is known by the edge by
-which the robot has come: where every dart of a vertex was tried in turn, the next one is that edge.
+All words of motions are tried, shorter ones first, and words of one length in lexicographic order;
+the robot takes back each word as far as the next one differs from it.  It knows the way back by its
+edge of arrival: after all other darts of a vertex have been tried in turn, the next one is that
+edge.
 
-Cost of the search: less than 8 D^d traversals, for a distance d to v0 and a largest degree D > 1.
-For to try all words of up to L motions costs at most T(L) = D (2 + T(L - 1)) < 4 D^L.
+Cost of the search: less than 8 D^d traversals, for the distance d to v0 and the largest degree
+D > 1, because all words of up to L motions cost at most T(L) = D (2 + T(L - 1)) < 4 D^L.
 """
 
 from collections.abc import Callable, Generator
@@ -18,10 +19,10 @@ from allworlds.protocol.importing import signature_of
 
 
 class FromElsewhere:
-    """An explorer that begins at v0, wherever the robot starts.
+    """An explorer that begins at v0, although the robot may start at any vertex.
 
     Attributes:
-        explorer: the generator function that begins there.
+        explorer: the generator function that begins at v0.
     """
 
     def __init__(self, explorer: Callable[..., Generator[Any, Any, Any]]) -> None:
@@ -46,13 +47,13 @@ class FromElsewhere:
         """Try every word of up to ``longest`` motions at a vertex of that degree.
 
         Args:
-            degree: of the vertex.
-            longest: the number of motions.
-            due: the turn after which the robot stands as if it had just come in.
+            degree: the degree of the vertex.
+            longest: the largest number of motions.
+            due: the turn before the next motion, as if the robot had just arrived.
 
         Returns:
-            the percept at v0, where the robot is then, if a word leads there; else None, and the
-            turn that is due.
+            the percept at v0, where the robot then is, if a word leads there; else None, and the
+            turn that is then due.
         """
         for _ in range(degree if longest else 0):
             seen = yield Move(due)

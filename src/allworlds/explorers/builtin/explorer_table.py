@@ -5,15 +5,15 @@ The modules:
 ``algorithm1``
     Algorithm 1 of the paper, and its variants without a direction;
 ``scanning``
-    the same where one letter is sensed at v0, by the bearing;
+    Algorithm 1 with one letter at v0, which depends on the bearing;
 ``folding``
-    all percepts of a run as one map, and explorers that only fold it;
+    the folded log, which is all percepts of a run as one map, and explorers that only fold;
 ``shield``
     the shield that makes any explorer right;
 ``quotient``
-    position alone: the quotient, learnt by experiments that are never made twice;
+    position only: the quotient, learnt by experiments that are never repeated;
 ``dudek91``, ``depth_first``
-    one movable marker; a number at every vertex.
+    one movable marker; a number at each vertex.
 """
 
 from collections.abc import Callable, Mapping
@@ -34,7 +34,7 @@ from allworlds.explorers.builtin.scanning import algorithm1_door, algorithm1_wor
 Explore: TypeAlias = Callable[..., Any]
 
 Size: TypeAlias = tuple[int, int]
-"""Numbers of edges and of vertices."""
+"""The numbers of edges and of vertices."""
 
 
 class BuiltIn(Struct, frozen=True):
@@ -42,18 +42,17 @@ class BuiltIn(Struct, frozen=True):
 
     Attributes:
         explore: the generator function.  It takes the percept before any motion, ``choices``
-            (default: first in, first out) and ``notice``, which hears of events and changes
-            nothing, and may take ``told``.
-        lighthouse: the one that it is written for, as ``KIND[:key=value,...]``.
-        witnesses: the events that a complete check must have seen, each with the least known
-            (edges, vertices) within which every policy meets it, for classes with loops and
-            parallel edges and for simple classes; None where some policy never meets it.
-            An event met later, or never, would mean that a branch of the algorithm has not
-            been tried.
+            (default: first in, first out) and ``notice``, which gets events and has no influence,
+            and may take ``told``.
+        lighthouse: its kind of lighthouse, as ``KIND[:key=value,...]``.
+        witnesses: the events that must occur in a complete check, each with the least known
+            (edges, vertices) within which it occurs under every policy, for classes with loops and
+            parallel edges and for simple classes; None if it never occurs under some policy.  An
+            event that occurs later or never would mean that a branch of the algorithm was not
+            tried.
         bound: the name of the bound that it keeps under that kind of lighthouse, if it is not
             the lighthouse's own.
-        step_budget: the largest legal number of traversals, where the usual budget is too small
-            for it.
+        step_budget: the largest legal number of traversals, if the usual budget is too small.
         about: a description, for a sentence of the page on the protocol.
     """
 
@@ -102,7 +101,7 @@ BUILT_IN: dict[str, BuiltIn] = {
     "algorithm1-natural": BuiltIn(
         algorithm1_natural,
         "natural",
-        # A rejected test cannot be asked for: no world is known in which it is unavoidable.
+        # A rejected test cannot be required, since no world is known in which it is unavoidable.
         {
             "case-3": ((2, 2), (4, 4)),
             "empty-H": ((2, 2), (4, 4)),

@@ -1,30 +1,30 @@
 """The folded log, explorers that only fold, and the shield.
 
-Those that fold are right if they stop, in whatever way they walk.
+An explorer that only folds is right if it stops, whatever its walk.
 
-All percepts of a robot with a directional lighthouse are one map, the folded log.  Every vertex
-that the robot stood on is a *node*.  Nodes are merged when an arrival at v0 shows that they are one
-vertex, and with them all nodes that follow, because a dart leads to one dart only.  So the folded
-log is a part of every world that agrees with the log, and where no dart of it is open it is the
-world.
+All percepts of a robot with a directional lighthouse form one map, the folded log.  Each visit of a
+vertex begins as a *node*.  If an arrival at v0 shows that two nodes are one vertex, they are
+merged, and then all nodes to which their equal darts lead, because a dart leads to only one dart.
+So the folded log is a part of every world that agrees with the log, and if it has no open dart, it
+is the world.
 
-Which open dart is next is left to a *way*, and it must be a fair one: every dart that is open is
-walked through some day, or closed by others.  Then every vertex that was entered is left some day
-by its way home, and merged; so it ends.  The open dart that is nearest to the robot is not fair:
-the robot can walk on for ever, from copy to copy.
+A *way* decides which open dart comes next.  It must be fair: each open dart is finally walked
+through, or closed by other motions.  Then each entered vertex is finally left by its way home, and
+merged, so that the exploration ends.  The open dart that is nearest to the robot is not fair: the
+robot can walk on for ever, from copy to copy.
 
 The *shield* makes any explorer right in every world under the directional lighthouse.  Two
 *guests*, the explorer and Algorithm 1, take turns with budgets 1, 2, 4, ...: in its turn a guest
-goes on until it has made that many traversals in all.  All percepts go into one folded log; as soon
-as no dart of it is open the folded map is the answer, and the guests' answers are never used.
+goes on until its total number of traversals is the budget.  All percepts go into one folded log; as
+soon as no dart of it is open, the folded map is the answer.  The guests' answers are never used.
 
-A guest walks in the log as far as that is known, which costs nothing: its percepts are read from
-there.  Only where it goes through an open dart the robot follows, by a shortest way in the log.
+In the known part of the log a guest walks without cost, and its percepts are read from the log.
+Only when a guest goes through an open dart, the robot follows, by a shortest way in the log.
 
-Cost: less than 9 min(X, (1) + (2)) traversals, where X is what the explorer walks until its own
-log has no open dart.  For in each turn the robot could walk back to v0 the way that the last guest
-came, and then the way of the next: 2 (1 + 2 + ... + 2^(k-1)) before the turn with the budget 2^k,
-and a guest that needs that turn has walked more than 2^(k-2).
+Cost: less than 9 min(X, (1) + (2)) traversals, where X is the number of traversals of the explorer
+until its own log has no open dart.  Proof: in each turn the robot could walk back to v0 on the way
+of the last guest, and then follow the way of the next one.  This costs 2 (1 + 2 + ... + 2^(k-1))
+before the turn with the budget 2^k, and a guest that needs this turn has walked more than 2^(k-2).
 """
 
 from bisect import insort
@@ -40,23 +40,24 @@ from allworlds.protocol.choices import Choices
 from allworlds.protocol.importing import signature_of
 
 OPEN = -1
-"""The other end of a dart that the robot has not gone through."""
+"""The entry for the unknown other end of a dart."""
 
 
 class FoldedLog:
     """Nodes with consecutive, clockwise darts, merged by union-find with offsets.
 
-    Node 0 is v0; its dart 0 is the one that the marker points at.  A dart is *canonical* if its
-    node has not been merged into another.
+    Node 0 is v0; the marker points to its dart 0.  A dart is *canonical* if its node has not been
+    merged into another one.
 
     Attributes:
-        node: for each dart its node, as it was when the dart was new.
-        base, degree: for each node its first dart and how many it has.
-        stands: for each node the dart that its first dart is; its own if it is canonical.
-        known: for each canonical node its darts whose other end is known, ascending.
-        merges: how many nodes have been merged.
+        node: for each dart its original node.
+        base, degree: for each node its first dart, and its number of darts.
+        stands: for each node the dart with which its first dart was merged; in a canonical node the
+            first dart itself.
+        known: for each canonical node its darts with a known other end, ascending.
+        merges: the number of merged nodes.
 
-    Cost: nearly constant a step, except that a merged node hands over its known darts.
+    Cost: nearly constant for a step, except that a merged node passes on its known darts.
     """
 
     def __init__(self, first: Percept) -> None:
@@ -81,7 +82,7 @@ class FoldedLog:
         return first
 
     def canonical(self, dart: int) -> int:
-        """The dart of a canonical node that this dart is."""
+        """The dart of a canonical node with which this dart was merged."""
         base, stands = self.base, self.stands
         v = self.node[dart]
         while stands[v] != base[v]:
@@ -109,10 +110,10 @@ class FoldedLog:
         return other
 
     def arrive(self, dart: int, percept: Percept) -> int:
-        """The canonical dart that the robot has come by, after it has left by canonical ``dart``.
+        """The canonical dart of arrival after the robot has left by canonical ``dart``.
 
         Raises:
-            ValueError: if the percepts contradict each other: no one world shows them all.
+            ValueError: if the percepts contradict each other, so that they fit no world.
         """
         other = self.beyond(dart)
         if other == OPEN:
@@ -129,11 +130,11 @@ class FoldedLog:
         return False
 
     def _stays(self, v: int, w: int) -> bool:
-        """Whether the first of two nodes stays when they are merged: the older one does."""
+        """Whether the first of two nodes remains when they are merged; the older one does."""
         return v < w
 
     def _merge(self, one: int, another: int) -> None:
-        """Merge two darts, and all darts that are equal in consequence."""
+        """Merge two darts, and all darts that are then equal."""
         node, base, degree, link = self.node, self.base, self.degree, self._link
         equal = [(one, another)]
         while equal:
@@ -160,7 +161,7 @@ class FoldedLog:
 # ---------------------------------------------------------------- explorers
 
 Way: TypeAlias = Callable[[FoldedLog, int], list[int]]
-"""The darts to leave by, one after the other, from the robot's dart to the end of an open one."""
+"""The function from a log and the robot's dart to the darts of a walk up to an open dart."""
 
 
 def folding(
@@ -171,7 +172,7 @@ def folding(
 ) -> Walk[Estimate]:
     """Go home to v0, then to the open dart that is nearest to v0.
 
-    An event is ``merged``, an arrival at v0 that makes nodes one.
+    The event ``merged`` is an arrival at v0 that merges nodes.
 
     Cost: the explorer stops; no bound is known (up to 1,206 traversals for m = 5).
     """
@@ -184,7 +185,7 @@ def folding_oldest(
     choices: Choices | None = None,  # noqa: ARG001  # its way leaves none
     notice: Callable[[str], None] = nobody,
 ) -> Walk[Estimate]:
-    """Go a shortest way to the dart that is open for the longest time; else as :func:`folding`."""
+    """Go a shortest way to the dart that has been open longest; else as :func:`folding`."""
     return (yield from explore_folding(first, to_oldest, notice))
 
 
@@ -203,7 +204,7 @@ def to_oldest(log: FoldedLog, here: int) -> list[int]:
 def explore_folding(
     first: Percept, next_way: Way, hears: Callable[[str], None] = nobody
 ) -> Walk[Estimate]:
-    """Walk these ways and fold the percepts until no dart is open."""
+    """Walk by these ways, and fold the percepts, until no dart is open."""
     log, here = begun(first)
     while has_open_dart(log):
         for dart in next_way(log, here):
@@ -222,7 +223,7 @@ def begun(first: Percept) -> tuple[FoldedLog, int]:
 
 
 def has_open_dart(log: FoldedLog) -> bool:
-    """Whether a dart is open, so that the log does not determine the map yet."""
+    """Whether a dart is open, so that the log does not determine the map."""
     return any(log.beyond(dart) == OPEN for dart in _darts(log))
 
 
@@ -245,7 +246,7 @@ def _darts(log: FoldedLog) -> Iterator[int]:
 def way(log: FoldedLog, start: int, is_goal: Callable[[int], bool]) -> list[int]:
     """The darts by which a shortest walk leaves, up to the first dart that is a goal.
 
-    Darts of one node are looked at clockwise, from its dart of entry on.
+    The darts of a node are tried clockwise, from its dart of entry on.
     """
     came: dict[int, list[int]] = {log.node[start]: []}
     queue = [start]
@@ -264,7 +265,7 @@ def way(log: FoldedLog, start: int, is_goal: Callable[[int], bool]) -> list[int]
 
 
 MOST_CHECKPOINTS = 1000
-"""The largest number of checkpoints between two motions: an explorer with more is out."""
+"""The largest number of checkpoints between two motions, above which an explorer is out."""
 
 
 class Shield:
@@ -293,9 +294,9 @@ class _Guest:
     """An explorer in the shield, which walks in the folded log.
 
     Attributes:
-        here: the dart of the log by which it has come; at the start the one that it faces.
-        steps: its traversals.
-        out: whether it makes no more motions.
+        here: the dart of the log by which it has arrived; at the start the dart that it faces.
+        steps: the number of its traversals.
+        out: whether it makes no further motions.
     """
 
     def __init__(
@@ -306,7 +307,7 @@ class _Guest:
         self._walk: Generator[Any, Any, Any] | None = None
 
     def next_dart(self) -> int | None:
-        """The dart by which it leaves; None once it is out."""
+        """The dart by which the guest leaves; None once it is out."""
         reply = None if self._walk is None else self._percept()
         self._walk = self._walk or self._explorer(self._percept())
         message = self._walk.send(reply)
@@ -330,7 +331,7 @@ class _Guest:
 
 
 class _Stranger(_Guest):
-    """A guest that may end, raise or yield illegal values: then it is out."""
+    """A guest that may end, raise or yield illegal values, and is then out."""
 
     def next_dart(self) -> int | None:
         try:
@@ -346,7 +347,7 @@ class _Stranger(_Guest):
         return None
 
     def dismiss(self) -> None:
-        """Close the guest's generator, and ignore every exception that it raises then."""
+        """Close the guest's generator, and ignore each exception that it then raises."""
         try:
             if self._walk is not None:
                 self._walk.close()

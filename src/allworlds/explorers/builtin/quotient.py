@@ -13,9 +13,9 @@ Row: TypeAlias = tuple[Percept, ...]
 
 
 class TreeDart(NamedTuple):
-    """A dart of the tree, ``turn`` places clockwise of the dart by which its node was entered.
+    """A dart of the tree, ``turn`` darts clockwise of the dart of entry of its node.
 
-    The node is named by the turns of the darts that lead to it from the start.
+    The name of a node is the sequence of turns of the darts that lead to it from the start.
     """
 
     node: tuple[int, ...]
@@ -30,16 +30,16 @@ class TreeDart(NamedTuple):
 
 
 class Experiments:
-    """The tree of all walks from the start: each arrival that is not a way back is a new node.
+    """The tree of all walks from the start; each arrival except on the way back is a new node.
 
-    The tree does not know which nodes are one vertex.
+    The tree does not tell which nodes are the same vertex.
 
     Attributes:
         start: the dart that the robot faces at the start.
-        here: the robot's place.
+        here: the robot's dart in the tree.
 
-    Cost: a step that was made before costs nothing, unless the robot must go where a new one
-    is to be made: then as many traversals as the tree has edges between.
+    Cost: repeated steps cost nothing.  Before a new step the robot walks to its node, along the
+    edges of the tree.
     """
 
     def __init__(self, first: Percept) -> None:
@@ -65,11 +65,11 @@ class Experiments:
         return at
 
     def word_to(self, dart: TreeDart) -> Word:
-        """The word that leads from the start to a place along the tree."""
+        """The word that leads from the start to a dart along the tree."""
         return (*"".join("s" * turn + "a" for turn in dart.node), *"s" * dart.turn)
 
     def _go(self, goal: tuple[int, ...]) -> Walk[None]:
-        """Walk to a node: up to where the ways from the start part, and down."""
+        """Walk to a node: up to the last common node of both ways from the start, and down."""
         while self.here.node != goal[: len(self.here.node)]:
             yield from self._leave(0)
         for turn in goal[len(self.here.node) :]:
@@ -106,7 +106,7 @@ class ClassTable(NamedTuple):
     """Classes, with the effect of the letters; class 0 is the start's.
 
     Attributes:
-        sigma, alpha: of the classes.
+        sigma, alpha: the permutations of the classes.
         sensed: for each class the percept of its darts.
         here: the class of the robot's dart.
     """
@@ -123,7 +123,7 @@ class ClassTable(NamedTuple):
         return of
 
     def words(self) -> dict[int, Word]:
-        """For each class that can be reached from the start's a shortest word that leads to it."""
+        """A shortest word from the class of the start to each class that can be reached."""
         words: dict[int, Word] = {0: ()}
         for of in (queue := [0]):
             for letter in "sa":
@@ -134,12 +134,12 @@ class ClassTable(NamedTuple):
         return words
 
     def vertices(self) -> tuple[tuple[int, ...], ...]:
-        """The cycles of sigma; that of the start first."""
+        """The cycles of sigma; the cycle of the start comes first."""
         return cycles(self.sigma)
 
     @property
     def sheets(self) -> int:
-        """The number of darts of the world over each class: those of v0 go round so often."""
+        """The number of darts of the world over each class, as the darts of v0 show."""
         return self.turns(self.vertices()[0])
 
     def is_alone(self) -> bool:
@@ -151,11 +151,11 @@ class ClassTable(NamedTuple):
         return self.sheets == 1 or (not cycles and (self.sheets == 2 or rigid))
 
     def turns(self, vertex: Sequence[int]) -> int:
-        """The number of times that a vertex of the world goes round one of the quotient."""
+        """The number of times that a vertex of the world covers a vertex of the quotient."""
         return self.sensed[vertex[0]].degree // len(vertex)
 
     def only_world(self) -> Estimate:
-        """The world, if only one has this quotient: its sheets are exchanged where they must be."""
+        """The only world with this quotient; its sheets are exchanged where that is necessary."""
         k = self.sheets
         sigma = [of * k + i for of in self.sigma for i in range(k)]
         alpha = [of * k + i for of in self.alpha for i in range(k)]
@@ -170,14 +170,14 @@ class ClassTable(NamedTuple):
         return Estimate(CombinatorialMap(sigma, alpha), self.here * k)
 
     def ambiguous(self) -> Ambiguous:
-        """The answer that names the rooted quotient, and no map."""
+        """The answer with the rooted quotient instead of a map."""
         degree = tuple(percept.degree for percept in self.sensed)
         marks = tuple(percept.marks for percept in self.sensed)
         return Ambiguous(self.sigma, self.alpha, degree, marks, self.here)
 
 
 class _Learner:
-    """The table, and the words that tell its classes apart."""
+    """The table, and the words that distinguish its classes."""
 
     def __init__(self, world: Experiments) -> None:
         self.world = world
@@ -187,7 +187,7 @@ class _Learner:
         self._rows: list[Row] = []
 
     def learn(self) -> Walk[None]:
-        """Make experiments until every prediction that matters is right."""
+        """Make experiments until all predictions that prove the table are right."""
         wrong: Word | None = ()
         while wrong is not None:
             for i in range(len(wrong) + 1):
@@ -195,12 +195,12 @@ class _Learner:
                     self.telling.append(wrong[i:])
             yield from self._close()
             wrong = yield from self._refuted()
-        # Experiments would move the robot; the way that it has come says as much.
+        # Experiments would move the robot, and the way of the robot suffices.
         here = self.table.after(self.world.word_to(self.world.here))
         self.table = self.table._replace(here=here)
 
     def _close(self) -> Walk[None]:
-        """Make the table anew, from the start's class on."""
+        """Make a new table, from the class of the start on."""
         self._reached, self._rows = [()], [(yield from self._row(self.world.start))]
         leads: dict[str, list[int]] = {"s": [], "a": []}
         for word in self._reached:
@@ -235,7 +235,7 @@ class _Learner:
         return None
 
     def _to_be_met(self) -> Iterator[Word]:
-        """The words whose predictions, if they are right, prove the table."""
+        """Yield the words whose predictions prove the table, if they are right."""
         table = self.table
         degrees = [percept.degree for percept in table.sensed]
         # The letters have inverses, and v0 has as many classes as there are different rows.
@@ -252,7 +252,7 @@ class _Learner:
                     yield (*"s" * turned, *word, letter, *back)
 
     def _back(self, word: Word, degrees: list[int]) -> Word:
-        """The word that leads back: a turn back is a turn on to the dart of before."""
+        """The word that leads back; a turn back is a turn clockwise to the dart of before."""
         back: list[str] = []
         for i in range(len(word), 0, -1):
             degree = degrees[self.table.after(word[: i - 1])]

@@ -1,10 +1,9 @@
-"""Algorithm 1 where one letter is sensed at v0, by the bearing: a door, or a word.
+"""Algorithm 1 with one letter at v0, which depends on the bearing: a door, or a word.
 
-The robot learns the letters of v0 from its darts, out by each one and back: the *scan*.  A test
-that has come to v0 ends with queries of this kind, at the darts whose letters tell that v0 has been
-entered by the dart that was expected.  If the letters are a primitive word, that is always
-possible; of a door one query is enough.  One that fails need not be undone: the robot has only
-turned.
+The robot learns the letters of v0 by going out by each of its darts and back: the *scan*.  A test
+that has come to v0 ends with queries of this kind, at darts whose letters prove that v0 was entered
+by the expected dart.  If the letters are a primitive word, such darts always exist; for a door one
+query suffices.  A failed query need not be undone, because the robot has only turned.
 
 Source: beyond the paper.
 """
@@ -19,7 +18,7 @@ from allworlds.protocol.choices import Choices
 def algorithm1_door(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Walk[Estimate]:
-    """Explore from a door, which is sensed only by who has just come in by it.
+    """Explore from a door, which a robot senses only on arrival by it.
 
     Choices and events are those of Algorithm 1.
 
@@ -32,10 +31,10 @@ def algorithm1_door(
 def algorithm1_word(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Walk[Estimate]:
-    """Explore from a vertex with letters by the bearing, whatever they are.
+    """Explore from a vertex whose letter depends on the bearing.
 
-    The estimate is right if they are a primitive word, and not all 0. Choices and events are those
-    of Algorithm 1.
+    The estimate is right if the letters are a primitive word, and not all 0.  Choices and events
+    are those of Algorithm 1.
 
     Cost: at most (1) + (2), and 2 (deg(v0) - 1) for the scan and for each test.
     """
@@ -46,8 +45,8 @@ class Scanning(Algorithm1):
     """An exploration from v0 by letters.
 
     Attributes:
-        one_letter: there is but one dart with a letter, at which a scan may end.
-        queries: for each dart of v0 those whose letters tell that the robot has come by it.
+        one_letter: whether only one dart has a letter, so that the scan ends there.
+        queries: for each dart of v0 the darts whose letters prove an arrival by it.
     """
 
     def __init__(
@@ -72,7 +71,7 @@ class Scanning(Algorithm1):
         return Percept(percept.degree, percept.marks)
 
     def scan(self) -> Walk[None]:
-        """Read the letters of v0, from the dart faced on clockwise."""
+        """Read the letters of v0, clockwise from the dart faced at the start."""
         first = self.s.expected[0]
         degree = first.degree
         letters = [first.marks] + [0] * (degree - 1)
@@ -98,15 +97,14 @@ class Scanning(Algorithm1):
         return motions, matched
 
     def confirmed_at(self, partner: int, path: list[int]) -> int:
-        """The dart by which the last query has led back."""
+        """The dart by which the last query has returned."""
         return self.s.turn(super().confirmed_at(partner, path), self.turned)
 
 
 def telling(letters: list[int], dart: int) -> list[int]:
-    """The positions, few of them, whose letters tell these letters from all that look so at one.
+    """A few positions whose letters distinguish this word from its shifts with the same letter.
 
-    Others are the cyclic shifts, and a word of zeros. Those that are no other word are not told
-    from these letters.
+    The other words are the cyclic shifts, and the word of zeros; equal words are not distinguished.
     """
     shifts = [letters[k:] + letters[:k] for k in range(1, len(letters))]
     others = [word for word in ([0] * len(letters), *shifts) if word[dart] == letters[dart]]
