@@ -248,7 +248,7 @@ def _serve(link: Connection, lanes: Lanes, *, first_lane: bool) -> NoReturn:
         status = 0
     except (EOFError, OSError):
         pass
-    except BaseException as error:  # noqa: BLE001  # what is none of these is ours
+    except BaseException as error:  # noqa: BLE001  # any other error is ours
         known = isinstance(error, _KNOWN)
         with suppress(Exception):
             link.send(error if known else players.HarnessError(traceback.format_exc()))

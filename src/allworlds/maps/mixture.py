@@ -44,7 +44,7 @@ def glued(map_class: MapClass, where: Condition | None = None) -> Generator:
 
 
 def sparse(edges: int, random: Random) -> CombinatorialMap:
-    """A tree with a few edges more."""
+    """A tree with a few further edges."""
     more = random.randint(0, 1 + edges // 4)
     return families.sparse(max(1, edges + 1 - more), edges, random)
 
@@ -63,7 +63,7 @@ def regular(edges: int, random: Random) -> CombinatorialMap:
 
 
 def lattice(edges: int, random: Random) -> CombinatorialMap:
-    """A lattice with holes, as square as one of that size can be, or nearly so."""
+    """A nearly square lattice with holes."""
     sides = [(r, edges_along(r, edges)) for r in range(1, edges + 1)]
     return _with_holes(random.choice([(r, c) for r, c in sides if c >= max(r, 2)][-4:]), random)
 
@@ -76,7 +76,7 @@ def strip(edges: int, random: Random) -> CombinatorialMap:
 
 
 def edges_along(rows: int, edges: int) -> int:
-    """The largest number of columns of a lattice with so many rows and at most so many edges."""
+    """The largest number of columns of a lattice with these rows and at most these edges."""
     return max(0, (edges + rows) // (2 * rows - 1))
 
 
@@ -137,15 +137,15 @@ LARGEST_BASE = 6
 def _lifted(
     edges: int, random: Random, voltages: Callable[[int, int], list[list[int]]]
 ) -> CombinatorialMap:
-    """The covering of a small map with a cycle, of as many sheets as there is room for.
+    """The covering of a small map with a cycle, with the largest possible number of sheets.
 
     Half of the small maps are cubic.
 
     Args:
-        edges: at most so many.
+        edges: the largest number of edges.
         random: the source of all choices.
-        voltages: draws, of the numbers of sheets and of edges beside a spanning tree, a permutation
-            of the sheets for each of these edges; the edges of the tree stay in their sheet.
+        voltages: the function that draws a permutation of the sheets for each edge outside a
+            spanning tree, from the two numbers; the edges of the tree stay in their sheet.
     """
     size = random.randint(1, min(LARGEST_BASE, edges))
     base = families.sparse(random.randint(1, size), size, random)
@@ -180,7 +180,7 @@ def _spanning(base: CombinatorialMap) -> tuple[list[int], list[int]]:
 
 
 def _spoiled(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
-    """The map with an edge less, contracted, or two edges crossed; or as it is."""
+    """The map after one edge is removed or contracted, or two are crossed; or unchanged."""
     a, c = random.choice(map_.darts), random.choice(map_.darts)
     b, d = map_.alpha[a], map_.alpha[c]
     crossed = None
@@ -194,12 +194,12 @@ def _spoiled(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
 
 
 def mutated(map_: CombinatorialMap, most: int, random: Random) -> CombinatorialMap:
-    """The map after one to four changes: an edge less, contracted, crossed or more, another root.
+    """The map after one to four changes: an edge removed, contracted, crossed, added; a new root.
 
-    An edge more joins two corners of the map, or two of its dual, so that it splits a vertex.
+    An added edge joins two corners of the map, or of its dual, where it splits a vertex.
 
     Args:
-        map_: to be changed.
+        map_: the map.
         most: the largest number of edges.
         random: the source of all choices.
     """
@@ -236,7 +236,7 @@ PARTS: dict[str, Generator] = {
     "corridor": corridor,
     "bouquet": bouquet,
 }
-"""Every part by its name, but for the random histories of a class."""
+"""The parts by their names, except for the random histories of a class."""
 
 HISTORIES = "histories"
 """The part that all classes have, for all numbers of edges."""
@@ -247,7 +247,7 @@ MIXES: dict[MapClass, tuple[str, ...]] = {
     MapClass.SIMPLE: (HISTORIES, "cover", "ring", "lattice", "strip", "regular"),
     MapClass.PLANAR_SIMPLE: (HISTORIES, "lattice", "strip"),
 }
-"""The mixture of each class; of one that has none here, its random histories."""
+"""The mixture of each class; the default is its random histories."""
 
 
 def default_mix(extent: Extent) -> tuple[str, ...]:

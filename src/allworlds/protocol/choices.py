@@ -119,7 +119,7 @@ class Choices:
         """One of the options.
 
         Args:
-            options: in the canonical order of S; not empty.
+            options: the options, in the canonical order of S; not empty.
             of: the kind of the choice.
             cost: the walking distance of each option; None or empty if unknown.
 

@@ -182,8 +182,8 @@ class Composed(Lighthouse):
     """Several lighthouses, of which one at most gives marks, one bearings, and one tells.
 
     Attributes:
-        parts: each at its place.
-        kinds: of a kind, those of the parts.
+        parts: the parts, each at its place.
+        kinds: the kinds of the parts, in the class of a kind.
     """
 
     parts: tuple[Lighthouse, ...]
