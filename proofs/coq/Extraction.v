@@ -10,6 +10,7 @@
                           in_universe_in u, and so on (TwoVerticesChecker.v).
      algorithm1_explorer  the explorer as a function of all that it has sensed;
      shield_of X pol      Shield.v: the shield of X with Algorithm 1.
+     table_checks, table_of, twins   tables of sensors, and the kernel's (WeakestSensors.v).
      folded_log           of the first percept and the steps of a log: whether it leaves no dart open, and
                           the folded map.
 
@@ -22,7 +23,7 @@ From mathcomp Require Import all_ssreflect.
 From Allworlds Require Import Model Percepts RootedMaps Codes Explorers Algorithm Policies.
 From Allworlds Require Import NumberedWorlds Judge Cluster NaturalLighthouse Log FoldingProgram SameWorld.
 From Allworlds Require Import Checker TwoVerticesChecker Shield SimpleMaps Minimality PlanarMinimality.
-From Allworlds Require Import Door.
+From Allworlds Require Import Door WeakestSensors.
 Require Extraction.
 Require Import ExtrOcamlBasic ExtrOcamlNatInt.
 
@@ -64,4 +65,5 @@ Extraction "ocaml/certified.ml"
   directional_senses in_universe_in cluster_senses one_edge_in natural_senses natural_in
   algorithm1_resumption cluster_resumption natural_resumption folded_log
   algorithm1_explorer shield_of
-  simple_maps planar_in told_apart the_same the_same_at_v0 simple_walk planar_walk.
+  simple_maps planar_in told_apart the_same the_same_at_v0 simple_walk planar_walk
+  table_checks table_of twins.

@@ -108,20 +108,17 @@ move=> E v; rewrite -(iter_findex v); elim: (findex _ _ _) => [|n [] IH] /=; fir
 by left; rewrite IH.
 Qed.
 
-Section Alone.
-Variables (A : eqType) (lambda : sensor A) (W : lighthouse_world).
-Local Notation alike := (indistinct (percept_by lambda (W := W)) (percept_by lambda (W := W))).
-
-Lemma alone_rigid (x : W) : (forall y, alike x y -> y = x) -> rigid lambda W.
+Lemma alone_rigid (A : eqType) (lambda : sensor A) (W : lighthouse_world) (x : W) :
+  (forall y, indistinct (percept_by lambda (W := W)) (percept_by lambda (W := W)) x y -> y = x) ->
+  rigid lambda W.
 Proof.
-move=> one; pose P y := forall z, alike y z -> z = y.
+set alike := indistinct _ _ => one; pose P y := forall z, alike y z -> z = y.
 suff every : forall y, P y by move=> y z /every.
 apply: (@everywhere W P x one) => y IH z.
   have <- : sigma (iter (degree z).-1 sigma z) = z by rewrite -iterS prednK ?degree_gt0 ?iter_degree.
   by move/(indistinct_unturn (j := 1))/IH ->.
 by move/indistinct_alpha; rewrite alphaK => /IH <-; rewrite alphaK.
 Qed.
-End Alone.
 
 (* ---- Small maps ---- *)
 Lemma one_of_each (A B : eqType) (l : seq (A * B)) x y y' :
@@ -217,6 +214,20 @@ Definition merged := [::
   [&& door == next, next == neighbour & other == behind]].
 Definition reason_apart := ~~ has id merged.
 
+Section Alike.
+Variables W W' : lighthouse_world.
+Local Notation alike := (indistinct (percept_by (coarsened c) (W := W)) (percept_by (coarsened c) (W := W'))).
+
+Lemma alike_letter x y : alike x y -> c (feature pointed x) = c (feature pointed y).
+Proof. by case/indistinct_senses. Qed.
+
+Lemma alike_fixed x y : alike x y -> (sigma x == x) = (sigma y == y).
+Proof. by rewrite !fixed_degree => /indistinct_senses[->]. Qed.
+
+Lemma alike_twice x y : alike x y -> sigma (sigma x) = x -> sigma (sigma y) = y.
+Proof. by case/indistinct_senses=> D _; exact: twice_degree. Qed.
+End Alike.
+
 Section World.
 Variable W : lighthouse_world.
 Local Notation r := (@pointed W).
@@ -226,12 +237,6 @@ Local Notation senses := (percept_by (coarsened c) (W := W)).
 Local Notation alike := (indistinct senses senses).
 Local Notation at_v0 x := (at_same_vertex x r).
 Local Notation f := (feature r).
-
-Lemma alike_letter x y : alike x y -> c (f x) = c (f y).
-Proof. by case/indistinct_senses. Qed.
-
-Lemma alike_fixed x y : alike x y -> (sigma x == x) = (sigma y == y).
-Proof. by rewrite !fixed_degree => /indistinct_senses[->]. Qed.
 
 Lemma f_door : f r = 3. Proof. by rewrite /feature eqxx. Qed.
 
@@ -265,17 +270,15 @@ move=> m; case/hasP: ok; exists true => //; rewrite -m mem_nth // ltnNge.
 by apply/negP=> le; rewrite nth_default in m.
 Qed.
 
-Ltac equations := rewrite /=; repeat (apply/andP; split); apply/eqP; congruence.
+Ltac apply_merged i :=
+  solve [apply: (@merged_no i); rewrite /=; repeat (apply/andP; split); apply/eqP; congruence].
 Ltac clash := exfalso; first [congruence
   | match goal with H : is_true (~~ at_same_vertex _ _), K : is_true (at_same_vertex _ _) |- _ =>
       solve [move/negP: H; move: K; rewrite ?vertex_sigma => K; case; exact: K] end
   | match goal with H : is_true (~~ near _ _), K : is_true (near _ _) |- _ =>
       solve [move/negP: H; move: K; rewrite ?near_sigma => K; case; exact: K] end
-  | solve [apply: (@merged_no 0); equations] | solve [apply: (@merged_no 1); equations]
-  | solve [apply: (@merged_no 2); equations] | solve [apply: (@merged_no 3); equations]
-  | solve [apply: (@merged_no 4); equations] | solve [apply: (@merged_no 5); equations]
-  | solve [apply: (@merged_no 6); equations] | solve [apply: (@merged_no 7); equations]
-  | solve [apply: (@merged_no 8); equations] | solve [apply: (@merged_no 9); equations]].
+  | apply_merged 0 | apply_merged 1 | apply_merged 2 | apply_merged 3 | apply_merged 4
+  | apply_merged 5 | apply_merged 6 | apply_merged 7 | apply_merged 8 | apply_merged 9].
 Ltac kinds x := case: (featureP r x) => [?|?|? ? ? ?|? ? ? ?|? ? ?|? ? ?].
 
 (* v0 has three darts or more *)

@@ -31,22 +31,13 @@ Section Both.
 Variables W W' : lighthouse_world.
 Local Notation cross := (indistinct (percept_by (coarsened c) (W := W)) (percept_by (coarsened c) (W := W'))).
 
-Lemma cross_letter x y : cross x y -> c (feature pointed x) = c (feature pointed y).
-Proof. by case/indistinct_senses. Qed.
-
-Lemma cross_fixed x y : cross x y -> (sigma x == x) = (sigma y == y).
-Proof. by rewrite !fixed_degree => /indistinct_senses[->]. Qed.
-
-Lemma cross_twice x y : cross x y -> sigma (sigma x) = x -> sigma (sigma y) = y.
-Proof. by case/indistinct_senses=> D _; exact: twice_degree. Qed.
-
 Lemma cross_path x y : cross x y -> path_at x -> path_at y.
 Proof.
 rewrite /path_at => A /and5P[s1 /eqP s2 s3 s4 /andP[/eqP s5 s6]].
 have B := indistinct_alpha A; have T := indistinct_alpha (indistinct_sigma A).
 have Z := indistinct_alpha (indistinct_sigma T).
-rewrite -(cross_fixed A) -(cross_fixed B) -(cross_fixed T) -(cross_fixed Z) s1 s3 s4 s6.
-by rewrite (cross_twice A s2) (cross_twice T s5) !eqxx.
+rewrite -(alike_fixed A) -(alike_fixed B) -(alike_fixed T) -(alike_fixed Z) s1 s3 s4 s6.
+by rewrite (alike_twice A s2) (alike_twice T s5) !eqxx.
 Qed.
 
 Hypothesis I : cross start start.
@@ -71,8 +62,8 @@ case: (rigid_or W ok) => [//|[sr sbb]|[sb sbr]|[P Z DN BD]].
 - have E : start = pointed :> W by rewrite at_same_vertex_sym in v0; case/of_two: v0; rewrite ?sr.
   have F : sigma (start : W) = start by rewrite E.
   have F' : sigma (alpha (start : W)) = alpha start by rewrite E.
-  apply: edge_isomorphic; left; split=> //; split; apply/eqP; first by rewrite -(cross_fixed I) F.
-  by rewrite -(cross_fixed (indistinct_alpha I)) F'.
+  apply: edge_isomorphic; left; split=> //; split; apply/eqP; first by rewrite -(alike_fixed I) F.
+  by rewrite -(alike_fixed (indistinct_alpha I)) F'.
 - have two (G : lighthouse_world) : sigma (@pointed G) = alpha pointed ->
       sigma (alpha (@pointed G)) = pointed ->
       sigma (start : G) = alpha start /\ sigma (alpha (start : G)) = start.
@@ -84,9 +75,9 @@ case: (rigid_or W ok) => [//|[sr sbb]|[sb sbr]|[P Z DN BD]].
   have E' (y : W') : [/\ c (feature pointed (sigma y)) = c (feature pointed (alpha y)),
       sigma (sigma y) = y & sigma y <> y].
     have [x A] := cross_some I y; have [e e'] := E x; split.
-    - by rewrite -(cross_letter (indistinct_sigma A)) -(cross_letter (indistinct_alpha A)) e.
-    - by apply: (cross_twice A); rewrite e.
-    by apply/eqP; rewrite -(cross_fixed A) e alpha_neq.
+    - by rewrite -(alike_letter (indistinct_sigma A)) -(alike_letter (indistinct_alpha A)) e.
+    - by apply: (alike_twice A); rewrite e.
+    by apply/eqP; rewrite -(alike_fixed A) e alpha_neq.
   have [L1 T1 F1] := E' pointed; have [L2 T2 F2] := E' (alpha pointed).
   have [sb'|sb'] := sigma (@pointed W') =P alpha pointed.
     apply: edge_isomorphic; right; split; first exact: two.
@@ -104,7 +95,7 @@ have P' : path_at (@pointed W').
   have /and5P[/eqP s1 /eqP s2 /eqP s3 _ /andP[/eqP s5 _]] := P; rewrite s5 in t.
   have sb : sigma (@pointed W) <> alpha pointed by move=> E; move: s3; rewrite -E s2; exact/nesym.
   have Ls := alike_letter t; have Lb := alike_letter y; rewrite f_next // in Ls; rewrite f_behind in Lb.
-  move: (cross_letter A) (cross_letter (indistinct_alpha A)); rewrite f_door f_behind.
+  move: (alike_letter A) (alike_letter (indistinct_alpha A)); rewrite f_door f_behind.
   move: xP A; rewrite /path_darts !inE; do ! case/orP; move/eqP=> ->;
     rewrite ?alphaK ?(f_next s1 sb) ?f_behind //.
   - by move/cross_path/(_ P).
@@ -116,7 +107,7 @@ have [I1 I2] := paths_isomorphic P P'.
 have no (G H : lighthouse_world) : path_at (@pointed G) -> path_at (@pointed H) ->
     indistinct (percept_by (coarsened c) (W := G)) (percept_by (coarsened c) (W := H)) pointed (sigma pointed) ->
     False.
-  case/and5P=> _ _ /eqP s3 _ _ /and5P[_ _ _ s4 _] /indistinct_alpha/cross_fixed.
+  case/and5P=> _ _ /eqP s3 _ _ /and5P[_ _ _ s4 _] /indistinct_alpha/alike_fixed.
   by rewrite s3 eqxx (negPf s4).
 case: (at_v0 W P) (at_v0 W' P') I => -> [->|->] // A; first by case: (no _ _ P P').
 case: (no _ _ P P'); have /and5P[_ /eqP s2 _ _ _] := P.
@@ -294,12 +285,12 @@ have /(nthP [::])[i] := A u cu; rewrite size_map => li; rewrite (nth_map ([::], 
 by case: (nth _ _ _) (R i li) => v [p|] //= /row_sound.
 Qed.
 
-Definition table : seq row :=
+Definition table_of twins : seq row :=
   let ts := [seq (t, confused t) | t <- twins] in
   [seq (u, if reasons (nth 0 u) then None else ohead [seq t.1 | t <- ts & merges t.2 (nth 0 u)])
     | u <- coarsenings].
 
-Lemma table_checked : table_checks table.
+Lemma table_checked : table_checks (table_of twins).
 Proof. by vm_compute. Qed.
 
 Theorem suffices_iff c : sufficient (coarsened c) <-> reasons c.
@@ -312,33 +303,32 @@ Definition coarser_row (c : nat -> nat) v := all (fun i => c i == c (nth 0 v i))
 Definition weakest :=
   [seq u <- sufficing | all (fun v => coarser_row (nth 0 v) u ==> coarser_row (nth 0 u) v) sufficing].
 
-Lemma coarsenings_canonical : all (fun u => [&& size u == 6, canonical u == u &
-  all (fun i => (nth 0 u i < 6) && (nth 0 u (nth 0 u i) == nth 0 u i)) (iota 0 6)]) coarsenings.
+Lemma coarsenings_canonical : all (fun u =>
+  all (fun i => (nth 0 u i < 6) && (nth 0 u (nth 0 u i) == nth 0 u i)) (iota 0 6)) coarsenings.
 Proof. by vm_compute. Qed.
-
-(* each is listed once *)
-Lemma coarsenings_differ u v : u \in coarsenings -> v \in coarsenings ->
-  same_letters (nth 0 u) (nth 0 v) -> u = v.
-Proof.
-move=> /(allP coarsenings_canonical)/and3P[/eqP su /eqP cu _].
-move=> /(allP coarsenings_canonical)/and3P[/eqP sv /eqP cv _] E.
-rewrite -cu -cv; apply: (@eq_from_nth _ 0) => [|i]; rewrite !size_map ?su ?sv // => li.
-rewrite !(nth_map 0) ?su ?sv //; set a := index _ u; set b := index _ v.
-have la : a < 6 by rewrite -[6]su index_mem mem_nth ?su.
-have lb : b < 6 by rewrite -[6]sv index_mem mem_nth ?sv.
-apply/eqP; rewrite eqn_leq !index_least ?su ?sv //; apply/eqP; first by rewrite -E // nth_index ?mem_nth ?su.
-by rewrite E // nth_index ?mem_nth ?sv.
-Qed.
 
 Lemma coarser_rowP c u : u \in coarsenings -> reflect (tells_less (nth 0 u) c) (coarser_row c u).
 Proof.
-move=> cu; have /allP/(_ u cu)/and3P[_ _ /allP K] := coarsenings_canonical.
+move=> cu; have /allP/(_ u cu)/allP K := coarsenings_canonical.
 have {}K i : i < 6 -> nth 0 u i < 6 /\ nth 0 u (nth 0 u i) = nth 0 u i.
   by move=> li; have /andP[l /eqP] := K i (etrans (mem_iota 0 6 i) li).
 apply: (iffP allP) => [H i j li lj E|H i]; last first.
   by rewrite mem_iota => li; have [l e] := K i li; apply/eqP/H; rewrite // e.
 have /eqP -> := H i (etrans (mem_iota 0 6 i) li); rewrite E.
 by have /eqP <- := H j (etrans (mem_iota 0 6 j) lj).
+Qed.
+
+Lemma listed_once : all (fun u => all (fun v =>
+  coarser_row (nth 0 u) v && coarser_row (nth 0 v) u ==> (u == v)) coarsenings) coarsenings.
+Proof. by vm_compute. Qed.
+
+Lemma coarsenings_differ u v : u \in coarsenings -> v \in coarsenings ->
+  same_letters (nth 0 u) (nth 0 v) -> u = v.
+Proof.
+move=> cu cv E; have /allP/(_ v cv)/implyP H := allP listed_once u cu; apply/eqP/H.
+apply/andP; split; [apply/(coarser_rowP _ cv) | apply/(coarser_rowP _ cu)] => i j li lj /eqP.
+  by rewrite -(E i j li lj) => /eqP.
+by rewrite (E i j li lj) => /eqP.
 Qed.
 
 Theorem weakest_iff u : u \in coarsenings -> u \in weakest <-> sufficient (coarsened (nth 0 u)) /\
