@@ -152,14 +152,16 @@ Definition feature_in M x :=
   let r := iter (place M) s (root_number M) in let home y := isSome (sensed M r y).2 in
   if x == r then 3 else if x == a r then 2 else if home x then if x == s r then 4 else 5
   else has (fun k => home (a (iter k s x))) (iota 0 (size (sigma_list M))).
+
 Section InNumbers.
 Variable M : numbered_map.
 Hypotheses (V : valid M) (C : connected (denote M)).
 Local Notation W := (world_of_numbers V C (place M)).
+Local Notation r := (iter (place M) (nth 0 (sigma_list M)) (root_number M)).
 
 Lemma feature_in_numbers (i : W) : feature_in M (val i) = feature pointed i.
 Proof.
-have P : iter (place M) (nth 0 (sigma_list M)) (root_number M) = val (@pointed W) by rewrite val_turn.
+have P : r = val (@pointed W) by rewrite val_turn.
 have home (x : W) : isSome (sensed M (val (@pointed W)) (val x)).2 = at_same_vertex x pointed.
   by rewrite -P sensed_percept /percept_of /bearing; case: ifP.
 rewrite /feature_in P home /feature -[nth 0 (alpha_list M) _]/(val (alpha (@pointed W))).
@@ -174,10 +176,7 @@ by rewrite -[X in _ <= X](card_ord (size (sigma_list M))) max_card.
 Qed.
 
 Lemma degree_in_numbers (i : W) : degree_at M (val i) = degree i.
-Proof.
-pose r := iter (place M) (nth 0 (sigma_list M)) (root_number M).
-by rewrite -[LHS]/(sensed M r (val i)).1 sensed_percept.
-Qed.
+Proof. by rewrite -[LHS]/(sensed M r (val i)).1 sensed_percept. Qed.
 End InNumbers.
 
 Definition different_worlds (t : numbered_map * numbered_map) :=
@@ -202,10 +201,8 @@ exact: isomorphic_trans J (isomorphic_trans I (numbers_isomorphic (@start W'))).
 Qed.
 
 Definition twins := [::
-  (NumberedMap [:: 1; 0] [:: 1; 0] 0,
-   NumberedMap [:: 1; 0; 3; 2] [:: 2; 3; 0; 1] 0);
-  (NumberedMap [:: 1; 2; 3; 0] [:: 1; 0; 3; 2] 0,
-   NumberedMap [:: 1; 2; 3; 0] [:: 1; 0; 3; 2] 3);
+  (NumberedMap [:: 1; 0] [:: 1; 0] 0, NumberedMap [:: 1; 0; 3; 2] [:: 2; 3; 0; 1] 0);
+  (NumberedMap [:: 1; 2; 3; 0] [:: 1; 0; 3; 2] 0, NumberedMap [:: 1; 2; 3; 0] [:: 1; 0; 3; 2] 3);
   (NumberedMap [:: 1; 3; 2; 0] [:: 2; 3; 0; 1] 0,
    NumberedMap [:: 1; 3; 2; 0; 6; 4; 5; 7] [:: 2; 4; 0; 5; 1; 3; 7; 6] 0);
   (NumberedMap [:: 1; 3; 4; 2; 5; 0] [:: 2; 3; 0; 1; 5; 4] 0,
@@ -222,7 +219,6 @@ Definition twins := [::
    NumberedMap [:: 1; 0; 2; 4; 5; 7; 3; 8; 6; 10; 9; 11] [:: 2; 3; 0; 1; 6; 8; 4; 9; 5; 7; 11; 10] 0);
   (NumberedMap [:: 1; 3; 5; 0; 6; 7; 8; 2; 9; 10; 11; 4] [:: 2; 4; 0; 5; 1; 3; 8; 9; 6; 7; 11; 10] 3,
    NumberedMap [:: 1; 3; 5; 0; 6; 7; 8; 2; 10; 4; 11; 9] [:: 2; 4; 0; 5; 1; 3; 9; 10; 11; 6; 7; 8] 3)].
-
 
 (* ---- All coarsenings ---- *)
 Fixpoint growing n := if n is n'.+1 then [seq rcons u x | u <- growing n', x <- iota 0 n] else [:: [::]].
@@ -263,9 +259,7 @@ Lemma same_sufficient c c' : same_letters c c' -> sufficient (coarsened c) -> su
 Proof. by move=> E; apply/sufficient_finer/coarsened_coarser=> i j li lj /eqP; rewrite -E // => /eqP. Qed.
 
 Lemma same_reasons c c' : same_letters c c' -> reasons c = reasons c'.
-Proof.
-by move=> E; rewrite /reasons /reason_behind /reason_edge /reason_apart /merged /= !inE !E.
-Qed.
+Proof. by move=> E; rewrite /reasons /reason_behind /reason_edge /reason_apart /merged /= !inE !E. Qed.
 
 (* ---- A table ---- *)
 Definition row := (seq nat * option (numbered_map * numbered_map))%type.
