@@ -1,7 +1,7 @@
 """Studies: questions about all worlds, each in a file for a verb or two, or in a folder.
 
 A study imports no other study but ``check``.  Five modules are shared: ``options`` has parts of
-requests, such as the listener, the cluster and the run directory; ``findings`` has the part that
+requests: the listener, the Dask cluster and the run directory; ``findings`` has the part that
 names a finding; ``scopes`` makes the scope of a report from the options that took effect;
 ``reports`` has the base of reports of jobs that ended, with or without rows; ``swept`` has the
 requests and reports of studies that go through units, and their count gate.

@@ -22,15 +22,15 @@ Modules
     a bisimulation or a separation of two worlds; the members of a world's class, which are made
     from the quotient;
 ``census_sweep``
-    the census of a lighthouse, and its parts: which of all worlds look alike;
+    the census: which of all worlds look alike, under one lighthouse;
 ``sensed_classes``
-    many worlds at once, in arrays: names that are equal for worlds that look alike;
+    arrays for many worlds of one size, and names that are equal for worlds that look alike;
 ``side_by_side``, ``coarsenings``
-    the comparison of sensors; the weakest ones among all coarsenings of a finest one;
+    the comparison of sensors; the weakest sensors among all coarsenings of a finest sensor;
 ``question``, ``twin_search``
     the search by solvers for worlds that no motion tells apart;
 ``clauses``, ``one_world``, ``formulas``
-    formulas; the formula of one world, and of two worlds that no motion tells apart;
+    the clauses of a formula; the formulas of one world, and of two that no motion tells apart;
 ``solvers``, ``proofs``
     the solvers of formulas, and checkers of proofs that there are no twins; twins
     that were found are checked by :mod:`allworlds.world.bisimulation`.

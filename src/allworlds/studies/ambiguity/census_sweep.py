@@ -74,8 +74,8 @@ class SizeCounts(Struct):
     Attributes:
         marked_worlds: the number of maps with a lighthouse, up to isomorphism.
         ambiguous_worlds: the number of these worlds that have a twin, of any size.
-        classes: the number of classes with two or more members, of which one is a world here.
-        largest_class: the number of members of the largest of these classes; 0: no class.
+        classes: the number of classes with two or more members, at least one of these sizes.
+        largest_class: the number of members of the largest of these classes; 0 if there is none.
     """
 
     marked_worlds: int = 0
@@ -91,15 +91,15 @@ class SizeCounts(Struct):
 
 
 class SensedParts(Struct, forbid_unknown_fields=True):
-    """The worlds so far, and which of them look alike.
+    """The worlds of the parts so far, and which of these worlds look alike.
 
     Attributes:
         worlds: the number of rooted maps.
         sizes: the numbers of edges and vertices of each world, by the world's name.
-        looks: the name of the first world with each look; a look is all that a robot can find out
-            from a start.
-        alike: pairs of names of worlds with the same look: the first such world, and another one.
-        counted: the number of worlds with each look, where Burnside's count gives it.
+        looks: the name of the smallest world with each look.  A look is a code of all that a robot
+            can find out from a start.
+        alike: pairs of names of worlds that share a look, the smaller world first.
+        counted: for some looks the number of worlds in their class, by Burnside's lemma.
     """
 
     worlds: doc.Natural
@@ -167,13 +167,13 @@ class SensedParts(Struct, forbid_unknown_fields=True):
         return found
 
     def smallest_pair(self) -> tuple[str, ...]:
-        """The names of the two smallest worlds that look alike from some start; or empty."""
+        """The names of the two smallest worlds that look alike from some starts; or empty."""
         return min(self.alike, key=lambda pair: [*map(self._order, reversed(pair))], default=())
 
     def ensure_counted(self) -> None:
-        """Raise Disagreement unless each look has as many worlds as Burnside's count gives.
+        """Raise Disagreement unless each class has as many worlds as Burnside's lemma counts.
 
-        That counts all maps with a marked vertex that look alike.
+        The lemma counts all maps with one marked vertex that have the same quotient.
         """
         members = Counter({one: len(found) for found in self.classes() for one in found})
         for look, counted in self.counted.items():
@@ -381,7 +381,7 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         pair = self._compared(self._met.smallest_pair()) if whole else None
 
         def shown(counts: SizeCounts) -> dict[str, int]:
-            """Of a shard the counts that do not depend on other shards."""
+            """The counts; for a shard only the count that does not depend on other shards."""
             return asdict(counts) if whole else {"marked_worlds": counts.marked_worlds}
 
         return AmbiguityCensus(

@@ -22,7 +22,7 @@ class Block(Struct, frozen=True):
         name: for example ``sigma1``.
         first: the variable of index 0, or ``(0, 0)``.
         shape: the numbers of indices, one or two; the last index runs fastest.
-        meaning: a sentence over the indices ``[x][y]``.
+        meaning: what the variable of an index means, as a sentence about ``[x][y]``.
     """
 
     name: str

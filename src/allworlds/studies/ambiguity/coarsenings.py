@@ -1,4 +1,4 @@
-"""The weakest sensors: every coarsening of a finest one, and the minimal ones that suffice."""
+"""The weakest sensors: of all coarsenings of a finest sensor the minimal ones that suffice."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import KW_ONLY, dataclass
@@ -133,7 +133,7 @@ class FinestLevel(NamedTuple):
     roots: list[int]
 
     def looks(self, letters: Letters, indices: Sequence[int]) -> Iterator[bytes]:
-        """The codes of the worlds with these indices; worlds that look alike have equal codes."""
+        """The codes of some worlds under a coarsening; worlds that look alike have equal codes."""
         import numpy as np
 
         some = self.arrays.chosen(indices)
@@ -155,7 +155,7 @@ def partitions(count: int) -> list[Letters]:
 
 
 def lower(letters: Letters) -> list[Letters]:
-    """The coarsenings that merge two letters of this one."""
+    """The coarsenings that follow from this one by merging two of its letters."""
     count, found = max(letters) + 1, list[Letters]()
     for other in range(count):
         for one in range(other):
@@ -166,7 +166,7 @@ def lower(letters: Letters) -> list[Letters]:
 
 
 class Refuter:
-    """A search for worlds that look alike under a coarsening, first among pairs found before."""
+    """A search for two worlds that look alike under a coarsening, first in pairs found before."""
 
     def __init__(self, levels: Sequence[FinestLevel]) -> None:
         self.levels, self.tried = levels, 0

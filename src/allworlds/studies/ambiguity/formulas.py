@@ -1,6 +1,6 @@
 """The formula of a search: two different worlds, and a bisimulation between their darts.
 
-*One world*: a model is its canonical code, see :mod:`allworlds.studies.ambiguity.one_world`.
+*One world*: a model is the code of the world (:mod:`allworlds.studies.ambiguity.one_world`).
 
 *Bisimulation*: a relation between the darts of two worlds that relates the two starts, is preserved
 by sigma and alpha, and relates only darts with equal percepts.  It exists exactly if no motion
@@ -23,16 +23,16 @@ from allworlds.world.lighthouses.base import Where
 
 ALIKE = "related darts sense the same"
 DIFFERENT = "the codes differ, and the first is the smaller one"
-"""The sections of the formula by which the two worlds differ, and look alike."""
+"""The sections of the formula that say that the two worlds look alike, and that they differ."""
 
 
 class Pair(Struct, frozen=True):
     """The variables of two worlds.
 
     Attributes:
-        one, two: the maps, rooted at the starts.
-        pointed: for each world ``[x]``: x is a reference dart; empty without reference darts.
-        letters: for each world ``[x, l]``: x has letter l; empty without letters.
+        one, two: the variables of the maps, rooted at the starts.
+        pointed: for each world ``[x]``: dart x is a reference dart; empty without reference darts.
+        letters: for each world ``[x, l]``: dart x has letter l; empty without letters.
     """
 
     question: Question
@@ -42,7 +42,7 @@ class Pair(Struct, frozen=True):
     letters: tuple[Block, ...] = ()
 
     def signs(self, x: int, y: int) -> list[tuple[Literal, Literal]]:
-        """For each mark: the literals for dart x of the first, and dart y of the second world."""
+        """For each mark two literals: dart x of the first world has it; dart y of the second."""
         if self.letters:
             one, two = self.letters
             return [(one[x, letter], two[y, letter]) for letter in range(one.shape[1])]
@@ -115,7 +115,7 @@ def _reference_darts(formula: Formula, name: str, where: Where, world: OneWorld)
 def _letters(
     formula: Formula, name: int, words: Mapping[int, tuple[int, ...]], world: OneWorld
 ) -> Block:
-    """Require the letters of a word at v0, where the start is at bearing 0, and none elsewhere."""
+    """Require the letters of v0's word at v0, with the start at bearing 0, and none elsewhere."""
     found, (darts, degrees) = sorted({*chain(*words.values())} - {0}), world.degree.shape
     meaning = f"x has one of {','.join(map(str, found))}"
     has = formula.block(f"letter{name}", (darts, len(found)), meaning)
@@ -165,7 +165,7 @@ def _sense_the_same(formula: Formula, pair: Pair, related: int, x: int, y: int) 
 
 
 def _smaller_code(formula: Formula, pair: Pair) -> None:
-    """Require the first world's answer to be smaller at the first step with different answers.
+    """Require the first world's code to be smaller, at the first step in which the codes differ.
 
     Looking alike is symmetric, so no pair of worlds is lost.
     """
@@ -228,7 +228,7 @@ def forbid_other_start(formula: Formula, pair: Pair, start: int) -> None:
 
 
 def _walk(formula: Formula, question: Question, world: OneWorld) -> None:
-    """Require the robot's walk in the first world, and equal percepts in the second."""
+    """Require that the robot senses the question's percepts on the question's walk."""
     if not question.walk:
         return
     darts = range(world.size.darts)
@@ -252,9 +252,9 @@ def _walk(formula: Formula, question: Question, world: OneWorld) -> None:
 
 
 def _best_start(formula: Formula, world: OneWorld) -> None:
-    """Require that the start leads to a vertex of the largest degree among v0's darts.
+    """Require that no dart of v0 leads to a vertex of larger degree than the start does.
 
-    Turning is free.
+    No pair is lost, since turning is free: the robot may as well start at any dart of v0.
     """
     darts, degrees = world.degree.shape
     beyond = formula.block("beyond", (darts, degrees), "alpha(x) is at a vertex of degree k")

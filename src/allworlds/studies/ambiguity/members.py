@@ -1,6 +1,6 @@
 """Worlds that look alike: the comparison of two worlds, and all members of a class.
 
-A bisimulation proves that no motion tells two worlds apart, a walk that some motions do.  The
+A bisimulation proves that no motion tells two worlds apart; a walk proves that motions do.  The
 members of a class are lifts of a quotient, each named by its code.
 """
 
@@ -218,14 +218,14 @@ Permutation: TypeAlias = tuple[int, ...]
 """A permutation of the sheets ``0..k-1``."""
 
 _Kind: TypeAlias = Callable[[Sequence[Permutation]], Iterator[Permutation]]
-"""The options for a choice, given the options chosen before."""
+"""A kind of choice: it makes its options from the options chosen before."""
 
 
 def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
-    """A map for each way to permute the sheets (:mod:`allworlds.maps.quotient`).
+    """Maps with this quotient, one for each way to permute the sheets.
 
-    Dart ``q * k + i`` of a map lies over class q, in sheet i.  The sheets keep their numbers
-    round each vertex up to its last class, and along a spanning tree.  The same marked map
+    Dart ``q * k + i`` of a map lies over class q, in sheet i.  Sigma changes the sheet only at the
+    last class of a vertex, alpha only at edges outside a spanning tree.  The same marked map
     comes up to k times: once for each orbit of its automorphisms on the darts over class 0.
 
     Cost: O(m) a map, and O(m) memory.
@@ -258,7 +258,7 @@ def _lift(quotient: Quotient, choice: Iterator[Permutation]) -> CombinatorialMap
 
 
 def _permute(map_: list[Dart], k: int, q: int, to: int, moved: Sequence[int]) -> None:
-    """Map the darts over class q to those over class ``to``, with the sheets permuted."""
+    """Map the darts over class q to the darts over class ``to``; ``moved`` permutes the sheets."""
     map_[q * k : (q + 1) * k] = [to * k + i for i in moved]
 
 
@@ -454,7 +454,7 @@ def _checked(world: World, limit: int, universe: MapClass) -> None:
 
 
 def _members(quotient: Quotient, limit: int, own: LeastRooting) -> dict[Code, LeastRooting]:
-    """The members by their codes; above the limit, the given world and the first other ones."""
+    """The members by their codes; if the limit is exceeded, the given world and first others."""
     alike = range(quotient.sheets)  # the darts of a lift that lie over class 0
     found: dict[Code, LeastRooting] = {}
     for lift in lifts(quotient):

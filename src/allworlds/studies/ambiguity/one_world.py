@@ -132,14 +132,14 @@ def _vertices(formula: Formula, world: OneWorld) -> None:
 
 
 def _constant(formula: Formula, step: Block, here: Block, there: Block) -> None:
-    """Require that ``step`` maps a dart with a label of ``here`` to one with that of ``there``."""
+    """Require: if dart x has a label in ``here``, then ``step(x)`` has this label in ``there``."""
     labels = range(here.shape[1])
     for x, y in product(*map(range, step.shape)):
         formula.clauses += [(-step[x, y], -here[x, v], there[y, v]) for v in labels]
 
 
 def _in_order(formula: Formula, label: Block, used: Block) -> None:
-    """Require labels to be given in the order of their first darts, as ``used`` records."""
+    """Require labels in the order of their first darts; ``used[x, v]``: v is a label up to x."""
     formula.section(f"{label.name} is numbered in the order of first darts")
     formula.add(label[0, 0])
     for x, v in product(*map(range, label.shape)):
@@ -198,7 +198,7 @@ def _simple(formula: Formula, world: OneWorld, name: str) -> None:
 def _planar(formula: Formula, world: OneWorld, name: str) -> None:
     """Require ``n + f >= m + 2``.
 
-    More faces are impossible, so the labels are exactly the faces.
+    No map has more faces, so different faces have different labels.
     """
     size, darts = world.size, world.size.darts
     most_faces = size.edges + 2 - size.fewest

@@ -94,16 +94,16 @@ SEARCHED: Mapping[str, Callable[[Sequence[combinatorial.Dart]], base.Lighthouse]
     marked.Directional.kind: lambda darts: marked.Directional(darts[0]),
     marked.Compass.kind: lambda darts: marked.Compass(tuple(darts)),
 }
-"""The lighthouses that have formulas, each made from the darts that it points to, with start 0.
+"""Functions that make a lighthouse from its reference darts, for lighthouses with formulas.
 
-Lighthouses with letters have other formulas, with the start at bearing 0, since turning is free.
+Lighthouses with letters have other formulas: the start has bearing 0, since turning is free.
 """
 
 LETTERS = (marked.Door.kind, marked.Word.kind)
 
 
 class Step(NamedTuple):
-    """A motion of a walk, and the percept after it, as the caption of Fig. 1 writes it."""
+    """A motion of a walk, and the percept after it: the degree, and whether a marker is present."""
 
     motion: int
     degree: int

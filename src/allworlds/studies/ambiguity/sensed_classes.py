@@ -1,4 +1,4 @@
-"""Many worlds of one size at once, in arrays: which look alike, and which are equal.
+"""Arrays for many worlds of one size: which of the worlds look alike, and which are equal.
 
 The first index of a matrix is a world, the second a dart.  Every world starts at dart 0.
 """
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 Matrix: TypeAlias = "np.ndarray[Any, np.dtype[np.int64]]"
 Placed: TypeAlias = tuple[CombinatorialMap, Lighthouse]
-"""A map rooted at dart 0, and a lighthouse at a place of it."""
+"""A map rooted at dart 0, and a lighthouse at one of its places in this map."""
 
 BITS = 20
 """The number of bits for a degree, and for a bearing, in the number of a percept."""
@@ -53,7 +53,7 @@ class SensedWorlds(NamedTuple):
     vertices: Sequence[int]
 
     def chosen(self, indices: Any) -> "SensedWorlds":
-        """Return the matrices of the worlds with these indices."""
+        """Return the worlds with these indices, without told values and numbers of vertices."""
         return SensedWorlds(self.sigma[indices], self.alpha[indices], self.sensed[indices], (), ())
 
 
@@ -86,7 +86,7 @@ def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
 def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
     """The kernel's name of a lighthouse, if the kernel is to make the worlds; else empty.
 
-    For lighthouses with letters it is that of ``Door``.
+    Lighthouses with letters have the name of ``Door``.
     """
     name = Door.kind if issubclass(kind, SensedByBearing) else kind_of(kind)
     name = Nothing.kind if kind is Labels else name
@@ -107,7 +107,7 @@ def _room(edges: int, thread: int) -> tuple[Any, ...]:  # noqa: ARG001  # each h
 def laid_out(
     unit: LevelUnit, extent: Extent, kind: type[Lighthouse]
 ) -> Iterator[tuple[int, SensedWorlds]]:
-    """Yield the worlds of a unit in batches, made by compiled code, with the numbers of maps."""
+    """Yield batches of a unit's worlds, made by compiled code, each with its number of maps."""
     import numpy as np
 
     from allworlds.engines.kernel import arrays, engine
@@ -141,7 +141,7 @@ def laid_out(
 
 
 def _labelled(worlds: SensedWorlds, first: Matrix) -> SensedWorlds:
-    """The worlds with labelled vertices, which are numbered in canonical order."""
+    """The worlds with a label at each vertex: the vertex's number in canonical order."""
     import numpy as np
 
     at, degree = np.broadcast_to(np.arange(first.shape[1]), first.shape), worlds.sensed
@@ -154,7 +154,7 @@ def _labelled(worlds: SensedWorlds, first: Matrix) -> SensedWorlds:
 
 
 def _ranks(keys: Matrix) -> Matrix:
-    """For each entry the number of smaller values in the same world."""
+    """For each entry the number of different smaller values in the same world."""
     import numpy as np
 
     order = np.argsort(keys, axis=1, kind="stable")
@@ -194,8 +194,8 @@ def numbered(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> tuple[Matrix, M
     """Number the classes canonically; return the number of each class, and a dart for each number.
 
     The class of the world's root has number 0.  Then, for each numbered class in turn, the class to
-    which sigma leads gets the next number, then that to which alpha leads, unless they have one.
-    ``of`` is the class of each dart.
+    which sigma leads gets the next number if it has none; then the class to which alpha leads does.
+    ``of`` has the class of each dart.
 
     Cost: O(m) a world.
     """
@@ -219,7 +219,7 @@ def numbered(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> tuple[Matrix, M
 
 
 def rooted_codes(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> Iterator[bytes]:
-    """For each world the code of its quotient, rooted at the class of a dart.
+    """For each world the code of its quotient, rooted at the class of the world's root.
 
     For each class, in the order of :func:`numbered`, the code has the classes to which sigma and
     alpha lead, and the percept.  So equal codes mean isomorphic rooted quotients.
@@ -245,9 +245,9 @@ class NamedWorld(NamedTuple):
     """Names by which worlds are compared.
 
     Attributes:
-        look: equal for two worlds if no motion from their starts tells them apart.
-        name: equal for two worlds if they have equal maps, percepts and told values, whatever the
-            start.
+        look: a text that is equal for two worlds if no motion from their starts tells them apart.
+        name: a text that is equal for two worlds if they are isomorphic, percepts and told values
+            included, whatever their starts.
         sheets: the number of darts in each class of the quotient.
     """
 

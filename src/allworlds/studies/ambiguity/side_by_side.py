@@ -37,7 +37,7 @@ def _kinds(given: object) -> tuple[kinds.LighthouseKind, ...]:
 
 
 class ManyWorldsOptions(ListenerOptions, WhereOptions, GivenOptions, classes.ExtentOptions):
-    """The part of a request that names all worlds in which sensors are looked at."""
+    """The part of a request that names the worlds in which sensors are compared."""
 
 
 class SensorsRequest(ManyWorldsOptions):
@@ -146,8 +146,8 @@ class Sensor(Struct):
         kind: the kind of lighthouse.
         worlds: the rooted maps, each with every place of the lighthouse.
         roots: for each world the number of its rooted map.
-        places: for each world the number of its rooted map, and the dart of the lighthouse.
-        looks, names: for each world all that a robot can sense of it, as a code, and its name.
+        places: for each world the number of its rooted map, and the place of the lighthouse.
+        looks, names: the texts ``look`` and ``name`` of each world, as in :class:`NamedWorld`.
         sensed: for each dart of each world its percept, and the value that the robot is told.
     """
 

@@ -1,7 +1,7 @@
 """Solvers of formulas, all with a time limit; the only module that imports z3 and pysat.
 
-``python -m allworlds.studies.ambiguity.solvers FORMULA PROOF`` is a process of its own for
-python-sat's CaDiCaL, which cannot be interrupted.
+``python -m allworlds.studies.ambiguity.solvers FORMULA PROOF`` runs python-sat's CaDiCaL in a
+process of its own, since a call of CaDiCaL cannot be interrupted.
 """
 
 import re
@@ -20,7 +20,7 @@ from allworlds.studies.ambiguity.clauses import dimacs, read_dimacs
 from allworlds.studies.ambiguity.formulas import ALIKE, DIFFERENT
 
 REQUIREMENTS = (DIFFERENT, ALIKE)
-"""The sections of a formula that must both be there for it to have no model."""
+"""Two sections of a formula, both needed: without either of them the formula has a model."""
 
 Status: TypeAlias = Literal["sat", "unsat", "unknown"]
 
@@ -42,7 +42,7 @@ UNKNOWN = SolverAnswer("unknown")
 
 
 def has_model_without(formula: Path, requirement: str) -> bool:
-    """Whether z3 finds a model of a formula's file, one requirement left out.
+    """Whether z3 finds a model of the formula in a file after one requirement is left out.
 
     Raises:
         ValueError: if the formula has no such section.
@@ -83,7 +83,7 @@ def python_sat_is_installed() -> bool:
 
 
 def solve_with_python_sat(formula: Path, proof: Path, deadline: float | None) -> SolverAnswer:
-    """The answer of python-sat's CaDiCaL, with a DRAT proof in ``proof`` when unsat."""
+    """The answer of python-sat's CaDiCaL; if it is unsat, a DRAT proof is in ``proof``."""
     return _solve_with_process([sys.executable, "-m", __name__], formula, proof, deadline)
 
 
@@ -129,7 +129,7 @@ class ExternalSolver(Struct, frozen=True):
             )
 
     def solve(self, formula: Path, proof: Path, deadline: float | None) -> SolverAnswer:
-        """The program's answer, with an LRAT proof in ``proof`` when unsat."""
+        """The program's answer; if it is unsat, an LRAT proof is in ``proof``."""
         command = [self.path, "-q", "--lrat", "--no-binary"]
         return _solve_with_process(command, formula, proof, deadline)
 

@@ -150,12 +150,12 @@ class SearchResult(EndedReport, kw_only=True):
 
 
 def bisimulation(a: World, b: World) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """Class numbers of the darts of ``a`` and of ``b``, in the order of the darts of ``a``.
+    """The classes of the darts of ``a`` and of ``b``, numbered as they occur among those of ``a``.
 
     The classes are the finest ones such that the starts share a class, and sigma and alpha map
     classes to classes.  It is not checked that the darts of a class have equal percepts.
 
-    Cost: O(m^2).  Source: Hopcroft and Karp, Cornell 71-114 (1971), where states are darts.
+    Cost: O(m^2).  Source: Hopcroft and Karp, Cornell 71-114 (1971), with darts as states.
     """
     ones, twos = [*a.map.darts], [~y for y in b.map.darts]
     todo = [(a.start, b.start)]
@@ -170,10 +170,10 @@ def bisimulation(a: World, b: World) -> tuple[tuple[int, ...], tuple[int, ...]]:
 
 
 def decoded(pair: formulas.Pair, model: frozenset[int]) -> Twins:
-    """The two worlds of a model, the set of its true variables.
+    """The two worlds of a model, which is given as the set of its true variables.
 
     Raises:
-        RuntimeError: if they do not fit the question, because encoder or solver is wrong.
+        RuntimeError: if the worlds do not fit the question: the formula or the solver is wrong.
     """
     question, pointed = pair.question, pair.pointed or (None, None)
     try:
@@ -323,7 +323,7 @@ class _TwinsSearch(Struct):
         return self._result("unsat", certificate=self.directory if complete else None)
 
     def _decide(self, sizes: Sizes) -> Searched:
-        """Solve for two sizes. Pairs that are one world started twice are excluded one by one."""
+        """Solve for two sizes; exclude, one by one, pairs that are one map with two starts."""
         began = monotonic()
         formula, pair = formulas.pair_formula(self.question, sizes)
         path = self.directory / f"{sizes.name}.cnf"
@@ -369,7 +369,7 @@ class _TwinsSearch(Struct):
         return True
 
     def _fewer_vertices(self, sizes: Sizes, twins: Twins) -> Twins:
-        """A pair with the fewest vertices among those with these numbers of edges."""
+        """A pair with the fewest vertices, among all pairs with these numbers of edges."""
         counts = [world.map.vertex_count for world in twins.pair]
         one, two = (doc.replace(size, most=n) for size, n in zip(sizes, counts, strict=True))
         less, less_too = (doc.replace(size, most=size.most - 1) for size in (one, two))
@@ -387,7 +387,7 @@ class _TwinsSearch(Struct):
         return twins
 
     def _found(self, twins: Twins, ending: Ending = COMPLETED) -> SearchResult:
-        """The pair, written to a file with its bisimulation."""
+        """The result with the pair, after the pair and its bisimulation are written to a file."""
         file = self.directory / "pair.json"
         file.write_text(json.dumps(twins.to_json()) + "\n", encoding="ascii")
         found = {"pair": twins.pair, "bisimulation": twins.bisimulation}
@@ -416,7 +416,7 @@ class _TwinsSearch(Struct):
         return False
 
     def _prove(self) -> bool:
-        """Add LRAT proofs from python-sat's DRAT, checked here; return whether each level has one.
+        """Add checked LRAT proofs, made from python-sat's DRAT; return whether all levels have one.
 
         One notice for each reason names the formulas that have no proof.
         """
