@@ -284,3 +284,15 @@ def test_which_censuses_are_made_by_compiled_code(folder, monkeypatch):
     assert not any([name("door", edges=4), name("door", edges=13), name("door", where="trees")])
     monkeypatch.setattr(sensed_classes, "lack_of", lambda *_: "lacks numba")
     assert not name("door")
+
+
+def test_names_do_not_depend_on_how_many_codes_are_made_at_once(monkeypatch):
+    kind = lighthouse_kind("position")
+    extent = census_sweep.CensusRequest(lighthouse=kind, edges=3).extent
+    unit = next(iter(units.units_of_level(extent, 3)))
+    (_, some), *_ = census_sweep.batches(unit, extent, kind)
+    made = sensed_classes.matrices(some)
+    whole = [*sensed_classes.named(made)]
+    monkeypatch.setattr(sensed_classes, "ENTRIES", 13)
+    assert len(whole) > 3
+    assert [*sensed_classes.named(made)] == whole

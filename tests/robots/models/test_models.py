@@ -12,6 +12,7 @@ from allworlds.protocol.turns import Automaton
 from allworlds.robots.model import SCHEDULERS
 from allworlds.robots.models.snapshot import Snapshot
 from allworlds.robots.models.table import model_of
+from allworlds.robots.models.views import Eyes
 from allworlds.robots.single_search import search
 from fair_runs import Automata
 from one_by_one import agree
@@ -303,3 +304,9 @@ def test_a_hidden_marker_is_seen_again_after_the_next_step():
     assert [model.sensed(EDGE, to, 1) for to in after] == [Percept(1, 1)] * 2
     steps = [*model.step(EDGE, after[1], {0: Move(0)})]
     assert [to.left for to, _ in steps] == [0]
+
+
+def test_a_view_is_clockwise_unless_it_is_said_to_be_the_other_way():
+    eyes, map_ = Eyes(1, 1), family("corridor:2")
+    views = {way: [eyes.view(map_, [0], dart, way) for dart in map_.darts] for way in (1, -1)}
+    assert [eyes.view(map_, [0], dart) for dart in map_.darts] == views[1] != views[-1]
