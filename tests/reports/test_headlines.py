@@ -4,9 +4,10 @@ from types import SimpleNamespace
 
 import pytest
 
+from allworlds import compare
 from allworlds.maps import named_map
-from allworlds.reports.content import ambiguity, ledger, sizes
-from allworlds.reports.content.scope import gate_facts
+from allworlds.reports.content import ambiguity, ledger, scope, sizes
+from allworlds.reports.content.scope import explorer_facts, gate_facts
 from allworlds.reports.content.single_run import (
     LONGEST_LIST,
     MOST_LINES,
@@ -14,6 +15,7 @@ from allworlds.reports.content.single_run import (
     _remarks,
     wrong_line,
 )
+from allworlds.reports.formats import text as text_of
 
 
 def said(headline):
@@ -223,3 +225,50 @@ def test_the_first_choices_are_told():
     finding.choices.append(1)
     told = dict(_remarks(finding, "here", checked=False))
     assert told["choices"] == ", ".join("0" * LONGEST_LIST) + ", and 1 more"
+
+
+@pytest.mark.parametrize(
+    ("given", "word", "facts"),
+    [
+        ({"status": "unknown"}, "UNKNOWN", []),
+        ({"vacuous": True}, "VACUOUS", []),
+        ({"status": "sat", "certificate": "pair.json"}, "FOUND", ["why", "pair"]),
+        ({"status": "sat"}, "FOUND", ["why"]),
+        ({"certificate": "here"}, "NONE", ["proof"]),
+        ({}, "NONE", ["proof"]),
+    ],
+)
+def test_the_first_line_of_a_search_for_twins(given, word, facts):
+    asked = {"question": SimpleNamespace(describes="Twins"), "status": "unsat", "vacuous": False}
+    found, told = ambiguity._found(SimpleNamespace(**{"certificate": None, **asked, **given}))
+    assert found.word == word
+    assert found.text.startswith("Twins")
+    assert [name for name, _ in told] == facts
+    if word == "NONE":
+        assert ("LRAT proof" in told[0][1]) == ("certificate" in given)
+
+
+def test_each_explorer_of_a_comparison_has_its_rules_its_places_and_its_file(monkeypatch):
+    monkeypatch.setattr(scope, "tried_places", lambda kind, extent: f"{kind} of {extent}")
+    rules = SimpleNamespace(
+        lighthouse="door", policy="fifo", the_bound=SimpleNamespace(name="m"), shared_file=""
+    )
+    one = SimpleNamespace(name="mine", rules=rules)
+    facts = explorer_facts(SimpleNamespace(entrants=[one], extent="all"))
+    assert [name for name, _ in facts] == ["explorer", "places", "trust"]
+    assert facts[1] == ("places", "door of all")
+    assert facts[2] == ("trust", "")
+    rules.shared_file = "a.py"
+    told = explorer_facts(SimpleNamespace(entrants=[one], extent="all"))[2][1]
+    assert told == "a.py holds the explorer, and code that judges it: see docs/trust.md"
+
+
+INTERVAL = "95%, by Student's t on logarithms; -: fewer than 5 worlds"
+
+
+@pytest.mark.parametrize("lack", ["", "scipy is not installed"])
+def test_an_interval_that_is_missing_has_its_reason(lack, monkeypatch):
+    monkeypatch.setattr("allworlds.studies.compare.intervals.lack", lambda: lack)
+    told = compare("algorithm1", family="prism", to=12, draws=1, places=1)
+    said = [line for line in text_of(told, 200).splitlines() if line.startswith("interval")]
+    assert [line.split(maxsplit=1)[1] for line in said] == [lack or INTERVAL]
