@@ -80,7 +80,8 @@ def names_in(annotation: ast.AST) -> Iterator[str]:
 
 
 def test_the_words_are_told():
-    assert [*WORDS] == ["engine", "judge", "place", "rows", "records", "told"]
+    assert [*WORDS][:6] == ["engine", "judge", "place", "rows", "records", "told"]
+    assert [*WORDS][6:] == ["acts", "dialogue", "timing", "transition"]  # of several robots
 
 
 def test_no_word_has_a_second_meaning():
