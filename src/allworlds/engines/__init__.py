@@ -35,30 +35,30 @@ The modules, in this order; ``protocol.playing`` and ``log`` make and read logs:
 ``settling``, ``more_seeds``
     the faults of a batch; runs that are played again under six further seeds;
 ``across``
-    all runs of small levels in both orders, and the earlier runs that change a later one;
+    the plays of all small runs in both orders, to find earlier runs that change a later run;
 ``players``, ``player``
-    the owner's side of a player: it is started and heard, and may be lost; the player's program;
+    the owner's side, which starts and hears players and notices a loss; the player's program;
 ``judge``, ``compiled_judge``, ``judges``
     the judge of every law; its twin in compiled code, which judges the same logs by the laws that
     the kernel knows; the choice between the two;
 ``tally``
     the counts and the findings;
 ``compiled_engine``, ``kernel``
-    the compiled engine for built-in explorers, and its requests; the compiled code itself, which
-    alone imports numba;
+    the compiled engine for built-in explorers; the compiled code that this engine calls, the only
+    code that imports numba;
 ``kept_units``, ``run_directory``
-    the identity of a job, and its results as JSON; its finished units, kept on disk;
+    the identity of a job, and results as JSON; the directory that keeps finished units;
 ``engine_table``
     **the** table of the engines, the checks that the compiled one cannot do, and the job that an
-    engine gets; two further transports: this thread, and threads;
+    engine gets; two further transports: to this thread, and to several threads;
 ``sweep``
     **the** loop over units, and through the levels of a study;
 ``user_code_checks``
-    predicates and lighthouses of the user's, asked again in fresh processes;
+    the user's predicates and lighthouses, which are asked again in fresh processes;
 ``single``
     single runs, and findings that the same players play again;
 ``hints``
     a finding with the results of more plays: options that help, lines of the user's code;
 ``prints``, ``linux``
-    prints of explorers, escaped and limited, and a stderr that may be lost; calls of Linux.
+    the prints of explorers, and a stderr whose reader may be gone; system calls of Linux.
 """

@@ -3,8 +3,8 @@
     one process:      run 1, run 2, ..., run N
     another process:  run N, ..., run 2, run 1; with few edges run 1, run 2, ..., run N once more
 
-So each of two runs, of the same unit or of different units, is played before the other one, in a
-process that has played nothing but these runs.  If a run has a different log in the two processes,
+So of any two runs, in the same unit or not, each is once played before the other run, in a process
+that has played nothing but these runs.  If a run has a different log in the two processes,
 a bisection finds the fewest earlier runs that cause the difference.  These plays are not counted,
 because each run is counted in another unit.
 """
@@ -35,14 +35,14 @@ MOST_EARLIER = 4
 """The largest number of earlier runs that a finding names."""
 
 FEW = 3
-"""The number of runs with different logs for which the earlier runs are searched."""
+"""The largest number of runs for which earlier runs that change them are searched."""
 
 At: TypeAlias = tuple[CombinatorialMap, int]
 """A map, and the number of the lighthouse's place."""
 
 
 class FirstLog(NamedTuple):
-    """A run with its log in the unit that counts it, and whether the run breaks no law."""
+    """A run, its log from the unit that counts the run, and whether the run breaks no law."""
 
     due: Due
     log: bytes
@@ -50,7 +50,7 @@ class FirstLog(NamedTuple):
 
 
 def remember(batch: RunBatch, known: dict[At, FirstLog]) -> None:
-    """Remember the logs of a batch of small worlds, in the order of their plays."""
+    """Remember the logs of a batch if its worlds are small, in the order of the plays."""
     unit, logs, broken = batch.work.unit, batch.logs[FIRST], {*batch.broken}
     small = isinstance(unit, LevelUnit | GivenUnit) and unit.edges <= ACROSS
     if small and batch.plain:  # a library draws the order
@@ -61,11 +61,11 @@ def remember(batch: RunBatch, known: dict[At, FirstLog]) -> None:
 
 
 class _Play:
-    """All runs in one order, in one process.
+    """The play of all runs in one order, by one process.
 
     Attributes:
         seed: the hash seed.
-        order: the indices of the runs; some may be there twice.
+        order: the indices of the runs in this order; an index may occur twice.
         logs: the logs in this order, once all are known.
         player: the player at work; None if the logs are known.
     """
@@ -87,15 +87,15 @@ class Across:
 
     Args:
         setup: the explorer.
-        judge: the judge of its runs.
+        judge: the judge of the explorer's runs.
         work: the unit.
         seeds: the hash seeds of the two processes.
 
     Attributes:
-        batch: all runs.
+        batch: the batch of all runs.
         begun: whether the plays have begun.
         found: the outcomes of the runs that refute the explorer, by their indices.
-        odd: the runs whose logs differ without an earlier run as the cause, with the second logs.
+        odd: the runs whose two logs differ, but not by earlier runs, each with its second log.
     """
 
     def __init__(
@@ -114,7 +114,7 @@ class Across:
 
         Args:
             known: the logs of one process that has played nothing else, in the order of its plays;
-                if they include all runs, they are the first play.
+                if it has played all runs, these logs serve as the first play.
         """
         assert isinstance(self.work.unit, AcrossUnit)
         self.begun = True
@@ -141,7 +141,7 @@ class Across:
                 play.player.give(None, self._in_order(play.order))
 
     def _in_order(self, order: Sequence[int]) -> dict[str, Any]:
-        """The message to a player that plays these runs in this order."""
+        """The message that tells a player to play these runs in this order."""
         content = self._message["content"]
         return self._judge.message(self._message["kind"], [content[index] for index in order])
 
@@ -156,7 +156,7 @@ class Across:
         """Hear the players; return whether all plays have ended.
 
         Args:
-            note: the function that notes a loss which is not repeated; then the play begins anew.
+            note: the function that notes a loss which is not repeated; that play begins anew.
         """
         for play in self._plays:
             if play.player:
@@ -179,7 +179,7 @@ class Across:
             play.end()
 
     def _is_repeated(self, play: _Play, player: Any, lost: Lost) -> bool:
-        """Whether the run in which a player was lost refutes, alone or after earlier runs."""
+        """Whether a player is lost again in the same run, played alone or after earlier runs."""
         position = player.beat[0]
         if player.description is None or not 0 <= position < len(play.order):
             return False
@@ -190,7 +190,7 @@ class Across:
         return not self._differ(self._after(play.seed, [], index), lost_log(b"", lost))
 
     def _after(self, seed: int, earlier: Sequence[int], index: int) -> bytes:
-        """The log of a run after others, by a fresh player; empty if another run loses it."""
+        """The log of a run that a fresh player plays after others; empty if it is lost before."""
         logs = self._fresh(seed, [*earlier, index])
         return logs[-1] if len(logs) > len(earlier) else b""
 
@@ -233,7 +233,7 @@ class Across:
                     return
 
     def _unlike(self, forwards: Sequence[bytes]) -> dict[int, int]:
-        """The runs whose second logs differ from these, each with its position in that play."""
+        """The runs whose logs in the second play differ from these, with their positions there."""
         second, found = self._plays[1], dict[int, int]()
         assert second.logs is not None
         for position, (index, log) in enumerate(zip(second.order, second.logs, strict=True)):
@@ -258,7 +258,7 @@ class Across:
         return map_.edge_count, map_.vertex_count, code, place
 
     def _named(self, index: int, earlier: Sequence[int]) -> Outcome | None:
-        """The outcome of a run that earlier runs change, and that names them; None if none do."""
+        """The outcome that names the earlier runs which change this run; None if none change it."""
         alone = self._after(self._seed, [], index)
         needed = self._needed(alone, index, earlier)
         after, again = (self._after(self._seed, needed, index) for _ in range(2))
@@ -269,9 +269,9 @@ class Across:
         return after_worlds(wrong, [canonical_world(self.batch.runs[i].world) for i in needed])
 
     def _needed(self, alone: bytes, index: int, earlier: Sequence[int]) -> list[int]:
-        """The fewest earlier runs after which a run has a different log than alone.
+        """The fewest earlier runs after which a run has another log than if it is played alone.
 
-        Empty if its log does not change, if it varies even alone, or if too many are needed.
+        Empty if no log differs, if even two plays of it alone differ, or if too many are needed.
         """
 
         def shows(indices: Sequence[int]) -> bool:

@@ -1,7 +1,7 @@
 """Batches, which are some runs of a unit with their logs, and the protocol of their judges.
 
 A batch is data.  Its judge lays out the runs and judges the logs, the owner of the players gives
-them the runs, and the lane settles the batch.
+the players the runs, and the lane settles the batch.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -19,7 +19,7 @@ from allworlds.protocol.choices import next_script
 from allworlds.world.world import World
 
 FIRST, SECOND = 0, 1
-"""The numbers of the two plays of a run, of their players, and their hash seeds."""
+"""The numbers of the two plays of a run and of the two players, and the default hash seeds."""
 
 Message: TypeAlias = dict[str, Any]
 """A message to a player."""
@@ -57,7 +57,7 @@ class Recorded(NamedTuple):
 
     @classmethod
     def of(cls, due: Due, episode: Episode) -> "Recorded":
-        """The run with the percepts of an episode of it."""
+        """The run with the percepts of this episode, in which it was played."""
         over = isinstance(episode.ending, Over)
         return cls(episode.walk.percepts, due.world, due.script, over)
 
@@ -103,12 +103,12 @@ class RunBatch:
     Attributes:
         by: the judge.
         work: the unit.
-        tally: the counts of these runs; they are added once the two plays of each are compared.
+        tally: the counts of these runs, added to the unit's once both plays of each are compared.
         logs: the logs of the first and of the second play.
         plain: whether Python plays the runs.
         broken: the runs that break a law, or that did not make the choices that were due; if
             compiled code has judged the batch, only the least of them.
-        lost: the runs in which a player was lost; the end of their walk, or all of it, is unknown.
+        lost: the runs in which a player was lost; the walk, or the end of it, is unknown.
         judged: the runs that the Python judge has judged.
     """
 
@@ -127,7 +127,7 @@ class RunBatch:
         return self._runs
 
     def due(self, index: int) -> Due:
-        """A run."""
+        """The run of this index."""
         return self._runs[index]
 
     def __len__(self) -> int:
@@ -149,7 +149,7 @@ class RunBatch:
         return [index for index in indices if index not in known] if isinstance(known, dict) else []
 
     def outcome(self, index: int) -> Judged:
-        """A run, judged by the Python judge."""
+        """The run of this index, judged by the Python judge."""
         if index not in self.judged:
             self.judged[index] = self.by.judged(self.due(index), self.logs[FIRST][index])
         return self.judged[index]
@@ -171,7 +171,7 @@ class Judge(Protocol):
     """A judge lays out the runs of a unit, makes messages to players, and judges their logs.
 
     Attributes:
-        counter: the counter of the runs, with the scope.
+        counter: the counter of the runs, which also holds the scope.
         every: whether every schedule is due.
     """
 
@@ -182,13 +182,13 @@ class Judge(Protocol):
         """Yield the runs of a unit in batches of this size."""
 
     def judge(self, batch: RunBatch) -> bool:
-        """Judge the first logs of a batch, and count them; return whether it can read them all."""
+        """Judge and count the logs of a batch's first play; return whether all could be read."""
 
     def judged(self, due: Due, log: bytes) -> Judged:
         """One run with its log, judged by the judge in Python."""
 
     def worlds(self, batch: RunBatch, indices: Indices) -> Message:
-        """The message to a player that plays these runs in their worlds."""
+        """The message that tells a player to play these runs in their worlds."""
 
     def percepts(self, batch: RunBatch, indices: Indices, order: Indices = ()) -> Message:
-        """The message to a player that plays these runs by their percepts, without a world."""
+        """The message that tells a player to play these runs by their percepts, without a world."""

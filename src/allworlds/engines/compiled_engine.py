@@ -5,7 +5,7 @@ In small worlds the kernel plays and judges every run.  With
 lighthouse walks each rooted map once.  This walk counts for every bearing, because the marker's
 direction only distinguishes the darts of v0.  Before the first level the general engine plays all
 small worlds, and the kernel must agree with it, in runs and in single walks; meanwhile another
-process compiles the kernel.  The report has a broken law only as the general engine finds it.
+process compiles the kernel.  The report has only broken laws that the general engine finds, too.
 """
 
 from collections.abc import Iterator
@@ -105,7 +105,7 @@ def tally_of(sums: arrays.Sums, unit: LevelUnit, scope: Scope, tally: Tally) -> 
 
 
 AGREEMENT_EDGES = 4
-"""The largest m whose worlds a check first uses for the comparison of both engines."""
+"""The largest m of the worlds in which a check first compares both engines."""
 
 AGREEMENT_EDGES_SIMPLE = 6
 """The same limit in simple classes for lighthouses at two vertices, which have few small worlds."""
@@ -115,7 +115,7 @@ def compare_engines(scope: Scope, subject: Subject) -> None:
     """Raise EnginesDisagree unless both engines agree on each small world.
 
     If a level of the scope has one walk for all bearings, the kernel's walks are also compared with
-    the runs that it plays at every bearing.
+    the runs that the kernel plays at every bearing.
 
     Raises:
         EnginesDisagree: naming the first world in which they differ.
@@ -218,7 +218,7 @@ class CompiledEngine(Struct, frozen=True):
     """The engine in which the kernel plays and judges, or walks, all runs of a unit.
 
     Attributes:
-        scope, subject, keep: as in the general engine.
+        scope, subject, keep: the scope, the explorer, and the number of findings to be kept.
         flag: an array; if its entry 0 is set, the kernel gives up.
     """
 
@@ -262,7 +262,7 @@ class CompiledEngine(Struct, frozen=True):
         yield tally
 
     def _blame(self, broken: arrays.BrokenRun, tally: Tally) -> None:
-        """Find by the general engine the runs in which the kernel finds a broken law.
+        """Add the general engine's findings for the runs in which the kernel finds a broken law.
 
         Raises:
             EnginesDisagree: if the general engine finds another law broken, or none.
@@ -289,7 +289,7 @@ class CompiledEngine(Struct, frozen=True):
 
 
 def load_native() -> None:
-    """Load or compile the code of the judge and of libraries, except for the lighthouses."""
+    """Load or compile the code that judges and that plays libraries, without the lighthouses."""
     level = level_of("", Rules(), classes.Extent(classes.MapClass.MAPS, 1), 1)
     with uncollected():
         stretch = arrays.Stretch.of(level.edges)

@@ -1,8 +1,8 @@
 """The judge in compiled code, for the laws that it knows; its twin judges in Python.
 
-Both judges take the same logs.  A lane compares them on all logs of the smallest worlds, which it
-keeps until it loads this judge, and on this judge's first batch.  If this judge finds a broken law,
-its twin judges the same bytes again, and only the twin makes the finding.
+Both judges take the same logs.  A lane keeps all logs of the smallest worlds, and when it loads
+this judge, it compares both judges on these logs, and then on the first batch.  If this judge finds
+a broken law, its twin judges the same bytes again, and only the twin makes the finding.
 """
 
 from array import array
@@ -22,14 +22,14 @@ from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
 from allworlds.world.world import World
 
 LIBRARIES = 8
-"""The factor by which batches of libraries are larger."""
+"""The factor by which batches are larger if a library plays them."""
 
 
 class CompiledBatch(RunBatch):
-    """Some runs that compiled code has laid out; their values for Python are made on demand.
+    """Some runs that compiled code has laid out; each becomes a value of Python on demand.
 
     Attributes:
-        laid: the bounds of the runs in the unit.
+        laid: the range of the runs among those of the unit.
         heads, tables: the head and the world of each run, as the kernel has laid them out.
     """
 
@@ -61,7 +61,7 @@ class CompiledJudge:
     """The judge in compiled code of the units of levels.
 
     Args:
-        python: its twin.
+        python: the judge in Python, which is the twin.
         seed: the function that draws a seed for the order in which a library plays.
         native: whether the explorer is a library, which compiled code also plays.
     """
@@ -95,7 +95,7 @@ class CompiledJudge:
                 work.tally.add(batch.tally)
 
     def judge(self, batch: RunBatch) -> bool:
-        """Judge and count the first logs of a batch; the batches of a unit come in their order.
+        """Judge and count the logs of a batch's first play; a unit's batches come in order.
 
         Return False if Python must play the runs, because compiled code cannot write their logs.
         """
@@ -142,7 +142,7 @@ class CompiledJudge:
         return sums, good and size >= 0
 
     def _by_python(self, batch: CompiledBatch) -> None:
-        """Count a batch by the Python judge, since its logs hold entries unknown here."""
+        """Count by the Python judge a batch with log entries that compiled code does not know."""
         batch.tally.add(self._python_tally(batch))
         batch.broken.extend(
             index for index in range(len(batch)) if batch.outcome(index).outcome.violation
@@ -172,7 +172,7 @@ class CompiledJudge:
     # ---------------------------------------------------------------- messages
 
     def worlds(self, batch: RunBatch, indices: Indices) -> Message:
-        """The message to a player that plays these runs in their worlds."""
+        """The message that tells a player to play these runs in their worlds."""
         assert isinstance(batch, CompiledBatch)
         if not batch.plain:
             whole = len(indices) == len(batch)
@@ -183,7 +183,7 @@ class CompiledJudge:
         return self.python.message("table", _entries(batch, indices, packed))
 
     def percepts(self, batch: RunBatch, indices: Indices, order: Indices = ()) -> Message:
-        """The message to a player that plays by percepts; a library's player draws the order."""
+        """The message to play runs by percepts, in an order that a library's player draws."""
         assert isinstance(batch, CompiledBatch)
         if len(indices) == len(batch) and not batch.plain:
             again = {"again": True, "percepts": batch.percepts, "starts": batch.starts}

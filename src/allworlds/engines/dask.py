@@ -1,8 +1,8 @@
 """Units on the workers of a Dask cluster.
 
-A task consists of some units, an engine, and a transport that a worker makes.  A task returns whole
-results, so if a worker is lost, another one does its units again.  Such a transport outlives the
-tasks and is called a *lane*: each thread of a worker starts a user's explorer only once.
+A task consists of some units, an engine, and a transport that a worker makes.  This transport is
+called a *lane*, and outlives the tasks: each thread of a worker starts a user's explorer only once.
+A task returns whole results, so if a worker is lost, another worker does its units again.
 """
 
 import asyncio
@@ -28,8 +28,8 @@ from allworlds.inputs.checks import InputError, ensure_installed, show
 from allworlds.version import __version__
 
 PATIENCE, SILENCE, IDLE = 10.0, 60.0, 120.0
-"""Seconds: within the first a scheduler must give its first answer; after the second a silent part
-of a cluster is given up; after the third unused lanes are closed."""
+"""Seconds in which a scheduler must first answer; seconds after which a silent part of a cluster is
+given up; seconds after which unused lanes are closed."""
 
 
 class Dask:
@@ -38,7 +38,7 @@ class Dask:
     Args:
         address: the address of the scheduler, or :data:`LOCAL`.
         workers: the number of processes of a local cluster.
-        deadline: on the monotonic clock, or None.
+        deadline: the end of the time limit, on the monotonic clock; or None.
         inside: the picklable function that makes the transport on a worker.
         probe: the picklable function that returns the reason why a worker cannot do the job.
         order: the function that orders the units.
@@ -85,7 +85,7 @@ class Dask:
         self._stack.__exit__(*error)
 
     def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult]:
-        """Yield the whole result of each unit, as they come.
+        """Yield the whole result of each unit, in the order in which the results come.
 
         Raises:
             TimeIsUp: when the time limit has been reached.
@@ -255,9 +255,9 @@ def end_job(job: str) -> None:
 
 @contextmanager
 def local_cluster(workers: int) -> Iterator[str]:
-    """The address of a local cluster with this number of processes, which are killed at the end.
+    """A context with the address of a local cluster of so many processes, killed at its end.
 
-    All are children of one process, so that they can be killed without waiting for answers.
+    All processes have one parent, so that they can be killed without waiting for answers.
     """
     start = f"import sys; sys.path[:] = {sys.path}; from {__name__} import serve; serve({workers})"
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:

@@ -1,7 +1,7 @@
 """**The** table of the engines, the job of an engine, and the transports of this process.
 
 This module knows the checks that the compiled engine cannot do, and loads no compiled code.  A new
-engine is a new entry.
+engine is a new entry of the table.
 """
 
 import os
@@ -60,7 +60,7 @@ class ThisThread:
 def local_or_dask(
     cluster: str | None, deadline: float | None, workers: int = 0, batch: int = 1
 ) -> Transport:
-    """The transport to a cluster, or to threads; 0 workers mean all cores, or this thread."""
+    """The transport to a cluster (0 workers: all cores), or to threads (0: to this thread)."""
     if cluster is None:
         return Threads(workers, deadline, batch) if workers else ThisThread(deadline)
     from allworlds.engines.dask import Dask
@@ -73,7 +73,7 @@ class Threads:
 
     Args:
         workers: the number of threads.
-        deadline: on the monotonic clock, or None.
+        deadline: the end of the time limit, on the monotonic clock; or None.
         batch: the number of units that a thread gets at a time; larger batches cost less.
     """
 
@@ -120,7 +120,7 @@ class Threads:
 
 
 def _done(engine: UnitEngine, batch: Iterable[Any], ended: Event) -> list[PartialResult]:
-    """The parts of some units; after the context has ended the rest is left out."""
+    """The parts of some units; units are left out once the context has ended."""
     return [
         part
         for unit in takewhile(lambda _: not ended.is_set(), batch)
@@ -132,12 +132,12 @@ COMPILED_FROM = 5
 """The least m for which compiling pays; a smaller check ends before the compiler does."""
 
 WORTH_LOADING = 2000
-"""The number of worlds of a level from which the compiled judge of users' explorers pays.  Such a
+"""The least number of worlds of a level for which compiled code pays for users' explorers.  Such a
 level has some 10,000 runs."""
 
 WALKED_FROM = 6
-"""The least m for which one walk in a map is counted for every bearing, if that is possible.  Below
-it every bearing is walked."""
+"""The least m for which one walk in a map is counted for every bearing, if that is possible.  With
+fewer edges every bearing is walked."""
 
 COMPILER = "numba", "fast"
 """The package that the compiled engine needs, and the extra that installs it."""
@@ -150,7 +150,7 @@ class Job(Struct, frozen=True):
         scope, subject: the scope of the check, and the explorer.
         limits: the limits of workers and of time.
         keep: the number of findings that are kept.
-        deadline: on the monotonic clock, or None.
+        deadline: the end of the time limit, on the monotonic clock; or None.
         notice: the function that shows the user a text at once.
         cluster: the address of the Dask scheduler that does the work; None without Dask.
     """
@@ -212,7 +212,7 @@ def kind_of(kind: type[base.Lighthouse]) -> str:
 
 
 def walks(scope: Scope, subject: Subject, edges: int) -> bool:
-    """Whether each map of the level is walked once for every bearing."""
+    """Whether a single walk in each map of the level counts for all bearings."""
     rules = scope.rules
     return (
         edges >= WALKED_FROM
@@ -261,7 +261,7 @@ class Compiled(EngineKind):
         return SYMMETRY
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
-        """Return a clause about the first option that it does not know, or about what it lacks."""
+        """Return a clause about the first unknown option, or about a package that is missing."""
         if subject.from_user and not subject.importable and subject.native is None:
             return f"judges no explorer that lives in this process alone, as {show(subject.name)}"
         return obstacle(scope, subject) or lack_of(*COMPILER)
@@ -283,7 +283,7 @@ class Compiled(EngineKind):
 
 
 def players_for(job: Job) -> Transport:
-    """The transport to the place where the explorer is played: here, or on workers of a cluster."""
+    """The transport to lanes that play the explorer: here, or on the workers of a cluster."""
     if job.cluster is None:
         # Code of the user's may judge the runs, or choose the worlds.
         models = bool(job.scope.rules.files or getattr(job.scope.extent.where, "codes", ()))
@@ -315,7 +315,7 @@ EngineName: TypeAlias = Annotated[str, one_of(*ENGINES)]
 def why_not_compiled(scope: Scope, subject: Subject, memory: int | None = None) -> str:
     """The reason why a large check does not use the compiled engine, if the user expects it.
 
-    The user expects it for native explorers, and for all if only the compiler is missing.
+    The user expects it for native explorers; if only the compiler is missing, for all explorers.
     """
     most = scope.extent.levels[-1]
     if most < COMPILED_FROM or _is_kept_out(subject, memory):

@@ -21,7 +21,7 @@ Seeds: TypeAlias = tuple[int, int]
 """The hash seeds of the two plays of a run."""
 
 OTHER_SEED = 2
-"""The hash seed of the plays in the other order; no other play of a check has it."""
+"""The hash seed of the play of all small runs in the other order."""
 
 SIX_MORE = (OTHER_SEED, 3, 4, 5, 6, 7)
 """Further seeds under which some runs of larger worlds are played again."""
@@ -53,7 +53,7 @@ def explain(
     plays: Iterable[tuple[Play, Iterable[Play]]],
     differ: Callable[[Play, Play], bool],
 ) -> bool:
-    """Whether the seeds explain that plays differ: fresh players repeat each under its seed.
+    """Whether the seeds explain that plays differ: fresh players repeat each play under its seed.
 
     Args:
         seeds: the seeds of the two plays.

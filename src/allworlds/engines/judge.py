@@ -26,7 +26,7 @@ class PythonJudge:
     """The judge in Python of the runs of a scope.
 
     Args:
-        counter: the counter of the runs, with the scope.
+        counter: the counter of the runs, which also holds the scope.
         explorer: the explorer's name.
         given: the choices of each run; None if the scope determines them.
     """
@@ -57,7 +57,7 @@ class PythonJudge:
             work.tally.add(batch.tally)
 
     def judge(self, batch: RunBatch) -> bool:
-        """Judge and count the first logs of a batch; return True: this judge reads all logs."""
+        """Judge and count the logs of a batch's first play; return True: all could be read."""
         work = batch.work
         for index, due in enumerate(batch.runs):
             one = batch.outcome(index)
@@ -102,15 +102,15 @@ class PythonJudge:
     # ---------------------------------------------------------------- messages
 
     def worlds(self, batch: RunBatch, indices: Indices) -> Message:
-        """The message to a player that plays these runs in their worlds."""
+        """The message that tells a player to play these runs in their worlds."""
         return self.worlds_message([batch.due(index) for index in indices])
 
     def percepts(self, batch: RunBatch, indices: Indices, order: Indices = ()) -> Message:
-        """The message to a player that plays these runs by their percepts, without a world."""
+        """The message that tells a player to play these runs by their percepts, without a world."""
         return self.percepts_message([batch.record(index) for index in indices], order)
 
     def worlds_message(self, runs: Sequence[Due]) -> Message:
-        """The message to a player that plays these runs in their worlds."""
+        """The message that tells a player to play these runs in their worlds."""
         task = self.rules.task
         worlds: Iterable[Any]
         if not task.ends_runs and all(each.world.lighthouse.static for each in runs):
@@ -121,7 +121,7 @@ class PythonJudge:
         return self.message(kind, content)
 
     def percepts_message(self, runs: Sequence[Recorded], order: Sequence[int] = ()) -> Message:
-        """The message to a player that plays these runs by their percepts."""
+        """The message that tells a player to play these runs by their percepts."""
         sensed = [playing.numbers_of(each.percepts) for each in runs]
         content = [self._entry(run, s, over=run.over) for run, s in zip(runs, sensed, strict=True)]
         return self.message("record", content, order)
@@ -153,7 +153,7 @@ class PythonJudge:
 
 
 def table_of(world: World) -> bytes | tuple[int, ...]:
-    """The world as a table; see :class:`allworlds.protocol.playing.TableWorld`.
+    """The table of which a player makes a :class:`allworlds.protocol.playing.TableWorld`.
 
     Args:
         world: a world with a static lighthouse.

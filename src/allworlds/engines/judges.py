@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from allworlds.engines.compiled_judge import CompiledJudge
 
 SMALL = 3
-"""The largest m of which both judges read every log."""
+"""The largest m of the worlds of which both judges judge every log."""
 
 
 class Judges:
@@ -20,7 +20,7 @@ class Judges:
 
     Args:
         python: the judge in Python.
-        random: the source of seeds.
+        random: the generator of seeds.
         native: whether the explorer is a library.
         compiles: whether this lane, alone among all, starts the compiler.
     """
@@ -35,7 +35,7 @@ class Judges:
         self._small: list[RunBatch] = []
 
     def of(self, unit: units.UnitOfRuns) -> Judge:
-        """The judge of a unit: in compiled code if its level is large enough and it is compiled."""
+        """The judge of a unit: in compiled code, once there is some, if the level is large."""
         counter = self.python.counter
         least = counter.compiled_from
         if least is None or not isinstance(unit, units.LevelUnit):

@@ -23,7 +23,7 @@ from allworlds.inputs.checks import InputError, show
 from allworlds.version import __version__
 
 FORMAT = 5
-"""The format of identities and of kept units; it is raised whenever one of them changes."""
+"""The format of identities and of kept units; the number grows whenever one of the two changes."""
 
 
 class Identity(doc.Document):
@@ -117,7 +117,7 @@ ENDED = "complete"
 
 
 class KeptUnits:
-    """The finished units and the notes of a job; this base keeps nothing.
+    """The finished units and the notes of a job; this base class keeps nothing.
 
     Attributes:
         added: the number of units that were added.

@@ -34,7 +34,7 @@ class Lane:
 
     Args:
         subject: the explorer.
-        counter: the counter of the runs, with the scope.
+        counter: the counter of the runs, which also holds the scope.
         limits: the limits of the time for an answer, and of memory.
         given: the choices of the only run, which is not played again under further seeds; None if
             the scope determines the choices.
@@ -109,7 +109,7 @@ class Lane:
             others: descriptors; the turn ends when one of them is readable.
 
         Raises:
-            InputError: if the explorer cannot be loaded, or of a model of the user's.
+            InputError: if the explorer cannot be loaded, or if a user's model raises it.
             Unsettled: if processes are lost again and again, or too much is silent.
             HarnessError: if a player fails by our mistake.
         """
@@ -251,8 +251,8 @@ class Lane:
     def _hear_across(self, across: Across) -> None:
         """Hear the plays of all runs in both orders; settle them once they are complete.
 
-        If a loss was repeated, the explorer is refuted; then these plays, which would be lost, too,
-        are given up.
+        If a loss was repeated, the explorer is refuted; then these plays are given up, because
+        their players would be lost, too.
         """
         if not (across.begun or self._losses.repeated):
             across.begin(self._first_logs)

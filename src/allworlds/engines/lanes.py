@@ -115,7 +115,7 @@ class Lanes(Struct):
     Attributes:
         subject: the explorer.
         limits: the number of lanes, and the limits of each.
-        deadline: on the monotonic clock, or None.
+        deadline: the end of the time limit, on the monotonic clock; or None.
         here: whether one lane is in this process; it begins before the others.
         apart: whether other lanes are in processes of their own.
         models: whether models of the user's judge the runs, or choose the worlds.
@@ -146,11 +146,11 @@ class Lanes(Struct):
     def map(
         self, counter: tally.RunCounter, units: Iterable[UnitOfRuns]
     ) -> Iterator[PartialResult]:
-        """Yield the parts of all units, as they come.
+        """Yield the parts of all units, in the order in which they come.
 
         Raises:
             TimeIsUp: when the time limit has been reached.
-            InputError: if the explorer cannot be loaded, or of a model of the user's.
+            InputError: if the explorer cannot be loaded, or if a user's model raises it.
             Unsettled: if processes are lost again and again.
         """
         waiting = in_any_order(units) if self.subject.from_user else iter(units)
@@ -220,7 +220,7 @@ class Lanes(Struct):
         """Remove a lane that was lost; return its units.
 
         Raises:
-            InputError: if a unit has lost too many lanes, and a model of the user's judges runs.
+            InputError: if a unit has lost too many lanes, and a user's model judges runs.
             Unsettled: if a unit has lost too many lanes, and no such model does.
         """
         self._processes.remove(process)
@@ -279,7 +279,7 @@ def _lane_of(link: Connection, lanes: Lanes, *, first_lane: bool) -> None:
 def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:
     """The units in a random order, which is drawn for :data:`AT_A_TIME` units at a time.
 
-    An :class:`AcrossUnit` comes last, because a lane has judged most of its logs by then.
+    An :class:`AcrossUnit` comes last, since a lane has then judged most runs that are in it.
     """
     every, order = iter(units), Random()  # noqa: S311  # from the system; no verdict depends on it
     while some := list(islice(every, AT_A_TIME)):
@@ -301,7 +301,7 @@ def workers_for(
     Args:
         subject: the explorer.
         limits: the number of lanes, and the limits of each.
-        deadline: on the monotonic clock, or None.
+        deadline: the end of the time limit, on the monotonic clock; or None.
         models: whether models of the user's judge the runs.
         make: the function that makes a lane.
     """

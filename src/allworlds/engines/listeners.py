@@ -5,10 +5,10 @@ class Listener:
     """A listener to the progress of a job; by default each event is ignored."""
 
     def level(self, edges: int, worlds: int) -> None:
-        """Hear that a level begins, with its number of worlds (of a shard: about that many)."""
+        """Hear that a level with so many worlds begins, or a shard of it with about so many."""
 
     def stage(self, name: str, total: int, of: str) -> None:
-        """Hear that a part of another kind begins, with the number of its items, named ``of``."""
+        """Hear that a stage that is no level begins, with the number and the name of its items."""
 
     def progress(self, count: int) -> None:
         """Hear how many more worlds, or other units of the stage, are done."""

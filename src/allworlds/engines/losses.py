@@ -2,9 +2,9 @@
 
     ======================================================  ====================================
     a fresh player is also lost in this run alone           the run breaks the law of the loss
-    it is not, and the machine cannot be the cause, or      the run breaks it after other runs
-    a silence was not repeated for the second time
-    it is not, otherwise                                    a remark: it refutes nothing
+    the fresh player is not lost; the machine cannot be     the run breaks that law after other runs
+    the cause, or this is the second unrepeated silence
+    the fresh player is not lost, in all other cases        a remark: it refutes nothing
     ======================================================  ====================================
 
 Once a loss by a law has been repeated, further losses by that law count at once.
@@ -19,10 +19,10 @@ from allworlds.engines.players import Lost, Unsettled, lost_log
 from allworlds.engines.plays import Attempt
 
 MOST_LOSSES = 20
-"""The number of losses without a repetition that are attributed to the machine."""
+"""The largest number of losses that, as no fresh player repeats them, the machine may cause."""
 
 SILENT_RUNS, MOST_WAITED = 4, 60.0
-"""The number of silent runs, and their seconds, after both of which the lane gives up."""
+"""The least number of silent runs, and of their seconds in all, after which a lane gives up."""
 
 AFTER = " when it was played after others; by itself it was not"
 

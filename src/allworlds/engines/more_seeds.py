@@ -18,7 +18,7 @@ class MoreSeeds:
 
     Args:
         settler: the settler of the lane.
-        random: the source of random orders.
+        random: the generator of random orders.
         wanted: whether any runs are kept.
     """
 

@@ -1,4 +1,4 @@
-"""The owner's side of a player: starting it, giving it batches, hearing it, and losing it.
+"""The owner's side of a player, who starts it, gives it batches, hears it, and notices its loss.
 
 A player is a process with an explorer (:mod:`allworlds.engines.player`).  An explorer that no other
 process can import plays in :class:`PlayerHere`.  Sixteen shared bytes hold the run in progress and
@@ -117,7 +117,7 @@ class Logs(Sequence[bytes]):
 
 
 Answer: TypeAlias = tuple[Any, Sequence[bytes] | None]
-"""A job and its logs; None if the second logs of a library do not fit into memory."""
+"""A job and its logs, or None if the second logs of a library do not fit into memory."""
 
 
 class Setup(Struct, frozen=True):
@@ -127,7 +127,7 @@ class Setup(Struct, frozen=True):
         subject: the explorer.
         limits: the limits of its effort.
         prints: whether its prints are recorded.
-        deadline: on the monotonic clock, after which nobody waits for an answer; or None.
+        deadline: the time on the monotonic clock after which nobody waits for it; or None.
     """
 
     subject: Subject
@@ -233,7 +233,7 @@ class PlayerProcess:
 
         Raises:
             Lost: if the player is silent for too long, or has died.
-            InputError: if the explorer cannot be loaded, or by a model of the user's.
+            InputError: if the explorer cannot be loaded, or if a user's model raises it.
             HarnessError: if the player itself has failed.
         """
         self._write()
@@ -446,7 +446,7 @@ class PlayerHere:
         self.prints = Prints()
 
     def give(self, job: Any, message: dict[str, Any]) -> None:
-        """Give it a batch."""
+        """Give the explorer a batch."""
         self.jobs.append((job, message))
 
     def heard(self) -> list[Answer]:
@@ -472,7 +472,7 @@ class PlayerHere:
         """Go on in this process, which cannot be replaced."""
 
     def close(self) -> None:
-        """Leave it."""
+        """Do nothing, because this process goes on."""
 
 
 _spare: list[PlayerProcess] = []
@@ -600,7 +600,7 @@ def _in_thread(act: Callable[[], int]) -> int:
 
 
 def _spawned(seed: int, token: str, link: int, beat: int, printing: int) -> int:
-    """The number of a new process."""
+    """The process number of a new player."""
     environment = {**os.environ, HASH_SEED: str(seed), PLAYER: token}
     places = (link, 3), (beat, 4), (printing, 1), (printing, 2)
     # Whatever these descriptors are here, they are copied out of the way first.

@@ -42,7 +42,7 @@ class BothPlays:
     Args:
         setup: the explorer.
         seeds: the hash seeds of both players.
-        random: the source of random orders.
+        random: the generator of random orders.
     """
 
     def __init__(self, setup: Setup, seeds: Seeds, random: Random) -> None:
@@ -88,7 +88,7 @@ class BothPlays:
         return batch.by.percepts(batch, indices, order)
 
     def _notice(self, event: str) -> None:
-        """Count an event of a built-in explorer in the batch that it is playing."""
+        """Count an event of a built-in explorer in the batch that the explorer is playing."""
         job, _ = self._players[FIRST].jobs[0]
         job.batch.tally.witnesses[event] += 1
 
@@ -123,7 +123,7 @@ class BothPlays:
         return max(walks, default=None)
 
     def lost_in(self, which: int) -> tuple[RunBatch | None, int | None]:
-        """The batch in which a player was lost, and the index of the run; None if in no run."""
+        """The batch and the index of the run in which a player was lost, or None for each."""
         player = self._players[which]
         if not player.jobs or player.description is None:
             return None, None
@@ -144,12 +144,12 @@ class BothPlays:
     # ---------------------------------------------------------------- fresh ones
 
     def alone(self, which: int, batch: RunBatch, index: int) -> Attempt:
-        """The log of a run in one of the two plays, by a fresh player, and perhaps its loss."""
+        """The log of a run, played as in one of the two plays by a fresh player, and any loss."""
         message = batch.by.worlds if which == FIRST else batch.by.percepts
         return self.anew(self.seeds[which], message(batch, [index]))
 
     def again(self, which: int, seed: int, batch: RunBatch, indices: Indices) -> dict[int, Log]:
-        """The logs of these runs in one of the two plays, by a fresh player under a seed."""
+        """The logs of these runs, played as in one of the two plays, but under this hash seed."""
         message = batch.by.worlds if which == FIRST else batch.by.percepts
         return self.fresh(seed, partial(message, batch), indices)
 

@@ -8,10 +8,10 @@ from itertools import accumulate
 from typing import Any, TextIO
 
 KEPT = 4096
-"""The largest number of bytes of the text, which has the beginning and the end of longer prints."""
+"""The largest number of bytes of a text; of longer prints the beginning and the end are kept."""
 
 SIGN = "\n[... {} bytes more ...]\n"
-"""The line between the two; the number has at most 15 digits."""
+"""The line between the beginning and the end; the number in it has at most 15 digits."""
 
 
 class Prints:

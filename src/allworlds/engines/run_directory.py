@@ -96,7 +96,7 @@ class Database:
         self._connection.close()
 
     def result(self, key: str) -> Any:
-        """The JSON value of a finished unit; None of any other.
+        """The JSON value of a finished unit; None for any other unit.
 
         Raises:
             InputError: if it has changed since it was written.
@@ -375,7 +375,7 @@ class Merged(KeptUnits):
 def kept_in(
     run: str | Path, identity: Callable[[], Identity], notice: Callable[[str], None]
 ) -> Iterator[KeptUnits]:
-    """The finished units of a job in a directory, which is made if it is missing.
+    """A context with a job's finished units in a directory, which is made if it is missing.
 
     Args:
         run: the directory.

@@ -1,6 +1,6 @@
 """The runs of a batch that break a law, once both plays of them are known.
 
-If two plays of a run differ, fresh players repeat each twice, in two orders, under its own seed.
+If two plays of a run differ, fresh players repeat each play twice, under its seed, in two orders.
 """
 
 from collections.abc import Sequence

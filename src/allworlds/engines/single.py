@@ -356,7 +356,7 @@ def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: in
     """The finding, and whether fresh processes repeat the run by its percepts alone.
 
     If a process plays differently, the explorer is nondeterministic, which plays that differ
-    confirm.  The plays of ``later`` come after runs in other worlds.
+    confirm.  The players of ``later`` first play runs in other worlds.
     """
     record = finding.transcript.actions, finding.choices
     if finding.after:

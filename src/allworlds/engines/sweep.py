@@ -99,7 +99,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         narrowed: the extent whose condition is asked again in fresh processes.
         portion: the part of the units that is done.
         seconds: the seconds that each finished level took.
-        deadline: on the monotonic clock, or None.
+        deadline: the end of the time limit, on the monotonic clock; or None.
         kept: the finished units of the job, while it goes on.
     """
 
@@ -158,7 +158,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         return {"name": ""}
 
     def levels(self) -> Iterable[units.SweptLevel]:
-        """Return its levels, in their order."""
+        """Return the levels of the study, in their order."""
         assert self.extent is not None
         for edges in self.extent.levels:
             mine = units.units_of_level(self.extent, edges, self.portion, self.finer)
@@ -187,7 +187,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         """Return the report of all finished levels."""
 
     def ended(self, ending: outcome.Ending, extent: classes.Extent | None = None) -> dict[str, Any]:
-        """Return the keywords of every report; ``extent`` is for a sweep without an extent."""
+        """Return the keywords of every report; ``extent`` is for a sweep that holds no extent."""
         asked = doc.replace(requests.without_effort(self.request), listener=NOBODY)
         return {"ending": ending, "request": asked, "extent": extent or self.extent}
 

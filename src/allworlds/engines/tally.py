@@ -1,6 +1,6 @@
 """The tally of many judged runs: counts that can be added up in any order.
 
-The smallest findings are in it.
+The tally also holds the smallest findings.
 """
 
 from bisect import insort
@@ -23,7 +23,7 @@ from allworlds.world.world import World
 
 
 def finding_to_record(finding: Finding) -> dict[str, Any]:
-    """The document of a finding, with the values that it omits, but without the rules."""
+    """The document of a finding without its rules, and whether the machine may be the cause."""
     return {**finding.to_json(), "machine": finding.machine}
 
 
@@ -101,7 +101,7 @@ class Row:
             self.bound = run if self.bound is None else max(self.bound, run)
 
     def best_of(self, run: int | None) -> None:
-        """Update the best cost by the cost of a run's cheapest schedule; None if unknown."""
+        """Update the best cost by the cost of a run's cheapest schedule, or by None if unknown."""
         if run is not None:
             self.best_cost = max(run, self.best_cost or 0)
 

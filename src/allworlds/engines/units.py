@@ -35,7 +35,7 @@ class Unit(Protocol):
 
     @property
     def key(self) -> str:
-        """Its name among the units of one job."""
+        """The name that this unit has among the units of one job."""
 
 
 class Sum(Protocol):
@@ -43,10 +43,10 @@ class Sum(Protocol):
 
     @property
     def worlds(self) -> int:
-        """The number of worlds in it."""
+        """The number of worlds that the result is about."""
 
     def add(self, other: Any, /) -> None:
-        """Take in another part."""
+        """Add another part of the result."""
 
 
 class PartialResult(Struct, frozen=True):
@@ -82,7 +82,7 @@ class Transport(Protocol):
     def __exit__(self, *_: object) -> None: ...
 
     def map(self, engine: Any, units: Iterable[Any], /) -> Iterator[PartialResult]:
-        """Yield the parts of all units, as they come.
+        """Yield the parts of all units, in the order in which they come.
 
         Raises:
             TimeIsUp: when the time limit has been reached.
@@ -90,7 +90,7 @@ class Transport(Protocol):
 
 
 class Shard(Struct, frozen=True):
-    """The part of number ``index`` when every level is dealt out to ``count`` parts.
+    """Part number ``index`` of ``count`` parts, to which the units of every level are dealt.
 
     As the coverage of a scope it has the attributes of :class:`Sample`: whether worlds are drawn,
     the words for the finished worlds, and the least number of edges.
@@ -299,21 +299,21 @@ def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator
 
 
 def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:
-    """The number of rooted maps of a level for each number of vertices, by an independent source.
+    """The number of rooted maps of a level for each number of vertices, computed in another way.
 
-    Under a condition without a source these are the numbers of the class: upper bounds.
+    Under a condition for which no such way is known, these are upper bounds: those of the class.
     """
     cells = (count_source.source_of(extent) or counting.SOURCES[extent.map_class]).cells(edges)
     return {n: cells.get(n, 0) for n in range(1, extent.vertex_limit(edges) + 1)}
 
 
 def is_counted(extent: Extent | None) -> bool:
-    """Whether an independent source gives the number of worlds itself, not an upper bound."""
+    """Whether the number of worlds itself is computed in another way, not an upper bound."""
     return extent is None or count_source.source_of(extent) is not None
 
 
 def level_size(extent: Extent, edges: int) -> int:
-    """The number of rooted maps of the level; under a condition without a source a bound of it."""
+    """The number of rooted maps of the level, or an upper bound, as :func:`cells_of_level`."""
     if extent.given is not None:
         return extent.given.starts.get(edges, 0)
     return sum(cells_of_level(extent, edges).values())
@@ -338,7 +338,7 @@ class SweptLevel(Struct, frozen=True):
 def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
     """Tell the user, before the first level begins, if the number of worlds is large.
 
-    Cost: some milliseconds; the counting ends at a level with most worlds beyond the extent.
+    Cost: some milliseconds; the counting ends at a level whose class has very many worlds.
     """
     if extent.given is not None:
         return  # the user knows
@@ -379,11 +379,11 @@ class GivenWorlds(Struct, frozen=True):
 
 
 ACROSS, TWICE = 4, 3
-"""The largest m of which each run is played after each other run, and also after itself."""
+"""The largest m for which runs are played after all other runs, and for which after themselves."""
 
 
 class AcrossUnit(Struct, frozen=True):
-    """All runs of the levels up to this one; it shows whether one run changes a later one.
+    """All runs of the levels up to this one, to find out whether one run changes a later run.
 
     The unit counts no world, because each world is counted in another unit.
     """
@@ -404,7 +404,7 @@ class AcrossUnit(Struct, frozen=True):
 
 
 def across_level(extent: Extent, edges: int, portion: Shard) -> Iterator[AcrossUnit]:
-    """The unit of all runs up to a level; only the last small levels and shard 0 have one."""
+    """The unit of all runs up to a level; it exists for the last small levels, in shard 0."""
     small = [each for each in extent.levels[:ACROSS] if each <= ACROSS]
     if portion.index == 0 and edges in small and (edges >= TWICE or edges == small[-1]):
         yield AcrossUnit(edges)

@@ -1,4 +1,4 @@
-"""Predicates and lighthouses of the user's, asked again in fresh processes.
+"""The user's predicates and lighthouses, which are asked again in fresh processes.
 
 All processes must make the same worlds, and the same percepts on the walk of a finding.
 """
@@ -19,7 +19,7 @@ PROCESSES = 8
 in each process has the same value in all of them with probability 1/128."""
 
 SMALL, DRAWN = 4, 16
-"""The largest m of which all units are asked again, and the number of units of a larger level."""
+"""The largest m of which all units are made again; the number of units drawn from larger levels."""
 
 
 def ensure_same_worlds(extent: Extent | None, units: Sequence[Any], deadline: float | None) -> None:
@@ -67,7 +67,7 @@ def _answers_of_processes(
 
     Raises:
         TimeIsUp: when the time limit has been reached.
-        InputError: if one of them is lost, or by a model of the user's.
+        InputError: if a process is lost, or if a user's model raises it.
     """
     patient = limits.Limits(answer_timeout=limits.MOST["answer-timeout"])
     setup = players.Setup(load("algorithm1"), patient)
