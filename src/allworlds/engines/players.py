@@ -87,7 +87,7 @@ class Logs(Sequence[bytes]):
     Args:
         message: the length of each log, as four bytes, and then the logs.
         runs: the number of the logs.
-        at: the index in the message where they begin.
+        at: the index in the message where the lengths begin.
 
     Raises:
         ValueError: if the message does not hold this number of logs.

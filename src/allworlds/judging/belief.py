@@ -43,7 +43,7 @@ def believed_percepts(
 ) -> list[actions.Percept] | None:
     """The percepts at the start and after each step of a walk in the estimated map.
 
-    The lighthouse stands where the robot must believe it; None if the answer has no such place.
+    The lighthouse stands where the robot must believe it; None if the answer has no place for it.
     """
     world, answered = walk.world, WalkInAnswer(estimate, trail, walk.percepts)
     lighthouse = world.lighthouse.believed(world.map, world.start, answered)
@@ -67,8 +67,8 @@ class Parting(Struct, frozen=True):
     Attributes:
         step: the number of the step; 0 is the start.
         robot: the robot's dart in the world.
-        taken_for: the dart of the world that the answer confuses with it; None if the robot is at
-            a vertex that is new in the answer.
+        taken_for: the dart of the world that the answer confuses with the robot's; None if the
+            robot is at a vertex that is new in the answer.
         fresh: whether the robot is at a vertex that is new in the world.
     """
 
@@ -121,7 +121,7 @@ class BelievedWalk(Struct, frozen=True):
             the robot's dart by the answer.
         percepts: the percepts that the answer predicts; None if it has no place for the
             lighthouse.
-        expected: these percepts, or without them percepts with the degrees alone.
+        expected: these percepts; if they are None, percepts with the answer's degrees alone.
         misfits: the steps at which the percept differs from the prediction.
         parting: the first step at which the walks diverge; None if there is none.
     """

@@ -16,11 +16,11 @@ from allworlds.protocol import actions
 from allworlds.world.world import World
 
 SHOWN_BEFORE, SHOWN_AFTER = 8, 4
-"""The numbers of actions that are shown before the first difference, and from it on."""
+"""The numbers of actions that are shown before the first difference, and from this action on."""
 
 
 def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = False) -> Outcome:
-    """The outcome of a first play, or if the second play differs, the violation by this."""
+    """The outcome of the first play; if the second differs, that is the violation."""
     difference = difference_of(first, second, choices=choices)
     if difference is None or not _may_be_overruled(outcome.violation, second):
         return outcome
@@ -33,7 +33,7 @@ def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = Fals
 def _may_be_overruled(violation: Violation | None, second: Log) -> bool:
     """Whether nondeterminism has precedence over this law, or the second play does not break it.
 
-    If only one of two plays breaks a law, this is only a sign that the plays differ.
+    If only one of two plays breaks a law, this only shows that the plays differ.
     """
     if violation is None or violation.law in LOST:
         return True
@@ -77,7 +77,7 @@ def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violatio
 
 
 def side_by_side(first: tuple[list[str], str], second: tuple[list[str], str]) -> str:
-    """Both plays in a line each: the actions around the first difference, and the endings."""
+    """Two lines, one for each play: the actions around the first difference, and the ending."""
     pairs = zip(first[0], second[0], strict=False)
     differ = next((i for i, (a, b) in enumerate(pairs) if a != b), len(first[0]))
     begin, end = max(0, differ - SHOWN_BEFORE), differ + SHOWN_AFTER

@@ -42,7 +42,7 @@ class Fault(Struct, frozen=True):
 
     Attributes:
         law: ``crash``, ``timeout``, ``illegal-action``, ``no-estimate`` or ``budget``.
-        expected, seen: sentences.
+        expected, seen: a sentence about the expectation, and one about the observation.
         detail: a traceback, or the tail of a program's stderr; may be empty.
         machine: whether the machine, not the explorer, may be the cause: a signal, a time-out, no
             memory.
@@ -62,7 +62,7 @@ class Episode(Struct, frozen=True):
     """The log of one run in its world.
 
     Attributes:
-        walk: the robot's walk there.
+        walk: the robot's walk in the world.
         checkpoints: the checkpoints, each with the number of steps before it.
         ending: the answer, or the fault.
     """
@@ -83,7 +83,7 @@ class AroundExplorer:
     Args:
         world: the world; it is neither changed nor shown.
         over: the function that tells after each step whether the task is done and the run ends;
-            None: it never ends so.
+            None if the task ends no run.
     """
 
     def __init__(self, world: World, over: Callable[[Walk], bool] | None = None) -> None:
@@ -125,9 +125,9 @@ def play(
         player: the explorer.
         choices: the choices, for an explorer that takes choices.
         budget: the largest legal number of traversals; one checkpoint more is legal.
-        beat: see :func:`allworlds.protocol.playing.play_run`.
+        beat: shared numbers; ``beat[1]`` is the explorer's turn, and is 0 after the end.
         maps: whether the task asks for a map.
-        over: see :class:`AroundExplorer`.
+        over: the function that tells whether the task is done, or None.
 
     Cost: linear in the steps, and the explorer's own cost.
     """

@@ -1,6 +1,6 @@
-"""The judgement of one run: a referee knows only the explorer's name, an examiner also plays it.
+"""The judgement of one run by a referee; an examiner is a referee that also plays the run.
 
-They also make the finding of a run that breaks a law.
+A referee also makes the finding of a run that breaks a law.
 """
 
 from msgspec import Struct
@@ -144,7 +144,7 @@ DARTS = range(1 << 63)
 def _believed(episode: Episode, step: int | None) -> tuple[Believed | None, str]:
     """The first wrong checkpoint after this number of steps, or among all, and its fault.
 
-    If none is wrong, it is the last one, and the fault is empty.
+    If no checkpoint is wrong, the last one is returned, and the fault is empty.
     """
     at = [i for i, (steps, _) in enumerate(episode.checkpoints) if step in (None, steps)]
     given = tuple([episode.checkpoints[i] for i in at])
@@ -176,7 +176,7 @@ class Examiner(Referee):
 
 
 def name_run(rules: Rules, world: World) -> str:
-    """A name of a run that does not depend on the order of runs; empty if it is not needed."""
+    """A name of a run, the same in any order of runs; empty unless the policy is random."""
     if not rules.policy.startswith("random"):
         return ""
     return f"{rooted_code(world.map.sigma, world.map.alpha, 0)}/{place_of(world)}"

@@ -345,7 +345,7 @@ class Rules(RuleOptions, kw_only=False):
     def arguments(self, script: Sequence[int] = ()) -> list[str]:
         """The options of ``run`` for these rules, and for these first choices.
 
-        ``run`` knows no promised property: laws that are not checked for it are left out by name.
+        ``run`` knows no promised property, so the checked laws are named if one is promised.
         """
         answered = any(script) or (script and self.policy != DEFAULT_POLICY)
         choices = ["--choices", ",".join(map(str, script))] if answered else []

@@ -39,12 +39,12 @@ class TaskKind(Struct, frozen=True):
 
 
 def visits_everything(world: World, walk: Walk, _answer: object) -> str | None:
-    """The complaint that a vertex was not visited; None if all were."""
+    """The complaint that a vertex was not visited; None if all vertices were."""
     return _left(len(walk.visited), world.map.vertex_count, "vertices not visited")
 
 
 def walks_everything(world: World, walk: Walk, _answer: object) -> str | None:
-    """The complaint that an edge was not walked along; None if all were."""
+    """The complaint that an edge was not walked along; None if all edges were."""
     return _left(len(walk.walked), world.map.edge_count, "edges not walked along")
 
 
@@ -197,7 +197,7 @@ def task_named(given: object) -> Task:
     """The task of a name, or of a function in Python.
 
     Raises:
-        InputError: naming the legal ones.
+        InputError: naming the legal tasks.
     """
     if isinstance(given, Task):
         return given

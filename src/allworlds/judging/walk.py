@@ -25,7 +25,7 @@ class Walk(Struct):
         states: the states of the world at the start and after each step.
         darts: the dart that the robot faces at the start, and its dart of arrival after each step.
         visited: the vertices where the robot has been.
-        steps: the elements.
+        steps: the pairs of an action and the percept after it.
         crossed: for each walked edge, named by its smaller dart, the number of steps before it was
             first walked; in the order of these numbers.
         cost: the number of traversals.

@@ -8,11 +8,11 @@ interpreter's lock only at its start and its end, so that threads share the work
 ``worlds``: maps one after the other, with their lighthouses, and the numbers of maps.
 ``algorithm1``: the built-in explorers, behind the C interface of all explorers.
 ``library_player``: runs of users' explorers, played by a library.
-``demand_driven``: the check of Algorithm 1 that decides a world only where the robot looks.
+``demand_driven``: the check of Algorithm 1 that decides a dart of a world once it is crossed.
 ``schedules``: the worst and the best cost of a world over all schedules.
 ``capabilities``: the names and the limits of the kernel, without compiled code.
 ``arrays``, ``compiling``: requests, sums, arrays in memory; compilation, calls by address.
 
-Modules import this package only where they use it: the first use compiles for some seconds, and
-later uses load the compiled code.
+Other modules import this package only inside of functions: the first use compiles for some seconds,
+and later uses load the compiled code.
 """

@@ -1,9 +1,9 @@
 """Algorithm 1, compiled: an explorer behind the C interface, one call for each percept.
 
-The variants differ in the proof of a test that has matched to its end.  With a direction such a
-test is already proved.  Without one the robot can recognise v0 and one neighbour v1: before its
-first pass it searches the dart of v0 that leads to v1, and after a test that has come to v0 it
-makes the query: out by that dart, and back.  Hypotheses are tried in the order of S, on the first
+If a test has matched to its end, a lighthouse with a direction has proved the hypothesis.  Without
+a direction the robot can recognise only v0 and one neighbour v1: before its first pass it searches
+the dart of v0 that leads to v1, and after a test that has come to v0 it makes the query: it goes
+out by that dart, and back.  Hypotheses are tried in the order of S, on the first
 of the shortest paths.
 
 The twin is :mod:`allworlds.explorers.builtin.algorithm1`.
@@ -21,8 +21,8 @@ from allworlds.engines.kernel.arrays import ACTION, ANSWER, NONE, PERCEPT, ROBOT
 from allworlds.engines.kernel.compiling import RECORD, address_of, callback, inlined, inner
 
 PASSING, FOLLOWING, CROSSING, TESTING, RETRACING, MATCHED = range(6)
-"""Between two passes; on the way through S; on the dart e; on a path that tests a hypothesis;
-on the way back; at v0 after a test that has matched."""
+"""The phases of a robot: between two passes; on the way through S; on the dart e; on a path that
+tests a hypothesis; on the way back; at v0 after a test that has matched."""
 
 
 def start(robot, percept, _told, action):  # pragma: no cover  # compiled
@@ -140,7 +140,7 @@ def offset(robot, dart):
 
 @inlined
 def _expected(robot, dart, degree, marks, bearing):
-    """Whether this is the percept of a robot that has arrived by the dart of S."""
+    """Whether a robot that arrives by this dart of S gets this percept."""
     return (
         robot.degree[dart] == degree
         and robot.marks[dart] == marks
@@ -281,7 +281,7 @@ def _measure(robot, goal):
 
 @inner
 def _plan(robot, start, goal):
-    """The first of the shortest paths through S, in ``robot.path``."""
+    """Write the first of the shortest paths through S to ``robot.path``."""
     robot.steps = 0
     if start == goal:
         return
@@ -314,8 +314,8 @@ def _ways_home(robot):
 # Without a direction.
 
 SEARCHING, SEARCHED, ASKING, ASKED = range(MATCHED + 1, MATCHED + 5)
-"""At the other end of a dart of v0, and back again; at the other end of the pointed dart, and
-back again."""
+"""The further phases: in the search at the other end of a dart of v0, and back at v0; in the query
+at the other end of the dart to v1, and back."""
 
 
 def start_undirected(robot, percept, told, action):  # pragma: no cover  # compiled

@@ -114,7 +114,7 @@ class Sums(Struct, frozen=True):
     Attributes:
         counts: the counts for each number of vertices that occurs.
         events: the number of occurrences of each event of Algorithm 1.
-        met: the triples (n, d0, D) of all runs, with 0 if the bound does not depend on the number.
+        met: the triples (n, d0, D) of all runs, with 0 for a degree that the bound does not use.
         most_expensive: for each number of vertices the least of the most expensive runs.
         broken: the least runs that break a law, ascending.
     """
@@ -133,7 +133,7 @@ DEPTHS = 16
 """The largest number of decisions of a gluing: one for each edge, and the root's degree."""
 
 FOLDED = LONG // 16
-"""The largest number of nodes of an unfolded log, above the traversals of the largest budget."""
+"""The largest number of nodes of an unfolded log; budgets allow fewer traversals than this."""
 
 NONE = -1
 """The entry that stands for no dart, no bearing, or no told number."""
@@ -281,10 +281,10 @@ READER = _record(
     # Room for an answer, or the S of a checkpoint.
     (int32, "sigma alpha", 256),
 )
-"""A reader of logs, which takes the part of an explorer."""
+"""A reader of logs, which stands in for an explorer."""
 
 WALKED = 80
-"""A number above the darts of a world, so that a wrong robot stays within its buffers."""
+"""The length of arrays by darts, larger than a world, so that a wrong robot stays within them."""
 
 NOW = _record(
     # The phase of the walk, and the dart that it is about to cross.
@@ -379,7 +379,7 @@ FIRST, PARTNER, DEGREE, MARKS, BEARING = range(5)
 WIDE = 5
 
 MOST_PLACES = 64
-"""A number above the number of a lighthouse's places in one map."""
+"""A number larger than the number of places of any lighthouse in one map."""
 
 LONGEST_STRETCH = 2048
 """The largest number of runs in a batch, without the runs of its last world."""
@@ -388,7 +388,7 @@ MOST_RUNS = LONGEST_STRETCH + MOST_PLACES
 """The largest number of runs in a batch, with the runs of its last world."""
 
 LOG_BYTES = 1 << 20
-"""The size of the memory for the logs of a batch, and for its percepts: 512 bytes a run."""
+"""The size of the memory for a batch's logs, and of that for its percepts: 512 bytes a run."""
 
 
 class Stretch(NamedTuple):
@@ -414,7 +414,7 @@ class Stretch(NamedTuple):
         return cls(heads, worlds, percepts, starts, logs, begins)
 
     def put(self, logs: Logs) -> int:
-        """Write logs, in one piece, here; return the number of bytes, or -1 if there is no room."""
+        """Write logs, one behind the other, to this memory; return their size; without room -1."""
         runs, begin = len(logs), logs.starts[0]
         size = len(logs.message) - begin
         if size > LOG_BYTES:

@@ -1,6 +1,6 @@
 """The names and numbers that the kernel knows, and the largest sizes for which it has room.
 
-This module loads no compiled code, so that a process can ask for these without the kernel.
+This module loads no compiled code, so that a process can read the names without the kernel.
 """
 
 EXPLORERS = ("algorithm1", "algorithm1-cluster", "algorithm1-natural")

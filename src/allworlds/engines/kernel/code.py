@@ -4,7 +4,7 @@ from allworlds.engines.kernel.arrays import NONE
 from allworlds.engines.kernel.compiling import inlined, inner
 
 FACTOR, LESS = 0x1E3779B97F4A7C15, (1 << 62) - 1
-"""The numbers of :mod:`allworlds.maps.enumeration`; sums of two fingerprints stay below 2^63."""
+"""The factor and the mask of fingerprints; a sum of two fingerprints stays below 2^63."""
 
 
 @inlined

@@ -165,7 +165,7 @@ def expression(function: Callable[..., Any]) -> Any:
 
 
 def number(value: int) -> Any:
-    """The constant."""
+    """The value as a constant in compiled code."""
     return ir.Constant(_LONG, value)
 
 

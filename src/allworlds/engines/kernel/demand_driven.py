@@ -1,4 +1,4 @@
-"""The demand-driven check of Algorithm 1 in all rooted maps, which are decided as the robot looks.
+"""The demand-driven check of Algorithm 1 in all rooted maps: crossing a dart decides that dart.
 
 Two partial maps grow side by side: the world W, with decided and open darts, and the robot's S and
 U.  ``image`` maps each dart of S to the dart of W for which it stands.
@@ -81,7 +81,7 @@ def explore(w, prefix, kept, halt):
 
 @inlined
 def _begin(w, s, prefix):
-    """Take the decisions of the prefix; S is v0, and the robot faces dart 0 of both."""
+    """Take the decisions of the prefix; S is v0, and the robot faces dart 0 of W and of S."""
     s.open = s.darts = s.vertices = 0
     _add_vertex(w, s, -prefix[0])
     for i in range(1, len(prefix)):
@@ -126,7 +126,7 @@ def _glue(w, s, z):
 
 @inlined
 def _choose(w, s):
-    """Take the next decision for y; if there is none, drop the choice, and return False."""
+    """Take the next decision for the dart y; if none is left, drop the choice, and return False."""
     choice = w.choices[w.depth - 1]
     if choice.untried:
         z = lowest(choice.untried)
@@ -152,7 +152,7 @@ def _choose(w, s):
 
 @inlined
 def _tally(w, s, kept):
-    """Tally one world, and the walk in it."""
+    """Add one world, and the walk in that world, to the tally."""
     n, cost = s.vertices, s.total & COST
     w.counts[n, WORLDS] += 1
     w.counts[n, FINGERPRINT] = (w.counts[n, FINGERPRINT] + _fingerprint(w, s)) & LESS
@@ -184,7 +184,7 @@ def _fingerprint(w, s):
 
 @inner
 def _settle(w, s):
-    """Complete the world from the walk."""
+    """Write W, which is complete, as a world."""
     world = w.world
     world.darts, world.vertices = s.darts, s.vertices
     for dart in range(s.darts):
@@ -266,7 +266,7 @@ def _pick(w, s):
 
 @inlined
 def _arrive(w, s):
-    """Line 6: the dart e leads somewhere."""
+    """Line 6: the robot has crossed e, and the hypotheses about its other end are collected."""
     z = w.partner[s.y]
     if z < w.end[0]:
         # The direction tells the dart of v0, so this test needs no step.
@@ -411,7 +411,7 @@ def _augment_by_loop(w, s):
 
 @inner
 def _distance(w, start, goal):
-    """The length of a shortest walk in S; the vertices are joined."""
+    """The length of a shortest walk in S between two vertices, which S connects."""
     reached = front = 1 << start
     steps = 0
     while not reached >> goal & 1:

@@ -211,7 +211,7 @@ class UnitJudge:
     """The maps of a unit, laid out and judged batch by batch.
 
     Args:
-        level, prefix: as in :func:`judge`.
+        level, prefix: the request, and the first decisions of the maps.
         keep: the number of broken runs that are kept for each batch.
         stretch: the memory of the first play.
         replay: the memory of the second play.

@@ -1,4 +1,4 @@
-"""The laws, by number: published maps against the world, the answer, and the folded log.
+"""The laws, each with a number: they compare checkpoints, answers and folded logs with the world.
 
 A published S is embedded into the world: its ``here`` is mapped to the robot's true dart, and the
 images of all other darts follow along sigma and the explored edges.
@@ -34,7 +34,7 @@ FOLDING = LAWS.index("folding")
 BOUND = LAWS.index("bound")
 
 NODE = DARTS.bit_length() - 1
-"""The bits of a dart's number within its node."""
+"""The number of bits that hold a dart's number within its node."""
 
 
 @inner
@@ -124,7 +124,7 @@ def _is_part(judged, published, world, dart, walked):
 
 @inner
 def _is_map(published, judged):
-    """Whether it is a connected map: two permutations, alpha an involution without fixed points."""
+    """Whether this is a connected map of two permutations, and alpha has no fixed points."""
     size, sigma, alpha = published.darts, published.sigma, published.alpha
     if size <= 0 or size % 2 or size > LONG:
         return False

@@ -1,4 +1,4 @@
-"""Batches of runs that a shared library plays, in worlds or by percepts; for players alone.
+"""Batches of runs that a shared library plays, in worlds or by percepts; only players use this.
 
 A run yields a log (:mod:`allworlds.log`), which another process judges.  The twin is
 :mod:`allworlds.explorers.shared_library`.
@@ -34,7 +34,7 @@ LONGEST_ENTRY = 4 + 2 * codes.MOST_DARTS
 
 
 class Handed(NamedTuple):
-    """A native explorer: its structured array, the exchanged values, and its beat."""
+    """A native explorer: its structured array, the exchanged values, and its run and turn."""
 
     library: Any
     percept: Any
@@ -60,7 +60,7 @@ class LibraryPlayer:
         self._moved = empty(layout.LOG_BYTES, uint8)
 
     def play(self, batch: dict[str, Any]) -> tuple[bytes, Any] | None:
-        """The lengths of the logs, and the logs; None if they do not fit, or if threads remain."""
+        """The lengths of the logs, and the logs; None if they do not fit, or new threads remain."""
         edges, runs, again = batch["edges"], batch["runs"], batch["again"]
         if edges not in self._memories:
             self._memories[edges] = Stretch.of(edges)
@@ -82,7 +82,7 @@ class LibraryPlayer:
         return self._in_order(order, size, memory)
 
     def _in_order(self, order: Any, size: int, memory: Stretch) -> tuple[bytes, Any]:
-        """The lengths of the logs, and the logs, both sorted from the order in which they came."""
+        """The lengths of the logs, and the logs, which are sorted by the numbers of their runs."""
         begins, lengths = memory.begins[: len(order)], empty(len(order), c_int)
         lengths[order] = diff(begins[order], append=c_int(size))
         move(begins, lengths, memory.logs, self._moved)

@@ -97,7 +97,7 @@ def examine(job, player, unit, halt):
 
 @inlined
 def _bound_of(world, bounds, met):
-    """The largest legal cost of this run, or UNDEFINED; note in ``met`` that it has occurred."""
+    """The largest legal cost of this run, or UNDEFINED; note in ``met`` on what it depends."""
     n, d0, largest = world.vertices, 0, 0
     if bounds.shape[1] > 1:
         d0 = world.degree[0]
@@ -149,7 +149,7 @@ def _judged_run(job, player, budget, bound):
 def play(*arguments: Any) -> int:
     """The law that ended the episode, or 0 if it has an answer; ``log`` holds the walk.
 
-    The budget is the largest legal number of traversals; one more checkpoint is legal.
+    The budget is the largest legal number of traversals; checkpoints may be one more than that.
     """
     raise NotImplementedError
 

@@ -26,7 +26,7 @@ TRANSITS = {"shortest": SHORTEST, "simple": SIMPLE}
 
 ROOTED, WORST, BEST, TESTS, WRONG = range(5)
 COLUMNS = 5
-"""The columns of the outcome by vertices: rooted maps, worst and best cost, tests in the searched
+"""The number of columns of outcomes: rooted maps, worst and best cost, tests in the searched
 maps, and false hypotheses that were confirmed."""
 
 _FAR = 1 << 30
@@ -118,7 +118,7 @@ def _solve(job, worst, best, reached):
 
 @inner
 def _begin(job, reached):
-    """Number the edges, and find the reachable sets in ascending order, as passes add edges."""
+    """Number the edges, and find the sets of edges that a sequence of passes can explore."""
     world = job.world
     job.tests = job.wrong = 0
     edge = 0
@@ -141,9 +141,9 @@ def _begin(job, reached):
 
 @inner
 def _pass(job, explored, known, worst, best):
-    """Find the largest and the least cost of going on at each dart, without the transit to it.
+    """Find for each dart in U the largest and the least cost from crossing that dart to the end.
 
-    Write them to ``job.most`` and ``job.least``, or -1 for a dart that is not in U.
+    Write the costs to ``job.most`` and ``job.least``, or -1 for a dart that is not in U.
     """
     world = job.world
     _shortest(job, 0, job.near)
@@ -182,7 +182,7 @@ def _pass(job, explored, known, worst, best):
 
 @inner
 def _ways(job, explored, known, worst, best):
-    """Find the costs of going on from each vertex at which the robot can be, with the transit."""
+    """Find the worst and the best cost to the end from each vertex at which the robot can be."""
     world = job.world
     for v in range(world.vertices):
         if not known >> v & 1 or (v and job.adjacent[v] & (job.adjacent[v] - 1)):
@@ -336,10 +336,10 @@ def schedule_costs_of_unit(
         edges: m.
         limit: the largest number of vertices.
         prefix: the first decisions, at least one.
-        transit: ``shortest`` or ``simple``.
+        transit: the paths to the next dart that are tried: ``shortest`` or ``simple``.
         halt: an array; if its entry 0 is set, the work is given up, and its result is void.
-        simple: whether the class has no loops and no parallel edges.
-        planar: whether it has genus 0.
+        simple: whether the maps of the class have no loops and no parallel edges.
+        planar: whether they have genus 0.
     """
     job = new(SCHEDULES)
     job.transit = TRANSITS[transit]

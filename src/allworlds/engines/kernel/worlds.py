@@ -32,7 +32,7 @@ from allworlds.engines.kernel.compiling import (
 
 
 def gluing_rule(edges: int) -> Any:
-    """The rule by owed and open darts: no last open dart is glued while darts are owed."""
+    """The legal numbers of missing and of open darts: a dart is open while darts are missing."""
     viable = ones((2 * edges + 1, 4 * edges + 1), int64)
     viable[1:, 0] = 0
     return viable
@@ -320,7 +320,7 @@ def doubled(world):
 
 
 def none(world):  # pragma: no cover  # compiled
-    """Go to the only place of no lighthouse."""
+    """Put no lighthouse into the world: one place."""
     world.place = 0 if world.place == NONE else NONE
 
 
@@ -331,7 +331,7 @@ def position(world):  # pragma: no cover  # compiled
 
 
 def directional(world):  # pragma: no cover  # compiled
-    """Put one mark at v0 that points to one of its darts: each of them is a place."""
+    """Put one mark at v0 that points to a dart of v0: each of these darts is a place."""
     world.place += 1
     if world.place == world.degree[0]:
         world.place = NONE
@@ -351,7 +351,7 @@ def door(world):  # pragma: no cover  # compiled
 
 
 def compass(world):  # pragma: no cover  # compiled
-    """Choose a reference dart at each vertex: in small maps every choice is a place, else one.
+    """Choose a reference dart at each vertex: every choice is a place, but in large maps only one.
 
     Vertices and their darts are in canonical order; the dart of the last vertex changes first.
     """
@@ -389,7 +389,7 @@ def compass(world):  # pragma: no cover  # compiled
 
 
 def cluster(world):  # pragma: no cover  # compiled
-    """Put one mark at v0 and two at a neighbour v1: a place for each dart that leads to one."""
+    """Put one mark at v0, two at a neighbour v1: a place for each dart of v0 to a neighbour."""
     if _to_neighbour(world, ANY):
         _cluster(world)
 
@@ -436,7 +436,7 @@ def _joined(world, vertex):
 
 @inner
 def _unique(world, dart):
-    """Whether the degrees of both ends are unique; false but for the first dart to v1."""
+    """Whether the degrees of both ends are unique; False if an earlier dart also leads to v1."""
     v1 = world.owner[world.alpha[dart]]
     for before in range(dart):
         if world.owner[world.alpha[before]] == v1:

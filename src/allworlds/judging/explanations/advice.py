@@ -12,7 +12,7 @@ SANITIZER = (
     "Mostly that is an access outside of an array, or to memory that was freed, and it may have "
     "come long before: compile with -g -fsanitize=address,undefined to see the line."
 )
-"""The advice for such an end."""
+"""The advice for a process that has ended by such a signal."""
 
 STDOUT = (
     "The program's stdout is for its actions alone: output for debugging goes to stderr. For {}, "
@@ -34,7 +34,7 @@ NO_LINE = (
         "That is the beginning of an object: each message is one line, without a break in it.",
     ),
 )
-"""The advice for a program with such a line."""
+"""The advice for a program that has printed a line with this text."""
 
 FLUSH = (
     "Does every line of the program end in a newline, and does the program flush its output after "

@@ -40,8 +40,8 @@ from allworlds.world.world import World
 def _say_message(finding: Finding) -> list[str]:
     """Tell the last line of a traceback, or of stderr, that names an error, else the last line.
 
-    If a process has ended, as by ``abort``, only its prints are known.  There is no sentence if
-    there are none, or if the observation already contains the line.
+    If a process has ended, as by ``abort``, only its prints are known.  Without prints, or if the
+    observation already contains the line, there is no sentence.
     """
     said = finding.detail or (finding.output if finding.law == "crash" else "")
     lines = [line.strip() for line in said.splitlines() if line.strip()]
@@ -413,8 +413,8 @@ def tell_open_darts(story: Story) -> list[str]:
 def another_world(world: World, transcript: actions.Transcript) -> World | None:
     """Another world that agrees with the log; None if the log determines the world.
 
-    In the other world each open dart of the folded log leads to a new vertex; if this is the same
-    world, the new vertex of the first one leads to a further one.  It is simple if this world is.
+    In the other world each open dart of the folded log leads to a new vertex.  If that is the given
+    world, the first new vertex leads to a further one.  No loop or parallel edge is new there.
 
     Cost: the folding, and linear in the log.
     """
@@ -453,7 +453,7 @@ def tell_bound(story: Story) -> Telling:
 
 
 def tell_whose_bound(finding: Finding) -> list[str]:
-    """Tell that the answer is right, the origin of the bound, and that it is right without it."""
+    """Tell that the other laws hold, the origin of the bound, and any option that helps."""
     others = [law for law in finding.rules.applying if law != "bound"]
     rest = f"every other law that was checked holds: {listed(others)}" if others else ""
     if {"map", "pose"} <= {*others}:

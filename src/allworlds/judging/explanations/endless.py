@@ -1,4 +1,4 @@
-"""Sentences about a run without an end: its round, the open edges, the lines of its silence."""
+"""Sentences about a run without an end: its round, unwalked edges, the code where it is silent."""
 
 import os
 import re
@@ -15,10 +15,10 @@ from allworlds.protocol.code_lines import is_users
 from allworlds.words import listed, plural
 
 TIMES = 3
-"""The least number of repetitions of some steps by which the end of a walk is a round."""
+"""The least number of times that the end of a walk repeats some steps, so that they are a round."""
 
 SHOWN = 8
-"""The largest number of places of a round, or of lines, that are told."""
+"""The largest number of spots of a round, or of lines of code, that are told."""
 
 
 class Round(Struct, frozen=True):
@@ -55,7 +55,7 @@ def round_of(walk: Sequence[Any]) -> Round | None:
 
 
 def tell_round(story: Story) -> list[str]:
-    """Tell where a walk begins to go round, with its places and lines; no sentence without one."""
+    """Tell where a round begins, and the spots and lines of code in it; no sentence without one."""
     walk = story.walk
     found = round_of([*zip(map(str, walk.actions), walk.darts[1:], strict=True)])
     if found is None:

@@ -26,11 +26,11 @@ from allworlds.world.world import World
 
 
 class Walked:
-    """A walk, and the names of the places on it.
+    """A walk, and the names of the vertices and darts on it.
 
     Attributes:
         walk: the walk.
-        world: its world.
+        world: the world of the walk.
         map: the map of the world.
         sensed: the percepts at the start and after each step.
     """
@@ -147,7 +147,7 @@ Teller: TypeAlias = Callable[[Story], Telling]
 
 
 LARGEST = 40
-"""The largest number of edges for which slips are searched, as their number is quadratic."""
+"""The largest number of edges for which slips are searched; the work grows with its square."""
 
 
 class Slip(Struct, frozen=True):
@@ -226,7 +226,7 @@ def bearings_anticlockwise(belief: Belief) -> Slip | None:
 
 
 def _fits(map_: CombinatorialMap, sensed: Iterable[tuple[Dart, Percept]], way: int) -> bool:
-    """Whether each vertex has only one degree, one number of marks, and one pointed dart."""
+    """Whether the percepts at each vertex agree on its degree, its marks and the pointed dart."""
     found: dict[int, tuple[int, Dart | None]] = {}
     for dart, percept in sensed:
         if map_.degree_at[dart] != percept.degree:

@@ -25,7 +25,7 @@ VERSION: Final = 2
 NOT_RECORDED = "not recorded"
 
 REPLAY = "allworlds replay FILE  # with this finding, as JSON, in FILE"
-"""The command that also plays the runs before a finding."""
+"""The command that plays a finding again, after its earlier runs."""
 
 
 def _value(name: str, given: Any) -> Value:
@@ -41,7 +41,7 @@ def _value(name: str, given: Any) -> Value:
 
 
 EXPECTED, SEEN = (doc.read_by(Value, partial(_value, name)) for name in ("expected", "seen"))
-"""The readers of two keys."""
+"""The readers of the keys ``expected`` and ``seen``."""
 
 
 class Believed(doc.Document, forbid_unknown_fields=False):
@@ -212,7 +212,7 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @cached_property
     def key(self) -> tuple[int, int, Code, int, tuple[int, ...]]:
-        """The order of findings: edges, vertices, canonical code, place, choices."""
+        """The key by which findings are sorted: edges, vertices, canonical code, place, choices."""
         map_ = self.world.map
         code = rooted_code(map_.sigma, map_.alpha, self.world.start)
         return (map_.edge_count, map_.vertex_count, code, self.place, self.choices)
@@ -224,7 +224,7 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @property
     def rank(self) -> tuple[Any, ...]:
-        """The order of findings; among findings of one run, one with earlier runs comes first."""
+        """The key for sorting also findings of one run: those with earlier runs come first."""
         return self.key, not self.after, self.hash_seed is None, self.hash_seed or 0
 
     @cached_property

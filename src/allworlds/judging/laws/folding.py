@@ -95,7 +95,7 @@ class _Folding:
         return arrived
 
     def result(self, dart: int) -> Folded:
-        """The roots' darts, renumbered."""
+        """The folded log: the darts of the roots, numbered anew; ``dart`` is the robot's."""
         number: dict[int, int] = {}
         sigma: list[int] = []
         for v, (first, degree) in enumerate(zip(self.first, self.degree, strict=True)):
@@ -162,7 +162,7 @@ class _Folding:
 
 
 def _check(percept: Percept) -> None:
-    """Raise Contradiction unless the degree is positive, and only v0 has a bearing, below it."""
+    """Raise Contradiction unless the degree is positive, and v0 alone has a bearing below it."""
     degree, bearing = percept.degree, percept.bearing
     sensed = bearing is not None and 0 <= bearing < degree
     legal = sensed if percept.marks else bearing is None

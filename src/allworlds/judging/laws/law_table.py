@@ -86,7 +86,7 @@ class Violation(Struct, frozen=True):
     """A broken law.
 
     Attributes:
-        law: its name.
+        law: the name of the law.
         expected, seen: estimates for map and pose, integers for bound, else sentences.
         step: the number of steps before the checkpoint that breaks the law; None if none does.
     """
@@ -234,7 +234,7 @@ def _wrong_part(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
 def invariant_2(case: Case) -> Violation | None:
     """I-2: U is the set of unexplored darts at the explored vertices.
 
-    By I-1 all darts of S's vertices exist, so it is enough that none in U belongs to an edge of S.
+    By I-1 all darts of S's vertices exist, so it is enough that no dart in U is on an edge of S.
     """
     for steps, checkpoint in case.checkpoints:
         if broken := _half_entered(checkpoint):
@@ -277,7 +277,7 @@ def variant(case: Case) -> Violation | None:
 def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | str:
     """The dart of the world for each dart of S, or the reason why there is none.
 
-    A dart in U that another dart claims as its partner (which breaks I-2) is embedded by this one.
+    If another dart claims a dart in U as its partner (which breaks I-2), that decides its image.
     Cost: O(|S|).
     """
     sigma, alpha = checkpoint.sigma, checkpoint.alpha
