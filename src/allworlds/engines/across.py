@@ -271,7 +271,7 @@ class Across:
     def _needed(self, alone: bytes, index: int, earlier: Sequence[int]) -> list[int]:
         """The fewest earlier runs after which a run has another log than if it is played alone.
 
-        Empty if no log differs, if even two plays of it alone differ, or if too many are needed.
+        Empty if the logs are equal, if two plays of it alone differ, or if too many are needed.
         """
 
         def shows(indices: Sequence[int]) -> bool:

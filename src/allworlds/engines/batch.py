@@ -28,7 +28,7 @@ Indices: TypeAlias = Sequence[int]
 """The indices of some runs in their batch."""
 
 LogsByIndex: TypeAlias = dict[int, bytes] | Sequence[bytes]
-"""Logs by the indices of their runs in a batch; a sequence if all came at once."""
+"""Logs by the indices of their runs in a batch; a sequence if all logs came in one message."""
 
 
 class Due(NamedTuple):

@@ -100,7 +100,7 @@ class Threads:
         """Yield the parts of all units, in the order in which their batches are done.
 
         Raises:
-            Exception: the engine's exception in the first unit, in their order, that raises one.
+            Exception: the engine's exception in the first unit, in the order of units, that raises.
         """
         self._engine = engine
         waiting = iter(units)
@@ -132,7 +132,7 @@ COMPILED_FROM = 5
 """The least m for which compiling pays; a smaller check ends before the compiler does."""
 
 WORTH_LOADING = 2000
-"""The least number of worlds of a level for which compiled code pays for users' explorers.  Such a
+"""The least number of worlds of a level for which it pays to load the compiled judge.  Such a
 level has some 10,000 runs."""
 
 WALKED_FROM = 6
@@ -151,7 +151,7 @@ class Job(Struct, frozen=True):
         limits: the limits of workers and of time.
         keep: the number of findings that are kept.
         deadline: the end of the time limit, on the monotonic clock; or None.
-        notice: the function that shows the user a text at once.
+        notice: the function that shows the user a text while the job goes on.
         cluster: the address of the Dask scheduler that does the work; None without Dask.
     """
 
@@ -231,7 +231,7 @@ class EngineKind:
     name = "python"
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # never
-        """Return the reason why one run may count for several; empty if each run is played."""
+        """Return the reason why one run may count for several runs; empty if each run is played."""
         return ""
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # none

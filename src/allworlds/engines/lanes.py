@@ -50,7 +50,7 @@ AHEAD = 2
 """The largest number of units that a lane in a process has at a time."""
 
 ALONE = 1.5
-"""Seconds during which the lane of this process is the only one."""
+"""Seconds during which the lane of this process is the only lane."""
 
 FIRST_LEVELS = 0.8
 """Seconds during which the lane of this process takes levels; later levels go to the others."""
@@ -118,7 +118,7 @@ class Lanes(Struct):
         deadline: the end of the time limit, on the monotonic clock; or None.
         here: whether one lane is in this process; it begins before the others.
         apart: whether other lanes are in processes of their own.
-        models: whether models of the user's judge the runs, or choose the worlds.
+        models: whether the user's models judge the runs, or choose the worlds.
         make: the function that makes a lane.
     """
 
@@ -302,7 +302,7 @@ def workers_for(
         subject: the explorer.
         limits: the number of lanes, and the limits of each.
         deadline: the end of the time limit, on the monotonic clock; or None.
-        models: whether models of the user's judge the runs.
+        models: whether the user's models judge the runs.
         make: the function that makes a lane.
     """
     players.child_path()  # raises for a missing current directory, before any process starts

@@ -147,7 +147,7 @@ class Limits(TimeLimitOptions, WorkerOptions, TimeoutOptions):
 
 
 LOCAL = "local"
-"""The word that stands for the address of a new cluster on this machine, for one job."""
+"""The word for a new cluster on this machine, made for one job, in place of an address."""
 
 
 class TimeIsUp(OutOfTime):

@@ -19,7 +19,7 @@ from allworlds.engines.players import Lost, Unsettled, lost_log
 from allworlds.engines.plays import Attempt
 
 MOST_LOSSES = 20
-"""The largest number of losses that, as no fresh player repeats them, the machine may cause."""
+"""The largest number of losses, repeated by no fresh player, that the machine may have caused."""
 
 SILENT_RUNS, MOST_WAITED = 4, 60.0
 """The least number of silent runs, and of their seconds in all, after which a lane gives up."""

@@ -480,7 +480,7 @@ _spare: list[PlayerProcess] = []
 
 
 def keep(player: PlayerProcess, subject: Subject) -> None:
-    """Keep a player for the next request for such a player; unused, it ends with its subject."""
+    """Keep a player for the next request for such a player; it ends with its subject if unused."""
     _spare.append(player)
     finalize(subject, _let_go, player)
 

@@ -23,7 +23,7 @@ from allworlds.engines.players import (
 from allworlds.log import Log
 
 DEPTH = 2
-"""The number of batches that a player has: it plays one while the other one is judged."""
+"""The number of batches that a player has: it plays one batch while the other batch is judged."""
 
 Attempt: TypeAlias = tuple[Sequence[bytes], Lost | None]
 """The logs of a fresh player, or the log of the run in which it was lost, with the loss."""

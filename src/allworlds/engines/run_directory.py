@@ -165,7 +165,7 @@ def checksum(seal: str, *row: Any) -> str:
 
 
 def created(path: Path, identity: Identity) -> Database:
-    """The new file of a directory without one; it appears complete or not at all."""
+    """The new file of a directory that has no file yet; the file appears complete or not at all."""
     draft = path / DRAFT
     with saying_where(path):
         for file in path.glob(f"{DRAFT}*"):
@@ -332,7 +332,7 @@ class RunDirectory(KeptUnits):
 
 @dataclass(frozen=True, slots=True)
 class Merged(KeptUnits):
-    """The finished units of several run directories as those of one job; none is added."""
+    """The finished units of several run directories, taken as one job; no unit is added."""
 
     directories: Sequence[Database]
 

@@ -139,7 +139,7 @@ def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
 def subject_of(explore: str | Callable[..., Any], limits: limits.Limits) -> loading.Subject:
     """The subject for a name or a generator function.
 
-    A named explorer is loaded in a process of its own, so that users' code stays out of this one.
+    A named explorer is loaded in another process, so that users' code stays out of this process.
 
     Raises:
         InputError: if no such explorer exists, if it cannot be imported or is no explorer, or if
@@ -175,7 +175,7 @@ REPEATED = 5
 
 
 class OutcomeCounter(RunCounter, frozen=True):
-    """The counter that keeps the outcomes of its run; the last one is the settled one."""
+    """The counter that keeps the outcomes of its run; the last outcome is the settled outcome."""
 
     outcomes: list[Outcome] = field(default_factory=list)
 

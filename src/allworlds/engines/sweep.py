@@ -30,7 +30,7 @@ from allworlds.inputs import checks, requests
 from allworlds.maps import classes
 
 By: TypeAlias = Literal["size", "world", "run"]
-"""The unit of rows for programs: there is one for each explorer and size, world, or run."""
+"""The kinds of rows for programs: one row for each explorer and size, world, or run."""
 
 
 Total = TypeVar("Total", bound=units.Sum)

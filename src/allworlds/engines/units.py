@@ -188,7 +188,7 @@ def dealt(weights: Sequence[int], shard: Shard) -> Iterator[int]:
 
 
 MANY_WORLDS = 10_000_000
-"""The number of worlds above which the user is told the size at once."""
+"""The number of worlds above which the user is told the size before the first level."""
 
 COUNTABLE_WORLDS = 10**12
 """The number of worlds above which the counting of a level takes long, too."""
@@ -367,7 +367,7 @@ class UnitOfRuns(Unit, Protocol):
 
 
 class GivenWorlds(Struct, frozen=True):
-    """Chosen worlds, each with one place of its own; the start is dart 0."""
+    """Chosen worlds, each with its own place of the lighthouse; the start is dart 0."""
 
     worlds: tuple[tuple[World, int], ...]
     key: str = ""

@@ -117,8 +117,8 @@ class BelievedWalk(Struct, frozen=True):
     """A walk in an answer beside the walk in the world.
 
     Attributes:
-        trail: the robot's darts in the answer at the start and after each step; the last one is
-            the robot's dart by the answer.
+        trail: the robot's darts in the answer at the start and after each step; the last dart is
+            where the robot stands by the answer.
         percepts: the percepts that the answer predicts; None if it has no place for the
             lighthouse.
         expected: these percepts; if they are None, percepts with the answer's degrees alone.

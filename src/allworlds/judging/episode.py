@@ -233,7 +233,7 @@ def _estimate(sigma: tuple[int, ...], alpha: tuple[int, ...], here: int) -> Answ
 
 
 def _flaw(said: actions.Ambiguous) -> str:
-    """The reason why the answer is no rooted quotient; empty if it is one."""
+    """The reason why the answer is no rooted quotient; empty if it is a rooted quotient."""
     size = len(said.sigma)
     for name, values in (("alpha", said.alpha), ("degree", said.degree), ("marks", said.marks)):
         if len(values) != size:

@@ -57,7 +57,7 @@ class Outcome(Struct, frozen=True):
 
 
 class Referee:
-    """A referee judges runs under one set of rules; it knows only the name of the explorer."""
+    """A referee judges runs under one set of rules; of the explorer it knows only the name."""
 
     def __init__(self, explorer: str, rules: Rules) -> None:
         self.explorer = explorer

@@ -18,7 +18,7 @@ from allworlds.protocol.user_code import Role, UserCode
 from allworlds.world.world import World
 
 Complaint: TypeAlias = Callable[[World, Walk, Any], str | None]
-"""A function that returns the fault of a finished run, or None.  A function of the user's that ends
+"""A function that returns the fault of a finished run, or None.  A user's function that ends
 runs has an attribute ``over``, a function of the world and the walk."""
 
 MAP = "map"

@@ -136,7 +136,7 @@ FOLDED = LONG // 16
 """The largest number of nodes of an unfolded log; budgets allow fewer traversals than this."""
 
 NONE = -1
-"""The entry that stands for no dart, no bearing, or no told number."""
+"""The entry that stands for no dart, for no bearing, or for no number told to the explorer."""
 
 
 def _record(*fields: tuple[Any, ...]) -> Any:
@@ -336,7 +336,7 @@ WALK = _record(
     # Room for a world that breaks a law.
     (WORLD, "world"),
 )
-"""The state of Algorithm 1 on its walk through all worlds at once."""
+"""The state of the demand-driven check, with the walk of Algorithm 1 in the current world."""
 
 SCHEDULES = _record(
     (GLUING, "gluing"),
@@ -349,7 +349,7 @@ SCHEDULES = _record(
     # Steps until a mismatch; the number of tests, and of those in which a false hypothesis matched.
     (int64, "shortest longest tests wrong"),
 )
-"""The state of a search of all schedules in one world after the other."""
+"""The state of a search of all schedules, which goes from world to world."""
 
 
 class Kept(NamedTuple):

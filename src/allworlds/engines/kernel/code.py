@@ -161,7 +161,7 @@ def keep_least(least, row):
 
 @inlined
 def _before(row, least, spot):
-    """Whether the row is lexicographically less than the one at this spot, or that one is empty."""
+    """Whether the row is lexicographically less than the row at this spot, or that row is empty."""
     if least[spot, 0] == 0:
         return True
     for i in range(len(row)):

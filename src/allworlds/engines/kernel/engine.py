@@ -197,7 +197,7 @@ class LaidOutRuns(Struct, frozen=True):
 
     Attributes:
         runs: the number of runs.
-        first, until: the number of its first run in the unit, and of the run after its last one.
+        first, until: the number in the unit of its first run, and of the run after its last run.
         last: whether it is the last batch of its unit.
     """
 

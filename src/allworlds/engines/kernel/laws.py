@@ -124,7 +124,7 @@ def _is_part(judged, published, world, dart, walked):
 
 @inner
 def _is_map(published, judged):
-    """Whether this is a connected map of two permutations, and alpha has no fixed points."""
+    """Whether these permutations are a connected map: alpha pairs all darts, none with itself."""
     size, sigma, alpha = published.darts, published.sigma, published.alpha
     if size <= 0 or size % 2 or size > LONG:
         return False

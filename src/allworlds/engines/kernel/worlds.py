@@ -75,7 +75,7 @@ def count(g, prefix, viable, counts):
 
 @inner
 def advance(g, prefix, viable):
-    """Whether there is one more map whose first decisions are ``prefix``; ``g`` holds it.
+    """Whether there is one more map whose first decisions are ``prefix``; ``g`` holds that map.
 
     Before the first call ``g`` is new, with the request filled in.
     """
@@ -294,7 +294,7 @@ def darken(world):
 
 @inlined
 def arrival(world, dart, motion):
-    """The dart of arrival after leaving by the dart ``motion`` darts clockwise of this one."""
+    """The dart of arrival after leaving by the dart ``motion`` darts clockwise of this dart."""
     degree, leaving = world.degree[dart], dart + motion
     if leaving >= world.first[dart] + degree:
         leaving -= degree
@@ -341,7 +341,7 @@ def directional(world):  # pragma: no cover  # compiled
 
 
 def door(world):  # pragma: no cover  # compiled
-    """Mark one dart of v0, the one that the number of the place names."""
+    """Mark the dart of v0 that the number of the place names."""
     world.place += 1
     darken(world)
     if world.place == world.degree[0]:

@@ -123,7 +123,7 @@ def tell_budget(story: Story) -> Telling:
 
 
 def tell_whose_budget(finding: Finding) -> str:
-    """Tell the origin of the step budget, and whether a larger one suffices."""
+    """Tell the origin of the step budget, and whether a larger budget suffices."""
     rules, map_ = finding.rules, finding.world.map
     if rules.step_budget is not None:
         return f"The budget is that of --step-budget: {plural(rules.step_budget, 'traversal')}."
@@ -280,7 +280,7 @@ def _say_misfit(belief: Belief, step: int) -> str:
 
 
 TURNED, ELSEWHERE = "off by a turn", "another vertex"
-"""The names of a wrong ``here``, at the robot's vertex and at another one."""
+"""The names of a wrong ``here``, at the robot's vertex and at another vertex."""
 
 
 def tell_pose(story: Story) -> Telling:
@@ -414,7 +414,7 @@ def another_world(world: World, transcript: actions.Transcript) -> World | None:
     """Another world that agrees with the log; None if the log determines the world.
 
     In the other world each open dart of the folded log leads to a new vertex.  If that is the given
-    world, the first new vertex leads to a further one.  No loop or parallel edge is new there.
+    world, the first new vertex leads to a further one.  None of the new edges is a loop.
 
     Cost: the folding, and linear in the log.
     """

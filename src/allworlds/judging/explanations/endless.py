@@ -77,7 +77,7 @@ def tell_way_back(story: Story) -> list[str]:
 
     Back at a vertex, the robot faces the door by which it had left, but some explorers count from
     the door by which they had first come.  This is told if, counted so, a motion along a walked
-    edge would have led along a new one, and never the reverse.
+    edge would have led along a new edge, and no motion along a new edge along a walked edge.
     """
     map_, darts = story.map, story.walk.darts
     came, left, walked, remarks = dict[int, Dart](), dict[int, Dart](), set[Dart](), list[str]()

@@ -224,7 +224,7 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @property
     def rank(self) -> tuple[Any, ...]:
-        """The key for sorting also findings of one run: those with earlier runs come first."""
+        """The key for sorting, also for findings of one run: those with earlier runs come first."""
         return self.key, not self.after, self.hash_seed is None, self.hash_seed or 0
 
     @cached_property

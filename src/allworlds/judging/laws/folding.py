@@ -126,7 +126,7 @@ class _Folding:
         return start
 
     def _root(self, dart: int) -> int:
-        """The dart of the root node that stands for this one."""
+        """The dart of the root node that stands for this dart."""
         v = self.node[dart]
         while self.parent[v] != v:
             w = self.parent[v]
