@@ -168,9 +168,9 @@ class Counted(Struct):
 
     Attributes:
         cells: the numbers of rooted maps, by vertices and genus.
-        fixed: the sums of their numbers of automorphisms, likewise, if these are counted.
-        mirrored: the sum of their numbers of isomorphisms onto the mirror image.
-        dual: the sum of their numbers of isomorphisms onto the dual.
+        fixed: the sums of the maps' numbers of automorphisms, by vertices and genus, if counted.
+        mirrored: the sum of the maps' numbers of isomorphisms onto the mirror image.
+        dual: the sum of the maps' numbers of isomorphisms onto the dual.
     """
 
     cells: Counter[tuple[int, int]] = field(default_factory=Counter)
@@ -241,7 +241,7 @@ def count_one_by_one(extent: classes.Extent, unit: LevelUnit) -> Iterator[Counte
 
 
 def row_of(extent: classes.Extent, edges: int, total: Counted, *, whole: bool) -> CountRow:
-    """The row of a level, or of a shard of it, beside the source's counts."""
+    """The row of a level, or of its part in a shard, with the counts of the independent source."""
     by_vertices: Counter[int] = Counter()
     by_genus: Counter[int] = Counter()
     for (vertices, genus), maps in sorted(total.cells.items()):

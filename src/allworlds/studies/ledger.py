@@ -174,12 +174,12 @@ class Claim(Sentence):
 
     @property
     def function(self) -> str:
-        """The name of the function that checks it: the id with ``_`` for ``-``."""
+        """The name of the function that checks the claim: the claim's id with ``_`` for ``-``."""
         return self.id.replace("-", "_")
 
 
 def claims_in(file: Path) -> tuple[Claim, ...]:
-    """The claims of a ``ledger.toml``, in its order.
+    """The claims of a ``ledger.toml``, in the order of the file.
 
     Raises:
         InputError: naming the file, the claim and its error.

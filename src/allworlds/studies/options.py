@@ -32,7 +32,7 @@ class RunDirectoryOptions(Request):
 
 
 class ClusterOptions(Request):
-    """The part of a request that names the cluster."""
+    """The part of a request that names the Dask cluster."""
 
     dask: Annotated[
         str | None,

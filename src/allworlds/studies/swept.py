@@ -94,7 +94,7 @@ class SweptReport(PortionReport, RowsReport):
 
     @property
     def rows(self) -> Sequence[Any]:
-        """The rows of the finished levels: a key of each of these reports."""
+        """The rows of the finished levels, which each of these reports has as a key."""
         raise NotImplementedError
 
     @property

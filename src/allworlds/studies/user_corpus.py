@@ -1,4 +1,4 @@
-"""The user's corpus: a directory of findings, which are tried first, and to which new ones go."""
+"""The user's corpus: a directory of findings.  These are tried first, and new findings added."""
 
 from __future__ import annotations
 

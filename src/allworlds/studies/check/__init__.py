@@ -3,14 +3,14 @@
 ``exhaustive``
     the check, level by level, and its report;
 ``time_estimate``
-    an estimate of its duration;
+    an estimate of a check's duration;
 ``tally_sweep``
-    the part that it shares with other studies of one explorer in many worlds: run directories, the
-    confirmation of findings, and findings of earlier checks, which are tried first;
+    the part that a check shares with other studies of one explorer in many worlds: run directories,
+    the confirmation of findings, and findings of earlier checks, which are tried first;
 ``covered``
     features of the worlds in a sample: sizes, degrees, numbers of darts that look alike;
 ``hints``
-    more plays of a refuted explorer, for an option that helps, and for lines of its code;
+    more plays of a refuted explorer, which show an option that helps, and lines of its code;
 ``report``
     the requests of ``check`` and similar verbs; the verdict with its scope, and the witnesses
     that a complete check must have.

@@ -9,7 +9,7 @@ from allworlds.maps.combinatorial import CombinatorialMap
 
 
 def telling_apart(map_: CombinatorialMap) -> tuple[int, int]:
-    """The number of darts that always look alike, and of steps that tell all others apart.
+    """The number of darts that always look alike, and the number of steps that tell others apart.
 
     There is no lighthouse: a robot senses degrees alone.  Darts that always look alike are the
     sheets of a covering.  The second number is the length of the longest shortest test that tells

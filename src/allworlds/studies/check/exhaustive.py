@@ -69,7 +69,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
     Args:
         request: the request.
         job: the explorer and the scope of the check.
-        engine: the kind of engine that does the units.
+        engine: the kind of engine that runs the units.
     """
 
     verb, request_type = "check", CheckRequest
@@ -134,13 +134,13 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
 
     @override
     def leave(self, level: units.SweptLevel, total: tally.Tally) -> None:
-        """Store the findings. Counts enter the report only if their level is finished."""
+        """Keep the findings of an unfinished level; its counts do not enter the report."""
         for found in total.findings:
             self._tally.find(doc.replace(found, minimal=False))
 
     @override
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
-        """Confirm the findings, and store them."""
+        """Confirm the findings, and add new findings to the user's corpus."""
         corpus = self.corpus
         self._tally.findings = [*map(self.scope.labelled, self._tally.findings)]
         known = corpus.holds if corpus is not None else None

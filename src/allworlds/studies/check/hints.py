@@ -1,6 +1,6 @@
 """Hints for a finding from more plays of its explorer: an option that helps, and lines of code.
 
-They do not change the verdict.  An option is named only if the check with it was made.
+Hints do not change the verdict.  An option is named only after runs in which it was tried.
 """
 
 import linecache
@@ -35,16 +35,16 @@ MOST = 4000
 """The most runs of a trial; a level with more runs is not tried."""
 
 SECONDS = 5.0
-"""The seconds of a trial; an option that is not decided by then is not named."""
+"""The most seconds of a trial; an option whose trial would take longer is not named."""
 
 LARGER = 4
-"""The factor by which the larger step budget of a trial exceeds the broken one."""
+"""The factor by which the step budget of a trial exceeds the budget that was broken."""
 
 Placed: TypeAlias = tuple[World, int]
 """A world with the number of the lighthouse's place."""
 
 RIGHT = 200
-"""The most right runs whose lines are compared with those of a finding."""
+"""The most runs without a broken law whose lines are compared with the lines of a finding."""
 
 
 def hinted(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> Finding:
@@ -65,7 +65,7 @@ def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Sco
     worlds with at most a number of edges, which is not less than the finding's.
 
     Args:
-        finding: the confirmed finding, so that without the options a tried world refutes.
+        finding: the confirmed finding, so its world refutes the explorer without the options.
         subject: the explorer.
         limits: the limits of the check.
         scope: the scope of the check.
@@ -117,21 +117,21 @@ def _runs(scope: Scope, edges: int) -> Iterator[Placed]:
 
 
 Turns: TypeAlias = list[tuple[bool, UserLine]]
-"""The lines of code of a play, turn by turn; see :func:`allworlds.protocol.code_lines.written`."""
+"""The turns of a play: for each turn whether it is a checkpoint, and the line of code."""
 
 
 def located(
     finding: Finding, subject: Subject, limits: Limits, others: Iterable[Placed] = ()
 ) -> Finding:
-    """The finding with lines of its explorer's code, if that is in Python and repeats the run.
+    """The finding with lines of its explorer's code, if it is in Python and the run is repeated.
 
     Args:
         finding: the finding.
         subject: the explorer.
         limits: the limits of the time for an answer, and of memory.
-        others: worlds with places; lines of the first right runs in them are left out.
+        others: worlds with places; lines that are run there without a broken law are left out.
 
-    Cost: that of the runs, some ten times slower.
+    Cost: that of the runs, which are some ten times slower than others.
     """
     other_language = is_program(subject.name) or is_library(subject.name)
     if other_language or not subject.from_user or finding.law in ("timeout", "nondeterministic"):

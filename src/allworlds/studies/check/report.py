@@ -1,6 +1,6 @@
 """The request of a check, and its verdict with its scope.
 
-A request can name files with an explorer, and code that judges it.  The report has a count gate,
+A request can name files with an explorer and with code that judges.  The report has a count gate,
 witnesses, and the most expensive runs.
 """
 
@@ -54,7 +54,7 @@ def shared_file(explorer: str, rules: Rules, where: Condition | None) -> str:
 
 
 class ManyWorlds(ListenerOptions, Limits, RuleOptions, selection.LighthouseOptions, ClassOptions):
-    """Many worlds of a class, under rules, with an effort."""
+    """The part of a request that names worlds of a class, rules and limits."""
 
     def rules(self, subject: loading.Subject) -> Rules:
         """The rules for the explorer, with its own lighthouse if the request names none.
@@ -158,7 +158,7 @@ LISTED_EDGES = 5
 
 
 def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
-    """The fingerprint of the worlds of a level, by vertices: listed anew, or from the corpus."""
+    """The fingerprints of a level's worlds, by vertices: listed anew, or known by the corpus."""
     if edges <= LISTED_EDGES:
         return {n: f"{each:x}" for n, each in count_source.listed(extent, edges).items()}
     corpus, name = named.own_corpus(), f"counts-{extent.map_class}"
@@ -455,7 +455,7 @@ def _remarks(tally: Tally) -> Iterator[str]:
 def most_expensive_runs(report: CheckReport) -> Iterator[single.SingleRun]:
     """The most expensive run of each size, ascending; none if the explorer has no name.
 
-    Of equally expensive runs it is the smallest.
+    Of equally expensive runs the smallest is taken.
 
     Cost: an episode each.
     """

@@ -43,9 +43,9 @@ class Confirmation(Struct, frozen=True):
     """The confirmation of a job's findings: each is played again in a fresh process.
 
     Attributes:
-        subject, limits, scope: those of the job.
+        subject, limits, scope: the explorer, the limits and the scope of the job.
         deadline: the time after which findings are no longer played again.
-        kept: earlier confirmations, which are used again, so that all reports of a job agree.
+        kept: records of earlier confirmations, used again so that all reports of a job agree.
     """
 
     subject: loading.Subject
@@ -93,7 +93,7 @@ class Confirmation(Struct, frozen=True):
         return self.deadline is not None and time.monotonic() > self.deadline
 
     def _again(self, found: Finding, *, number: int) -> Finding:
-        """Confirm a finding; add lines of code to the first findings, more to the very first."""
+        """Confirm a finding; add lines of code to the first findings, all hints to number 0."""
         again = single.played_again(found, self.subject, self.limits)
         if number == 0:
             return hints.hinted(again, self.subject, self.limits, self.scope)
@@ -251,7 +251,7 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
         self.corpus = corpus_of(request.corpus, request.run, Finding.from_json)
 
     def retry_past(self, total: tally.Tally) -> outcome.Ending | None:
-        """Try past findings; add those that are reproduced, and end the job if they are enough."""
+        """Try past findings; add the reproduced findings, and end the job if these are enough."""
         job = self.job
         if self.corpus is not None:
             again = partial(_retry, subject=job.subject, limits=job.limits)

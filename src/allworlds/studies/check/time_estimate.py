@@ -18,7 +18,7 @@ from allworlds.studies.check.exhaustive import job_of
 from allworlds.studies.check.report import CheckRequest
 
 SECONDS = 2.0
-"""The seconds of a sample, from its first piece on."""
+"""The seconds of a sample after its first piece is done."""
 
 MOST_SECONDS = 4.0
 """The most seconds of a sample, without compiling; an estimate has at most two samples.
@@ -107,7 +107,7 @@ def worlds_of(job: Job) -> int:
 def estimated(job: Job, engine: EngineKind) -> Guess:
     """An estimate from random pieces of the last level.
 
-    It does not include the time for compiling and for starting workers.  The sample takes some
+    The estimate does not include compiling and the start of workers.  The sample takes some
     seconds.
     """
     engine.ready(job)  # compiles, where that is still to be done

@@ -1,4 +1,4 @@
-"""Explorers side by side in the same worlds: all of a class, or one of a family."""
+"""Explorers side by side in the same worlds: all worlds of a class, or one world of a family."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
@@ -116,8 +116,8 @@ def compared(request: CompareRequest) -> Comparison | Growth:
 def compare(*explorers: str | Callable[..., Any], **options: Any) -> Comparison | Growth:
     """Run explorers in the same worlds, judge every run, and compare their costs.
 
-    With ``to`` the worlds grow: of each family a few members of each size are run; then one
-    explorer is enough.
+    With ``to`` the worlds grow: explorers run in a few members of each size of each family; then
+    one explorer is enough.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -157,7 +157,7 @@ def _contest(
 
 
 class SameWorlds(Contest[Comparison]):
-    """The sweep of a comparison through every world of a class, or through one of a family.
+    """The sweep of a comparison through every world of a class, or through one world of a family.
 
     Args:
         entrants: the explorers.
@@ -213,7 +213,7 @@ class SameWorlds(Contest[Comparison]):
                 yield UnitOfOne(number, unit)
 
     def _placed(self, one: Entrant, map_: CombinatorialMap) -> tuple[tuple[World, int], ...]:
-        """The one world with an entrant's lighthouse at every place, each with its number."""
+        """The one world with an entrant's lighthouse at each place, and the place's number."""
         places = enumerate(one.rules.kind.places(map_, 0))
         return tuple((World(map_, lighthouse, 0), place) for place, lighthouse in places)
 

@@ -1,6 +1,6 @@
-"""The request of ``compare``, and the common part of both comparisons.
+"""The request of ``compare``, and the part that its sweeps through fixed and growing worlds share.
 
-It has the explorers that are run in the same worlds, their units, their costs, and the report.
+This part has the explorers that run in the same worlds, their units, their costs, and the report.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -47,7 +47,7 @@ def _families(given: object) -> tuple[str, ...] | None:
 class ContestWorldsOptions(selection.WhereOptions, GivenOptions, classes.ExtentOptions):
     """The worlds in which explorers are compared.
 
-    Without ``to`` these are all worlds of a class, or given ones, or one of a family.
+    Without ``to`` these are all worlds of a class, or given worlds, or one world of a family.
     """
 
     family: Annotated[
@@ -179,7 +179,7 @@ class CostEngine(RunCounter, frozen=True):
         return CostTally(self.keep)
 
     def count_outcome(self, world: world.World, place: int, outcome: Outcome, tally: Tally) -> None:
-        """Add a run, which has one episode, to the tally, and its cost."""
+        """Add a run, which has one episode, and its cost to the tally."""
         super().count_outcome(world, place, outcome, tally)
         assert isinstance(tally, CostTally)
         tally.costs.setdefault(key_of(world.map), {})[place] = outcome.cost
@@ -198,7 +198,7 @@ class InWorld(NamedTuple):
         member: the name of the world in its family; empty without a family.
         explorer: the name of the explorer.
         costs: the traversals of each run, by the number of the lighthouse's place.
-        places: the number of all places.
+        places: the number of all places of the lighthouse, also of places without a run.
         bound: the bound on the traversals of a run, the same for each place; None without one.
         drawn_from: the number of different worlds of this size that seeds can draw, if known.
     """
@@ -225,12 +225,12 @@ class UnitOfOne(Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        """The key of the unit in a run directory: ``NUMBER/KEY``."""
+        """The key in a run directory: the number of the entrant, and the key of the unit."""
         return f"{self.number}/{self.unit.key}"
 
 
 class CostsOfAll(Struct):
-    """The costs of each entrant's runs, by its number; they can be added in any order."""
+    """The costs of each entrant's runs, by the entrant's number; parts are added in any order."""
 
     of: dict[int, CostTally] = field(default_factory=dict)
 
@@ -250,7 +250,7 @@ class CostsOfAll(Struct):
 
 
 class SideBySide:
-    """The transports of all entrants, by their numbers, as one."""
+    """A transport for the units of all entrants, made of one transport for each entrant."""
 
     def __init__(self, transports: Sequence[units.Transport]) -> None:
         self._transports, self._stack = transports, ExitStack()
@@ -303,15 +303,15 @@ class Entrant(Struct, frozen=True):
         return self.named(self.subject.name)
 
     def named(self, explorer: str) -> str:
-        """Another name of the explorer, with the lighthouse behind it."""
+        """A name for the explorer, with the entrant's lighthouse behind it."""
         return f"{explorer}{AT}{self.at}" if self.at else explorer
 
     def scope(self, extent: classes.Extent, portion: units.Shard = units.WHOLE) -> units.Scope:
-        """The scope of its runs in the worlds of an extent, or in a shard of them."""
+        """The scope of the entrant's runs in the worlds of an extent, or in a shard of these."""
         return units.Scope(extent, self.rules, coverage=portion)
 
     def first_world(self, map_: combinatorial.CombinatorialMap) -> world.World:
-        """A rooted map with its lighthouse at the first place."""
+        """A rooted map with the entrant's lighthouse at its first place."""
         return world.World(map_, next(iter(self.rules.kind.places(map_, 0))), 0)
 
 
@@ -336,8 +336,8 @@ def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
 def _with_lighthouse(explore: object) -> tuple[Any, LighthouseKind | None]:
     """An explorer, and the lighthouse behind its name, if there is one.
 
-    Paths and commands may contain the sign, too.  So it counts only before the name of a
-    lighthouse; any other text behind the name of an explorer and the sign is an error.
+    Paths and commands may contain ``@``, too.  So ``@`` counts only before the name of a
+    lighthouse; any other text behind the name of an explorer and ``@`` is an error.
     """
     name, at, lighthouse = explore.rpartition(AT) if isinstance(explore, str) else ("", "", "")
     try:
@@ -423,7 +423,7 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
     Args:
         entrants: the explorers.
         request: the request.
-        extent: the extent that has every world.
+        extent: an extent that includes every world of the comparison.
         every: whether the worlds are all worlds of the extent.
     """
 

@@ -37,7 +37,7 @@ class Growing(Struct, frozen=True):
 
     Attributes:
         form: the form of its name; ``:D`` stands for a degree.
-        member: the text of a member, from its number and the degree.
+        member: a function that makes the name of a member from its number and the degree.
         degree: the default degree; None if the name has no degree.
         holes: the share of edges to remove.
     """
@@ -90,7 +90,7 @@ class Member(Struct, frozen=True):
 
 
 def member_named(name: str) -> Member:
-    """The member with a name of the form of :attr:`Member.name`."""
+    """The member that has this name, as :attr:`Member.name` writes names."""
     words, _, seed = name.partition(" --seed ")
     text, _, holes = words.partition(" --holes ")
     return Member(text, holes or None, int(seed))
@@ -119,7 +119,7 @@ def form_of(family: str) -> tuple[Growing, int] | None:
 def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member]]:
     """The members of a family, ascending, grouped by size.
 
-    The sizes are the largest members with at most ``to``, ``to / 2``, ``to / 4``, ... edges.
+    A size is that of the largest member with at most ``to``, ``to / 2``, ``to / 4``, ... edges.
 
     Raises:
         InputError: for a text that names no growing family.
@@ -138,7 +138,7 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
 
 
 def _largest(growing: Growing, degree: int, edges: int) -> str:
-    """The largest member with at most ``edges`` edges before holes are made; empty if too small."""
+    """The largest member's name, up to ``edges`` edges before holes; empty if it is too small."""
     number = 1
     while families.edges_of(growing.member(number + 1, degree)) <= edges:
         number += 1
@@ -371,11 +371,11 @@ class _Size(Struct, frozen=True):
 class GrowingWorlds(entrants.Contest[Growth]):
     """The sweep of explorers through growing worlds, the sizes of all families in ascending order.
 
-    So at a time limit the finished sizes are a part of each family.
+    So at a time limit the smaller sizes of every family are finished.
 
     Args:
         entrants: the explorers.
-        request: the request, with families of :data:`GROWING`, as ``regular:6`` with a degree.
+        request: the request; its families are in :data:`GROWING`; ``regular:6`` has a degree.
         to: the largest number of edges.
 
     Raises:
@@ -435,9 +435,9 @@ class GrowingWorlds(entrants.Contest[Growth]):
     def _chosen(
         self, one: entrants.Entrant, member: Member, map_: CombinatorialMap
     ) -> tuple[int, dict[int, Lighthouse]]:
-        """The number of a lighthouse's places in a world, and the chosen ones, by number.
+        """The number of a lighthouse's places in a world, and the chosen places by their numbers.
 
-        If there are more than the request wants, a generator seeded by the world's name draws them.
+        If the request wants fewer places, a generator draws them, seeded by the world's name.
         """
         places = [*one.rules.kind.places(map_, 0)]
         drawn: Sequence[int] = range(len(places))
@@ -464,7 +464,7 @@ class GrowingWorlds(entrants.Contest[Growth]):
         )
 
     def _rows_of(self, size: _Size, total: entrants.CostsOfAll) -> Iterator[GrowRow]:
-        """The row of each entrant that was run in every chosen place of one of the members."""
+        """A row for each entrant, with the members in which it was run at every chosen place."""
         for number, one in enumerate(self.entrants):
             costs, members = total.one(number).costs, dict[CombinatorialMap, GrownWorld]()
             for member, map_ in size.maps.items():
@@ -495,7 +495,7 @@ class GrowingWorlds(entrants.Contest[Growth]):
 
 
 def _ensure_grows(who: Sequence[entrants.Entrant], request: entrants.CompareRequest) -> None:
-    """Raise InputError for an option without effect on growing worlds, or without explorers."""
+    """Raise InputError for no explorer, no family, or an option without effect on such worlds."""
     names = ("edges", "vertices", "holes", "worlds", "graph", "where")
     entrants.ensure_unnamed(request, names, "worlds that grow")
     if request.map_class is not classes.MapClass.MAPS:

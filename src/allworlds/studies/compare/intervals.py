@@ -39,7 +39,7 @@ Interval: TypeAlias = tuple[float, float]
 
 
 def lack() -> str:
-    """The reason that scipy is not installed, for a missing interval; empty if it is installed."""
+    """The reason for a missing interval, that scipy is not installed; empty if it is installed."""
     return lack_of("scipy", "figures")
 
 
@@ -101,10 +101,10 @@ def _reach(left: Sequence[float], across: Sequence[float], degrees: int) -> floa
 
 
 def _bend(sizes: Sequence[float], heights: Sequence[float]) -> str:
-    """The text that the points bend, if a quadratic term is significant; else empty.
+    """A text about how the points bend, if a quadratic term is significant; else empty.
 
-    By the theorem of Frisch, Waugh and Lovell its coefficient is the slope of the residuals of the
-    heights over the residuals of the squares.
+    By the theorem of Frisch, Waugh and Lovell the term's coefficient is the slope of the residuals
+    of the heights over the residuals of the squares.
     """
     left = _left_by(sizes, heights)
     if max(map(abs, left)) < CLOSE:

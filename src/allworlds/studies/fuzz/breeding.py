@@ -40,7 +40,7 @@ RAREST_LINES = 4
 """The number of lines, rarest first, whose worlds can be parents."""
 
 PARENTS_PER_LINE = 8
-"""The number of worlds that are kept for a line, the last ones."""
+"""The number of worlds that are kept for a line: the last worlds that ran the line."""
 
 TRAVERSALS_TRACED = 20_000
 """The most traversals of a traced run."""
@@ -60,7 +60,7 @@ class Bred(Struct, frozen=True):
         return f"{self.drawn.key}/bred"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
-        """The draws."""
+        """Yield the draws from which the worlds are bred."""
         return self.drawn.placed(extent, kind)
 
 
@@ -133,7 +133,7 @@ class _Pool:
     """The worlds that can be parents.
 
     Attributes:
-        lately: for each line the last worlds that ran it.
+        lately: for each line the last worlds that ran the line.
     """
 
     def __init__(self, unit: Bred, extent: Extent, kind: type[Lighthouse]) -> None:
@@ -158,7 +158,7 @@ class _Pool:
             yield child, [self._random.choice(places)] if places else []
 
     def _child(self, parent: CombinatorialMap) -> CombinatorialMap:
-        """A mutant that is in the extent; the parent if no mutant tried is."""
+        """A mutant that is in the extent; the parent, if no mutant that is tried is in it."""
         for _ in range(MUTANTS_TRIED):
             child = mutated(parent, self._extent.levels[-1], self._random)
             if child.edge_count >= self._least and self._extent.include(child):

@@ -1,4 +1,4 @@
-"""Runs in given maps, and the smallest finding that shrinking makes from theirs."""
+"""Runs in given maps, and the smallest finding that the shrinker reaches from a finding there."""
 
 from collections.abc import Iterable
 

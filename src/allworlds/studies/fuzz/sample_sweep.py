@@ -94,9 +94,9 @@ def fuzz(request: FuzzRequest) -> CheckReport:
 
     The report is about a sample: at best ``not-refuted``, never complete.  The sample depends on
     the class, ``where``, ``edges``, ``min_edges``, ``mix``, ``runs`` and ``seed`` alone.  A few
-    small worlds are tried first; the search ends there if the explorer walks for ever.  It ends
-    after the first 16, 64, 256, ... runs if one of them refutes.  The finding is the smallest that
-    the shrinker reaches from the smallest refuting world of these; it may have fewer than
+    small worlds are tried first; the search ends there if the explorer walks for ever.  Else it
+    ends after the first 16, 64, 256, ... runs if one of them refutes.  The shrinker starts at the
+    smallest refuting world of these runs; the world of its smallest finding may have fewer than
     ``min_edges`` edges.  Shrinking ends at the time limit.  For an explorer in Python worlds are
     bred, too: see :func:`bred`.
 

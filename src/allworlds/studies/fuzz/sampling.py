@@ -32,7 +32,7 @@ REJECTED_BEFORE_REFUSAL = 2000
 
 
 def waves(runs: int) -> Iterator[tuple[int, int]]:
-    """The first run of each wave, and the first of the next: 0, 16, 64, 256, ..."""
+    """The first run of each wave, and the first run of the next wave: 0, 16, 64, 256, ..."""
     begin = 0
     while begin < runs:
         end = min(max(RUNS_OF_FIRST_WAVE, 4 * begin), runs)
@@ -64,7 +64,7 @@ SMALL, SMALL_RUNS = 4, 8
 class SmallBatch(Struct, frozen=True):
     """A batch of small worlds of the mixture, which may have fewer edges than ``min_edges``.
 
-    An explorer that walks for ever is found there with some hundred traversals.
+    In such worlds some hundred traversals show that an explorer walks for ever.
     """
 
     seed: int
@@ -72,7 +72,7 @@ class SmallBatch(Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        """The key in a run directory: ``SEED/small``."""
+        """The key of the batch in a run directory: the seed, and ``small``."""
         return f"{self.seed}/small"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:

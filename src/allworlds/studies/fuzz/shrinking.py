@@ -19,7 +19,7 @@ from allworlds.maps.enumeration import rooted_maps
 from allworlds.world import world
 
 Refute: TypeAlias = Callable[[Sequence[GivenWorlds]], Finding | None]
-"""The smallest finding among these worlds, or None."""
+"""A function that returns the smallest finding among some worlds, or None."""
 
 WORLDS_PER_CHUNK = 50
 """The number of worlds that a worker tries at a time."""
@@ -35,8 +35,8 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
     Then edges are deleted or contracted one by one while that is possible; then, with as many
     edges, a dart may move and the start and the marker may turn, towards fewer vertices and
     the smaller code.  Every neighbour is tried with every root and every place of the lighthouse,
-    and the smallest refuting one is taken, so the result depends on the finding alone.  At last all
-    worlds with few edges are tried.
+    and the smallest that refutes is taken, so the result depends on the finding alone.  In the end
+    all worlds with few edges are tried.
 
     Cost: O(m^3) runs for each step in small worlds, but at most ``NEIGHBOURS_PER_STEP``; a large
     world is not changed if no piece can be removed.
@@ -61,7 +61,7 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
 
 
 EDGES_TRIED_IN_FULL = 4
-"""The most edges of the worlds that are all tried at last."""
+"""The number of edges up to which all worlds are tried in the end."""
 
 EDGES_OF_FINE_STEPS = 16
 """The number of edges above which not every neighbour is tried."""
@@ -73,13 +73,13 @@ TIMES_AS_FAR = 2
 """The most traversals in a smaller world, as a multiple of those in the finding."""
 
 TRAVERSALS_BESIDES = 100
-"""The number of traversals that are allowed besides that multiple."""
+"""The number of traversals that a smaller world may have beyond that multiple."""
 
 LARGE_WORLDS_PER_CHUNK = 4
-"""The number of worlds without a piece that a worker tries at a time."""
+"""The number of worlds from which a piece is removed that a worker tries at a time."""
 
 LARGE_CHUNKS_PER_WAVE = 2
-"""The number of chunks of worlds without a piece that are tried before the next ones."""
+"""The number of chunks of such worlds that are tried before the next chunks."""
 
 
 def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
@@ -103,7 +103,7 @@ def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterato
 
 
 def _less_by(piece: int, finding: Finding, scope: Scope) -> Iterator[tuple[world.World, int]]:
-    """Yield the finding's world without one of its pieces, and the number of the place."""
+    """Yield the finding's world without a piece, for each piece, and the number of the place."""
     map_, extent = finding.world.map, scope.extent
     for end in range(map_.edge_count, 0, -piece):
         gone = {d for edge in map_.edges[max(0, end - piece) : end] for d in edge}
@@ -132,7 +132,7 @@ def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
 
 
 def _smaller(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -> list[GivenWorlds]:
-    """The worlds of these maps that are smaller than the finding, the first ones, ascending."""
+    """The smallest worlds of these maps, ascending, in chunks; all are smaller than the finding."""
     size = finding.key[:4]
     placed = takewhile(lambda each: each[0] < size, placed_rootings(maps, scope))
     return in_chunks([each for _, each in islice(placed, NEIGHBOURS_PER_STEP)])

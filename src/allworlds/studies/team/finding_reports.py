@@ -54,7 +54,7 @@ class TeamReplay(Report):
 
 
 def replayed(finding: TeamFinding, explore: Any, limits: TimeoutOptions) -> TeamReplay:
-    """Search the world of a finding again; a named program replaces those of all robots.
+    """Search the world of a finding again; a named program replaces the programs of all robots.
 
     Raises:
         InputError: if a program or the model cannot be found, or the model has changed.

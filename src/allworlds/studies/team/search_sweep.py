@@ -177,7 +177,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 
     @override
     def leave(self, level: units.SweptLevel, total: TeamTally) -> None:
-        """Store the findings. Counts enter the report only if their level is finished."""
+        """Keep the findings of an unfinished level; its counts do not enter the report."""
         for found in total.findings:
             self._tally.find(doc.replace(found, minimal=False))
 
@@ -228,7 +228,7 @@ def request_again(
 ) -> TeamRequest:
     """The request that searches the world of a finding again, with these programs.
 
-    ``here`` is a model that may exist in this process alone; it is used if the finding has it.
+    ``here`` is a model that may exist in this process alone; it is used if the finding names it.
 
     Raises:
         InputError: if the model cannot be found, or has changed.

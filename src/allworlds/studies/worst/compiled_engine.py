@@ -54,7 +54,7 @@ class ScheduleSearch(Struct, frozen=True):
         self.flag[0] = 1
 
     def parts(self, unit: LevelUnit | GivenUnit) -> Iterator[ScheduleCostsBySize]:
-        """The most expensive worlds of the unit."""
+        """Yield costs in the unit, with a most expensive world for each number of vertices."""
         map_class = self.extent.map_class
         prefixes: Iterable[Sequence[int]]
         if isinstance(unit, GivenUnit):

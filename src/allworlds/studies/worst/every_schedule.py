@@ -23,7 +23,7 @@ T = TypeVar("T")
 _cost = attrgetter("cost")
 
 Transit: TypeAlias = Literal["shortest", "simple"]
-"""The reading of line 4: the robot goes through S on a shortest path, or on any simple path."""
+"""Readings of line 4 of Algorithm 1: the robot takes a shortest, or any simple, path in S."""
 
 Explored: TypeAlias = frozenset[Dart]
 """The darts of the explored edges, two for each edge."""
@@ -48,7 +48,7 @@ class PassCosts(Struct, frozen=True):
     """The costs of one pass, without the way to its dart.
 
     Attributes:
-        dart: the dart e that leaves U.
+        dart: the dart e that the pass takes from U.
         worst, best: the tests of the most expensive and of the cheapest pass.
         explored: the explored darts after the pass.
         robot: the robot's vertex after the pass.
@@ -66,7 +66,7 @@ class PassCost(Struct, frozen=True):
 
     Attributes:
         vertices, explored: the numbers of vertices of S and of explored edges before the pass.
-        cost: its traversals, with the way to its dart.
+        cost: the traversals of the pass, those on the way to its dart included.
     """
 
     vertices: int
@@ -80,7 +80,7 @@ class EverySchedule:
     Args:
         map_: the world.
         start: the dart that the robot faces at the start; the costs depend on its vertex alone.
-        transit: the reading of line 4.
+        transit: the reading of line 4 of Algorithm 1.
     """
 
     def __init__(self, map_: CombinatorialMap, start: Dart, transit: Transit = "simple") -> None:
@@ -149,11 +149,11 @@ class EverySchedule:
         return max((self._onward(explored, robot, p) for p in self._passes(explored)), default=0)
 
     def _onward(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
-        """The largest cost of a pass and of all passes after it."""
+        """The largest cost of a pass and of all later passes, with the way to its dart."""
         return self._most(explored, robot, chosen) + self._worst(chosen.explored, chosen.robot)
 
     def _most(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
-        """The largest cost of a pass."""
+        """The largest cost of a pass, with the way to its dart."""
         transit = self._transits(explored, robot, self._owner[chosen.dart])[-1]
         return len(transit) + 1 + sum(test.cost for test in chosen.worst)
 
@@ -168,7 +168,7 @@ class EverySchedule:
         return min(costs, default=0)
 
     def _transits(self, explored: Explored, robot: int, goal: int) -> Sequence[Path]:
-        """The legal paths to the known end of a dart, ascending by length."""
+        """The paths to a vertex that line 4 of Algorithm 1 allows, ascending by length."""
         ways = sorted(self._simple_paths(explored, robot, goal), key=len)
         return ways if self._transit == "simple" else ways[:1]
 
@@ -227,7 +227,7 @@ class EverySchedule:
         return None
 
     def _sensed(self, dart: Dart) -> tuple[int, Dart | None]:
-        """The percept after arriving by a dart; at v0 it has the dart, which the bearing tells."""
+        """The percept after arrival by a dart; at v0 with the dart, which the bearing tells."""
         marked = self._owner[dart] == self._v0
         return self._map.degree_at[dart], dart if marked else None
 
@@ -246,7 +246,7 @@ class EverySchedule:
 
 
 class Planned(Choices):
-    """A list of choices, prepared as darts of S, with which an explorer is answered."""
+    """Choices that were prepared before the run, as a list of darts of S."""
 
     def __init__(self, darts: Sequence[Dart]) -> None:
         super().__init__()
