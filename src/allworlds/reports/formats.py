@@ -36,7 +36,7 @@ WIDTH = 100
 
 
 def markdown(content: parts.ReportContent) -> str:
-    """The headline, every section with a picture, and the others folded."""
+    """The headline, every section with a picture, and the other sections folded."""
     head = [f"## {_plain(content.done)}: {_plain(content.subject)}"]
     if said := content.headline:
         named = content.done.partition(" ")[0]
@@ -281,7 +281,7 @@ def _result(
 def _source_of_check(root: Path) -> SourceLine | None:
     """The line of a workflow, or of the options, that names this program.
 
-    If no file names it, the first line of any such file; None if the repository has no file.
+    If no file names it, the first line of a workflow, or of another file; None without files.
     """
     running = os.environ.get("GITHUB_WORKFLOW_REF", "").partition("@")[0].split("/", 2)[2:]
     options = (root / "allworlds.toml", root / "pyproject.toml")
@@ -340,7 +340,7 @@ MAKERS = {
 
 
 def _maker(kind: type) -> Callable[[Any], parts.ReportContent]:
-    """The function for a class of reports; by default one that shows keys and rows."""
+    """The function for a class of reports; by default the function that shows keys and rows."""
     if kind.__name__ == "Play":
         from allworlds.reports.web.play import play_content
 
@@ -367,7 +367,7 @@ class Format(Struct, frozen=True):
     Attributes:
         of_content: the function that makes the file's content from the content of a report.
         suffix: the suffix of file names that means this format; empty if only ``FORMAT:`` does.
-        shows: the kinds of content of which a verb must have one; empty: every verb.
+        shows: kinds of content; the format is for verbs with one of these; empty: for every verb.
         library: a library that the format needs, by its import name; the extra of this package
             that installs it; and the words for a refusal without it.
         summary: the environment variable with the name of a file to which a CI service wants the
@@ -385,7 +385,7 @@ class Format(Struct, frozen=True):
 
 
 def csv_rows(content: parts.ReportContent) -> str:
-    """The rows for programs; empty if there is none."""
+    """The rows for programs; empty if there are no rows."""
     out, found = io.StringIO(), parts.rows_of(content)
     if found.columns:
         writer = csv.writer(out, lineterminator="\n")
@@ -400,7 +400,7 @@ LATEX |= {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasci
 
 
 def latex_rows(content: parts.ReportContent) -> str:
-    """The rows as a table of LaTeX that needs no package; empty if there is none."""
+    """The rows as a table of LaTeX that needs no package; empty if there are no rows."""
     found = parts.rows_of(content)
     if not found.columns:
         return ""
@@ -511,7 +511,7 @@ def legal_files(verb: str) -> str:
 
 
 def names_world_file(verb: str, name: str) -> bool:
-    """Whether a FILE is a file of worlds; with a FORMAT before it, it is a file of a report.
+    """Whether FILE names a file of worlds; with FORMAT before it, FILE names a file of a report.
 
     A suffix of both kinds of files means worlds.
     """

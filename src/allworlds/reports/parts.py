@@ -92,7 +92,7 @@ class Scene(Struct, frozen=True):
         ]
 
     def cut_names(self, width: int) -> list[str]:
-        """For each name that :meth:`short_names` cuts ``ki…1 kitchen``, which may be cut, too."""
+        """A text ``ki…1 kitchen`` for each cut name; the long name in the text may be cut, too."""
         pairs = zip(self.short_names(width), self.short_names(LONGEST_IN_LEGEND), strict=True)
         return [f"{short} {name}" for short, name in pairs if short != name]
 
@@ -105,10 +105,10 @@ class Scene(Struct, frozen=True):
         *,
         lasting: bool = False,
     ) -> Scene:
-        """Return the scene of a map in which percepts are known for arrival at some darts.
+        """Return the scene of a map in which percepts are known for arrival by some darts.
 
-        The dart at bearing 0 is pointed along, and a vertex with marks is marked; if the marks of
-        the darts are ``lasting`` and differ, its darts are.
+        The dart at bearing 0 is pointed along, and a vertex with marks is marked.  If ``lasting``
+        marks differ at the darts of a vertex, its darts are marked instead.
         """
         known = list(percepts)
         # What is sensed last holds: markers can be taken away.
@@ -194,7 +194,7 @@ class CsvRows(Struct, frozen=True):
 
     @classmethod
     def of(cls, results: Iterable[Any], **columns: type) -> CsvRows:
-        """A row for each result, whose columns are attributes of these names."""
+        """A row for each result; a column has the results' attribute of its name."""
         return cls(columns, [[getattr(result, name) for name in columns] for result in results])
 
     @property
@@ -314,11 +314,11 @@ class MapPictures(Struct, frozen=True):
 
 
 class ShownMap(Struct, frozen=True):
-    """The part of the world in an explorer's checkpoints, with the first step of each piece.
+    """The part of the world in an explorer's checkpoints, and the step at which it has each piece.
 
     Attributes:
-        darts: the first step of each dart in S.
-        edges: the first step of each edge of which S has both ends, by each of its darts.
+        darts: for each dart in S the first step at which S has the dart.
+        edges: the first step at which S has both ends of an edge, by each of the edge's darts.
     """
 
     darts: dict[Dart, int]
@@ -335,7 +335,7 @@ class View(Struct, frozen=True):
         trail: the robot's dart at the start and after each step.
         note: a remark for a picture without motion.
         known: for a picture that grows, the first step of each part.
-        still: whether it is for texts alone, because another view shows the same by motion.
+        still: whether the view is for texts alone, because another view shows the same by motion.
     """
 
     name: str
@@ -417,7 +417,7 @@ class RunRow(Struct, frozen=True):
         darts: the dart of each robot after the event; None for a robot that is gone.
         moved: the darts by which robots have arrived in the event.
         vertices: words at vertices after the event.
-        edges: words at edges, by the smaller dart.
+        edges: words at edges, by the smaller dart of each edge.
         repeats: whether the event is one of those that repeat for ever.
     """
 
@@ -513,7 +513,7 @@ class ReportContent(Struct, frozen=True):
 
     Attributes:
         done: the command, as ``allworlds check``.
-        subject: the subject of the command, as the explorer's name.
+        subject: the subject of the command, for example the explorer's name.
         result: the result.
         headline: the answer; None if the sections are everything.
         sections: the sections, in the order of reading.
@@ -546,7 +546,7 @@ class ReportContent(Struct, frozen=True):
 
 
 def fact(name: str, text: str) -> FactList:
-    """Facts with one named sentence."""
+    """A list of facts that has one named sentence."""
     return FactList([(name, text)])
 
 
@@ -573,9 +573,9 @@ _SENSED = ("degree", "marks", "bearing")
 def rows_of_walk(walk: ShownWalk) -> CsvRows:
     """A row for each step.
 
-    The number is that of a motion, or the written value; vertex and dart are those where the robot
-    has arrived in the world; the name is that of the vertex, if it has one. If a walk is compared,
-    the columns ``other_...`` have the percepts in the other map.
+    ``number`` is the number of a motion, or the written value; ``vertex`` and ``dart`` tell where
+    the robot has arrived in the world; ``name`` is the vertex's name, if it has one. If a walk is
+    compared, the columns ``other_...`` have the percepts in the other map.
     """
     walked, others = walk.walked, walk.elsewhere.percepts if walk.elsewhere else ()
     named = walked.world.labels.vertices
@@ -599,7 +599,7 @@ def rows_of_walk(walk: ShownWalk) -> CsvRows:
 
 
 def rows_of(content: ReportContent) -> CsvRows:
-    """The rows for programs, by default those of the first walk; no columns if there is none."""
+    """The rows for programs, by default the steps of the first walk; no columns without a walk."""
     if content.rows:
         return content.rows()
     blocks = (block for section in content.sections for block in section.blocks)

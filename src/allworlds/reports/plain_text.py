@@ -11,10 +11,10 @@ from allworlds.reports.drawing.text import draw
 from allworlds.words import harmless
 
 MOST, FEW = 30, 3
-"""The most lines on a terminal of a content with short facts, and of each further finding."""
+"""The most lines on a terminal of a content with short facts, and of its further findings."""
 
 LONGEST_WALK, LONGEST_REFUTING = 60, 16
-"""The most steps of a walk, and of a refuting walk, that are shown; of longer ones both ends."""
+"""The most steps of a walk, and of a refuting walk; of longer walks both ends are shown."""
 
 GAP = 2
 """The number of spaces between the columns of a table."""
@@ -41,7 +41,7 @@ def content_text(content: parts.ReportContent, width: int) -> str:
 
 
 def on_terminal(content: parts.ReportContent, width: int, *, whole: bool) -> str:
-    """The text for a terminal; with short facts at most :data:`MOST` lines, or the verdict last."""
+    """The text for a terminal; with short facts the verdict is last, and the lines are few."""
     if not content.short or content.headline is None:
         text, more = content_text(content, width), text_of(content.whole, width)
         return f"{text}\n\n{more}" if whole and more else text
@@ -59,7 +59,7 @@ def on_terminal(content: parts.ReportContent, width: int, *, whole: bool) -> str
 
 
 def _cut(lines: Sequence[str]) -> str:
-    """The first line, with a sign if there are more."""
+    """The first line, with ``...`` if there are more lines."""
     return f"{lines[0]} ..." if len(lines) > 1 else lines[0]
 
 
@@ -87,7 +87,7 @@ def _found(section: parts.Section, width: int, room: int) -> list[str]:
 
 
 def _shortened(lines: Sequence[str], most: int) -> str:
-    """The first and the last lines, if they are more than ``most``."""
+    """The lines as a text; of more than ``most`` lines only the first and the last ones."""
     if len(lines) > most:
         after = most // 3
         lines = [*lines[: most - 1 - after], "...", *lines[-after:]]

@@ -57,7 +57,7 @@ class OwnLighthouse(Struct):
 
 
 READ = {"finding", "world", "transcript", "manifest"}
-"""The documents that are read; their schemas have everything that is accepted."""
+"""The documents that this program also reads; their schemas have everything that it accepts."""
 
 NAMES: dict[str, tuple[str, Iterable[Any]]] = {
     "law": ("Law", PRECEDENCE),
@@ -108,7 +108,7 @@ class Shapes:
     """The types of one page, in msgspec's description.
 
     Attributes:
-        written: whether keys are required that are always written; else those that reading needs.
+        written: whether all keys that are always written are required; else keys needed to read.
         also: the definitions that msgspec does not know.
     """
 

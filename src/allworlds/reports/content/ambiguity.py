@@ -142,7 +142,7 @@ def _walk(
     motions: Sequence[int],
     sentences: Sequence[str],
 ) -> parts.ShownWalk:
-    """One walk in each of the worlds."""
+    """One walk, with the same motions in each of the worlds."""
     walks = [Walk.of(world, map(actions.Move, motions)) for world in worlds]
     views = [
         parts.View(
@@ -162,7 +162,7 @@ def _walk(
 
 
 def _why_alike(quotients: Sequence[Quotient]) -> str:
-    """The reason why no motion tells worlds with these quotients apart, which differ in sheets."""
+    """The reason why no motion tells worlds apart whose quotients differ at most in sheets."""
     sheets = [quotient.sheets for quotient in quotients]
     if len({*sheets}) > 1:
         who = f"A is a cover with {words.plural(sheets[0], 'sheet')}, B one with {sheets[1]},"
@@ -349,6 +349,6 @@ def _nearest(map_: CombinatorialMap, start: Dart, left: set[Dart]) -> list[int]:
 
 
 def letters(number: int) -> str:
-    """``a`` to ``z``, then ``aa``, ``ab``, and so on."""
+    """The letters for a number: ``a`` to ``z``, then ``aa``, ``ab``, and so on."""
     rest, last = divmod(number, len(ascii_lowercase))
     return (letters(rest - 1) if rest else "") + ascii_lowercase[last]

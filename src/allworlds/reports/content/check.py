@@ -96,7 +96,7 @@ def _rows(report: CheckReport) -> parts.CsvRows:
 def size_table(report: CheckReport) -> parts.Table:
     """Counts for each number of edges and vertices.
 
-    For a sample, which has a few worlds of very many sizes, for each number of edges alone.
+    A sample has few worlds of many sizes, so its counts are for each number of edges alone.
     """
     every = report.asked.schedules == "all"
     header = ["edges", "vertices", "worlds", "runs", "traversals", "max cost", "bound"]
@@ -407,7 +407,7 @@ def _estimate(guess: time_estimate.TimeEstimate) -> parts.ReportContent:
 
 
 def most_expensive(runs: Iterable[single.SingleRun]) -> Iterator[parts.Section]:
-    """The most expensive of some runs; no section if there is none."""
+    """A section about the most expensive of some runs; no section without runs."""
     if most := max(runs, key=lambda run: run.outcome.cost, default=None):
         map_ = most.world.map
         where = size(map_.edge_count, map_.vertex_count)

@@ -69,7 +69,7 @@ def _content(
 
 
 Lines: TypeAlias = dict[str, list[tuple[float, float, float, float]]]
-"""The points of a curve's lines, by their names: edges, mean, and the ends of the interval."""
+"""The points of each line of a curve, by the line's name: edges, mean, ends of the interval."""
 
 
 def _lines_of_levels(report: comparison.Comparison) -> Lines:
@@ -86,7 +86,7 @@ def _lines_of_levels(report: comparison.Comparison) -> Lines:
 
 
 def _lines_of_families(report: growth.Growth) -> Lines:
-    """A line for each explorer and family, and one for its bound."""
+    """A line for each explorer and family, and a line for the explorer's bound there."""
     lines: Lines = {}
     shown = dict(zip(report.names, _short_names(report), strict=True))
     for row in report.rows:
@@ -245,7 +245,7 @@ def _rows(report: comparison.Comparison) -> parts.CsvRows:
 
 
 def _by_size(report: comparison.Comparison, names: Sequence[str]) -> list[list[parts.Value]]:
-    """A row for each size and explorer under these names, the first compared with the others."""
+    """A row for each size and explorer, under ``names``; the first is compared with the others."""
     return [
         [
             *(row.edges, row.vertices, row.worlds, shown),

@@ -56,13 +56,13 @@ def maps_in_words(report: OfWorlds) -> str:
 
 
 def finished(report: SweptReport, last: int) -> str:
-    """The maps of the finished levels, if ``last`` is the number of edges of the last one."""
+    """The maps of the finished levels, the last of which has ``last`` edges, in words."""
     extent = report.extent
     return of_the_class(extent if report.complete else doc.replace(extent, edges=last))
 
 
 def explorer_facts(report: ContestReport) -> list[tuple[str, str]]:
-    """A fact about each explorer of a comparison, with its rules and its places."""
+    """Facts about each explorer of a comparison: its rules, and the places of its lighthouse."""
     facts = []
     for one in report.entrants:
         rules = one.rules
@@ -74,7 +74,7 @@ def explorer_facts(report: ContestReport) -> list[tuple[str, str]]:
 
 
 def trust(file: str) -> str:
-    """A sentence about the explorer's file if it also has code that judges; else empty."""
+    """A sentence about the explorer's file, if the file also has code that judges; else empty."""
     return file and f"{file} holds the explorer, and code that judges it: see docs/trust.md"
 
 

@@ -14,11 +14,11 @@ from allworlds.studies.ambiguity.side_by_side import AlikePair, AmbiguitySensors
 Pairs = Sequence[Sequence[str]]
 
 WIDTH = 90
-"""The columns of a text with the order of sensors."""
+"""The width, in columns, of the text that shows the order of sensors."""
 
 
 def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
-    """A row for each sensor, the order of those with equal places, and their smallest twins."""
+    """A row for each sensor, the order of sensors with equal places, and the smallest twins."""
     enough = [row.lighthouse for row in found.rows if row.sufficient]
     header = ["sensor", "suffices", "minimal", "fails from m", "maps alike"]
     rows: list[list[parts.Cell]] = [
@@ -99,7 +99,7 @@ def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
 
 
 def _less_at_a_step(found: AmbiguitySensors) -> Iterator[str]:
-    """A sentence for each sensor that senses less at a step than others that tell as much."""
+    """A sentence for each sensor that tells as much as others, but senses less at a step."""
     for row in found.rows:
         less = row.lighthouse
         more = [b for a, b in found.coarser if a == less and (b, a) not in found.coarser]
@@ -109,7 +109,7 @@ def _less_at_a_step(found: AmbiguitySensors) -> Iterator[str]:
 
 
 def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]:
-    """A section for each pair of worlds, with the sensors under which they look alike."""
+    """A section for each pair of worlds, titled by the sensors under which both look alike."""
     groups: dict[tuple[object, ...], tuple[AlikePair, list[str]]] = {}
     for name, pair in named:
         key = (*((world.map, world.start) for world in pair.worlds), pair.bisimulation)
@@ -120,7 +120,7 @@ def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]
 
 
 def weakest_content(found: AmbiguityWeakest) -> parts.ReportContent:
-    """The minimal coarsenings, each with the worlds that refute its lower neighbours."""
+    """The minimal coarsenings, and the worlds that refute the next coarser coarsenings."""
     rows: list[list[parts.Cell]] = [
         [
             len(one.letters),

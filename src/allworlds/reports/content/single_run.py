@@ -73,7 +73,7 @@ def run_content(run: SingleRun | WorldNames) -> parts.ReportContent:
 
 
 def _rows(section: parts.Section) -> parts.CsvRows:
-    """The steps of the walk of a section."""
+    """The rows for programs: the steps of the walk that the section shows."""
     return parts.rows_of_walk(
         next(each for each in section.blocks if isinstance(each, parts.ShownWalk))
     )
@@ -172,7 +172,7 @@ def _quotient(answer: Ambiguous) -> list[parts.Block]:
 
 
 LONGEST_LIST = 60
-"""The number of choices that are shown, from a longer list the first ones."""
+"""The most choices that are shown; of a longer list the first choices are shown."""
 
 
 def headline_of(finding: Finding) -> str:
@@ -211,7 +211,7 @@ def finding_section(
 
 
 def _detail(finding: Finding) -> list[parts.Block]:
-    """The detail of the finding, below its kind."""
+    """The detail of the finding, under a title that says what the detail is."""
     detail = finding.detail
     if finding.law == "no-estimate":
         # The explanation names the line of the call.
@@ -232,13 +232,13 @@ def printed(output: str, shown: str = "") -> list[parts.Block]:
 
 
 def nothing_checked(rules: Rules) -> str:
-    """The reason why runs have checked nothing: their laws are about checkpoints alone."""
+    """The reason why nothing was checked: the laws need checkpoints, and no run shows any."""
     laws = words.listed(rules.judged)
     return f"nothing was checked: the explorer shows no checkpoint, as needed for {laws}"
 
 
 MOST_LINES = 3
-"""The most lines of a refuting run alone that are shown; further ones are counted."""
+"""The most lines of code that are shown as run only in a finding; further lines are counted."""
 
 
 def wrong_line(finding: Finding, step: int | None) -> str:
@@ -331,7 +331,7 @@ def _walk(story: Story, explanation: Explanation, title: str) -> parts.ShownWalk
 
 
 def _belief(story: Story) -> list[parts.Block]:
-    """The checkpoint beside the world at its step; nothing if an answer is shown instead."""
+    """The wrong checkpoint beside the world at its step; no block if an answer is shown instead."""
     finding, shown = story.finding, story.finding.believed
     if shown is None or (finding.step is None and isinstance(finding.seen, Estimate)):
         return []

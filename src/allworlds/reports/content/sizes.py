@@ -1,4 +1,4 @@
-"""Content of ``count`` and ``worst``: numbers by size, with those of the independent source."""
+"""Content of ``count`` and ``worst``: numbers by size, and their comparison with a source."""
 
 from allworlds.reports import parts
 from allworlds.reports.content.check import most_expensive
@@ -62,7 +62,7 @@ def _counted(census: Census) -> parts.Headline | None:
 def worst_content(report: WorstReport) -> parts.ReportContent:
     """The worst and the best cost of each size.
 
-    A page also has the most expensive of the walks that attain them.
+    A page also has the most expensive of the walks that attain worst costs.
     """
     header = ["edges", "vertices", "worlds", "best", "worst", "bound", "worst/bound"]
     table: list[list[parts.Cell]] = []

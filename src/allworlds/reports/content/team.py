@@ -20,7 +20,7 @@ from allworlds.studies.team.team_report import TeamReport
 from allworlds.words import counted, number, plural, size
 
 COLUMNS, LEAST, OF_ACTION = 62, 7, 12
-"""The text columns in a diagram for all robots, the fewest for a percept, and for an action."""
+"""In a diagram, the columns of text for all robots, the fewest for a percept, and for an action."""
 
 SHOWN_EVENTS = 15
 """The number of events that the diagram of a long run shows at either end."""

@@ -105,7 +105,7 @@ def spread(centre: complex, round_it: Sequence[complex]) -> list[complex]:
 
 
 MOST_DARTS = 200
-"""The most darts of a planar drawing, with those at crossings; larger maps are on a circle."""
+"""The most darts of a planar drawing, crossings included; larger maps are drawn round a circle."""
 
 STUB, NARROWEST, WIDEST = 24.0, 130.0, 900.0
 """In pixels: the least straight beginning of an edge; the least and the largest drawing."""
@@ -157,7 +157,7 @@ class Layout(Struct, frozen=True):
 def rim(here: complex, others: Iterable[complex], wide: float) -> float:
     """The distance in pixels from a vertex to the middle of a dart's number.
 
-    Then the number touches neither the vertex nor, if there is room, a number beside it.
+    At this distance the number touches neither the vertex nor, if there is room, another number.
 
     Args:
         here: the direction in which the dart leaves, of length 1.
@@ -241,7 +241,7 @@ def _finished(
 ) -> Layout:
     """The drawing, turned, and scaled so that the numbers of the darts fit.
 
-    A lattice stays upright; it is recognised by its letters, which may be an empty mapping.
+    A lattice stays upright; only a lattice has ``letters``, which may be an empty mapping.
     """
     origin, spots = ways[root][0], tuple(ways[vertex[0]][0] for vertex in map_.vertices)
     others = spots if len(spots) > 1 else [way[1] for way in ways]
@@ -268,7 +268,7 @@ def _coordinates(points: Sequence[complex]) -> tuple[list[float], list[float]]:
 def drawn_beside(
     first: View, other: View, drawn: Layout, agreement: int
 ) -> tuple[View, View, Layout]:
-    """Both views with their first difference ringed, the other one with the numbers of the first.
+    """Both views, the first difference ringed, the other view named like the first; its layout.
 
     Args:
         first: the view of one map.
@@ -338,7 +338,7 @@ def extended(
 
 
 def dart_names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, many: int) -> list[str]:
-    """The names of a map's darts, from a map with ``many`` darts; unmatched darts get new names."""
+    """The numbers of darts in another map, of ``many`` darts; unmatched darts get new numbers."""
     new = iter(range(many, many + len(map_.sigma)))
     return [str(ties[d] if d in ties else next(new)) for d in map_.darts]
 
@@ -356,7 +356,7 @@ def vertex_names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, other: 
 def mirror_of(map_: CombinatorialMap, other: CombinatorialMap) -> dict[Dart, Dart]:
     """Each dart with its mirror image; empty if the map is not the mirror image of the other.
 
-    It is also empty if the map is isomorphic to the other one.
+    The result is also empty if the map is isomorphic to the other one.
     """
     if isomorphism(map_, other):
         return {}

@@ -14,15 +14,15 @@ TRIES = 12
 
 
 class PlanarMap(Struct, frozen=True):
-    """A planar map that draws another one.
+    """A planar map that is the drawing of another map.
 
     Attributes:
         sigma, alpha: the permutations.  The darts of the drawn map come first, with their numbers;
             sigma does not change round its vertices.  Then come four darts for each crossing,
-            clockwise, so that opposite darts differ by 2; then two darts for each bend, which is in
-            a loop without crossings and makes it rounder.
+            clockwise, so that opposite darts differ by 2; then two darts for each bend.  Bends make
+            loops without crossings rounder.
         own: the number of darts of the drawn map.
-        unbent: the number of darts without those at bends.
+        unbent: the number of darts that are not at bends.
     """
 
     sigma: tuple[Dart, ...]
@@ -77,9 +77,9 @@ def _drawn(map_: CombinatorialMap, order: Sequence[tuple[Dart, Dart]]) -> Planar
 def _spanning_tree(
     map_: CombinatorialMap, order: Sequence[tuple[Dart, Dart]]
 ) -> list[tuple[Dart, Dart]]:
-    """The edges of a spanning tree, each with a vertex of the earlier ones.
+    """The edges of a spanning tree, each with a vertex of the earlier edges.
 
-    For a map with one vertex it is the first edge, since a drawing begins with an edge.
+    For a map with one vertex the result is the first edge, since a drawing begins with an edge.
     """
     owner = map_.vertex_of
     joined, tree = {owner[order[0][0]]}, []
@@ -185,7 +185,7 @@ ROOM = 4.0
 """The wanted area of triangles at a vertex, which gives room for the numbers of its darts."""
 
 RING = 0.05
-"""The weight of the triangles of the ring, which only separates points, and may be flat."""
+"""The weight of triangles at the ring of points round the drawing; these triangles may be flat."""
 
 
 class Mesh(Struct, frozen=True):
@@ -193,7 +193,7 @@ class Mesh(Struct, frozen=True):
 
     The points are the darts; then, for each dart, three points beside it: after it and before it at
     its vertex, and to the left of its edge; then the vertices, in the order of sigma's cycles;
-    the faces; and the ring.
+    the faces; and the ring of points round the drawing.
 
     Attributes:
         links: the neighbours of each point within the ring, clockwise.

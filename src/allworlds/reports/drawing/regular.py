@@ -69,7 +69,7 @@ def lattice(map_: CombinatorialMap, root: Dart) -> tuple[Ways, dict[Dart, str]]:
 
 
 def _walked(map_: CombinatorialMap, root: Dart) -> dict[Dart, tuple[complex, int]]:
-    """The point of each dart's vertex, and the quarter turns clockwise of its direction from 1.
+    """For each dart the point of its vertex, and its direction in quarter turns clockwise from 1.
 
     Empty unless all vertices have different points, with the darts round each as in the map.
     """

@@ -39,9 +39,8 @@ _INLINE = frozenset(
 def tag(name: str, /, *children: Child, **attributes: str | float | None) -> ET.Element:
     """An element with its children.
 
-    An attribute's name is written with ``_`` for ``-`` and may end in ``_``; one that is None
-    is left out.  Nothing else than a newline stands between elements that are no part of a
-    line.
+    An attribute's name is written with ``_`` for ``-`` and may end in ``_``; an attribute that is
+    None is left out.  Only a newline stands between elements that are no part of a line.
     """
     element = ET.Element(name)
     for key, value in attributes.items():
@@ -260,7 +259,7 @@ def _flag(along: complex, far: float) -> ET.Element:
 
 
 def _number(scene: Scene, dart: Dart, point: complex) -> ET.Element:
-    """The dart's number: in a box where the robot started, on a disc where it is."""
+    """The dart's number: in a box at the start, on a disc at the robot."""
     text: list[Child] = [scene.dart_names[dart]]
     colour = ""
     if scene.labels is not None:

@@ -20,7 +20,7 @@ LONGEST_ROW = 40
 """The most vertices in a table, and the most darts of a vertex, that are all shown."""
 
 LONGEST_NAME = 16
-"""The most characters of a vertex's name; the legend has longer names."""
+"""The most characters of a vertex's name; longer names are cut, and whole in the legend."""
 
 _LEGEND = {
     "(": "( ) vertex with its darts clockwise",
@@ -40,9 +40,9 @@ _LEGEND = {
 def draw(scene: Scene, width: int = 80) -> str:
     """The scene as an arc diagram, or as :func:`rotation_table` if that is wider than ``width``.
 
-    It begins at the start.  The name of vertex ``v`` is its index in ``map.vertices``.  Below the
-    darts are their labels, the names of the vertices with their markers, and the signs of single
-    darts.  Lines do not end with a space, the text does not end with a newline.
+    The diagram begins at the start.  Vertex ``v`` is named by its index in ``map.vertices``.  Below
+    the darts are their labels, the names of the vertices with their markers, and the signs of
+    single darts.  Lines do not end with a space, the text does not end with a newline.
 
     Cost: O(m), and O(m^2) for a diagram, which has less than ``width`` darts.
     """
@@ -81,7 +81,7 @@ def rotation_table(scene: Scene, width: int = 80) -> str:
     the legend is kept within ``width``.
 
     If there are more than :data:`LONGEST_ROW` vertices, or darts of a vertex, the first and the
-    last ones are shown, and the number of those between them.
+    last ones are shown, and the number of the others.
     """
     map_, labels, signed = scene.map, scene.labels, _signed(scene)
     names, shown = _names(scene), scene.short_names(LONGEST_NAME)
@@ -134,7 +134,7 @@ def _groups(map_: CombinatorialMap, root: Dart) -> list[list[Dart]]:
 
 
 def _cut(texts: list[str], what: str) -> list[str]:
-    """The texts; if they are many, the first and the last ones and the number between them."""
+    """The texts; of many texts the first, the number of the others, and the last."""
     if len(texts) <= LONGEST_ROW:
         return texts
     half = LONGEST_ROW // 2
@@ -146,7 +146,7 @@ def _turned(map_: CombinatorialMap, first: Dart) -> list[Dart]:
 
 
 def _names(scene: Scene) -> list[str]:
-    """``v0``, ``v1 ●``, ``v2 ●3``: all numbers of equal length, then the markers."""
+    """The name of each vertex with its markers: ``v0``, ``v1 ●``, ``v2 ●3``."""
     length = 0 if scene.vertices else len(f"v{scene.map.vertex_count - 1}")
     names = []
     for vertex, name in enumerate(scene.short_names(LONGEST_NAME)):
@@ -159,8 +159,8 @@ def _names(scene: Scene) -> list[str]:
 def _arcs(spans: Iterable[tuple[int, int]]) -> Iterator[str]:
     """The rows of the arcs, highest first.
 
-    Shorter arcs are lower, each on the lowest level without an overlap.  So an arc within another
-    one is below it; only arcs whose ends alternate cross, and they cross once.
+    Shorter arcs are lower, each on the lowest level without an overlap.  So an arc is above any arc
+    within it; only arcs whose ends alternate cross, and they cross once.
     """
     levels: list[list[tuple[int, int]]] = []
     for left, right in sorted(spans, key=lambda span: (span[1] - span[0], span)):

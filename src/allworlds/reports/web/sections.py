@@ -64,7 +64,7 @@ def framed(
         sections: the elements of the page.
         data: the document of the report, which the page also has.
         style: a style besides that of all pages.
-        script: a script that replaces that by which keys step along walks.
+        script: a script in place of the one by which keys step along walks.
     """
     style, script = (
         read("style.css") + style,
@@ -132,8 +132,8 @@ def figure(
 ) -> ET.Element:
     """A picture with its caption and its legend.
 
-    The robot in the picture follows the walk of that name; without a name there is no robot.
-    ``moves`` tells whether the walk has motions.
+    The robot in the picture follows the walk that ``follows`` names; if ``follows`` is empty, there
+    is no robot.  ``moves`` tells whether the walk has motions.
     """
     walks, genus = bool(follows) and moves, scene.map.genus
     keys = (
@@ -204,7 +204,7 @@ def _steps(walk: ShownWalk, name: str, views: Mapping[str, View]) -> ET.Element:
     Args:
         walk: the walk.
         name: the name of the walk, with which the names of its steps begin.
-        views: the pictures, by the names under which a step has their darts.
+        views: the pictures, by the names of a step's attributes that have the robot's darts.
     """
     items = [
         _step(walk, i, f"{name}-step-{i}") for i in range(len(walk.walked.walk.darts[:LONGEST]))
