@@ -314,7 +314,7 @@ class MapPictures(Struct, frozen=True):
 
 
 class ShownMap(Struct, frozen=True):
-    """The part of the world in an explorer's checkpoints, and the step at which it has each piece.
+    """The part of the world that checkpoints show, and the step at which each piece appears.
 
     Attributes:
         darts: for each dart in S the first step at which S has the dart.

@@ -108,7 +108,7 @@ class Shapes:
     """The types of one page, in msgspec's description.
 
     Attributes:
-        written: whether all keys that are always written are required; else keys needed to read.
+        written: whether keys are required that are always written; else keys that readers need.
         also: the definitions that msgspec does not know.
     """
 

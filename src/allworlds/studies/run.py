@@ -88,7 +88,7 @@ def run(request: RunRequest) -> single.SingleRun:
     """Run an explorer once, and judge the run.
 
     A user's explorer that another process can import is played in its own process, as in a check;
-    any other explorer in this one. The process has the hash seed of the environment variable
+    any other explorer in this process. The process has the hash seed of the environment variable
     ``PYTHONHASHSEED``, if it is set.
 
     Raises:

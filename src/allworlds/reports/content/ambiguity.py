@@ -334,7 +334,7 @@ def tour(worlds: Sequence[World]) -> list[int]:
 
 
 def _nearest(map_: CombinatorialMap, start: Dart, left: set[Dart]) -> list[int]:
-    """The shortest motions that end with one of these darts."""
+    """The shortest motions after which the robot is at one of these darts."""
     ways: dict[Dart, list[int]] = {start: []}
     queue = [start]
     for dart in queue:

@@ -268,7 +268,7 @@ def _coordinates(points: Sequence[complex]) -> tuple[list[float], list[float]]:
 def drawn_beside(
     first: View, other: View, drawn: Layout, agreement: int
 ) -> tuple[View, View, Layout]:
-    """Both views, the first difference ringed, the other view named like the first; its layout.
+    """Both views, their first difference ringed, the other named like the first; its layout, too.
 
     Args:
         first: the view of one map.

@@ -99,7 +99,7 @@ class SensedParts(Struct, forbid_unknown_fields=True):
         looks: the name of the smallest world with each look.  A look is a code of all that a robot
             can find out from a start.
         alike: pairs of names of worlds that share a look, the smaller world first.
-        counted: for some looks the number of worlds in their class, by Burnside's lemma.
+        counted: for some looks the number of worlds in the look's class, by Burnside's lemma.
     """
 
     worlds: doc.Natural

@@ -42,7 +42,7 @@ class Pair(Struct, frozen=True):
     letters: tuple[Block, ...] = ()
 
     def signs(self, x: int, y: int) -> list[tuple[Literal, Literal]]:
-        """For each mark two literals: dart x of the first world has it; dart y of the second."""
+        """For each mark two literals: dart x of the first world has it, dart y of the second."""
         if self.letters:
             one, two = self.letters
             return [(one[x, letter], two[y, letter]) for letter in range(one.shape[1])]

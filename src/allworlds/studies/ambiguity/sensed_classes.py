@@ -194,7 +194,7 @@ def numbered(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> tuple[Matrix, M
     """Number the classes canonically; return the number of each class, and a dart for each number.
 
     The class of the world's root has number 0.  Then, for each numbered class in turn, the class to
-    which sigma leads gets the next number if it has none; then the class to which alpha leads does.
+    which sigma leads gets the next number if it has none, and so does that to which alpha leads.
     ``of`` has the class of each dart.
 
     Cost: O(m) a world.

@@ -147,7 +147,7 @@ class Sensor(Struct):
         worlds: the rooted maps, each with every place of the lighthouse.
         roots: for each world the number of its rooted map.
         places: for each world the number of its rooted map, and the place of the lighthouse.
-        looks, names: for each world a code of all that a robot can find out, and its own name.
+        looks, names: for each world a code of all that a robot can find out, and the world's name.
         sensed: for each dart of each world its percept, and the value that the robot is told.
     """
 

@@ -123,7 +123,7 @@ Turns: TypeAlias = list[tuple[bool, UserLine]]
 def located(
     finding: Finding, subject: Subject, limits: Limits, others: Iterable[Placed] = ()
 ) -> Finding:
-    """The finding with lines of its explorer's code, if it is in Python and the run is repeated.
+    """The finding with lines of code, if its explorer is in Python and repeats the run.
 
     Args:
         finding: the finding.

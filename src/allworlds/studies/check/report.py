@@ -158,7 +158,7 @@ LISTED_EDGES = 5
 
 
 def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
-    """The fingerprints of a level's worlds, by vertices: listed anew, or known by the corpus."""
+    """The fingerprints of a level's worlds, by vertices: listed anew, or of the own corpus."""
     if edges <= LISTED_EDGES:
         return {n: f"{each:x}" for n, each in count_source.listed(extent, edges).items()}
     corpus, name = named.own_corpus(), f"counts-{extent.map_class}"

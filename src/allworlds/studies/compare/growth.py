@@ -435,7 +435,7 @@ class GrowingWorlds(entrants.Contest[Growth]):
     def _chosen(
         self, one: entrants.Entrant, member: Member, map_: CombinatorialMap
     ) -> tuple[int, dict[int, Lighthouse]]:
-        """The number of a lighthouse's places in a world, and the chosen places by their numbers.
+        """The number of places of an entrant's lighthouse in a world, and the chosen places.
 
         If the request wants fewer places, a generator draws them, seeded by the world's name.
         """
@@ -495,7 +495,7 @@ class GrowingWorlds(entrants.Contest[Growth]):
 
 
 def _ensure_grows(who: Sequence[entrants.Entrant], request: entrants.CompareRequest) -> None:
-    """Raise InputError for no explorer, no family, or an option without effect on such worlds."""
+    """Raise InputError for no explorer or family, or an option without effect on growing worlds."""
     names = ("edges", "vertices", "holes", "worlds", "graph", "where")
     entrants.ensure_unnamed(request, names, "worlds that grow")
     if request.map_class is not classes.MapClass.MAPS:

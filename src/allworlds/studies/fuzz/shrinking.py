@@ -73,13 +73,13 @@ TIMES_AS_FAR = 2
 """The most traversals in a smaller world, as a multiple of those in the finding."""
 
 TRAVERSALS_BESIDES = 100
-"""The number of traversals that a smaller world may have beyond that multiple."""
+"""The number of traversals that a smaller world may have beyond :data:`TIMES_AS_FAR` times."""
 
 LARGE_WORLDS_PER_CHUNK = 4
 """The number of worlds from which a piece is removed that a worker tries at a time."""
 
 LARGE_CHUNKS_PER_WAVE = 2
-"""The number of chunks of such worlds that are tried before the next chunks."""
+"""The number of chunks of worlds without a piece that are tried before the next chunks."""
 
 
 def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
