@@ -11,11 +11,13 @@ from allworlds.reports.content.scope import explorer_facts, gate_facts
 from allworlds.reports.content.single_run import (
     LONGEST_LIST,
     MOST_LINES,
+    _belief,
     _lines,
     _remarks,
     wrong_line,
 )
 from allworlds.reports.formats import text as text_of
+from allworlds.world import Directional, World
 
 
 def said(headline):
@@ -272,3 +274,21 @@ def test_an_interval_that_is_missing_has_its_reason(lack, monkeypatch):
     told = compare("algorithm1", family="prism", to=12, draws=1, places=1)
     said = [line for line in text_of(told, 200).splitlines() if line.startswith("interval")]
     assert [line.split(maxsplit=1)[1] for line in said] == [lack or INTERVAL]
+
+
+def test_in_the_map_of_a_checkpoint_the_vertices_that_are_not_explored_have_no_name():
+    shown = SimpleNamespace(sigma=(1, 0), alpha=(0, 1), here=0, step=0)
+    story = SimpleNamespace(
+        finding=SimpleNamespace(step=0, seen="", believed=shown),
+        world=World(named_map("theta"), Directional(0)),
+        walk=SimpleNamespace(actions=()),
+    )
+    (block,) = _belief(story)
+    _, (title, scene) = block.entries
+    assert [*scene.vertices] == ["s0", "?", "?"]
+    assert "which are 0 to 1 (?: not explored)" in title
+    story.finding.step = None
+    assert _belief(story)
+    shown.here = 9
+    (block,) = _belief(story)
+    assert "and no map: sigma [1, 0], alpha [0, 1], here 9" in str(block)
