@@ -1,10 +1,13 @@
 """Slips that are recognised: each claim is compared with what was done to a right answer."""
 
+from types import SimpleNamespace
+
 import pytest
 
 from allworlds import CombinatorialMap, Move
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.judging.explanations import story
 from allworlds.judging.explanations.by_law import GUESSED
 from allworlds.judging.explanations.story import (
     LARGEST,
@@ -22,6 +25,7 @@ from allworlds.studies.explain import explain
 from allworlds.studies.run import run
 from allworlds.world import Directional, World
 from second_opinion import same_map, same_pose
+from small import EDGE, LOLLIPOP
 
 
 def spoiling(spoil):
@@ -349,3 +353,17 @@ def test_a_pose_at_the_far_end_of_the_last_edge_is_told_so_exactly_where_it_is()
 
 def test_edges_are_told_by_their_smaller_darts():
     assert _pairs([(3, 1), (0, 2)]) == "dart 0 with 2 and dart 1 with 3"
+
+
+def test_edges_that_are_crossed_are_told_with_the_right_place_if_there_is_one(monkeypatch):
+    monkeypatch.setattr(story, "_say_crosswise", lambda *_: "crossed")
+    elsewhere, right = LOLLIPOP, LOLLIPOP.relabelled([1, 0, *range(2, len(LOLLIPOP.sigma))])
+    belief = SimpleNamespace(
+        answer=SimpleNamespace(map=EDGE, here=1),
+        story=SimpleNamespace(map=LOLLIPOP, walk=SimpleNamespace(darts=[0])),
+    )
+    for found, here in (([elsewhere, right], 1), ([right, elsewhere], 1), ([elsewhere], None)):
+        monkeypatch.setattr(story, "_reglued", lambda _, found=found: [(m, []) for m in found])
+        assert story._glued_crosswise(belief).here == here
+    monkeypatch.setattr(story, "_reglued", lambda _: [(EDGE, [])])
+    assert story._glued_crosswise(belief) is None

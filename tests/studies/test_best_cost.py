@@ -8,6 +8,7 @@ from allworlds.judging.referee import Examiner
 from allworlds.judging.rules import Rules
 from allworlds.maps import rooted_maps
 from allworlds.protocol.actions import Move
+from allworlds.reports.content.check import size_table
 from allworlds.reports.formats import text
 from allworlds.world import Directional, World
 from schedules import schedules
@@ -61,3 +62,5 @@ def test_the_best_cost_is_told_of_every_schedule_alone():
     assert all("best_cost" not in row for row in one.to_json()["rows"] + one.records())
     assert all(row["best_cost"] == 1 for row in every.to_json()["rows"] + every.records())
     assert ("best cost" in text(every, 100)) > ("best cost" in text(one, 100))
+    first, *others = ["edges", "vertices", "worlds", "runs", "schedules", "traversals"]
+    assert [*size_table(every).header] == [first, *others, "best cost", "max cost", "bound"]
