@@ -91,4 +91,4 @@ def duration(seconds: float) -> str:
 
 def counted(source: str) -> str:
     """The clause that the enumerated number agrees with an independent source."""
-    return f"their number equals an independent count ({source})"
+    return f"the number equals an independent count ({source})"

@@ -18,7 +18,7 @@ def test_worst_prints_one_document(cli):
 def test_the_text_of_worst_has_its_gate(cli):
     _, out, _ = cli("worst", "--edges", 1)
     assert "gate " in out
-    assert "their number equals an independent count" in out
+    assert "the number equals an independent count" in out
 
 
 @pytest.mark.parametrize(

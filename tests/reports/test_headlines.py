@@ -107,10 +107,10 @@ def test_the_first_line_where_no_schedule_was_worked_on(monkeypatch):
 @pytest.mark.parametrize(
     ("given", "rows", "gate"),
     [
-        ({}, True, "no map was forgotten: their number equals an independent count (T)"),
+        ({}, True, "no map was forgotten: the number equals an independent count (T)"),
         ({}, False, "no level was finished, so nothing was compared"),
         ({"whole": False}, True, "of the shard 1/2 alone; the merge of all shards compares"),
-        ({"source": ""}, True, "absent: no source counts the maps that are cubic"),
+        ({"source": ""}, True, "absent: no formula counts the maps that are cubic"),
     ],
 )
 def test_the_gate_says_what_was_compared(given, rows, gate):
@@ -185,7 +185,7 @@ def test_lines_that_run_in_a_refuting_run_alone_are_told_up_to_a_number():
 @pytest.mark.parametrize(
     ("confirmed", "minimal", "among", "words"),
     [
-        (False, False, None, "no; a smaller one may refute"),
+        (False, False, None, "no; a smaller world may refute"),
         (True, True, None, "yes: a new process, given only the percepts, repeated the run; no "),
         (False, True, "cubic", "no; no smaller world of the scope (--where cubic) refutes"),
         (False, True, None, "no; no smaller world of the scope refutes"),

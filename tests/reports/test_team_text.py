@@ -33,9 +33,9 @@ What was searched
 
 programs   PROGRAMS:waits, PROGRAMS:searches
 model      meeting:apart=false
-scope      every start of its model in every map of the class maps with at most 2 edges; every fsync
+scope      every start of the model in every map of the class maps with at most 2 edges; every fsync
            schedule
-gate       no map was forgotten: their number equals an independent count (log-series of
+gate       no map was forgotten: the number equals an independent count (log-series of
            permutations)
 schedules  44
 
@@ -74,11 +74,11 @@ What was searched
 
 programs   PROGRAMS:other_end, PROGRAMS:other_end
 model      meeting
-scope      every start of its model in every map of the class maps with at most 1 edge; every async
+scope      every start of the model in every map of the class maps with at most 1 edge; every async
            schedule
-gate       no map was forgotten: their number equals an independent count (log-series of
+gate       no map was forgotten: the number equals an independent count (log-series of
            permutations)
-anonymous  starts that differ by the numbers of robots are searched by themselves
+anonymous  starts that differ only in the robots' numbers are searched separately
 
 Finished levels
 edges  vertices  maps  worlds  configurations  most  longest
@@ -200,7 +200,7 @@ def test_where_no_robot_is_activated_nobody_is_said_to_be():
     ("options", "said"),
     [
         ({"within": 1}, "within 1 activation of each robot"),
-        ({"lead": 2, "scheduler": "ssync"}, "nobody more than 2 activations ahead"),
+        ({"lead": 2, "scheduler": "ssync"}, "no robot more than 2 activations ahead"),
         ({"start_delay": 2}, "robot 1 up to 2 rounds later"),
     ],
 )
@@ -246,7 +246,7 @@ def test_each_number_of_edges_is_a_case(holds, refuted, cut_off):
     assert failed.message == "for ever without the goal"
     assert [section.name for section in failed.sections] == ["finding-1"]
     (left,) = _cases(cut_off)
-    assert (left.result, left.message) == ("skipped", "a budget leaves the verdict open")
+    assert (left.result, left.message) == ("skipped", "the budget is too small for a verdict")
 
 
 def test_the_command_names_each_program_once_where_all_are_one(refuted, holds):

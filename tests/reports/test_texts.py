@@ -239,7 +239,7 @@ def test_the_laws_of_one_run_are_those_of_which_something_was_checked():
 
 def test_a_sample_has_no_gate_and_says_so(wrong):
     text = text_of(fuzz("algorithm1", edges=4, runs=2), 100)
-    assert "gate       absent: a sample is not to be counted" in text
+    assert "gate       absent: for a sample there is no count" in text
     assert "the two plays" not in text_of(check(wrong("raises"), edges=1), 100)
 
 

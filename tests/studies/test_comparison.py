@@ -177,7 +177,7 @@ def test_the_csv_has_a_line_for_each_size_and_explorer(report):
 def test_the_page_holds_both_walks_and_the_document(report):
     page = file_of("html", report)
     assert page.count('class="viewer"') == 3
-    assert page.count("In the world that differs most") == 3
+    assert page.count("Where the costs differ most") == 3
     record = page.split('id="report-json"')[1].split(">", 1)[1].split("</script>")[0]
     assert json.loads(record.replace("\\u003c", "<"))["rows"] == report.to_json()["rows"]
 

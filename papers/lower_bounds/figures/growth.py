@@ -55,7 +55,7 @@ def costs(rows: Iterable[Row], explorer: str) -> Costs:
 
 
 def exact_sizes(rows: Iterable[Row], explorer: str) -> set[int]:
-    """The numbers of edges of which every world that seeds draw was run, in every place."""
+    """The numbers of edges of which every world that a seed can draw was run, in every place."""
     sizes: dict[int, list[Row]] = {}
     for row in rows:
         if row["explorer"] == explorer:

@@ -23,12 +23,12 @@ DRAWN = 6
 """The number of worlds that are drawn, from a class with more members."""
 
 ALIKE = (
-    "Darts of one letter are not to be told apart: the same is sensed at each, and every motion "
-    "leads from them to darts that are of one letter again."
+    "Darts with the same letter cannot be told apart: the robot senses the same at each of them, "
+    "and every motion leads from them to darts that again have the same letter."
 )
 TOURED = (
-    "So this walk, which goes along every edge of each world, senses the same in all of them, as "
-    "any other does."
+    "So on this walk, which goes along every edge of each world, the robot senses the same in all "
+    "these worlds, as on any other walk."
 )
 
 
@@ -37,14 +37,14 @@ def twins_content(comparison: ComparedWorlds) -> parts.ReportContent:
     worlds, classes = comparison.worlds, comparison.bisimulation
     blocks: list[parts.Block]
     if classes is UNSET:
-        title = "The shortest walk that tells them apart"
+        title = "The shortest walk that tells the worlds apart"
         sentence = "The last percepts of this walk differ."
         if comparison.told is not UNSET:
             sentence = "The robot knows which world it is in before it moves."
         scenes = [parts.scene_of(world) for world in worlds]
         blocks = [_walk("AB", worlds, scenes, comparison.motions or (), [sentence])]
     else:
-        title = "Darts of one letter look alike"
+        title = "Darts with the same letter look alike"
         blocks = [alike("AB", worlds, classes), *_quotient(projection_of(worlds[0]).quotient)]
     return parts.ReportContent(
         "allworlds ambiguity twins",
@@ -71,7 +71,7 @@ def _rows(worlds: Sequence[World], classes: Sequence[Sequence[int]]) -> parts.Cs
 def _answer(comparison: ComparedWorlds) -> parts.Headline:
     if comparison.told is not UNSET:
         one, other = comparison.told
-        said = f"by 0 motions: before the start {one} is told in A, and {other} in B"
+        said = f"by 0 motions: before the start the robot is told {one} in A, {other} in B"
         return parts.Headline("TOLD APART", said, "holds")
     if comparison.motions is not UNSET:
         motions = ", ".join(map(str, comparison.motions)) or "none: the first percepts differ"
@@ -98,7 +98,7 @@ def class_content(found: AmbiguityClass) -> parts.ReportContent:
         blocks.append(parts.Paragraph(f"{left} more worlds: --json lists them."))
     if found.notice:
         blocks.append(parts.Paragraph(f"{found.notice}."))
-    poses = f"{words.number(found.poses)} (a world, and a dart where the robot is)"
+    poses = f"{words.number(found.poses)} (pairs of a world and a dart of the robot)"
     return parts.ReportContent(
         "allworlds ambiguity class",
         "one world",
@@ -116,7 +116,7 @@ def class_content(found: AmbiguityClass) -> parts.ReportContent:
 def _size_of(found: AmbiguityClass) -> parts.Headline:
     universe = f"in the class {found.map_class}"
     if found.size == 1:
-        text = f"no other world {universe} has its quotient: a robot can map it"
+        text = f"no other world {universe} has the same quotient: a robot can map this world"
         return parts.Headline("ALONE", text, "holds")
     why = _why_alike([projection_of(found.world).quotient])
     text = f"{words.plural(found.size, 'world')} {universe}; {why}"
@@ -165,14 +165,15 @@ def _why_alike(quotients: Sequence[Quotient]) -> str:
     """The reason why no motion tells worlds apart whose quotients differ at most in sheets."""
     sheets = [quotient.sheets for quotient in quotients]
     if len({*sheets}) > 1:
-        who = f"A is a cover with {words.plural(sheets[0], 'sheet')}, B one with {sheets[1]},"
+        who = f"A is a cover with {words.plural(sheets[0], 'sheet')} and B one with {sheets[1]}"
     else:
         some = "all" if len(sheets) == 1 else "both"
-        who = f"{some} are covers, with {words.plural(sheets[0], 'sheet')},"
+        who = f"{some} are covers with {words.plural(sheets[0], 'sheet')}"
     size = words.plural(len(quotients[0].sigma), "class", "classes")
     return (
-        f"{who} of one quotient of {size} of darts, and as darts of one class sense the same and "
-        "lead to darts of one class, no motion tells the worlds apart"
+        f"{who} of the same quotient, which has {size} of darts. At the darts of one class a robot "
+        "senses the same, and each motion leads to darts of one class: no motion tells the worlds "
+        "apart"
     )
 
 
@@ -189,7 +190,7 @@ def _quotient(quotient: Quotient) -> tuple[parts.Paragraph, parts.Table]:
         uneven = len({getattr(label, "marks", 0) for label in labels}) > 1
         rows.append([around, "; ".join(map(str, labels if uneven else labels[:1])), cone])
     header = ["classes clockwise", "sensed there", "times round"]
-    said = "The quotient (a→b: alpha takes class a to class b; a↺: to itself, a semi-edge)."
+    said = "The quotient (a→b: alpha takes class a to class b; a↺: it takes a to itself)."
     return parts.Paragraph(said), parts.Table(header, rows)
 
 
@@ -201,14 +202,14 @@ def census_content(census: census_sweep.AmbiguityCensus) -> parts.ReportContent:
     kind = str(census.request.lighthouse)
     marked = "with one marked vertex" if kind == Position.kind else f"under the lighthouse {kind}"
     scope = (
-        f"{maps_in_words(census)}, {marked}, up to isomorphism; ambiguous are those "
-        "from which no motion tells another world of the scope"
+        f"{maps_in_words(census)}, {marked}, up to isomorphism; a world is ambiguous if no motion "
+        "tells it from some other world in the scope"
     )
     facts = [("scope", scope), ("places", census.places)]
     if not census.whole:
         text = (
-            f"{census.portion}: it may hold some members of a class and not others; classes and "
-            "counts come with the merge of all shards"
+            f"{census.portion}: a shard may hold only some worlds of a class; the merge of all "
+            "shards gives the classes and the counts"
         )
         facts.append(("shard", text))
     if census.agrees:
@@ -243,7 +244,7 @@ def _counted(census: census_sweep.AmbiguityCensus) -> parts.Headline | None:
     if not census.agrees:
         wrong = [
             f"with {words.plural(row.edges, 'edge')} {words.plural(row.rooted, 'rooted map')} "
-            f"{'was' if row.rooted == 1 else 'were'} met, but {census.source} counts {row.counted}"
+            f"{'was' if row.rooted == 1 else 'were'} met; {census.source} counts {row.counted}"
             for row in census.rows
             if not row.agrees(whole=census.whole)
         ]
@@ -256,13 +257,13 @@ def _counted(census: census_sweep.AmbiguityCensus) -> parts.Headline | None:
         scope += f" ({census.places})"
     ambiguous = sum(row.ambiguous_worlds or 0 for row in census.rows)
     if not census.whole:
-        done = parts.Headline("SHARD", f"{worlds} {scope}, of the shard {census.portion}")
+        done = parts.Headline("SHARD", f"{worlds} {scope}, in the shard {census.portion}")
     elif census.empty:
         done = parts.Headline("VACUOUS", f"there is no world {scope}", "vacuous")
     elif ambiguous:
         done = parts.Headline("AMBIGUOUS", f"{words.number(ambiguous)} of {worlds} {scope}")
     else:
-        done = parts.Headline("TOLD APART", f"{worlds} {scope}: motions tell each from every other")
+        done = parts.Headline("TOLD APART", f"{worlds} {scope}: motions tell every two apart")
     return parts.so_far(census, done)
 
 
@@ -271,7 +272,7 @@ def search_content(result: twin_search.SearchResult) -> parts.ReportContent:
     pair = []
     if result.pair and result.bisimulation:
         walk = alike("AB", result.pair, result.bisimulation)
-        pair.append(parts.Section("walk-1", "Darts of one letter look alike", [walk]))
+        pair.append(parts.Section("walk-1", "Darts with the same letter look alike", [walk]))
     headline, facts = _found(result)
     facts.append(("files", str(result.directory)))
     columns = {"sizes": str, "status": str, "seconds": float, "formula": str, "proof": str}
@@ -306,8 +307,8 @@ def _found(result: twin_search.SearchResult) -> tuple[parts.Headline, list[tuple
     proof = "no certificate for all sizes; the notices say why"
     if result.certificate is not None:
         proof = (
-            f"{result.certificate}: a formula and an LRAT proof for all sizes, each proof checked "
-            "by a program that is no solver"
+            f"{result.certificate}: a formula and an LRAT proof for each size; a program that is "
+            "no solver has checked each proof"
         )
     return parts.Headline("NONE", f"{asked}: there are none.", "holds"), [("proof", proof)]
 

@@ -67,13 +67,13 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
     short = {
         "scope": f"{extent}, {scope.rules.lighthouse} lighthouse, {_which(report)}",
         "witnesses": f"{plural(len(report.tally.witnesses), 'kind')} of events seen",
-        "chance": f"below 3/{report.runs} that a draw refutes, with 95 % confidence",
+        "chance": f"a draw refutes with probability below 3/{report.runs}, with 95 % confidence",
     }
     if cells and all(cell.agrees for cell in cells):
         sizes = f"{plural(len(cells), 'size')} finished"
         if report.complete:
             sizes = f"all {plural(len(cells), 'size')} complete"
-        short["gate"] = f"{sizes}; their number equals an independent count{_listed(cells)}"
+        short["gate"] = f"{sizes}; the number of worlds equals an independent count{_listed(cells)}"
     words = [(name, short.get(name, said)) for name, said in scope_words(report) if said]
     if report.tally.rows and not report.findings:
         rows = sorted(report.tally.rows.items())
@@ -133,7 +133,7 @@ def verdict_of(report: CheckReport) -> parts.Headline:
     )
     where = report.asked.coverage.finished
     if report.verdict in (Verdict.HOLDS, Verdict.NOT_REFUTED) and not report.runs:
-        said = f"{done} fall to this shard, which is finished and has nothing to check"
+        said = f"{done}: this shard is finished and has nothing to check"
         return parts.Headline("EMPTY", said, "vacuous")
     match report.verdict:
         case Verdict.HOLDS | Verdict.NOT_REFUTED:
@@ -196,7 +196,7 @@ def _of_sample(report: CheckReport) -> Iterator[tuple[str, str]]:
         return
     yield "mixture", f"{', '.join(sample.mix)}; in turn, each with the seed {sample.seed}"
     if report.bred:
-        bred = "from the draws, towards lines of code that few run; not counted"
+        bred = "from drawn worlds, for lines of code that few runs reach; not counted"
         yield "bred", f"{plural(report.bred, 'world')} {bred}"
     if report.verdict is Verdict.NOT_REFUTED and sample.portion == units.WHOLE:
         chance = (
@@ -235,7 +235,7 @@ def _maps(report: CheckReport) -> str:
 def _schedules(report: CheckReport) -> str:
     if report.asked.schedules == "all":
         return "every sequence of choices"
-    return f"free choices as policy {report.asked.rules.policy} takes them, one schedule a run"
+    return f"free choices made by policy {report.asked.rules.policy}, one schedule a run"
 
 
 def _laws(report: CheckReport) -> str:
@@ -250,33 +250,33 @@ def _laws(report: CheckReport) -> str:
     if published:
         return f"{laws}; {plural(published, 'checkpoint')}"
     left = [law for law in rules.applying if law not in checked]
-    return laws + (f"; not, as no checkpoint is shown: {listed(left)}" if left else "")
+    return laws + (f"; not checked, as no checkpoint is shown: {listed(left)}" if left else "")
 
 
 def _gate(report: CheckReport) -> str:
     if (given := report.asked.extent.given) is not None:
         return given.gate
     if report.asked.coverage.drawn:
-        return "absent: a sample is not to be counted"
+        return "absent: for a sample there is no count"
     if report.asked.coverage != units.WHOLE:
         return "deferred to the merge of all shards"
     extent = report.asked.extent
     if extent.where is not None and source_of(extent) is None:
-        return f"absent: no source counts the maps that are {extent.where.name}"
+        return f"absent: no formula counts the maps that are {extent.where.name}"
     if not report.cells:
         return "the scope holds no world" if report.levels else "no level was finished"
     wrong = [_mismatch(cell) for cell in report.cells if not cell.agrees]
     if wrong:
         return f"MISMATCH: {wrong[0]}"
-    cells = plural(len(report.cells), "cell")
-    said = f"no world was forgotten: in {cells} (edges, vertices) {counted(report.cells[0].source)}"
+    sizes = f"{plural(len(report.cells), 'size')} (edges and vertices)"
+    said = f"no world was forgotten: for {sizes} {counted(report.cells[0].source)}"
     return said + _listed(report.cells)
 
 
 def _listed(cells: Sequence[GateCell]) -> str:
     """The number of edges up to which another enumeration has listed the same worlds, in words."""
     most = max((cell.edges for cell in cells if cell.listed), default=0)
-    return f"; up to {plural(most, 'edge')} listed" if most else ""
+    return f"; up to {plural(most, 'edge')} an independent list agrees" if most else ""
 
 
 def _why_vacuous(report: CheckReport) -> str:
@@ -365,10 +365,10 @@ def _findings(report: CheckReport, found: Iterable[int]) -> list[parts.Section]:
 
 def _mismatch(cell: GateCell) -> str:
     if cell.enumerated == cell.counted:
-        said = f"but not those: their fingerprint is {cell.fingerprint}, not {cell.listed}"
-        return f"maps with {size(cell.edges, cell.vertices)} are as many as are counted, {said}"
+        said = f"but their fingerprint is {cell.fingerprint}, not {cell.listed}"
+        return f"maps with {size(cell.edges, cell.vertices)} have the right number, {said}"
     return (
-        f"of maps with {size(cell.edges, cell.vertices)} {cell.enumerated} were enumerated, but "
+        f"maps with {size(cell.edges, cell.vertices)}: {cell.enumerated} were enumerated, but "
         f"{cell.source} counts {cell.counted}"
     )
 
@@ -376,7 +376,7 @@ def _mismatch(cell: GateCell) -> str:
 def _estimate(guess: time_estimate.TimeEstimate) -> parts.ReportContent:
     """The estimated durations of the check, and of checks with more edges if they are known."""
     if guess.seconds is None or guess.rate is None:
-        text = "no world of the last level was finished in time: this takes very long"
+        text = "no world of the last level was finished in time: the check takes very long"
         head = parts.Headline("estimate", text, "inconclusive")
         return parts.ReportContent("allworlds check", guess.explorer, guess, head, [])
     most = "" if guess.counted else "at most "

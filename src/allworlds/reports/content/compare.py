@@ -176,7 +176,7 @@ def _exponents(report: growth.Growth) -> Iterator[parts.Table]:
     ]
     if any(one.exponent is not None for one in report.exponents):
         header = ["family", "explorer", "sizes", "exponent", "interval"]
-        yield parts.Table(header, rows, "Cost like a power of the edges", keys=2)
+        yield parts.Table(header, rows, "Cost as a power of the number of edges", keys=2)
 
 
 def _interval(found: growth.GrowRow | growth.CostRatio, form: str) -> parts.Cell:
@@ -204,13 +204,13 @@ def _growth_facts(report: growth.Growth) -> list[tuple[str, str]]:
         level = f"{intervals.LEVEL:.0%}, by Student's t on logarithms"
         few = f"-: fewer than {intervals.LEAST_WORLDS} worlds"
         words += [
-            ("worlds", f"different rooted maps of {plural(drawn, 'seed')}; isomorphic ones once"),
-            ("runs", "of all places of the lighthouse in them; worst: of these runs"),
-            ("mean", "over the worlds, in each over its runs; ratios: geometric mean"),
+            ("worlds", f"different rooted maps of {plural(drawn, 'seed')}, up to isomorphism"),
+            ("runs", "for the places of the lighthouse in these worlds; worst: the largest cost"),
+            ("mean", "first over the runs in a world, then over worlds; ratios: geometric mean"),
             ("interval", intervals.lack() or f"{level}; {few}"),
         ]
         if any(row.exact for row in report.rows):
-            words.append(("exact", "every world that seeds draw was run, in every place"))
+            words.append(("exact", "every world that a seed can draw was run, in every place"))
         member = report.rows[-1].members[-1].name
         one = report.entrants[0]
         own = f" --lighthouse {quote(one.at)}" if one.at else ""
@@ -226,7 +226,7 @@ def _walks(report: comparison.Comparison) -> Iterator[parts.Section]:
     """A walk of each explorer in the world that differs most."""
     for i, run in enumerate(report.walks(), 1):
         cost = plural(run.outcome.cost, "traversal")
-        title = f"In the world that differs most: {run.explorer}, {cost}"
+        title = f"Where the costs differ most: {run.explorer}, {cost}"
         yield run_section(run, f"walk-{i}", title)
 
 
@@ -267,25 +267,25 @@ def _side_by_side(report: comparison.Comparison) -> parts.Table:
         for row in report.rows
     ]
     header = ["edges", "vertices", "worlds", *_short_names(report)]
-    return parts.Table(header, rows, "Mean cost of each explorer, and its worst", keys=3)
+    return parts.Table(header, rows, "Mean and worst cost of each explorer", keys=3)
 
 
 def _facts(report: comparison.Comparison) -> list[tuple[str, str]]:
     """Named facts beside the table."""
     scope = f"one world: {report.member.name}" if report.member else maps_in_words(report)
     words = [*explorer_facts(report), ("scope", scope), *option_facts(report, SAID)]
-    meant = "traversals; mean: over rooted maps, in each over the places; worst: of a run"
+    meant = "traversals; mean: first over the places of the lighthouse, then over the rooted maps"
     words.append(("costs", meant))
     first = _short_names(report)[0]
     exact = "; exact" if report.whole else ""
-    ratio = f"of the means in each map, to that of {first}: the geometric mean over the maps{exact}"
+    ratio = f"mean in a map / mean of {first} in it; of this the geometric mean over maps{exact}"
     words.append(("ratio", ratio))
     if report.rows:
         words += [("in all", _in_all(report, name)) for name in report.names[1:]]
     most = report.differ_most
     if most is not None:
         costs = ", ".join(f"{name} {cost:,.2f}" for name, cost in most.costs.items())
-        said = f"most in {most.world.in_words}, which the document has: {costs}"
+        said = f"largest in {most.world.in_words}, a world that the document has: {costs}"
         words.append(("difference", said))
     return words
 
@@ -299,7 +299,7 @@ def _verdict(report: comparison.Comparison | growth.Growth) -> str:
     if not report.complete:
         return f"{report.stopped or 'interrupted'}; {said} of finished {report.steps}"
     if not report.rows:
-        return "there is no world in which every explorer has a place"
+        return "there is no world in which every explorer's lighthouse has a place"
     return said
 
 

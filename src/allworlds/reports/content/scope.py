@@ -100,9 +100,9 @@ def gate_facts(report: Any, what: str, *, is_compared: bool) -> list[tuple[str, 
     if report.extent.given is not None:
         said = report.extent.given.gate
     elif not report.source:
-        said = f"absent: no source counts the maps that are {report.extent.where}"
+        said = f"absent: no formula counts the maps that are {report.extent.where}"
     elif not report.whole:
-        said = f"of the shard {report.portion} alone; the merge of all shards compares"
+        said = f"not for shard {report.portion} alone; the merge of all shards compares the counts"
     elif is_compared:
         said = f"no {what} was forgotten: {words.counted(report.source)}"
     else:

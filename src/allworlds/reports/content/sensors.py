@@ -33,9 +33,9 @@ def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
     ]
     order = "\n".join(_drawn(found.dominates, [row.lighthouse for row in found.rows]))
     said = (
-        "Below a sensor stand those that tell less: worlds that look alike under the upper one do "
-        "so under the lower one. Sensors in one line tell the same in the end, but perhaps not at "
-        "once."
+        "A sensor that tells less stands lower: worlds that look alike under the upper sensor also "
+        "look alike under the lower one. Sensors in one line tell the same in the end, but one may "
+        "need more steps."
     )
     blocks: list[parts.Block] = [
         parts.Table(header, rows, "Sensors"),
@@ -67,8 +67,8 @@ def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
 def _scope(extent: Extent) -> str:
     maps = "every start in each rooted map" if extent.given is None else each_of(extent.given)
     return (
-        f"{maps} {of_the_class(extent)}, every place; a sensor suffices if no two worlds look "
-        "alike: two maps, or one from two starts"
+        f"{maps} {of_the_class(extent)}, every place of the lighthouse; a sensor suffices if no "
+        "two worlds look alike: two maps, or one map with two starts"
     )
 
 
@@ -105,7 +105,7 @@ def _less_at_a_step(found: AmbiguitySensors) -> Iterator[str]:
         more = [b for a, b in found.coarser if a == less and (b, a) not in found.coarser]
         more = [each for each in more if (less, each) in found.dominates]
         if more:
-            yield f"{less} senses less than {', '.join(more)}, and is equal in the end"
+            yield f"{less} senses less than {', '.join(more)} at a step, but in the end as much"
 
 
 def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]:
@@ -133,8 +133,8 @@ def weakest_content(found: AmbiguityWeakest) -> parts.ReportContent:
         f"{found.sufficient} of {words.plural(found.coarsenings, 'coarsening')} suffice, "
         f"in every world {of_the_class(found.extent)}, {len(found.minimal)} of them minimal"
     )
-    header = ["letters", "features, | between letters", "m of twins below"]
-    table = parts.Table(header, rows, "Minimal sensors: with two letters as one there are twins")
+    header = ["letters", "features, | between letters", "edges of twins below"]
+    table = parts.Table(header, rows, "Minimal sensors: if two letters become one, there are twins")
     seen = parts.Section("seen", "", [table, parts.fact("scope", _scope(found.extent))])
     return parts.ReportContent(
         "allworlds ambiguity weakest",

@@ -98,7 +98,7 @@ def replay_content(replay: Replay) -> parts.ReportContent:
         text = f"law '{again.law}' is broken now, where '{recorded.law}' was recorded"
         said = parts.Headline("REPRODUCED", text, "refuted")
     elif replay.outcome == "not-reproduced":
-        text = f"{run.explorer} did the same each time; only a check can show that it is mended"
+        text = f"{run.explorer} did the same each time; only a check can show a fault as mended"
         said = parts.Headline("NOT REPRODUCED", text, "inconclusive")
     else:
         text = f"{run.explorer} now keeps every law in the recorded world"
@@ -234,7 +234,7 @@ def printed(output: str, shown: str = "") -> list[parts.Block]:
 def nothing_checked(rules: Rules) -> str:
     """The reason why nothing was checked: the laws need checkpoints, and no run shows any."""
     laws = words.listed(rules.judged)
-    return f"nothing was checked: the explorer shows no checkpoint, as needed for {laws}"
+    return f"nothing was checked: no checkpoint is shown, and {laws} cannot do without"
 
 
 MOST_LINES = 3
@@ -272,7 +272,7 @@ def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
         if (more := len(code.alone) - MOST_LINES) > 0:
             lines.append(f"{words.plural(more, 'other line')}, which --json has")
         runs = words.plural(code.right, "run")
-        yield "only here", f"{'; '.join(lines)} (not reached in {runs} without a finding)"
+        yield "only here", f"{'; '.join(lines)} (not reached in any of {runs} without a finding)"
     if code.busy:
         yield "ran most", "; ".join(code.source(where) for where in code.busy[:2])
 
@@ -343,11 +343,11 @@ def _belief(story: Story) -> list[parts.Block]:
         map_ = None
     if map_ is None or shown.here not in map_.darts:
         lists = f"sigma {[*shown.sigma]}, alpha {[*shown.alpha]}, here {shown.here}"
-        return [parts.fact("its S", f"{here}, in its own darts, and no map: {lists}")]
+        return [parts.fact("its S", f"{here}, with its own numbers of darts, is no map: {lists}")]
     known = len(shown.sigma)
     names = ["?" if min(darts) >= known else f"s{i}" for i, darts in enumerate(map_.vertices)]
     scene = parts.Scene(map_, None, shown.here, vertices=names)
-    title = f"Its S {here}, in its own darts, which are 0 to {known - 1} (?: not explored)"
+    title = f"Its S {here}, with its own numbers of darts, 0 to {known - 1} (?: not explored)"
     beside = (f"The world {here}", parts.walk_in_world(until))
     return [parts.MapPictures([beside, (title, scene)])]
 
@@ -355,7 +355,7 @@ def _belief(story: Story) -> list[parts.Block]:
 def answer_view(walk: Walk, answer: Estimate, trail: Sequence[Dart]) -> parts.View:
     """The picture of an answer, with the walk in the answer's map."""
     scene = parts.walk_in_answer(walk, answer)
-    note = "R: the robot's place according to the answer"
+    note = "R: where the robot stands according to the answer"
     return parts.View("answer", "The answer", scene, trail, note)
 
 
@@ -368,7 +368,7 @@ def _remarks(finding: Finding, origin: str, *, checked: bool) -> Iterator[tuple[
         confirmed = "no"
         if finding.confirmed:
             confirmed = "yes: a new process, given only the percepts, repeated the run"
-        smaller = "a smaller one may refute"
+        smaller = "a smaller world may refute"
         if finding.minimal:
             among = finding.rules.among
             scope = f"the scope (--where {among.name})" if among else "the scope"
@@ -386,7 +386,7 @@ def explain_content(explanation: Explanation) -> parts.ReportContent:
     title = headline_of(finding)
     if explanation.findings > 1:
         which = f"finding {explanation.number} of {explanation.findings}"
-        title = f"{title} ({which}; --finding K tells another)"
+        title = f"{title} ({which}; --finding K explains another)"
     section = finding_section(finding, explanation.number, title=title)
     return parts.ReportContent(
         "allworlds explain", explanation.explorer, explanation, None, [section]

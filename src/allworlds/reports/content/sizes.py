@@ -107,20 +107,20 @@ def _facts(report: WorstReport) -> list[tuple[str, str]]:
         f"{ways[report.request.transit]}"
     )
     costs = (
-        "worst: the most expensive schedule of the most expensive world; best: the cheapest "
-        "schedule of each world, of these the largest cost"
+        "worst: the largest cost of a schedule in any world; best: the largest cost, over the "
+        "worlds, of the cheapest schedule in a world"
     )
     tests = sum(row.tests for row in report.rows)
     wrong = sum(row.wrong_tests for row in report.rows)
-    tested = "no hypothesis was false, so no test of one was walked"
+    tested = "no hypothesis was false, so no false one was tested"
     if tests:
         verdict = f"{number(wrong)} CONFIRMED" if wrong else "all rejected"
-        tested = f"{plural(tests, 'test')} of false hypotheses on every path: {verdict}"
+        tested = f"{plural(tests, 'test')} of false hypotheses, on every path home: {verdict}"
     words = [("scope", scope), ("costs", costs), ("tests", tested)]
     if report.agrees:
         words += gate_facts(report, "world", is_compared=bool(report.rows))
         if report.rows:
-            words.append(("replay", "every worst cost was attained by the python engine"))
+            words.append(("replay", "the python engine reproduced every worst cost"))
     return words
 
 
@@ -131,7 +131,7 @@ def _mismatch(report: WorstReport) -> str:
     where = size(row.edges, row.vertices)
     if row.counted not in (None, row.worlds):
         return (
-            f"of maps with {where} {row.worlds} were enumerated, but "
+            f"maps with {where}: {row.worlds} were enumerated, but "
             f"{report.source} counts {row.counted}"
         )
-    return f"with {where} the worst cost is {row.worst}, but the python engine walks {row.replayed}"
+    return f"with {where} the worst cost is {row.worst}, but {row.replayed} in the python engine"

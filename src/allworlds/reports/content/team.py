@@ -99,15 +99,15 @@ def scope_words(report: TeamReport) -> list[tuple[str, str]]:
     """The scope of the verdict as named texts."""
     scope, timing, extent = report.asked, report.asked.timing, report.extent
     maps = each_of(extent.given) if extent.given is not None else "every map"
-    starts = "the given starts" if scope.starts else "every start of its model"
+    starts = "the given starts" if scope.starts else "every start of the model"
     shard = "" if report.whole else f", shard {report.portion}"
     bounds = [f"every {timing.scheduler} schedule"]
     if timing.within:
         bounds.append(f"within {plural(timing.budget, 'activation')} of each robot")
     if timing.lead is not None:
-        bounds.append(f"nobody more than {plural(timing.lead, 'activation')} ahead")
+        bounds.append(f"no robot more than {plural(timing.lead, 'activation')} ahead")
     if timing.start_delay:
-        bounds.append(f"robot 1 up to {plural(timing.start_delay, 'round')} later")
+        bounds.append(f"robot 1 begins up to {plural(timing.start_delay, 'round')} later")
     total = report.total
     past = report.corpus
     paths = "infinitely many, or not known" if total.schedules is None else number(total.schedules)
@@ -126,7 +126,7 @@ def scope_words(report: TeamReport) -> list[tuple[str, str]]:
 
 def _anonymous(report: TeamReport) -> str:
     alike = len(report.asked.team.subjects) == 1 and len(report.explorers) > 1
-    said = "starts that differ by the numbers of robots are searched by themselves"
+    said = "starts that differ only in the robots' numbers are searched separately"
     return said if alike and not report.asked.starts else ""
 
 
@@ -136,12 +136,12 @@ def _gate(report: TeamReport) -> str:
     if not report.whole:
         return "deferred to the merge of all shards"
     if not report.cells:
-        return "absent: no source counts these maps, or no level was finished"
+        return "absent: no formula counts these maps, or no level was finished"
     wrong = [cell for cell in report.cells if not cell.agrees]
     if wrong:
         cell = wrong[0]
         return (
-            f"MISMATCH: of maps with {size(cell.edges, cell.vertices)} {cell.enumerated} were "
+            f"MISMATCH: maps with {size(cell.edges, cell.vertices)}: {cell.enumerated} were "
             f"enumerated, but {cell.source} counts {cell.counted}"
         )
     return f"no map was forgotten: {counted(report.cells[0].source)}"
@@ -166,7 +166,7 @@ def team_replay_content(replay: TeamReplay) -> parts.ReportContent:
     if outcome == "fixed":
         said = parts.Headline("FIXED", f"{names}: no law is broken in the recorded world", "holds")
     elif outcome == "not-reproduced":
-        text = f"{names}: a budget leaves it open whether a law is broken in the recorded world"
+        text = f"{names}: the budget is too small to tell if the recorded world breaks a law"
         said = parts.Headline("NOT REPRODUCED", text, "inconclusive")
     sections = [finding_section(found, i) for i, found in enumerate(replay.again.findings, 1)]
     return parts.ReportContent(
@@ -268,7 +268,7 @@ def diagram(found: TeamFinding) -> list[str]:
     lines = ["  ".join(_fitted(row, widths)).rstrip() for row in rows]
     if len(lines) > 2 * SHOWN_EVENTS + 2:
         hidden = len(lines) - 2 * SHOWN_EVENTS - 1
-        between = f"... {plural(hidden, 'event')}: all of them are in the JSON"
+        between = f"... {plural(hidden, 'event')}; the JSON has all of them"
         lines = [*lines[: SHOWN_EVENTS + 1], between, *lines[-SHOWN_EVENTS:]]
     if found.loop:
         lines.append("(the events with * repeat for ever)")
@@ -325,7 +325,7 @@ def _moved(
         return
     for robot, (old, new) in enumerate(zip(before, after, strict=True)):
         if old != new:
-            yield f"{robot} at v{vertex_of[new]}" if new is not None else f"{robot} is no more"
+            yield f"{robot} at v{vertex_of[new]}" if new is not None else f"{robot} is gone"
 
 
 def _cases(report: TeamReport) -> Iterable[parts.SuiteCase]:
@@ -340,5 +340,5 @@ def _cases(report: TeamReport) -> Iterable[parts.SuiteCase]:
         elif edges in report.levels and not report.undecided:
             yield parts.SuiteCase(name)
         else:
-            why = report.ending.reason or "a budget leaves the verdict open"
+            why = report.ending.reason or "the budget is too small for a verdict"
             yield parts.SuiteCase(name, "skipped", message=why)
