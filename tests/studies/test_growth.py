@@ -89,7 +89,7 @@ def test_a_sample_is_exact_if_it_is_the_whole_family_in_every_place(seeds, place
     (ratio,) = report.ratios
     assert ratio.exact == exact
     assert (ratio.interval is None) == (one.interval is None) == (exact or seeds == 3)
-    assert ("every world that seeds draw" in text_of(report, 200)) == exact
+    assert ("every world that a seed can draw" in text_of(report, 200)) == exact
 
 
 def test_every_start_of_an_exact_sample_has_the_same_chance():
@@ -334,6 +334,12 @@ def test_a_seed_left_out_is_the_first(cli):
     grown = ("compare", "folding-oldest", "--family", "random", "--to", 20, "--draws", 1, "--json")
     at_one, left_out = (json.loads(cli(*grown, *more)[1]) for more in (("--seed", 1), ()))
     assert at_one["rows"] == left_out["rows"]
+
+
+def test_a_family_without_a_world_so_small_is_refused_also_beside_another_one():
+    for families in (["strip"], ["bouquet", "strip"]):
+        with pytest.raises(InputError, match="family strip has no world with at most 12 edges"):
+            compare("algorithm1", family=families, to=12)
 
 
 def test_an_explorer_twice_or_none_is_refused():

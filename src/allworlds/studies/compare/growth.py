@@ -122,7 +122,7 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
     A size is that of the largest member with at most ``to``, ``to / 2``, ``to / 4``, ... edges.
 
     Raises:
-        InputError: for a text that names no growing family.
+        InputError: for a text that names no growing family, and for a family without such a member.
     """
     known = form_of(family)
     if known is None:
@@ -134,6 +134,8 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
     ]
     for first, *_ in sizes:
         first.map()  # a degree that no member can have is refused before anything is walked
+    if not sizes:
+        raise InputError(f"family {family} has no world with at most {to} edges")
     return sizes
 
 
