@@ -174,7 +174,7 @@ def test_the_bound_is_told_with_what_the_traversals_found(told):
     assert "The map and the pose are right" in text
     assert "The bound 'paper' is what the paper proves for its Algorithm 1" in text
     assert "In a world with 1 edge and 1 vertex that is 0 + 1 = 1." in text
-    assert "With --edges 3 --bound none it breaks no law" in text
+    assert "Tried with --edges 3 --bound none: no law is broken" in text
     assert "The robot made 3 traversals, of which 1 found a new edge." in text
 
 
@@ -210,7 +210,7 @@ def test_the_bound_with_the_tests_is_told_with_both_parts(finding_of):
     rules = Rules(bound="two-vertices")
     told = tell_whose_bound(replace(finding, under=rules, expected=20))
     assert "two traversals for each test" in " ".join(told)
-    assert "with those 20." in " ".join(told)
+    assert "in all 20." in " ".join(told)
 
 
 @pytest.mark.parametrize("name", sorted(BOUNDS.keys() - {"none"}))

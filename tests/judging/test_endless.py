@@ -32,8 +32,10 @@ def test_who_walks_round_a_face_is_told_the_edges_that_it_never_met():
             yield Move(1)
 
     told = explained(round_and_round, "k4")
-    assert re.fullmatch(r"After step [34] it met no new edge; [23] edges it never met\.", told[1])
-    assert re.match("From step 1 on it goes round: 3 steps, [0-9]+ times, to v[0-3], dart", told[2])
+    assert re.fullmatch(
+        r"After step [34] it found no new edge; it never found [23] edges\.", told[1]
+    )
+    assert re.match("From step 1 on it repeats 3 steps, [0-9]+ times, to v[0-3], dart", told[2])
     assert told[3].startswith("It never walked along the edge from v")
     assert SHOW not in told
     assert "8 times the paper's bound (1) + (2), and 100 more: 8 x (" in told[4]
@@ -81,7 +83,7 @@ def test_an_endless_walk_names_its_lines(tmp_path, monkeypatch):
     (finding,) = report.findings
     assert finding.law == "budget"
     assert finding.code.busy[:2] == ("forgets.py:11", "forgets.py:12")
-    (round_,) = [said for said in explain(finding).sentences if "it goes round" in said]
+    (round_,) = [said for said in explain(finding).sentences if "on it repeats" in said]
     assert round_.endswith("(line forgets.py:5).")
     said = text(report, 200)
     assert "line       forgets.py:5: return (yield Move(k))" in said
@@ -127,7 +129,7 @@ def test_the_budget_that_was_asked_for_is_told_as_that():
     told = explain(
         run(to_and_fro, world_named("theta", "directional"), step_budget=7).finding
     ).sentences
-    assert told[-1] == "The budget is that of --step-budget: 7 traversals."
+    assert told[-1] == "--step-budget sets the budget: 7 traversals."
 
 
 def test_a_run_a_hundred_times_dearer_than_the_bound_is_given_up():
@@ -168,7 +170,7 @@ def test_a_run_without_an_answer_names_its_first_wrong_checkpoint(ends, right_fo
     told = explain(finding)
     assert finding.law == ends
     assert finding.step == (None if right_for is None else right_for + 1) == told.step
-    named = [each for each in told.sentences if "is wrong already" in each]
+    named = [each for each in told.sentences if "is already wrong" in each]
     assert [each.split(" is ")[0] for each in named] == (
         [] if right_for is None else [f"The checkpoint after step {right_for + 1}"]
     )

@@ -9,7 +9,7 @@ def test_a_known_place_taken_for_a_new_vertex_is_where_they_part(told):
     law, step, text = told("wrong-entry-label")
     assert (law, step) == ("map", 2)
     assert "back at v1" in text
-    assert "takes the place for a new vertex" in text
+    assert "takes this vertex for a new one" in text
     # The wrong place is sensed to be wrong only later.
     assert "first percept against the answer came at step 7" in text
 
@@ -22,7 +22,7 @@ def test_a_known_place_left_some_time_ago_is_named_with_the_step(explained, answ
     assert explanation.step == 4
     text = " ".join(explanation.sentences)
     assert "step 4 the robot was back at v1, which it had left at step 2, but its answer " in text
-    assert "takes the place for a new vertex" in text
+    assert "takes this vertex for a new one" in text
     assert "Every percept fits the answer, too" in text
     assert "After this walk it is not known where dart " in text
 
@@ -33,7 +33,7 @@ def test_a_new_vertex_taken_for_a_known_one_is_where_they_part(explained, answer
     assert explanation.step == 2
     text = " ".join(explanation.sentences)
     assert "step 2 the robot came to v2 for the first time" in text
-    assert "takes the place for v0, which it had left at step 1" in text
+    assert "takes this vertex for v0, which it had left at step 1" in text
 
 
 def test_another_dart_of_the_same_vertex_is_where_they_part(told):
@@ -47,7 +47,7 @@ def test_another_dart_of_the_same_vertex_is_where_they_part(told):
 def test_a_start_of_another_degree_parts_at_once(explained, answering):
     explanation = explained(LOOP, answering(EDGE, 0))
     assert explanation.step == 0
-    assert "part at the start, at v0" in explanation.sentences[-1]
+    assert "differ at the start, at v0" in explanation.sentences[-1]
 
 
 def test_an_answer_that_fits_the_log_never_parts_and_its_open_darts_are_counted(
@@ -56,6 +56,6 @@ def test_an_answer_that_fits_the_log_never_parts_and_its_open_darts_are_counted(
     explanation = explained(PATH, answering(EDGE, 0))
     assert explanation.step is None
     slip, guessed, open_darts = explanation.sentences
-    assert slip == "The answer lacks one edge of the world: that of darts 0 and 1."
+    assert slip == "The answer lacks one edge of the world: the edge of darts 0 and 1."
     assert guessed.startswith("The answer is another world that fits the whole log")
     assert open_darts == "After this walk it is not known where dart 0 of v0 leads."

@@ -143,38 +143,40 @@ class Truth:
         if step == len(self.walk):
             fits = (
                 "The answer is another world that fits the whole log: nothing that the robot "
-                "sensed tells the two apart, so it was guessed."
+                "sensed tells the two worlds apart, so the answer was guessed."
             )
             return [fits, *self.told_open_darts()]
 
         def misfit(at):
             if not any(each.marks for each in expected):
-                lacks = f"the answer has {expected[at]}, and no place for the lighthouse"
+                lacks = f"the answer has {expected[at]}, but its map cannot hold the lighthouse"
                 return f"it sensed '{self.sensed[at]}', where {lacks}"
             return f"it sensed '{self.sensed[at]}', where the answer predicts '{expected[at]}'"
 
         robot, here = self.walk[step], misfit(step) if step in misfits else ""
         vertex = self.vertex(robot)
         if step == 0:
-            return [f"They part at the start, at {vertex}: {here}."]
+            return [f"The world and the answer differ at the start, at {vertex}: {here}."]
         first = f"At step {step} the robot "
         first += f"came to {vertex} for the first time, " if fresh else f"was back at {vertex}, "
         first += "" if fresh else f"{self.left(robot, step)}, "
         if means == (None if fresh else robot):
-            return [f"{first}and so it is in its answer, but {here}."]
+            return [f"{first}and in its answer too, but {here}."]
         if means is None:
-            first += "but its answer takes the place for a new vertex"
+            first += "but its answer takes this vertex for a new one"
         elif self.owner[means] == self.owner[robot]:
             first += f"but in its answer it came by dart {means}, in truth by dart {robot}"
         else:
-            first += f"but its answer takes the place for {self.vertex(means)}, "
+            first += f"but its answer takes this vertex for {self.vertex(means)}, "
             first += self.left(means, step)
         if here:
             return [f"{first}: {here}."]
         if misfits:
             later = f"The first percept against the answer came at step {misfits[0]}: "
             return [f"{first}.", f"{later}{misfit(misfits[0])}."]
-        short = "Every percept fits the answer, too: the walk was too short to tell the two apart."
+        short = (
+            "Every percept fits the answer, too: the walk was too short to tell the two maps apart."
+        )
         return [f"{first}.", short, *self.told_open_darts()]
 
     # ------------------------------------------------------------ what the log proves
@@ -400,12 +402,15 @@ DIFFERENCES = {
     ),
     "misplaced": (
         "edge misplaced",
-        "All but one edge is right: that of darts # and # of the world is elsewhere in the answer.",
+        (
+            "Only one edge is wrong: the edge of darts # and # of the world is elsewhere in the "
+            "answer."
+        ),
         elsewhere,
     ),
     "missing": (
         "edge missing",
-        "The answer lacks one edge of the world: that of darts # and #.",
+        "The answer lacks one edge of the world: the edge of darts # and #.",
         lacking,
     ),
     "two for one": (
@@ -502,7 +507,9 @@ def test_of_a_wrong_pose_it_is_told_where_the_robot_is_and_where_it_believes_to_
                     "Either 'here' is wrong, or the rotations are anticlockwise, or the bearings "
                     "are counted anticlockwise: "
                 )
-            assert more == ["This world is its own mirror image and does not show which."]
+            assert more == [
+                "This world is its own mirror image, so it does not show which of these is wrong."
+            ]
         else:
             assert more == ([f"Or: {BEARINGS}"] if bearings else [])
         assert first.startswith(head), first

@@ -206,10 +206,10 @@ def test_the_first_wrong_checkpoint_goes_before_what_followed():
     for law in ("crash", "budget", "no-estimate"):
         for wrong in (what, ""):
             text = explain(replace(finding, law=law, wrong_checkpoint=wrong))
-            shown = wrong or "it shows another S than the explored part"
+            shown = wrong or "its S is not the explored part"
             first = (
-                f"The checkpoint after step 1 is wrong already: {shown}. Mend that first: all "
-                "that followed may be built on it."
+                f"The checkpoint after step 1 is already wrong: {shown}. Mend this first: all "
+                "later steps may follow from it."
             )
             assert text.sentences[0 if law == "budget" else 1] == first
             assert text.step == 1
@@ -223,11 +223,11 @@ def test_of_an_endless_walk_it_is_told_since_when_nothing_was_new():
     loop = told(walking(Move(0), then=Move(0)), LEAFY_LOOP, step_budget=6)
     loop[2] = loop[2].partition(" (line")[0]
     how = "The explorer did not end within its step budget, so the run was stopped."
-    whose = "The budget is that of --step-budget: 6 traversals."
+    whose = "--step-budget sets the budget: 6 traversals."
     assert loop == [
         how,
-        "After step 1 it met no new edge; 1 edge it never met.",
-        "From step 1 on it goes round: 2 steps, 3 times, to v0, dart 1; v0, dart 0",
+        "After step 1 it found no new edge; it never found 1 edge.",
+        "From step 1 on it repeats 2 steps, 3 times, to v0, dart 1; v0, dart 0",
         "It never walked along the edge from v0, dart 2, to v1, dart 3.",
         whose,
     ]
@@ -242,8 +242,8 @@ def test_of_an_endless_walk_it_is_told_since_when_nothing_was_new():
     tasked = told(walking(then=Move(0)), LEAFY_LOOP, step_budget=6, task="stop")
     tasked[2] = tasked[2].partition(" (line")[0]
     assert tasked[1:] == [
-        "After step 1 it met no new edge; 1 edge it never met.",
-        "From step 1 on it goes round: 2 steps, 3 times, to v0, dart 1; v0, dart 0",
+        "After step 1 it found no new edge; it never found 1 edge.",
+        "From step 1 on it repeats 2 steps, 3 times, to v0, dart 1; v0, dart 0",
         "It never visited v1.",
         whose,
     ]
@@ -270,7 +270,7 @@ def test_whose_the_budget_is_and_of_what_it_is_the_sum(world, name, new, closing
     )
     tried = tell_whose_budget(replace(finding, tried="--bound none"))
     assert tried.endswith(
-        "100. With --bound none it breaks no law, here and elsewhere: that was tried."
+        "100. Tried with --bound none: no law is broken in this world or any other one tried."
     )
     named = tell_whose_budget(replace(finding, under=Rules(own_bound="1000*n")))
     value = 1000 * world.map.vertex_count
@@ -300,8 +300,8 @@ def test_whose_the_bound_is_and_how_its_value_comes_about(world, name, new, clos
     sums = f"In a world with {name} that is {new} + {closing}"
     assert whose(bound="paper") == f"The bound 'paper' is {what}. {sums} = {new + closing}."
     assert whose(bound="two-vertices") == (
-        f"The bound 'two-vertices' is {what}; with two traversals for each test of a hypothesis, "
-        f"and the search among the darts of the start. {sums}, with those {new + closing}."
+        f"The bound 'two-vertices' is {what}; it adds two traversals for each test of a "
+        f"hypothesis, and the search among the darts of the start. {sums}, in all {new + closing}."
     )
     value = f"which is {new + closing} in a world with {name}."
     assert whose(bound="3*m") == f"The bound is the one that was asked for: 3*m, {value}"
@@ -389,7 +389,7 @@ def test_who_acts_last_without_a_move_has_stayed_where_the_answer_leaps():
     explanation = explain(found(walking(Move(2), Drop(), answer=Estimate(LASSO, 0)), world))
     assert (explanation.law, explanation.step) == ("pose", 2)
     assert explanation.sentences[1] == (
-        "At step 2 the robot stayed at v1, but its answer takes the place for v0, which it had "
+        "At step 2 the robot stayed at v1, but its answer takes this vertex for v0, which it had "
         "left at step 1: it sensed 'degree 1, marked', where the answer predicts 'degree 3, "
         "marked'."
     )

@@ -32,8 +32,9 @@ def test_twins_are_drawn_with_the_class_of_each_dart_and_a_reason():
     text = twins_text(twins(named("two-loops-plane"), named("two-loops-torus")), 100)
     assert text.startswith("TWINS")
     assert (
-        "both are covers, with 4 sheets, of one quotient of 1 class of darts, and as darts of one "
-        "class sense the same and lead to darts of one class, no motion tells the worlds apart"
+        "both are covers with 4 sheets of the same quotient, which has 1 class of darts. At the "
+        "darts of one class a robot senses the same, and each motion leads to darts of one class: "
+        "no motion tells the worlds apart"
     ) in flat(text)
     assert "World A (genus 0)" in text
     assert " a a a a" in text
@@ -45,7 +46,7 @@ def test_twins_are_drawn_with_the_class_of_each_dart_and_a_reason():
 
 def test_sheets_of_different_worlds_are_told_apart():
     text = flat(twins_text(twins(named("cycle-3", "none"), named("cycle-4", "none")), 100))
-    assert "A is a cover with 6 sheets, B one with 8, of one quotient" in text
+    assert "A is a cover with 6 sheets and B one with 8 of the same quotient" in text
 
 
 def test_one_world_twice_is_no_pair_of_twins():

@@ -65,7 +65,7 @@ def test_the_first_line_of_a_census(given, ambiguous, word, monkeypatch):
     if word == "AMBIGUOUS":
         assert done.text.startswith("4 of 6 marked worlds")
     if word == "SHARD":
-        assert done.text.endswith("of the shard 1/2")
+        assert done.text.endswith("in the shard 1/2")
 
 
 def test_a_tour_goes_the_nearest_way_to_what_is_left():
@@ -109,7 +109,11 @@ def test_the_first_line_where_no_schedule_was_worked_on(monkeypatch):
     [
         ({}, True, "no map was forgotten: the number equals an independent count (T)"),
         ({}, False, "no level was finished, so nothing was compared"),
-        ({"whole": False}, True, "of the shard 1/2 alone; the merge of all shards compares"),
+        (
+            {"whole": False},
+            True,
+            "not for shard 1/2 alone; the merge of all shards compares the counts",
+        ),
         ({"source": ""}, True, "absent: no formula counts the maps that are cubic"),
     ],
 )
@@ -174,7 +178,7 @@ def test_lines_that_run_in_a_refuting_run_alone_are_told_up_to_a_number():
     code = SimpleNamespace(source=str, alone=["a:1", "a:2", "a:3"], right=1, steps=(), busy=())
     finding = SimpleNamespace(code=code, believed=None, law="crash", detail="")
     told = dict(_lines(finding, None))
-    only = "a:1; a:2; a:3 (not reached in 1 run without a finding)"
+    only = "a:1; a:2; a:3 (not reached in any of 1 run without a finding)"
     assert told["only here"] == only
     code.alone.append("a:4")
     assert len(code.alone) == MOST_LINES + 1

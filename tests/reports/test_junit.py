@@ -188,7 +188,7 @@ def test_a_mismatch_of_the_count_gate_is_an_error(holds):
     report = replace(holds, cells=(replace(first, counted=99), *others))
     assert outcomes(report)[0][1] == "error"
     assert "counts 99" in suite_of(report).find(".//error").get("message")
-    assert "their number equals" not in str(dict(content_of(report).short)["gate"])
+    assert "the number equals" not in str(dict(content_of(report).short)["gate"])
 
 
 def test_other_worlds_in_the_same_number_are_an_error(holds):

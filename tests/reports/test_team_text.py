@@ -201,7 +201,7 @@ def test_where_no_robot_is_activated_nobody_is_said_to_be():
     [
         ({"within": 1}, "within 1 activation of each robot"),
         ({"lead": 2, "scheduler": "ssync"}, "no robot more than 2 activations ahead"),
-        ({"start_delay": 2}, "robot 1 up to 2 rounds later"),
+        ({"start_delay": 2}, "robot 1 begins up to 2 rounds later"),
     ],
 )
 def test_the_schedules_are_told_with_their_bounds(options, said):
@@ -230,7 +230,7 @@ def test_the_gate_names_the_first_size_that_differs():
     ]
     report = SimpleNamespace(extent=SimpleNamespace(given=None), whole=True, cells=cells)
     assert _gate(report) == (
-        "MISMATCH: of maps with 2 edges and 2 vertices 2 were enumerated, but Tutte counts 9"
+        "MISMATCH: maps with 2 edges and 2 vertices: 2 were enumerated, but Tutte counts 9"
     )
     report.whole = False
     assert _gate(report) == "deferred to the merge of all shards"
@@ -268,7 +268,7 @@ REPLAYED = [
     (None, "fixed", "FIXED", "a, b: no law is broken in the recorded world"),
     (
         *(None, "not-reproduced", "NOT REPRODUCED"),
-        "a, b: a budget leaves it open whether a law is broken in the recorded world",
+        "a, b: the budget is too small to tell if the recorded world breaks a law",
     ),
 ]
 
@@ -298,7 +298,7 @@ def test_a_percept_is_told_in_few_words():
 
 def test_where_robots_come_or_go_no_move_is_told():
     assert [*content._moved((0, 1), (0, 1, 2), (0, 0, 1))] == []
-    assert [*content._moved((0, 1), (2, None), (0, 0, 1))] == ["0 at v1", "1 is no more"]
+    assert [*content._moved((0, 1), (2, None), (0, 0, 1))] == ["0 at v1", "1 is gone"]
 
 
 def test_a_search_that_is_stopped_gives_its_reason(holds):

@@ -184,4 +184,4 @@ def test_of_several_rows_the_first_that_does_not_agree_is_told():
         for n in (1, 2, 3)
     ]
     said = _mismatch(SimpleNamespace(disagreement="", rows=rows, source="Tutte"))
-    assert said == ("of maps with 2 edges and 2 vertices 4 were enumerated, but Tutte counts 5")
+    assert said == ("maps with 2 edges and 2 vertices: 4 were enumerated, but Tutte counts 5")

@@ -280,7 +280,7 @@ def test_a_world_without_a_name_has_a_number(tmp_path, monkeypatch):
     file = write(tmp_path / "a.jsonl", as_json("k4", name=""), as_json("theta", name=""))
     report = allworlds.check("mine.py:goes_on", worlds="a.jsonl", task="cover:edges", workers=1)
     assert report.findings[0].world.labels.name == "2 of a.jsonl"
-    with pytest.raises(InputError, match="estimate is of a class, and not of 2 worlds of"):
+    with pytest.raises(InputError, match="estimate is for a class, not for 2 worlds of"):
         estimate("folding", worlds=file)
 
 

@@ -362,8 +362,8 @@ def test_a_move_that_comes_late_is_told_with_both_events():
     late = SimpleNamespace(law="deadlock", seen="they wait", loop=0, events=events)
     *_, told = sentences_of(late)
     assert told == (
-        "A move is done by what was sensed earlier: robot 0 looks in event 1 and moves in event 4; "
-        "robot 1 looks in event 3 and moves in event 5."
+        "A move follows from what was sensed earlier: robot 0 looks in event 1 and moves in event "
+        "4; robot 1 looks in event 3 and moves in event 5."
     )
 
 

@@ -75,7 +75,7 @@ def test_a_finding_is_a_value_that_replays_and_can_be_explained(tmp_path):
     assert replayed.again.outcome.episode.transcript == finding.transcript
     assert str(finding.rules.budget(finding.world.map)) in str(again.expected)
     wrong, how = explain(again).sentences[:2]
-    assert "is wrong already" in wrong
+    assert "is already wrong" in wrong
     assert "did not end within its step budget" in how
     assert "told before the start: 2" in text_of(replayed.again, 100)
     # The corpus of a user keeps it, and tries it first.

@@ -26,13 +26,13 @@ from allworlds.robots.schedulers import Timing
 LAWS: dict[str, str] = {
     "crash": "A program raises no error, and its process does not end.",
     "timeout": "A program answers in time.",
-    "illegal-action": "A program says what is an action in this world.",
-    "no-estimate": "A program answers with what can be an answer.",
+    "illegal-action": "A program yields only actions of this world.",
+    "no-estimate": "A program returns only what can be an answer.",
     "nondeterministic": "A program does the same after the same percepts.",
-    "never": "What must never be is not.",
-    "deadlock": "Robots do not wait for what will never be.",
+    "never": "What must never happen does not happen.",
+    "deadlock": "Robots do not wait for what will never happen.",
     "answer": "When all robots have ended, nothing is wrong.",
-    "progress": "What must be so again and again is so in every fair run that never ends.",
+    "progress": "What must happen again and again happens in every fair run that never ends.",
     "budget": "The goal is reached within the activations that were asked for.",
 }
 """Every law, with its sentence."""
@@ -53,18 +53,18 @@ class Turned(doc.Document, forbid_unknown_fields=False):
 class EventRow(doc.Document, forbid_unknown_fields=False):
     """An event: a step of a set of robots at once, and of the adversary."""
 
-    robots: Annotated[tuple[Turned, ...], doc.about("those that are activated")]
-    adversary: Annotated[doc.Natural, doc.about("the index of what it did, of all it could do")]
-    world: Annotated[str, doc.about("the same in words; may be empty")]
+    robots: Annotated[tuple[Turned, ...], doc.about("the robots that are activated")]
+    adversary: Annotated[doc.Natural, doc.about("the index of its choice, of all its choices")]
+    world: Annotated[str, doc.about("the adversary's choice in words; may be empty")]
     written: Annotated[str, doc.about("the event as a schedule has it, as `0L`, `0M+1L:2`")]
     darts: Annotated[
-        tuple[Dart | None, ...], doc.about("of each robot after it; null: it is no more")
+        tuple[Dart | None, ...], doc.about("of each robot after the event; null: it is gone")
     ]
     vertices: Annotated[
-        doc.IfAny[dict[str, str]], doc.about("words at vertices after it, by their numbers")
+        doc.IfAny[dict[str, str]], doc.about("words at vertices after the event, by vertex")
     ]
     edges: Annotated[
-        doc.IfAny[dict[str, str]], doc.about("words at edges after it, by the smaller dart")
+        doc.IfAny[dict[str, str]], doc.about("words at edges after the event, by smaller dart")
     ]
 
 
@@ -110,7 +110,7 @@ class TeamFinding(doc.Document, forbid_unknown_fields=False, kw_only=True):
 
     version: Annotated[Literal[1], doc.about("the version of findings of teams")] = 1
     law: Annotated[str, doc.about("the broken law")]
-    seen: Annotated[str, doc.about("how it is broken, in words")]
+    seen: Annotated[str, doc.about("how the law is broken, in words")]
     sigma: Sigma
     alpha: Alpha
     starts: Annotated[tuple[Dart, ...], doc.about("the dart of each robot at the start")]
@@ -121,7 +121,7 @@ class TeamFinding(doc.Document, forbid_unknown_fields=False, kw_only=True):
     programs: Annotated[tuple[str, ...], doc.about("the program of each robot")]
     time: Annotated[TimeDocument, doc.about("the schedules that were tried")]
     first: Annotated[doc.Natural, doc.about("the index of the state at the start")] = 0
-    events: Annotated[tuple[EventRow, ...], doc.about("from the start on")]
+    events: Annotated[tuple[EventRow, ...], doc.about("the events from the start on")]
     loop: Annotated[
         doc.Natural, doc.about("how many of the last events repeat for ever; 0: the run ends")
     ] = 0

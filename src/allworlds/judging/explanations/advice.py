@@ -9,21 +9,21 @@ MEMORY = re.compile(r"\(signal (7|8|11)\)")
 """The end of a process by SIGBUS, SIGFPE or SIGSEGV."""
 
 SANITIZER = (
-    "Mostly that is an access outside of an array, or to memory that was freed, and it may have "
-    "come long before: compile with -g -fsanitize=address,undefined to see the line."
+    "Mostly the cause is an access outside of an array, or to memory that was freed, perhaps long "
+    "before: compile with -g -fsanitize=address,undefined to see the line."
 )
 """The advice for a process that has ended by such a signal."""
 
 STDOUT = (
-    "The program's stdout is for its actions alone: output for debugging goes to stderr. For {}, "
-    "was a value undefined: a return that was forgotten, or an ended generator?"
+    "The program's stdout is for its actions alone: output for debugging goes to stderr. If the "
+    "line is {}, was a value undefined: a return that was forgotten, or an ended generator?"
 )
 """The advice for a program that prints something else, or prints outside its turn."""
 
 NO_LINE = (
     (
         r"\\x00",
-        "That is text in UTF-16: legal is UTF-8, which a program sets for its stdout.",
+        "The line is text in UTF-16: a program must set its stdout to UTF-8.",
     ),
     (
         r"no JSON: '\s*(\\[nrt]|\s)*'$",
@@ -44,7 +44,7 @@ FLUSH = (
 
 KEPT = (
     "Does it keep something from an earlier run: a global or static variable, or a field that is "
-    "not reset when an episode begins? Does it go by chance, by time or by addresses?"
+    "not reset when an episode begins? Does it depend on chance, on time or on addresses?"
 )
 """The questions about an explorer whose plays differ."""
 

@@ -93,15 +93,15 @@ def tell_nondeterministic(story: Story) -> Telling:
         before = listed([world.in_words for world in after])
         that = "that world" if len(after) == 1 else "those worlds"
         how = (
-            f"In the same process the explorer explored {before} before; after {that} it acted "
-            "differently in this one than by itself."
+            f"The explorer first explored {before} in the same process; after {that} it acted "
+            "differently in this world than in a new process."
         )
     return Telling([how, *advice(story.finding), _say_last_step(story)])
 
 
 SHOW = (
-    "No checkpoint is wrong, or none is shown: one after each edge tells where the explorer's map "
-    "goes wrong first."
+    "No checkpoint is wrong, or none is shown: a checkpoint after each edge would tell where the "
+    "explorer's map first goes wrong."
 )
 """The advice for a walk without an end and without a wrong checkpoint."""
 
@@ -126,7 +126,7 @@ def tell_whose_budget(finding: Finding) -> str:
     """Tell the origin of the step budget, and whether a larger budget suffices."""
     rules, map_ = finding.rules, finding.world.map
     if rules.step_budget is not None:
-        return f"The budget is that of --step-budget: {plural(rules.step_budget, 'traversal')}."
+        return f"--step-budget sets the budget: {plural(rules.step_budget, 'traversal')}."
     value = rules.budget(map_)
     new, closing = bounds.paper_terms(map_.vertex_count, map_.edge_count)
     world = size(map_.edge_count, map_.vertex_count)
@@ -143,7 +143,7 @@ def _say_tried(finding: Finding) -> list[str]:
     """Tell the option that helps; no sentence if none was tried, or none helps."""
     if not finding.tried:
         return []
-    return [f"With {finding.tried} it breaks no law, here and elsewhere: that was tried."]
+    return [f"Tried with {finding.tried}: no law is broken in this world or any other one tried."]
 
 
 def _say_progress(story: Walked) -> str:
@@ -153,7 +153,7 @@ def _say_progress(story: Walked) -> str:
         return _say_last_step(story)
     step, left = f"After step {max(found_at)}", story.map.edge_count - len(found_at)
     if left:
-        return f"{step} it met no new edge; {plural(left, 'edge')} it never met."
+        return f"{step} it found no new edge; it never found {plural(left, 'edge')}."
     return f"{step} it had walked every edge of the world, and yet it went on."
 
 
@@ -180,9 +180,9 @@ def _tell_first_wrong(story: Story) -> list[str]:
     """Tell the first checkpoint with a wrong S; no sentence if there is none."""
     if story.checkpoint is None:
         return []
-    what = story.finding.wrong_checkpoint or "it shows another S than the explored part"
-    wrong = f"The checkpoint after step {story.checkpoint} is wrong already: {what}."
-    return [f"{wrong} Mend that first: all that followed may be built on it."]
+    what = story.finding.wrong_checkpoint or "its S is not the explored part"
+    wrong = f"The checkpoint after step {story.checkpoint} is already wrong: {what}."
+    return [f"{wrong} Mend this first: all later steps may follow from it."]
 
 
 def _say_last_step(story: Walked) -> str:
@@ -228,7 +228,7 @@ def tell_parting(belief: Belief) -> list[str]:
     if parting is None:
         fits = (
             "The answer is another world that fits the whole log: nothing that the robot sensed "
-            "tells the two apart, so it was guessed."
+            "tells the two worlds apart, so the answer was guessed."
         )
         return [fits, *tell_open_darts(belief.story)]
     sentences = [_say_parting(belief, parting)]
@@ -239,7 +239,7 @@ def tell_parting(belief: Belief) -> list[str]:
         sentences.append(f"The first percept against the answer came at step {step}: {misfit}.")
         return sentences
     sentences.append(
-        "Every percept fits the answer, too: the walk was too short to tell the two apart."
+        "Every percept fits the answer, too: the walk was too short to tell the two maps apart."
     )
     return sentences + tell_open_darts(belief.story)
 
@@ -251,7 +251,7 @@ def _say_parting(belief: Belief, parting: Parting) -> str:
     vertex = story.vertex(robot)
     misfit = _say_misfit(belief, step) if step in belief.walk.misfits else ""
     if step == 0:
-        return f"They part at the start, at {vertex}: {misfit}."
+        return f"The world and the answer differ at the start, at {vertex}: {misfit}."
     if parting.fresh:
         truth = f"At step {step} the robot came to {vertex} for the first time"
     elif type(story.walk.actions[step - 1]) is not actions.Move:
@@ -259,12 +259,12 @@ def _say_parting(belief: Belief, parting: Parting) -> str:
     else:
         truth = f"At step {step} the robot was back at {vertex}, {story.last_left(robot, step)}"
     if taken_for == (None if parting.fresh else robot):
-        return f"{truth}, and so it is in its answer, but {misfit}."
+        return f"{truth}, and in its answer too, but {misfit}."
     if taken_for is None:
-        taken = "its answer takes the place for a new vertex"
+        taken = "its answer takes this vertex for a new one"
     elif story.vertex(taken_for) != vertex:
         left = story.last_left(taken_for, step)
-        taken = f"its answer takes the place for {story.vertex(taken_for)}, {left}"
+        taken = f"its answer takes this vertex for {story.vertex(taken_for)}, {left}"
     else:
         taken = f"in its answer it came by dart {taken_for}, in truth by dart {robot}"
     return f"{truth}, but {taken}{': ' if misfit else ''}{misfit}."
@@ -274,7 +274,7 @@ def _say_misfit(belief: Belief, step: int) -> str:
     seen = belief.walk.expected[step], belief.story.sensed[step]
     expected, sensed = map(belief.story.in_words, seen)
     if belief.walk.percepts is None:
-        lacks = f"the answer has {expected}, and no place for the lighthouse"
+        lacks = f"the answer has {expected}, but its map cannot hold the lighthouse"
         return f"it sensed '{sensed}', where {lacks}"
     return f"it sensed '{sensed}', where the answer predicts '{expected}'"
 
@@ -299,7 +299,7 @@ def tell_pose(story: Story) -> Telling:
         causes += ["the bearings are counted anticlockwise"] if bearings else []
         sentences = [
             f"Either {', or '.join(causes)}: {where}.",
-            "This world is its own mirror image and does not show which.",
+            "This world is its own mirror image, so it does not show which of these is wrong.",
         ]
     elif bearings:
         name = bearings.name
@@ -343,8 +343,8 @@ def _say_where(belief: Belief, images: list[Dart]) -> str:
 def tell_ambiguity(story: Story) -> Telling:
     """Tell the right answer: a quotient, or a map."""
     broken = (
-        "The answer says that several worlds look alike, and what they have in common: the "
-        "quotient in which darts are one that nothing tells apart, rooted at the robot's."
+        "The answer says that several worlds look alike: it must be their quotient, in which darts "
+        "that look alike are one dart, rooted at the robot's dart."
     )
     stands = f"In the world the robot stands at {story.spot(story.walk.darts[-1])}."
     return Telling([broken, stands])
@@ -477,8 +477,8 @@ def _whose(finding: Finding) -> str:
         return f"The bound 'paper' is {paper}. {sums} = {value}."
     if name == "two-vertices":
         return (
-            f"The bound 'two-vertices' is {paper}; with two traversals for each test of a "
-            f"hypothesis, and the search among the darts of the start. {sums}, with those {value}."
+            f"The bound 'two-vertices' is {paper}; it adds two traversals for each test of a "
+            f"hypothesis, and the search among the darts of the start. {sums}, in all {value}."
         )
     own = rules.the_bound == rules.own_bound
     owner = "the explorer's own" if own else "the one that was asked for"
@@ -499,15 +499,13 @@ TELLERS: dict[str, Teller] = {
     "pose": tell_pose,
     "ambiguity": tell_ambiguity,
     "task": ending("The explorer did not do what the task asks for."),
-    "invariant-1": checkpoint(
-        "What was published as S, the explored part, does not lie so in the world."
-    ),
+    "invariant-1": checkpoint("The S of a checkpoint is not the explored part of the world."),
     "invariant-2": checkpoint(
-        "What was published as U, the unexplored darts, holds one that is explored."
+        "The U of a checkpoint, the unexplored darts, holds an explored dart."
     ),
     "variant": checkpoint(
-        "A pass brought no progress: from one checkpoint to the next S, the explored part, must "
-        "gain an edge, and at the last one it must have them all."
+        "A pass brought no progress: from each checkpoint to the next, S, the explored part, must "
+        "gain an edge, and at the last checkpoint S must have all edges."
     ),
     "folding": tell_folding,
     "bound": tell_bound,

@@ -69,7 +69,7 @@ def tell_round(story: Story) -> list[str]:
     named = [line for line in dict.fromkeys(lines) if line][:SHOWN]
     at = f" ({'lines' if len(named) > 1 else 'line'} {', '.join(named)})" if named else ""
     how = f"{plural(found.steps, 'step')}, {found.times} times, to {where}"
-    return [f"From step {found.first} on it goes round: {how}{at}."]
+    return [f"From step {found.first} on it repeats {how}{at}."]
 
 
 def tell_way_back(story: Story) -> list[str]:
@@ -98,7 +98,7 @@ def tell_way_back(story: Story) -> list[str]:
                 f"Before step {step} it was back at {story.vertex(here)} and faced dart {here}, by "
                 f"which it had gone out; {action} led along dart {out}, which was walked before. "
                 f"Counted from dart {came[vertex]}, by which it had come first, it would have led "
-                f"along dart {meant}, which was new: does it take the one door for the other?"
+                f"along dart {meant}, which was new: does the explorer confuse the doors?"
             )
         walked |= {out, darts[step]}
         if not (by_loop and out == here):  # it is on its way back through the loop

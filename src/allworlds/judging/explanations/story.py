@@ -305,7 +305,7 @@ def _edge_misplaced(belief: Belief) -> Slip | None:
         for (a, b), less in left:
             if fewer and isomorphism(fewer, less):
                 sentence = (
-                    f"All but one edge is right: that of darts {a} and {b} of the world is "
+                    f"Only one edge is wrong: the edge of darts {a} and {b} of the world is "
                     "elsewhere in the answer."
                 )
                 return Slip("edge misplaced", sentence, fewer, less)
@@ -317,7 +317,7 @@ def _edge_missing(belief: Belief) -> Slip | None:
     story, answer = belief.story, belief.answer.map
     alpha = story.map.alpha
     for d, less in _without_an_edge(deleted, story.map, answer):
-        sentence = f"The answer lacks one edge of the world: that of darts {d} and {alpha[d]}."
+        sentence = f"The answer lacks one edge of the world: the edge of darts {d} and {alpha[d]}."
         return Slip("edge missing", sentence, answer, less)
     for d, less in _without_an_edge(contracted, story.map, answer):
         ends = f"{story.vertex(d)} and {story.vertex(alpha[d])}"

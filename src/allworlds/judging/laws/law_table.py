@@ -352,7 +352,7 @@ class Law(Struct, frozen=True):
 
 LAWS: dict[str, Law] = {
     "map": Law("The answer must be the same map as the world.", map_law),
-    "pose": Law("The dart 'here' of the answer must stand for the robot's place.", pose_law),
+    "pose": Law("The dart 'here' of the answer must stand for the robot's dart.", pose_law),
     "invariant-1": Law("At every checkpoint, S must be embedded in the world.", invariant_1),
     "invariant-2": Law("At every checkpoint, U must hold no end of an explored edge.", invariant_2),
     "variant": Law(
@@ -376,7 +376,7 @@ ASKED = {
     "nondeterministic": "The explorer must repeat its actions when its percepts are repeated.",
     "map": LAWS["map"].asks,
     "pose": LAWS["pose"].asks,
-    "ambiguity": "An answer that names no map must be the quotient of all that look alike.",
+    "ambiguity": "An answer without a map must be the quotient of all worlds that look alike.",
     "task": "The answer and the walk must be what the task asks for.",
     **{name: law.asks for name, law in LAWS.items()},
 }

@@ -244,7 +244,7 @@ def _counted(census: census_sweep.AmbiguityCensus) -> parts.Headline | None:
     if not census.agrees:
         wrong = [
             f"with {words.plural(row.edges, 'edge')} {words.plural(row.rooted, 'rooted map')} "
-            f"{'was' if row.rooted == 1 else 'were'} met; {census.source} counts {row.counted}"
+            f"{'was' if row.rooted == 1 else 'were'} met, but {census.source} counts {row.counted}"
             for row in census.rows
             if not row.agrees(whole=census.whole)
         ]

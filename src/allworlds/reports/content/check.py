@@ -73,7 +73,7 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
         sizes = f"{plural(len(cells), 'size')} finished"
         if report.complete:
             sizes = f"all {plural(len(cells), 'size')} complete"
-        short["gate"] = f"{sizes}; the number of worlds equals an independent count{_listed(cells)}"
+        short["gate"] = f"{sizes}; the number equals an independent count{_listed(cells)}"
     words = [(name, short.get(name, said)) for name, said in scope_words(report) if said]
     if report.tally.rows and not report.findings:
         rows = sorted(report.tally.rows.items())
@@ -250,7 +250,7 @@ def _laws(report: CheckReport) -> str:
     if published:
         return f"{laws}; {plural(published, 'checkpoint')}"
     left = [law for law in rules.applying if law not in checked]
-    return laws + (f"; not checked, as no checkpoint is shown: {listed(left)}" if left else "")
+    return laws + (f"; unchecked without checkpoints: {listed(left)}" if left else "")
 
 
 def _gate(report: CheckReport) -> str:
@@ -276,7 +276,7 @@ def _gate(report: CheckReport) -> str:
 def _listed(cells: Sequence[GateCell]) -> str:
     """The number of edges up to which another enumeration has listed the same worlds, in words."""
     most = max((cell.edges for cell in cells if cell.listed), default=0)
-    return f"; up to {plural(most, 'edge')} an independent list agrees" if most else ""
+    return f"; up to {plural(most, 'edge')} listed" if most else ""
 
 
 def _why_vacuous(report: CheckReport) -> str:

@@ -234,7 +234,7 @@ def printed(output: str, shown: str = "") -> list[parts.Block]:
 def nothing_checked(rules: Rules) -> str:
     """The reason why nothing was checked: the laws need checkpoints, and no run shows any."""
     laws = words.listed(rules.judged)
-    return f"nothing was checked: no checkpoint is shown, and {laws} cannot do without"
+    return f"nothing was checked: the explorer shows no checkpoints, which are needed for {laws}"
 
 
 MOST_LINES = 3

@@ -36,7 +36,7 @@ from allworlds.world.world import World
 
 SharedFile: TypeAlias = Annotated[
     doc.IfAny[str],
-    doc.about("the explorer's file, where judges load code from it, too: see trust"),
+    doc.about("the explorer's file, if it also holds code that judges: see trust"),
 ]
 """A key of the scope of every verb that judges runs."""
 
@@ -142,10 +142,10 @@ class GateCell(doc.Document):
     edges: doc.Edges
     vertices: doc.Vertices
     enumerated: Annotated[doc.Natural, doc.about("rooted maps that were visited")]
-    counted: Annotated[doc.Natural, doc.about("those that there are")]
+    counted: Annotated[doc.Natural, doc.about("the number by an independent source")]
     source: Annotated[doc.Text, doc.about("says who")]
-    fingerprint: Annotated[doc.IfAny[str], doc.about("of the visited ones")] = ""
-    listed: Annotated[doc.IfAny[str], doc.about("that of another enumeration, if it is known")] = ""
+    fingerprint: Annotated[doc.IfAny[str], doc.about("of the visited rooted maps")] = ""
+    listed: Annotated[doc.IfAny[str], doc.about("the fingerprint of another enumeration")] = ""
 
     @property
     def agrees(self) -> bool:
@@ -218,10 +218,10 @@ def missing_witnesses(
 class SampleReport(doc.Document):
     """How random worlds were drawn."""
 
-    edges: Annotated[doc.Positive, doc.about("at most so many")]
-    min_edges: Annotated[doc.Positive, doc.about("at least so many")]
+    edges: Annotated[doc.Positive, doc.about("the most edges of a world")]
+    min_edges: Annotated[doc.Positive, doc.about("the least edges of a world")]
     runs: Annotated[doc.Positive, doc.about("how many worlds were drawn")]
-    seed: Annotated[doc.Natural, doc.about("from which")]
+    seed: Annotated[doc.Natural, doc.about("the seed of the draws")]
     mix: Annotated[doc.Different[doc.Text], doc.about("the distributions that come in turn")]
 
 
@@ -239,7 +239,7 @@ class CheckedScope(doc.Document):
     sample: Annotated[SampleReport | None, doc.about("of `fuzz`: how the worlds were drawn")]
     given: GivenCount
     sha256: FileDigests
-    symmetry: Annotated[str | None, doc.about("why one run was counted for several, if it was")]
+    symmetry: Annotated[str | None, doc.about("why one run counts for several, if it does")]
     gate: Annotated[
         Gated,
         doc.about(
@@ -251,7 +251,7 @@ class CheckedScope(doc.Document):
         doc.Different[doc.Positive], doc.about("the finished numbers of edges")
     ]
     stopped: Annotated[
-        str | None, doc.about("why it is not complete; null: it is, or it is a sample")
+        str | None, doc.about("why the check is not complete; null: it is, or is a sample")
     ]
 
 
@@ -265,14 +265,14 @@ class CheckRow(doc.Document):
     episodes: Annotated[doc.Natural, doc.about("runs x schedules")]
     traversals: Annotated[doc.Natural, doc.about("summed over the episodes")]
     traversals_rooted: Annotated[
-        doc.Natural, doc.about("the same at the first place of each rooted map alone")
+        doc.Natural, doc.about("summed at the first place of each rooted map alone")
     ]
     max_cost: Annotated[doc.Natural, doc.about("the largest cost of an episode")]
     best_cost: Annotated[
         doc.IfAny[doc.Natural | None],
         doc.about(
-            "the largest, over the runs, of the cost of the cheapest schedule; where it is left "
-            "out, one schedule was tried"
+            "the largest cost, over the runs, of the cheapest schedule of a run; absent: only one "
+            "schedule was tried"
         ),
     ]
     bound: Annotated[int | None, doc.about("the largest bound of a run; null without a bound")]

@@ -36,20 +36,18 @@ COUNTABLE = 16
 """The most edges of a level whose maps are counted for an estimate."""
 
 
-Largest: TypeAlias = Annotated[doc.Positive, doc.about("of the largest worlds")]
+Largest: TypeAlias = Annotated[doc.Positive, doc.about("edges of the largest worlds")]
 Doer: TypeAlias = Annotated[EngineName, doc.about("the engine that would run it")]
 ToBeTried: TypeAlias = Annotated[
     doc.Natural,
-    doc.about(
-        "rooted maps that are to be tried; under a condition without a source at most so many"
-    ),
+    doc.about("rooted maps to try; an upper limit, if no formula counts the maps of the condition"),
 ]
 Sampled: TypeAlias = Annotated[
     doc.Natural,
-    doc.about("rooted maps of the last level that were tried for this; 0: the rate is a guess"),
+    doc.about("tried rooted maps of the last level, for the rate; 0: the rate is a guess"),
 ]
 Rate: TypeAlias = Annotated[
-    doc.Figure | None, doc.about("of these a second; null: none was finished in time")
+    doc.Figure | None, doc.about("rooted maps a second; null: no map was finished in time")
 ]
 
 
@@ -158,7 +156,7 @@ def estimate(request: CheckRequest) -> TimeEstimate:
         InputError: naming the offending option and what would be legal.
     """
     if request.given is not None:
-        raise InputError(f"estimate is of a class, and not of {request.given.words}")
+        raise InputError(f"estimate is for a class, not for {request.given.words}")
     once = cache(request.listener.notice)
     job, chosen = job_of(request, once)
     guess, larger = estimated(job, chosen), tuple[Guess, ...]()

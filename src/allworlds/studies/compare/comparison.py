@@ -42,10 +42,10 @@ class ComparedRow(doc.Document):
     worlds: Annotated[
         doc.Positive, doc.about("rooted maps in which every explorer's lighthouse has a place")
     ]
-    runs: Annotated[doc.Positive, doc.about("judged in them, of all explorers together")]
+    runs: Annotated[doc.Positive, doc.about("judged in these maps, of all explorers together")]
     mean: Annotated[
         dict[str, doc.Figure],
-        doc.about("for each explorer the mean over these maps of its mean over the places"),
+        doc.about("for each explorer its mean over the places, then over these maps"),
     ]
     worst: Annotated[
         dict[str, doc.Natural], doc.about("for each explorer the largest cost of a run")
@@ -53,22 +53,22 @@ class ComparedRow(doc.Document):
     ratio: Annotated[
         dict[str, doc.Figure | None],
         doc.about(
-            "for each explorer its mean in a map divided by that of the first there: the geometric "
-            "mean over these maps; null where one is 0"
+            "for each explorer its mean in a map divided by the first explorer's mean in this map: "
+            "the geometric mean over these maps; null where a mean is 0"
         ),
     ]
     less: Annotated[
         dict[str, doc.Natural],
-        doc.about("in how many maps the first one's mean is less than this one's"),
+        doc.about("in how many maps the first explorer's mean is less than this explorer's"),
     ]
-    equal: Annotated[dict[str, doc.Natural], doc.about("in how many it is equal")]
-    more: Annotated[dict[str, doc.Natural], doc.about("in how many it is more")]
+    equal: Annotated[dict[str, doc.Natural], doc.about("in how many the means are equal")]
+    more: Annotated[dict[str, doc.Natural], doc.about("in how many the first's is more")]
 
 
 class DifferMost(doc.Document):
     """The smallest of the worlds in which the first explorer differs most from another."""
 
-    world: Annotated[World, doc.about("the rooted map, with the first one's lighthouse")]
+    world: Annotated[World, doc.about("the map with the first explorer's lighthouse")]
     costs: Annotated[dict[str, doc.Figure], doc.about("for each explorer its mean over the places")]
 
 

@@ -61,7 +61,7 @@ class ContestWorldsOptions(selection.WhereOptions, GivenOptions, classes.ExtentO
             "corridor.",
             document_type=Annotated[
                 doc.Some[doc.Text] | None,
-                doc.about("the families; with `to` null one, of which one world; null: a class"),
+                doc.about("the families; if `to` is null, only one; null: a class"),
             ],
         ),
     ] = Converted(_families, None)
@@ -71,12 +71,12 @@ class ContestWorldsOptions(selection.WhereOptions, GivenOptions, classes.ExtentO
         Option(
             RARE_SCOPE,
             "S",
-            "The seed for worlds drawn from a family; with --to of the first world of a size, the "
-            "others have the next ones [default: 0; with --to 1].",
+            "The seed for worlds drawn from a family; with --to, of the first world of a size; the "
+            "next worlds have the next seeds [default: 0; with --to 1].",
             parse=integer_of,
             document_type=Annotated[
                 doc.Natural | None,
-                doc.about("of the world of a family, or of the first of each size; null: a class"),
+                doc.about("the seed of the world, or of the first of each size; null: a class"),
             ],
         ),
     ] = None
@@ -89,7 +89,7 @@ class ContestWorldsOptions(selection.WhereOptions, GivenOptions, classes.ExtentO
             parse=integer_of,
             document_type=Annotated[
                 doc.Positive | None,
-                doc.about("the most edges of worlds that grow; null: they do not"),
+                doc.about("the most edges of worlds that grow; null: no world grows"),
             ],
         ),
     ] = None
@@ -110,12 +110,12 @@ class ContestWorldsOptions(selection.WhereOptions, GivenOptions, classes.ExtentO
         Option(
             RARE_SCOPE,
             "P",
-            "With --to: places of the lighthouse in each world; of more, such as the directions "
-            "of a marker, P are drawn by the seed [default: 8].",
+            "With --to: places of the lighthouse in each world; if there are more, as of a marker "
+            "that has a direction, the seed draws P of them [default: 8].",
             parse=integer_of,
             document_type=Annotated[
                 doc.Positive | None,
-                doc.about("at most so many places in a world; null: worlds that do not grow"),
+                doc.about("the most places of the lighthouse in a world; null: no world grows"),
             ],
         ),
     ] = None

@@ -164,9 +164,9 @@ class GrownWorld(doc.Document):
     name: Annotated[doc.Text, doc.about("as `run --family` takes it")]
     edges: Annotated[doc.Positive, doc.about("of the map")]
     places: Annotated[doc.Positive, doc.about("places that the lighthouse has in this world")]
-    ran: Annotated[doc.Some[doc.Natural], doc.about("the numbers of those in which it was run")]
-    costs: Annotated[doc.Some[doc.Natural], doc.about("of these runs, in traversals")]
-    bound: Annotated[int | None, doc.about("the largest of these runs; null without a bound")]
+    ran: Annotated[doc.Some[doc.Natural], doc.about("the numbers of the places that were run")]
+    costs: Annotated[doc.Some[doc.Natural], doc.about("costs of these runs, in traversals")]
+    bound: Annotated[int | None, doc.about("the largest bound of a run; null without a bound")]
 
     @property
     def mean(self) -> float:
@@ -185,12 +185,12 @@ class GrowRow(doc.Document):
     edges: Annotated[doc.Positive, doc.about("of the first member")]
     vertices: Annotated[doc.Positive, doc.about("of the first member")]
     explorer: Annotated[doc.Text, doc.about("its name")]
-    seeds: Annotated[doc.Positive, doc.about("members that were drawn; isomorphic ones count once")]
+    seeds: Annotated[doc.Positive, doc.about("the number of drawn members")]
     drawn_from: Annotated[
         doc.Positive | None,
-        doc.about("different rooted maps that seeds draw; null: they draw more than the start"),
+        doc.about("different rooted maps that a seed can draw; null: seeds draw more than a start"),
     ]
-    exact: Annotated[bool, doc.about("every world that seeds draw was run, in every place")]
+    exact: Annotated[bool, doc.about("every world that a seed can draw was run, in every place")]
     members: Annotated[doc.Some[GrownWorld], doc.about("the worlds, by seed")]
 
     @doc.computed
@@ -245,9 +245,9 @@ class CostRatio(doc.Document):
     family: Annotated[doc.Text, doc.about("as it was asked for")]
     edges: Annotated[doc.Positive, doc.about("of the first member")]
     explorer: Annotated[doc.Text, doc.about("its name")]
-    worlds: Annotated[doc.Positive, doc.about("in which both were run")]
+    worlds: Annotated[doc.Positive, doc.about("worlds in which both were run")]
     ratio: Annotated[doc.Figure, doc.about("the geometric mean of the ratios in these worlds")]
-    exact: Annotated[bool, doc.about("in every world that seeds draw, in every place")]
+    exact: Annotated[bool, doc.about("in every world that a seed can draw, in every place")]
     interval: Annotated[Range, doc.about("of the ratio")]
 
 
@@ -256,7 +256,7 @@ class Exponent(doc.Document):
 
     family: Annotated[doc.Text, doc.about("as it was asked for")]
     explorer: Annotated[doc.Text, doc.about("its name")]
-    sizes: Annotated[doc.Positive, doc.about("with a mean cost")]
+    sizes: Annotated[doc.Positive, doc.about("sizes with a mean cost")]
     exponent: Annotated[
         float | None,
         doc.about(

@@ -62,10 +62,10 @@ class SampleOptions(Request):
         Option(
             RARE_SCOPE,
             "NAMES",
-            f"Draw of these alone, with commas: {', '.join(PARTS)} [default: those of the class].",
+            f"Draw only from these, with commas: {', '.join(PARTS)} [default: those of the class].",
             parse=law_names,
             document_type=Annotated[
-                tuple[Text, ...], about("the distributions that were drawn of, in turn")
+                tuple[Text, ...], about("the distributions of the drawn worlds, in turn")
             ],
         ),
     ] = Converted(mix_named, None)

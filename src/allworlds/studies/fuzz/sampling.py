@@ -132,6 +132,6 @@ class Batch(Struct, frozen=True):
         assert extent.where is not None
         raise InputError(
             f"where {show(extent.where.name)}: {tries + 1} maps of the class {extent.map_class} "
-            f"with {self.min_edges} to {extent.levels[-1]} edges were drawn, and it is true of "
-            "none; legal is one that is true of more of them"
+            f"with {self.min_edges} to {extent.levels[-1]} edges were drawn, and the condition is "
+            "true of none; legal is a condition that is true of more maps"
         )

@@ -89,10 +89,10 @@ def sentences_of(finding: TeamFinding) -> Iterator[str]:
         yield f"After {before} the last {plural(finding.loop, 'event')} repeat for ever."
         yield "In them every robot is activated, or cannot be: the schedule is fair."
     elif events:
-        yield f"It is so after {plural(events, 'event')}, and in this world never after fewer."
+        yield f"This happens after {plural(events, 'event')}, and in this world never after fewer."
     late = [*_stale(finding)]
     if late:
-        yield f"A move is done by what was sensed earlier: {'; '.join(late)}."
+        yield f"A move follows from what was sensed earlier: {'; '.join(late)}."
     chosen = [event.world for event in finding.events if event.world]
     if chosen:
         yield f"The adversary: {'; '.join(dict.fromkeys(chosen))}."

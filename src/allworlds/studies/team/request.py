@@ -134,8 +134,8 @@ class TeamRequest(
         Option(
             RULES,
             "B",
-            "A run of a generator goes on for so many activations of each robot; one that is cut "
-            "off leaves the verdict open.",
+            "A run of generators is cut off after B activations of each robot, and then leaves the "
+            "verdict open.",
             parse=integer_of,
             document_type=Annotated[
                 doc.Positive, doc.about("the most activations of a robot in a run of generators")
@@ -147,7 +147,7 @@ class TeamRequest(
         Option(
             RARE_RULES,
             "B",
-            "The same as a bound: a run that goes on is a finding.",
+            "As --budget, but a run that goes on is a finding.",
             parse=integer_of,
             document_type=Annotated[doc.Positive | None, doc.about("a bound on the activations")],
         ),
@@ -179,7 +179,7 @@ class TeamRequest(
         Option(
             RARE_EFFORT,
             "N",
-            "A search of one world has at most so many configurations.",
+            "The most configurations in the search of one world.",
             parse=integer_of,
         ),
     ] = Converted(_natural("configurations", 1), 1_000_000)

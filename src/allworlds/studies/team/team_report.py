@@ -22,7 +22,7 @@ class TeamCell(doc.Document):
     edges: doc.Edges
     vertices: doc.Vertices
     enumerated: Annotated[doc.Natural, doc.about("rooted maps that were visited")]
-    counted: Annotated[doc.Natural, doc.about("those that there are")]
+    counted: Annotated[doc.Natural, doc.about("the number by an independent source")]
     source: Annotated[doc.Text, doc.about("says who")]
 
     @property
@@ -39,7 +39,7 @@ class TeamCounts(doc.Document):
     maps: Annotated[doc.Natural, doc.about("rooted maps")]
     worlds: Annotated[doc.Natural, doc.about("maps with starts of all robots")]
     configurations: Annotated[doc.Natural, doc.about("states of a world with all minds")]
-    most: Annotated[doc.Natural, doc.about("the largest number of them in one world")]
+    most: Annotated[doc.Natural, doc.about("the most configurations of one world")]
     ends: Annotated[doc.Natural, doc.about("configurations in which a run ends")]
     cut_off: Annotated[doc.Natural, doc.about("configurations in which the budget cuts a run off")]
     full: Annotated[doc.Natural, doc.about("worlds with more configurations than are allowed")]
@@ -64,7 +64,7 @@ class TeamScopeDocument(doc.Document):
         ),
     ]
     complete: Annotated[bool, doc.about("whether every world of the scope was searched")]
-    stopped: Annotated[str | None, doc.about("why it is not complete; null: it is")]
+    stopped: Annotated[str | None, doc.about("why the search is not complete; null: it is")]
 
 
 class TeamReport(PortionReport, kw_only=True):
