@@ -82,7 +82,7 @@ def test_the_darts_that_bearings_count_to_are_drawn(kind):
 
 def test_a_class_is_drawn_and_explained():
     text = class_text(class_of(named("k4"), map_class="simple"), 100)
-    assert text.startswith("AMBIGUOUS  2 worlds in the class simple; all are covers, with 3 sheets")
+    assert text.startswith("AMBIGUOUS  2 worlds in the class simple; all are covers with 3 sheets")
     assert "The given world (genus 0)" in text
     assert "World 2 (genus 1)" in text
     assert "more worlds: --json" not in text
@@ -100,7 +100,7 @@ def test_of_a_large_class_some_worlds_are_drawn_and_the_rest_is_not_forgotten():
 def test_a_world_that_can_be_mapped_is_alone():
     text = class_text(class_of(named("cycle-5")), 100)
     assert text.startswith("ALONE")
-    assert "a robot can map it" in text
+    assert "a robot can map this world" in text
 
 
 def test_a_census_is_a_table():

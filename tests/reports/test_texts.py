@@ -225,7 +225,7 @@ def test_the_laws_are_those_of_which_something_was_checked():
     silent = laws("folding", bound="none")
     checked, _, left = silent.partition(";")
     assert checked.split() == ["laws", "map,", "pose,", "folding"]
-    assert left.endswith("no checkpoint is shown: invariant-1, invariant-2 and variant")
+    assert left.endswith("unchecked without checkpoints: invariant-1, invariant-2 and variant")
     assert "no law was checked" in laws("algorithm1", lighthouse="natural", edges=1)
 
 
