@@ -290,7 +290,7 @@ def test_in_the_map_of_a_checkpoint_the_vertices_that_are_not_explored_have_no_n
     (block,) = _belief(story)
     _, (title, scene) = block.entries
     assert [*scene.vertices] == ["s0", "?", "?"]
-    assert "which are 0 to 1 (?: not explored)" in title
+    assert "with its own numbers of darts, 0 to 1 (?: not explored)" in title
     story.finding.step = None
     assert _belief(story)
     shown.here = 9
