@@ -157,8 +157,8 @@ class Standing(Report):
     worlds: Annotated[
         DoneOf,
         doc.about(
-            "rooted maps, of `compare` once for each explorer, in a family runs; of a shard `all` "
-            "is about its part, under a condition without a source at most so many"
+            "rooted maps (`compare`: once for each explorer; a family: runs); in a shard `all` is "
+            "its part, and an upper limit if no formula counts the maps of a condition"
         ),
     ]
     rate: Annotated[

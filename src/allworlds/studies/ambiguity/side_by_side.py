@@ -52,7 +52,7 @@ class SensorsRequest(ManyWorldsOptions):
 class AlikePair(doc.Document):
     """Two worlds that no motion tells apart, with the proof."""
 
-    worlds: Annotated[doc.Pair[World], doc.about("two maps, or one from two starts")]
+    worlds: Annotated[doc.Pair[World], doc.about("two maps, or one map with two starts")]
     sensed: Annotated[
         doc.Pair[doc.Some[Percept]], doc.about("for each world what is sensed at each dart")
     ]
