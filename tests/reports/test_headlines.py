@@ -295,4 +295,4 @@ def test_in_the_map_of_a_checkpoint_the_vertices_that_are_not_explored_have_no_n
     assert _belief(story)
     shown.here = 9
     (block,) = _belief(story)
-    assert "and no map: sigma [1, 0], alpha [0, 1], here 9" in str(block)
+    assert "is no map: sigma [1, 0], alpha [0, 1], here 9" in str(block)
