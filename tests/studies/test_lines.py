@@ -150,7 +150,7 @@ def test_the_wrong_checkpoint_is_kept_and_drawn_beside_the_world():
     text = str(finding)
     assert f"The world after step {shown.step}\n" in text
     size = len(shown.sigma) - 1
-    assert f"Its S after step {shown.step}, in its own darts, which are 0 to {size}" in text
+    assert f"Its S after step {shown.step}, with its own numbers of darts, 0 to {size}" in text
     page = finding._repr_html_()
     assert f"Its S after step {shown.step}" in page
 
