@@ -105,7 +105,7 @@ class Confirmation(Struct, frozen=True):
         if again.law not in LOST or not self.subject.importable or again.confirmed:
             return again
         if not again.machine:
-            broken = nondeterministic(f"{again.law}, and not in a fresh process: {again.seen}")
+            broken = nondeterministic(f"{again.law} here, but not in a fresh process: {again.seen}")
             return replace(
                 again, law=broken.law, expected=broken.expected, seen=broken.seen, confirmed=True
             )
