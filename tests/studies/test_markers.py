@@ -99,7 +99,7 @@ def test_a_finding_with_markers_is_written_read_replayed_drawn_and_explained():
     assert again.transcript == finding.transcript
     assert allworlds.replay(again).outcome == "reproduced"
     told = text(allworlds.explain(again), 100)
-    assert "They part" in told
+    assert "differ" in told
     assert text(allworlds.run(f"{FILE}:drops_and_takes", finding.world), 100)
 
 

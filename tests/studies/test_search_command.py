@@ -32,7 +32,7 @@ def test_the_text_draws_both_worlds_and_says_why(search, tmp_path):
         drawn = drawing.partition("( ) vertex")[0]
         assert set(re.findall(r"v\d", drawn)) == {f"v{v}" for v in range(vertices)}
         assert sorted(re.findall(r"(?<!v)\d", drawn)) == [str(dart) for dart in range(darts)]
-    assert "are not to be told apart" in " ".join(out.split())
+    assert "cannot be told apart" in " ".join(out.split())
 
 
 def test_that_there_is_none_names_the_proofs(search, tmp_path):

@@ -155,7 +155,7 @@ def test_worlds_of_which_different_things_are_told_are_told_apart_by_no_motion_a
     found = twins(one, other)
     assert (found.distinguishable, found.motions, found.told) == (True, (), ({"n": 3}, {"n": 4}))
     assert found.to_json()["percepts"] == [[one.first.to_json()], [other.first.to_json()]]
-    assert "by 0 motions: before the start {'n': 3} is told" in text(found, 100)
+    assert "by 0 motions: before the start the robot is told {'n': 3} in A" in text(found, 100)
     assert "told" not in twins(one, one).to_json()
 
 

@@ -122,7 +122,7 @@ def test_a_predicate_of_ones_own_is_the_same_as_ours(folder):
     ours = allworlds.check("mine.py:explore", edges=3, where="eulerian", workers=1)
     theirs = allworlds.check("mine.py:explore", edges=3, where="alone.py:even", workers=2)
     assert ours.rows == theirs.rows
-    assert "no source counts" in text(theirs, 100)
+    assert "no formula counts" in text(theirs, 100)
     same = allworlds.check("mine.py:explore", edges=2, where="mine.py:even", workers=1)
     assert same.scope.shared_file == "mine.py"
     assert theirs.scope.shared_file == ""
@@ -141,7 +141,7 @@ def test_a_count_is_compared_with_the_source_of_the_condition_if_it_has_one(fold
     assert own.rows[-1].rooted == 0
     assert own.to_json()["gate"] is None
     assert own.exit_code == 0
-    assert "no source counts" in text(own, 100)
+    assert "no formula counts" in text(own, 100)
     assert allworlds.count(edges=2, where="girth:9", map_class="maps").rows[0].rooted == 1
 
 
