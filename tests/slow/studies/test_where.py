@@ -32,6 +32,6 @@ def test_a_shrunk_world_keeps_the_condition(folder):
 
 @pytest.mark.parametrize("where", ["cubic", "mine.py:below?edges=2"])
 def test_a_condition_that_is_true_of_no_drawn_map_is_refused_in_one_line(folder, where):
-    with pytest.raises(InputError, match="were drawn, and it is true of none") as error:
+    with pytest.raises(InputError, match="were drawn, and the condition is true of none") as error:
         allworlds.fuzz("algorithm1", edges=4, min_edges=4, runs=2, where=where, workers=1)
     assert "\n" not in str(error.value)
