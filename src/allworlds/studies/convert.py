@@ -130,12 +130,16 @@ def _row(number: int, entry: Entry) -> ConvertRow:
 
 
 def _room_behind(end: str | list[str | int]) -> str:
-    """The room behind a door; the two sides of a parallel door or a loop have a common key."""
+    """The room behind a door, in words.
+
+    Behind the room stands a key, if another door also leads there, or the door leads back to its
+    own room; both sides of a door have the same key.
+    """
     return end if isinstance(end, str) else f"{end[0]} ({end[1]})"
 
 
 def _write(path: Path, notation: Notation, worlds: Iterable[Entry]) -> None:
-    """Write worlds into a file; if a world is refused, the old file stays."""
+    """Write worlds into a file; if the notation refuses one of them, the old file stays."""
     try:
         with TemporaryDirectory(prefix=".allworlds-", dir=path.parent) as beside:
             part = Path(beside) / path.name

@@ -139,7 +139,7 @@ def count(request: CountRequest) -> Census:
 
 
 class CountSweep(sweep.Sweep["Counted", Census]):
-    """The sweep of a count."""
+    """The sweep through the levels of a class that counts the maps of each."""
 
     verb, request_type = "count", CountRequest
     extent: classes.Extent
@@ -184,7 +184,7 @@ class Counted(Struct):
         return self.cells.total()
 
     def add(self, other: "Counted") -> None:
-        """Add the counts of another part."""
+        """Add the counts of other maps of the level."""
         self.cells.update(other.cells)
         self.fixed.update(other.fixed)
         self.mirrored += other.mirrored
@@ -200,7 +200,7 @@ class Enumerate(Struct, frozen=True):
     extent: classes.Extent
 
     def parts(self, unit: LevelUnit) -> Iterator[Counted]:
-        """Count the maps of the unit; yield the counts in parts."""
+        """Yield the counts of the unit's maps, one part of the maps after the other."""
         extent = self.extent
         plain = extent.map_class is classes.MapClass.MAPS and extent.where is None
         if plain and unit.edges > UNROOTED_LIMIT and not checks.lack_of(*engine_table.COMPILER):
@@ -210,7 +210,7 @@ class Enumerate(Struct, frozen=True):
 
 
 def count_compiled(extent: classes.Extent, unit: LevelUnit) -> Counted:
-    """Count a unit of the class ``maps`` by the compiled enumeration.
+    """The counts of all maps of a unit of the class ``maps``, by the compiled enumeration.
 
     Cost: some 150 ns a rooted map, after some seconds of compiling at the first use.
     """
@@ -224,7 +224,7 @@ def count_compiled(extent: classes.Extent, unit: LevelUnit) -> Counted:
 
 
 def count_one_by_one(extent: classes.Extent, unit: LevelUnit) -> Iterator[Counted]:
-    """Count a unit of any class map by map; yield the counts in parts."""
+    """Enumerate the maps of a unit, of any class; yield the counts of one part after the other."""
     counted = Counted()
     for met, map_ in enumerate(unit.maps(extent), 1):
         cell = map_.vertex_count, map_.genus

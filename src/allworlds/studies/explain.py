@@ -1,4 +1,4 @@
-"""A finding in words."""
+"""The explanation of a finding in plain words."""
 
 from typing import Annotated
 
@@ -73,7 +73,7 @@ class Explanation(Report):
 
 
 class ExplainRequest(Request, kw_only=False):
-    """Request of ``explain``: the finding, and its place in its report."""
+    """Request of ``explain``: the finding, and its number in its report."""
 
     finding: Annotated[Finding | TeamFinding, "the finding"]
     number: Annotated[int, "the number of the finding in its report, from 1 on"] = 1

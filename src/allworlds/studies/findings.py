@@ -1,4 +1,4 @@
-"""Findings in files: the part of a request that names one."""
+"""The part of a request that names a finding in a file."""
 
 from typing import Annotated, NamedTuple
 
@@ -28,7 +28,7 @@ class FindingWords(Request):
     ] = 1
 
     def chosen(self) -> ChosenFinding:
-        """The finding of that number in the file.
+        """The finding with this ``number`` in the file, and how many findings the file holds.
 
         Raises:
             InputError: naming the file, the offending value in it, or the number.

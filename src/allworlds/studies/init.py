@@ -101,13 +101,15 @@ class InitRequest(Request, kw_only=False):
 def init(request: InitRequest) -> Skeleton | LedgerSkeleton | Header:
     """Write a skeleton of an explorer, its test and a workflow into a directory.
 
-    With ``ledger`` write the ledger of a paper, with two claims that run.
+    With ``ledger`` write the ledger of a paper, with two claims that run.  With ``header`` write
+    nothing, and return the C header of native explorers.
 
     The directory may exist and have other files; no file is overwritten.
 
     Raises:
-        InputError: if both or neither are requested, there is no skeleton in that language, one of
-            its files exists already (then nothing is written), or a file cannot be written.
+        InputError: if a skeleton and the header are requested, or neither is, there is no skeleton
+            in that language, one of its files exists already (then nothing is written), or a file
+            cannot be written.
     """
     directory, lang = request.directory, request.lang
     if request.header:

@@ -62,7 +62,7 @@ class Found(Struct, frozen=True):
         witnesses: the number of occurrences of each case that the sentence is about; a case without
             occurrences makes the verdict vacuous.
         figures: the numbers that the sentence names.
-        pictures: worlds that show it.
+        pictures: worlds that show the result, each with its caption.
         told: the refutation or an explanation, in words; may be empty.
     """
 
@@ -74,7 +74,7 @@ class Found(Struct, frozen=True):
 
 
 class NotChecked(Struct, frozen=True):
-    """The reason why the sentence could not be checked here."""
+    """The reason why a sentence could not be checked on this machine."""
 
     reason: str
 
@@ -100,12 +100,14 @@ Check: TypeAlias = Callable[..., Found | NotChecked]
 
 
 def truth(holds: object) -> Truth:
-    """The verdict for a truth value."""
+    """The verdict for a truth value: ``holds`` or ``refuted``."""
     return "holds" if holds else "refuted"
 
 
 def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
     """The outcome of an exhaustive check; its worlds, runs and the named events are witnesses.
+
+    ``figures`` are the numbers that the sentence names.
 
     Raises:
         Unfinished: if the check neither holds nor is refuted.
@@ -356,7 +358,7 @@ def _names(given: Iterable[str]) -> tuple[str, ...]:
 
 
 class LedgerRequest(ListenerOptions, limits.WorkerOptions, kw_only=False):
-    """Request of ``ledger``: of which paper, which of its claims, and how much of each."""
+    """Request of ``ledger``: a paper's folder, the claims to check, and the amount of work."""
 
     directory: Annotated[
         str | Path,
@@ -413,7 +415,7 @@ def ledger(request: LedgerRequest) -> LedgerReport:
 
 
 def _checks(file: Path, claims: Sequence[Claim]) -> Mapping[str, Check]:
-    """The function of each claim, by its id.
+    """The functions that check the claims, by the ids of the claims.
 
     Raises:
         InputError: if the file does not exist, cannot be imported, or lacks a function.
@@ -434,7 +436,7 @@ def _entries(
 
 
 def entry_of(claim: Claim, check: Check, means: Means) -> CheckedClaim:
-    """Check the claim and return its entry; a quick one is checked twice.
+    """Check a claim and return its entry in the report; check it twice if this takes little time.
 
     Raises:
         InputError: naming the claim, if its function ends the process, returns no outcome, or
@@ -455,7 +457,7 @@ def entry_of(claim: Claim, check: Check, means: Means) -> CheckedClaim:
 
 
 def _outcome_of(claim: Claim, check: Check, means: Means) -> Outcome:
-    """The outcome of a claim, from one call of its function."""
+    """The outcome of one call of the claim's function; it may be an exception."""
 
     def act() -> Any:
         try:
@@ -477,7 +479,7 @@ def _outcome_of(claim: Claim, check: Check, means: Means) -> Outcome:
 
 
 def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0) -> CheckedClaim:
-    """The claim with the outcome found on its scope."""
+    """The entry of a claim in the report, with the outcome that its function found."""
     scope, disagreement, error = claim.scopes[budget], "", ""
     match found:
         case Found():

@@ -29,7 +29,7 @@ class MergeRequest(RowOptions, ListenerOptions):
 
 
 def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
-    """The class of the sweep of a verb."""
+    """The class of the sweep that answers a verb."""
     from allworlds.studies.ambiguity.census_sweep import CensusSweep
     from allworlds.studies.check.exhaustive import CheckSweep
     from allworlds.studies.compare.comparison import SameWorlds
@@ -49,7 +49,7 @@ def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
 def shards_of(
     runs: Sequence[str | Path],
 ) -> Iterator[tuple[kept_units.Identity, run_directory.Merged]]:
-    """The job's identity, and the finished units of all its shards.
+    """Open run directories; yield their job's identity, and the finished units of all its shards.
 
     Raises:
         InputError: if the directories are not of one job, or overlap.
@@ -106,7 +106,7 @@ def merge(*runs: str | Path, by: str | None = None, listener: Listener | None = 
     No explorer is needed or run: each shard has confirmed its own findings.
 
     Returns:
-        The report of the verb, as if the job had no shards.
+        The report of the job's verb, as if the job had no shards.
 
     Raises:
         InputError: if the directories are not of one job, overlap, or are damaged.

@@ -8,7 +8,7 @@ from allworlds.inputs.requests import RARE_EFFORT, Converted, Option, Request
 
 
 class ListenerOptions(Request):
-    """The part of a request that names the listener."""
+    """The part of a request that names the listener, who hears of the progress."""
 
     listener: Annotated[
         Converted[Listener | None, Listener],

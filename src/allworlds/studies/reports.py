@@ -16,7 +16,7 @@ class EndedReport(Report):
 
     @property
     def whole(self) -> bool:
-        """Whether it is about the whole job, not about a shard."""
+        """Whether the report is about the whole job, not about a shard."""
         return True
 
     @property
@@ -45,7 +45,9 @@ class EndedReport(Report):
         return isinstance(self.ending, outcome.Interrupted)
 
     def uninterrupted(self) -> Self:
-        """Return this report, for callers that cannot use a partial one.
+        """Return this report, unless the user interrupted the job.
+
+        It is for callers that cannot use the report of an unfinished job.
 
         Raises:
             KeyboardInterrupt: if the user interrupted the job.

@@ -35,7 +35,7 @@ from allworlds.world.world import World
 
 
 def index_list(text: str) -> tuple[int, ...]:
-    """The indices of a text, integers from 0 on with commas between."""
+    """The indices in a text such as ``0,2,1``; raise InputError if it is no such list."""
     if not re.fullmatch(r"[0-9]{1,9}(,[0-9]{1,9})*", text):
         raise InputError(f"choices {show(text)} are not indices from 0 on with commas")
     return tuple(int(part) for part in text.split(","))
@@ -112,7 +112,7 @@ def _located(run: single.SingleRun, subject: Any, limits: limits.Limits) -> sing
 
 
 def _asked_hash_seed() -> int | None:
-    """The hash seed of the environment variable; None if it is not set."""
+    """The hash seed in the variable ``PYTHONHASHSEED``; None if the variable holds no number."""
     seed = os.environ.get(loading.HASH_SEED, "")
     return int(seed) if re.fullmatch("[0-9]{1,9}", seed) else None
 
@@ -125,7 +125,7 @@ class AnotherExplorer(sources.ProgramWords):
     ] = None
 
     def value(self) -> str | None:
-        """The name of the explorer, if one is given."""
+        """The name of the explorer; None if none is given."""
         return self.named(self.explorer)
 
 
@@ -182,7 +182,7 @@ class Replay(Report):
 
     @property
     def facts(self) -> Facts:
-        """Whether no law is broken any more, or whether that is open."""
+        """The facts that decide the verdict: no law is broken any more, or this is left open."""
         outcome = self.outcome
         return Facts(fixed=outcome == "fixed", undecided=outcome == "not-reproduced")
 
@@ -191,7 +191,7 @@ class Replay(Report):
 def replay(request: ReplayRequest) -> Replay | TeamReplay:
     """Run an explorer again in a finding's world, under its rules; by default its own explorer.
 
-    The recorded explorer gets the recorded choices, as far as they fit, since it may have been
+    The recorded explorer gets the recorded choices, as far as they fit, since its code may have
     changed.  Any other explorer, named by ``explore``, gets choices by the recorded policy.  For a
     finding of the law ``nondeterministic`` the run is made up to :data:`TRIES` times.  For a
     finding of a team, its world is searched again.
@@ -248,7 +248,9 @@ VARIANTS = {
 
 
 def _cost_of_algorithm1(world: World) -> int | None:
-    """The cost of Algorithm 1 in the world; None for a larger world, or another lighthouse.
+    """The cost of Algorithm 1 in the world; None if it is not run there.
+
+    It is run in worlds with at most :data:`LARGEST` edges and a lighthouse in :data:`VARIANTS`.
 
     Cost: seconds at most.
     """
@@ -309,7 +311,7 @@ def play(request: PlayRequest) -> Play:
     """Let a player walk in the world, action by action.
 
     Raises:
-        InputError: if the text names no world.
+        InputError: if ``world`` is a text that names no world.
     """
     world = world_named(request.world, request.lighthouse, request.seed, request.holes)
     player, walk = request.player, Walk.begin(world)

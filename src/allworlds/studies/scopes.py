@@ -41,7 +41,7 @@ def as_scope(
         kind: the class of the document.
         request: the request; the keys are the names of its options.
         rules: the rules of the runs, which replace the options of rules; None: no run was judged.
-        more: further keys, or other values.
+        more: the values of further keys, or other values of keys of the request.
     """
     asked = {
         one.name: requests.as_json(getattr(request, one.name))

@@ -94,7 +94,7 @@ class SweptReport(PortionReport, RowsReport):
 
     @property
     def rows(self) -> Sequence[Any]:
-        """The rows of the finished levels, which each of these reports has as a key."""
+        """The rows of the finished levels; each subclass has them as a key of its document."""
         raise NotImplementedError
 
     @property
@@ -105,6 +105,6 @@ class SweptReport(PortionReport, RowsReport):
 
     @property
     def compared(self) -> Gate | None:
-        """The count gate, if there is anything to compare."""
+        """The count gate; None if no source counts the worlds, or there are no rows to compare."""
         some = self.source and (self.rows or not self.agrees)
         return Gate(source=self.source, agrees=self.agrees) if some else None

@@ -1,4 +1,4 @@
-"""The user's corpus: a directory of findings.  These are tried first, and new findings added."""
+"""The user's corpus: a directory of findings.  A check tries them first, and adds its new ones."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class CorpusReport(Document):
 
     @property
     def summary(self) -> str:
-        """How many files there are of each kind, and which."""
+        """A text with the number and the names of the files of each kind."""
         found = {
             "reproduced": self.reproduced,
             "still refuted, but beyond the scope": self.beyond_scope,
@@ -169,7 +169,7 @@ class UserCorpus(Struct, Generic[Found]):
 
     @property
     def report(self) -> CorpusReport:
-        """The part of the check's report about past findings."""
+        """The part of the check's report about this corpus."""
         keys = ("reproduced", "beyond_scope", "fixed", "stale", "undecided", "written")
         files = {key: tuple(self.files[key]) for key in keys}
         return CorpusReport(directory=str(self.directory), **files)
@@ -179,7 +179,7 @@ class UserCorpus(Struct, Generic[Found]):
         return finding in self._standing
 
     def write(self, findings: Iterable[Found]) -> Iterator[str]:
-        """Write the new findings, and yield a line for each that could not be written."""
+        """Write findings that are new; yield a message for each one that cannot be written."""
         for finding in findings:
             if not self.holds(finding):
                 try:
@@ -190,7 +190,7 @@ class UserCorpus(Struct, Generic[Found]):
                     self.files["written"].append(finding.file_name)
 
     def _write(self, finding: Found) -> None:
-        """Write a finding, unless it exists already, as a whole or not at all."""
+        """Write the file of a finding, completely or not at all, unless the file exists already."""
         self.directory.mkdir(parents=True, exist_ok=True)
         path = self.directory / finding.file_name
         if path.exists():

@@ -10,7 +10,8 @@
 ``covered``
     features of the worlds in a sample: sizes, degrees, numbers of darts that look alike;
 ``hints``
-    more plays of a refuted explorer, which show an option that helps, and lines of its code;
+    hints for a finding, from more plays of its explorer: options with which no law is broken, and
+    lines of the explorer's code;
 ``report``
     the requests of ``check`` and similar verbs; the verdict with its scope, and the witnesses
     that a complete check must have.

@@ -1,4 +1,4 @@
-"""Features of the worlds that a sample has drawn, with their ranges, for a table."""
+"""A table of the features of a sample's worlds: the least, the median and the largest values."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -9,13 +9,13 @@ from allworlds.maps.combinatorial import CombinatorialMap
 
 
 def telling_apart(map_: CombinatorialMap) -> tuple[int, int]:
-    """The number of darts that always look alike, and the number of steps that tell others apart.
+    """The number of darts that look like any one dart, itself included, and a number of traversals.
 
-    There is no lighthouse: a robot senses degrees alone.  Darts that always look alike are the
-    sheets of a covering.  The second number is the length of the longest shortest test that tells
-    two other darts apart.
+    There is no lighthouse: a robot senses degrees alone.  Darts that no walk tells apart look
+    alike: they are the sheets of a covering, equally many for every dart.  The second number is
+    that of the traversals by which any two other darts can be told apart.
 
-    Cost: O(m log m) a step.
+    Cost: O(m log m) for each of these traversals.
     """
     seen, steps, count = map_.degree_at, 0, len(set(map_.degree_at))
     while True:
@@ -40,7 +40,7 @@ FEATURES = (
 
 
 def features(map_: CombinatorialMap) -> Iterator[tuple[str, int]]:
-    """Each feature of a map with its value; sheets and test are those of :func:`telling_apart`."""
+    """The features of a map by name; :func:`telling_apart` makes the last two, sheets and test."""
     sizes = map_.edge_count, map_.vertex_count, max(map_.degrees), map_.diameter, map_.genus
     return zip(FEATURES, (*sizes, *telling_apart(map_)), strict=True)
 
@@ -55,7 +55,7 @@ class CoveredRow(Document):
 
 
 def covered_rows(counted: Counter[tuple[str, int]]) -> Iterator[CoveredRow]:
-    """A row for each feature, from the numbers of worlds with each value."""
+    """Yield a row for each feature; ``counted`` says how many worlds have each of its values."""
     for name in FEATURES:
         values = sorted(Counter({v: n for (of, v), n in counted.items() if of == name}).elements())
         if values:

@@ -50,7 +50,7 @@ def check(request: CheckRequest) -> CheckReport:
 def job_of(
     request: CheckRequest, notice: Callable[[str], None], keep: int = 1
 ) -> tuple[Job, EngineKind]:
-    """The job of a request, and the engine for it."""
+    """The job of a request, and the kind of engine that runs it; ``keep`` findings are kept."""
     limits = request.limits
     subject = single.subject_of(request.explore, limits)
     scope = units.Scope(request.extent, request.rules(subject), request.schedules, request.shard)
@@ -98,7 +98,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
 
     @override
     def levels(self) -> Iterable[units.SweptLevel]:
-        """All levels; small ones also test whether a run affects later runs."""
+        """The levels; units in small levels also test whether a run affects later runs."""
         for level in super().levels():
             across = units.across_level(self.scope.extent, level.edges, self.portion)
             subject = self.job.subject
@@ -111,7 +111,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
 
     @override
     def begin(self) -> outcome.Ending | None:
-        """Try past findings."""
+        """Try the findings of the user's corpus again; end the check if enough are reproduced."""
         return self.retry_past(self._tally)
 
     @override

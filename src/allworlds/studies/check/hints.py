@@ -48,7 +48,7 @@ RIGHT = 200
 
 
 def hinted(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> Finding:
-    """The confirmed finding of a check, with both kinds of hints."""
+    """The confirmed finding of a check, with options that help, and with lines of code."""
     levels = (edges for edges in scope.extent.levels if edges <= finding.world.map.edge_count)
     others = (run for edges in levels for run in _runs(scope, edges))
     tried = tried_options(finding, subject, limits, scope)
@@ -59,13 +59,13 @@ def hinted(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> 
 
 
 def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> str:
-    """The options with which the check breaks no law; empty if none are known.
+    """Options with which no law is broken, as on the command line; empty if none are known.
 
-    The text also names the worlds that were tried: the finding's world, its mirror image, and all
-    worlds with at most a number of edges, which is not less than the finding's.
+    They were tried in the finding's world, in its mirror image, and in all worlds with up to as
+    many edges as ``--edges`` in this text names, which are no fewer than the finding's world has.
 
     Args:
-        finding: the confirmed finding, so its world refutes the explorer without the options.
+        finding: the confirmed finding; without the options its world refutes the explorer.
         subject: the explorer.
         limits: the limits of the check.
         scope: the scope of the check.
@@ -106,7 +106,10 @@ def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Sco
 
 
 def _runs(scope: Scope, edges: int) -> Iterator[Placed]:
-    """The runs of a whole level, even if the check has tried a part of it."""
+    """Yield all worlds with this number of edges, each with the number of its lighthouse's place.
+
+    The check itself, if it is a shard, tries only a part of these.
+    """
     for unit in units_of_level(scope.extent, edges):
         for run in numbered_runs(unit, scope.extent, scope.rules.kind):
             if run.lighthouse is not None:
@@ -129,9 +132,10 @@ def located(
         finding: the finding.
         subject: the explorer.
         limits: the limits of the time for an answer, and of memory.
-        others: worlds with places; lines that are run there without a broken law are left out.
+        others: worlds with places; lines that also run there, in a run without a broken law, are
+            not named as lines of this finding alone.
 
-    Cost: that of the runs, which are some ten times slower than others.
+    Cost: that of the runs, each some ten times slower than a run whose lines are not traced.
     """
     other_language = is_program(subject.name) or is_library(subject.name)
     if other_language or not subject.from_user or finding.law in ("timeout", "nondeterministic"):
@@ -170,9 +174,10 @@ def _code(turns: Turns, alone: list[UserLine], right: int, busy: list[UserLine])
 
 
 def _named(where: UserLine) -> str:
-    """``FILE:LINE``, relative to the current folder if the file is below it.
+    """The text ``FILE:LINE``, relative to the current folder if the file is in it.
 
-    The name of a notebook's cell, or of typed code, is ``input``.
+    For code in a notebook's cell, or typed at a prompt, FILE is ``input``.  The text is empty for
+    a line that is not the user's.
     """
     file, line = where
     if file and not Path(file).is_file():

@@ -149,7 +149,7 @@ class GateCell(doc.Document):
 
     @property
     def agrees(self) -> bool:
-        """Whether the maps are as many as the source counts, with the fingerprint that is known."""
+        """Whether the maps are as many as the source counts, and have the fingerprint, if known."""
         return self.counted == self.enumerated and self.listed in ("", self.fingerprint)
 
 
@@ -158,7 +158,11 @@ LISTED_EDGES = 5
 
 
 def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
-    """The fingerprints of a level's worlds, by vertices: listed anew, or of the own corpus."""
+    """The fingerprints of the worlds with this number of edges, by vertices, as far as known.
+
+    Other code than the check's lists the worlds with few edges once more; the fingerprints of
+    larger ones are in the corpus that ships with the package.
+    """
     if edges <= LISTED_EDGES:
         return {n: f"{each:x}" for n, each in count_source.listed(extent, edges).items()}
     corpus, name = named.own_corpus(), f"counts-{extent.map_class}"
@@ -170,8 +174,8 @@ def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
 def count_gate(extent: classes.Extent, edges: int, tally: Tally) -> list[GateCell]:
     """Compare the number of a level's maps with that of an independent source.
 
-    Their fingerprints are compared, too, if another enumeration has listed the maps.  There are no
-    comparisons under a condition that has no source.
+    There is a comparison for each number of vertices; none under a condition without a source.  The
+    fingerprints of the maps are compared, too, if another enumeration has listed the maps.
     """
     source = count_source.source_of(extent)
     if source is None:
@@ -200,10 +204,11 @@ SMALLEST = {"loop-edge": "loop", "parallel-edge": "dipole-2"}
 def missing_witnesses(
     extent: classes.Extent, subject: loading.Subject, task: Task, seen: Mapping[str, int]
 ) -> tuple[str, ...]:
-    """The events that must occur in a check of the whole extent, and did not.
+    """The events that must occur in a check of the whole extent, but are not in ``seen``.
 
-    Events of the explorer must occur only if the task is the map, since other runs may end earlier,
-    and only without a condition, under which they may not occur.
+    Events that the explorer reports are required only if its task is to draw the map, since runs
+    with another task may end before them, and only without a condition on the worlds, since the
+    smallest worlds with these events need not satisfy it.
     """
     simple, last = extent.map_class.simple, extent.levels[-1]
     required = {event for event, least in SMALLEST.items() if extent.include(named_map(least))}
@@ -455,9 +460,9 @@ def _remarks(tally: Tally) -> Iterator[str]:
 def most_expensive_runs(report: CheckReport) -> Iterator[single.SingleRun]:
     """The most expensive run of each size, ascending; none if the explorer has no name.
 
-    Of equally expensive runs the smallest is taken.
+    Of equally expensive runs the one in the smallest world is taken.
 
-    Cost: an episode each.
+    Cost: a run for each size.
     """
     limits, rules = Limits(), report.asked.rules
     try:

@@ -65,7 +65,7 @@ class Confirmation(Struct, frozen=True):
         """Confirm the findings of a tally; return whether remarks have replaced some of them.
 
         A crash or a time-out that a fresh process does not repeat refutes nothing: it becomes a
-        remark.  Findings that are known already stay as they are.
+        remark.  A finding for which ``known`` is true stays as it is.
         """
         kept, remarks = list[Finding](), list[str]()
         for found in tally.findings:
@@ -83,7 +83,10 @@ class Confirmation(Struct, frozen=True):
         return bool(remarks)
 
     def replaced(self, name: str, found: Finding, by: Callable[[Finding], Finding]) -> Finding:
-        """The finding that replaces this one, recorded under the name."""
+        """The finding that ``by`` makes of ``found``, or made in an earlier call with this name.
+
+        If the record is a remark, or time is up, ``found`` is returned.
+        """
         settled = self._recorded(name, found, by)
         return found if isinstance(settled, str) else settled
 
@@ -93,14 +96,21 @@ class Confirmation(Struct, frozen=True):
         return self.deadline is not None and time.monotonic() > self.deadline
 
     def _again(self, found: Finding, *, number: int) -> Finding:
-        """Confirm a finding; add lines of code to the first findings, all hints to number 0."""
+        """The finding, played again; the first ones with lines of code, number 0 with all hints.
+
+        ``number`` is the number of findings before this one.
+        """
         again = single.played_again(found, self.subject, self.limits)
         if number == 0:
             return hints.hinted(again, self.subject, self.limits, self.scope)
         return hints.located(again, self.subject, self.limits) if number < LOCATED else again
 
     def _settled(self, found: Finding, *, number: int) -> Finding | str:
-        """Confirm a finding in a fresh process; a crash that is not repeated becomes a remark."""
+        """The finding, played again in a fresh process; a remark, if it is not repeated there.
+
+        Only a crash or a time-out that the machine may have caused becomes a remark; any other one
+        that is not repeated shows that the explorer is nondeterministic.
+        """
         again = self._again(found, number=number)
         if again.law not in LOST or not self.subject.importable or again.confirmed:
             return again
@@ -118,9 +128,10 @@ class Confirmation(Struct, frozen=True):
     def _recorded(
         self, name: str, found: Finding, settle: Callable[[Finding], Finding | str]
     ) -> Finding | str:
-        """The recorded finding or remark, or a new one, which is then recorded.
+        """The finding or remark that is recorded for ``found``, or else the one by ``settle``.
 
-        After the deadline the finding is returned as it is.
+        A new one is recorded, under ``name`` and a digest of ``found``.  After the deadline
+        ``found`` is returned as it is, unless a record exists.
         """
         plain = replace(found, minimal=False)
         digest = hashlib.sha256(canonical(tally.finding_to_record(plain)).encode()).hexdigest()
@@ -145,7 +156,7 @@ class Confirmation(Struct, frozen=True):
 
 
 def is_inside(finding: Finding, scope: units.Scope) -> bool:
-    """Whether a finding is in the scope of a check."""
+    """Whether a check of this scope could make a finding with this world, law, task and policy."""
     rules, own, world = scope.rules, finding.rules, finding.world
     return (
         scope.extent.include(world.map)
@@ -184,13 +195,13 @@ def _retry(finding: Finding, subject: loading.Subject, limits: Limits) -> Findin
 
 
 def rules_record(rules: Rules) -> dict[str, Any]:
-    """The record of the rules that may depend on the explorer."""
+    """The options of the rules that may depend on the explorer, by name, for a run directory."""
     names = ("lighthouse", "step_budget", "promised", "own_bound", "shared_file")
     return {name: requests.as_json(getattr(rules, name)) for name in names}
 
 
 def rules_known(request: Any, record: Mapping[str, Any]) -> Rules:
-    """The rules of a request, with those of the record that may depend on the explorer."""
+    """The rules of a request; the record, made by :func:`rules_record`, has some of the options."""
     names = [each.name for each in fields(RuleOptions)]
     asked = {name: getattr(request, name) for name in names}
     asked["step_budget"] = record["step_budget"]
@@ -200,7 +211,7 @@ def rules_known(request: Any, record: Mapping[str, Any]) -> Rules:
 
 
 def record_of(subject: loading.Subject) -> dict[str, Any]:
-    """The record of an explorer, which identifies it by its content.
+    """The name, the keywords and the digest of an explorer, which identify it in run directories.
 
     Raises:
         InputError: if the explorer has no content that identifies it.
@@ -213,7 +224,7 @@ def record_of(subject: loading.Subject) -> dict[str, Any]:
 
 
 def subject_of_record(record: Mapping[str, Any]) -> loading.Subject:
-    """The explorer of a record, without its code, since all its runs are done."""
+    """An explorer with the name and the keywords of a record, but no code, as all runs are done."""
     return loading.Subject(record["name"], frozenset(record["keywords"]))
 
 
@@ -251,7 +262,10 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
         self.corpus = corpus_of(request.corpus, request.run, Finding.from_json)
 
     def retry_past(self, total: tally.Tally) -> outcome.Ending | None:
-        """Try past findings; add the reproduced findings, and end the job if these are enough."""
+        """Try the findings of the corpus again; put those that are reproduced into ``total``.
+
+        The ending of the job is returned if they are as many as the job keeps, else None.
+        """
         job = self.job
         if self.corpus is not None:
             again = partial(_retry, subject=job.subject, limits=job.limits)
@@ -262,7 +276,7 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
         return None
 
     def keep_new(self, total: tally.Tally) -> None:
-        """Add new findings to the corpus, with a remark for each that could not be written."""
+        """Write the new findings of ``total`` into the corpus; add a remark for each that fails."""
         if self.corpus is not None:
             for lost in self.corpus.write(total.findings):
                 total.remark(lost)

@@ -52,7 +52,7 @@ Rate: TypeAlias = Annotated[
 
 
 class _Lasting:
-    """The time for the number of ``worlds`` at the ``rate``."""
+    """The common part of estimates: the time for ``worlds`` rooted maps at ``rate`` a second."""
 
     worlds: int
     rate: float | None
@@ -96,14 +96,14 @@ class TimeEstimate(Report, _Lasting):
 
 
 def worlds_of(job: Job) -> int:
-    """The number of worlds of a job; for a shard an estimate."""
+    """The number of worlds of a job; for a shard an equal part of all worlds, an estimate."""
     extent = job.scope.extent
     worlds = sum(units.level_size(extent, edges) for edges in extent.levels)
     return worlds // job.scope.portion.count
 
 
 def estimated(job: Job, engine: EngineKind) -> Guess:
-    """An estimate from random pieces of the last level.
+    """An estimate of a job's duration, from its runs in random pieces of its last level.
 
     The estimate does not include compiling and the start of workers.  The sample takes some
     seconds.
@@ -137,7 +137,7 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
 
 
 def one_larger(job: Job) -> classes.Extent | None:
-    """The extent with one edge more; None if it has no more worlds, or too many to count."""
+    """The job's extent with one edge more; None if no further world is in it, or too many are."""
     extent = job.scope.extent
     if extent.edges is None or extent.edges >= COUNTABLE:
         return None

@@ -7,11 +7,12 @@ growing family are drawn from seeds, and isomorphic ones count once; every membe
 which it can be run (``allworlds run algorithm1 --family torus:6x6 --seed 1``).
 
 ``entrants``
-    the request, the explorers that are run in the same worlds, their costs, and the common report;
+    the request, the explorers that are run in the same worlds, their costs, and the common part of
+    both reports;
 ``comparison``
     the verb, and the runs in every world of a class;
 ``growth``
-    families that grow and their members, the runs in them, and cost by size;
+    families that grow, the runs in their members, and the costs by size;
 ``intervals``
     intervals of means and ratios, by Student's t on logarithms.
 """

@@ -98,7 +98,10 @@ class Comparison(ContestReport):
         return self.all_counted
 
     def walks(self) -> Iterator[single.SingleRun]:
-        """A run of each explorer in the world that differs most, at the first place."""
+        """Yield a run of each explorer in the world in which their costs differ most.
+
+        Each explorer's lighthouse is at the first of its places.
+        """
         if self.differ_most is None:
             return
         for entrant in self.entrants:
@@ -128,7 +131,11 @@ def compare(*explorers: str | Callable[..., Any], **options: Any) -> Comparison 
 def _contest(
     entrants: tuple[Entrant, ...], request: CompareRequest
 ) -> "SameWorlds | GrowingWorlds":
-    """The sweep for a request."""
+    """The sweep that answers a request: ``GrowingWorlds`` for a request with ``to``.
+
+    Raises:
+        InputError: naming the offending option and what would be legal.
+    """
     if request.to is not None:
         return GrowingWorlds(entrants, request, request.to)
     grow = "worlds that do not grow; give --to M and a family without a size, as --family corridor"
@@ -213,7 +220,7 @@ class SameWorlds(Contest[Comparison]):
                 yield UnitOfOne(number, unit)
 
     def _placed(self, one: Entrant, map_: CombinatorialMap) -> tuple[tuple[World, int], ...]:
-        """The one world with an entrant's lighthouse at each place, and the place's number."""
+        """A map with the entrant's lighthouse: a world for each place, and the place's number."""
         places = enumerate(one.rules.kind.places(map_, 0))
         return tuple((World(map_, lighthouse, 0), place) for place, lighthouse in places)
 
@@ -234,7 +241,10 @@ class SameWorlds(Contest[Comparison]):
         return outcome.Stopped("a law is broken", final=True) if broken else None
 
     def _compare(self, map_: CombinatorialMap, found: Sequence[Mapping[int, int]]) -> None:
-        """Add the costs of each explorer in one rooted map."""
+        """Keep the world if costs differ most in it, and its runs if each world gets a row.
+
+        ``found`` has for each explorer the costs in the map, by the number of the place.
+        """
         first, *others = means = [_mean(costs) for costs in found]
         difference = max(abs(other - first) for other in others)
         if difference > self._difference:
@@ -267,7 +277,15 @@ class SameWorlds(Contest[Comparison]):
 def row_of(
     edges: int, vertices: int, names: Sequence[str], maps: Sequence[Sequence[Mapping[int, int]]]
 ) -> ComparedRow:
-    """The row of one size, from each explorer's costs in each rooted map, by place."""
+    """The row of one size.
+
+    Args:
+        edges: the number of edges.
+        vertices: the number of vertices.
+        names: the names of the explorers.
+        maps: for each rooted map a list with the costs of each explorer, by the number of the place
+            of its lighthouse.
+    """
     by_explorer = dict(zip(names, zip(*maps, strict=True), strict=True))
     means = {name: [_mean(costs) for costs in found] for name, found in by_explorer.items()}
     first, *others = names
@@ -301,5 +319,5 @@ def _mean(costs: Mapping[int, int]) -> Fraction:
 
 
 def _rounded(value: Fraction | float) -> float:
-    """The number rounded to six decimal places, as documents have it."""
+    """The number rounded to six decimal places, for a report."""
     return round(float(value), 6)

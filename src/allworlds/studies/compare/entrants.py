@@ -129,7 +129,7 @@ class CompareRequest(
     units.ShardOptions,
     ContestWorldsOptions,
 ):
-    """Explorers, and the worlds in which they are compared."""
+    """Request of ``compare``: explorers, and the worlds in which they are compared."""
 
     explorers: Annotated[
         Sequence[str | Callable[..., Any]],
@@ -142,7 +142,10 @@ class CompareRequest(
 
 
 def ensure_unnamed(request: CompareRequest, names: Iterable[str], of: str) -> None:
-    """Raise InputError if one of these options is given, since it would have no effect."""
+    """Raise InputError if one of these options is given, since it has no effect.
+
+    ``of`` describes in words the worlds on which it has none.
+    """
     for name in names:
         if (value := getattr(request, name)) is not None:
             raise InputError(f"{name} = {show(as_json(value))} has no effect on {of}")
@@ -163,7 +166,7 @@ class CostTally(Tally):
     costs: dict[MapKey, dict[int, int]] = entry(default_factory=dict)
 
     def add(self, other: Tally) -> None:
-        """Add the tally of another part, which has other runs."""
+        """Add another tally, of runs that are not in this one."""
         # Zero-argument super() does not know a class with slots.
         Tally.add(self, other)
         if isinstance(other, CostTally):
@@ -179,14 +182,14 @@ class CostEngine(RunCounter, frozen=True):
         return CostTally(self.keep)
 
     def count_outcome(self, world: world.World, place: int, outcome: Outcome, tally: Tally) -> None:
-        """Add a run, which has one episode, and its cost to the tally."""
+        """Add the outcome of a run under its only schedule, and its cost, to the tally."""
         super().count_outcome(world, place, outcome, tally)
         assert isinstance(tally, CostTally)
         tally.costs.setdefault(key_of(world.map), {})[place] = outcome.cost
 
 
 def key_of(map_: combinatorial.CombinatorialMap) -> MapKey:
-    """The key of a map that is rooted at its dart 0."""
+    """The key by which a map, rooted at its dart 0, is sorted."""
     return map_.edge_count, map_.vertex_count, tuple(map_.sigma), tuple(map_.alpha)
 
 
@@ -218,7 +221,7 @@ class InWorld(NamedTuple):
 
 
 class UnitOfOne(Struct, frozen=True):
-    """A unit of runs that one entrant plays."""
+    """A unit of runs, and the number of the entrant that plays them."""
 
     number: int
     unit: units.UnitOfRuns
@@ -240,11 +243,11 @@ class CostsOfAll(Struct):
         return sum(tally.worlds for tally in self.of.values())
 
     def one(self, number: int) -> CostTally:
-        """The costs of a single entrant."""
+        """The tally of the entrant with this number; an empty one if it has no runs yet."""
         return self.of.setdefault(number, CostTally(keep=1))
 
     def add(self, other: "CostsOfAll") -> None:
-        """Add the costs of another part."""
+        """Add the costs of other runs."""
         for number, tally in other.of.items():
             self.one(number).add(tally)
 
@@ -269,7 +272,11 @@ class SideBySide:
     def map(
         self, engines: Sequence[CostEngine], given: Iterable[UnitOfOne]
     ) -> Iterator[units.PartialResult]:
-        """Yield the parts of all units as they come; the units of one entrant are consecutive."""
+        """Yield the results of all units, part by part, as they come.
+
+        ``engines`` has an engine for each entrant.  In ``given`` the units of one entrant are
+        consecutive.
+        """
         for number, own in groupby(given, key=lambda unit: unit.number):
             transport = self._transports[number]
             for part in transport.map(engines[number], (each.unit for each in own)):
@@ -299,11 +306,11 @@ class Entrant(Struct, frozen=True):
 
     @property
     def name(self) -> str:
-        """The explorer's name, with the lighthouse behind it."""
+        """The explorer's name; with ``@`` and a lighthouse behind it, if it was named so."""
         return self.named(self.subject.name)
 
     def named(self, explorer: str) -> str:
-        """A name for the explorer, with the entrant's lighthouse behind it."""
+        """The given name; with ``@`` and a lighthouse behind it, if the entrant was named so."""
         return f"{explorer}{AT}{self.at}" if self.at else explorer
 
     def scope(self, extent: classes.Extent, portion: units.Shard = units.WHOLE) -> units.Scope:
@@ -311,7 +318,7 @@ class Entrant(Struct, frozen=True):
         return units.Scope(extent, self.rules, coverage=portion)
 
     def first_world(self, map_: combinatorial.CombinatorialMap) -> world.World:
-        """A rooted map with the entrant's lighthouse at its first place."""
+        """The world of a map rooted at dart 0, with the entrant's lighthouse at its first place."""
         return world.World(map_, next(iter(self.rules.kind.places(map_, 0))), 0)
 
 
@@ -334,7 +341,7 @@ def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
 
 
 def _with_lighthouse(explore: object) -> tuple[Any, LighthouseKind | None]:
-    """An explorer, and the lighthouse behind its name, if there is one.
+    """An explorer without ``@LIGHTHOUSE`` behind its name, and the lighthouse; None without one.
 
     Paths and commands may contain ``@``, too.  So ``@`` counts only before the name of a
     lighthouse; any other text behind the name of an explorer and ``@`` is an error.
@@ -486,7 +493,7 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
         self.request = doc.replace(self.request, by=by)
 
     def contest(self, ending: outcome.Ending) -> dict[str, Any]:
-        """Return the keywords of the report of any contest."""
+        """Return the fields that the reports of all contests have, by name."""
         return {
             **self.ended(ending, self.bounds),
             "findings": tuple(self.findings),
@@ -496,7 +503,10 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
 
     @override
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
-        """Confirm the findings of all entrants."""
+        """Confirm the findings of all entrants.
+
+        A job that was stopped because a law is broken counts as completed.
+        """
         for (_, number), tally in sorted(self._found.items()):
             one, limits = self.entrants[number], self.request.limits
             scope = one.scope(self.bounds)

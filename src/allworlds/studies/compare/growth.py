@@ -33,10 +33,10 @@ HOLES = "10%"
 
 
 class Growing(Struct, frozen=True):
-    """A family by its name on the command line, with its members numbered by size.
+    """A family of worlds that grow; its members are numbered by size.
 
     Attributes:
-        form: the form of its name; ``:D`` stands for a degree.
+        form: the form of its name on the command line; ``:D`` stands for a degree.
         member: a function that makes the name of a member from its number and the degree.
         degree: the default degree; None if the name has no degree.
         holes: the share of edges to remove.
@@ -80,7 +80,7 @@ class Member(Struct, frozen=True):
 
     @property
     def name(self) -> str:
-        """The name of the world: ``torus:6x6 --seed 1``."""
+        """The name of the world on the command line, as ``torus:6x6 --seed 1``."""
         holes = f" --holes {self.holes}" if self.holes else ""
         return f"{self.text}{holes} --seed {self.seed}"
 
@@ -117,7 +117,7 @@ def form_of(family: str) -> tuple[Growing, int] | None:
 
 
 def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member]]:
-    """The members of a family, ascending, grouped by size.
+    """The members of a family: a list for each size, the sizes ascending.
 
     A size is that of the largest member with at most ``to``, ``to / 2``, ``to / 4``, ... edges.
 
@@ -140,7 +140,10 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
 
 
 def _largest(growing: Growing, degree: int, edges: int) -> str:
-    """The largest member's name, up to ``edges`` edges before holes; empty if it is too small."""
+    """The name of the largest member with at most ``edges`` edges before edges are removed.
+
+    The name is empty if this member has fewer than :data:`LEAST` edges, or there is none.
+    """
     number = 1
     while families.edges_of(growing.member(number + 1, degree)) <= edges:
         number += 1
@@ -383,7 +386,7 @@ class GrowingWorlds(entrants.Contest[Growth]):
     Raises:
         InputError: naming the offending option and what would be legal.
 
-    Cost: that of the walks, which grow with the square of the edges and more.
+    Cost: that of the walks, which grows at least with the square of the number of edges.
     """
 
     def __init__(
@@ -425,7 +428,7 @@ class GrowingWorlds(entrants.Contest[Growth]):
             yield SweptLevel(edges, runs, self._units(mine), mine)
 
     def _units(self, size: _Size) -> Iterator[entrants.UnitOfOne]:
-        """A unit for each entrant and world, with the chosen places of the lighthouse."""
+        """Yield a unit for each entrant and world, with the chosen places of its lighthouse."""
         for number, one in enumerate(self.entrants):
             for member, map_ in size.maps.items():
                 _, ran = self._chosen(one, member, map_)
@@ -437,9 +440,10 @@ class GrowingWorlds(entrants.Contest[Growth]):
     def _chosen(
         self, one: entrants.Entrant, member: Member, map_: CombinatorialMap
     ) -> tuple[int, dict[int, Lighthouse]]:
-        """The number of places of an entrant's lighthouse in a world, and the chosen places.
+        """The number of places of an entrant's lighthouse in a world, and those that are chosen.
 
-        If the request wants fewer places, a generator draws them, seeded by the world's name.
+        The chosen places are lighthouses by number.  If the request allows fewer places than there
+        are, they are drawn at random, with the world's name as the seed.
         """
         places = [*one.rules.kind.places(map_, 0)]
         drawn: Sequence[int] = range(len(places))
@@ -466,7 +470,10 @@ class GrowingWorlds(entrants.Contest[Growth]):
         )
 
     def _rows_of(self, size: _Size, total: entrants.CostsOfAll) -> Iterator[GrowRow]:
-        """A row for each entrant, with the members in which it was run at every chosen place."""
+        """Yield a row for each entrant, about the members whose runs are all done.
+
+        These are the runs of the entrant with its lighthouse at each chosen place.
+        """
         for number, one in enumerate(self.entrants):
             costs, members = total.one(number).costs, dict[CombinatorialMap, GrownWorld]()
             for member, map_ in size.maps.items():
@@ -497,7 +504,7 @@ class GrowingWorlds(entrants.Contest[Growth]):
 
 
 def _ensure_grows(who: Sequence[entrants.Entrant], request: entrants.CompareRequest) -> None:
-    """Raise InputError for no explorer or family, or an option without effect on growing worlds."""
+    """Raise InputError if an explorer or a family is missing, or an option would have no effect."""
     names = ("edges", "vertices", "holes", "worlds", "graph", "where")
     entrants.ensure_unnamed(request, names, "worlds that grow")
     if request.map_class is not classes.MapClass.MAPS:
@@ -509,7 +516,7 @@ def _ensure_grows(who: Sequence[entrants.Entrant], request: entrants.CompareRequ
 
 
 def _size(number: int, family: str, members: Sequence[Member]) -> _Size:
-    """The size with these members."""
+    """The members of a family of one size, as a :class:`_Size`; isomorphic ones count once."""
     maps = distinct(members)
     member, map_ = next(iter(maps.items()))
     drawn_from = families.rootings(member.text, map_, member.holes)

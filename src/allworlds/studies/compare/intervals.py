@@ -88,13 +88,16 @@ def power(costs: Mapping[int, float]) -> Power:
 
 
 def _left_by(across: Sequence[float], up: Sequence[float]) -> list[float]:
-    """The residuals of the heights after a linear fit."""
+    """The residuals of the heights ``up`` over the abscissas ``across``, after a linear fit."""
     slope, height = linear_regression(across, up)
     return [y - height - slope * x for x, y in zip(across, up, strict=True)]
 
 
 def _reach(left: Sequence[float], across: Sequence[float], degrees: int) -> float:
-    """The half width of the interval of a slope, from its residuals."""
+    """The half width of the interval of a fitted slope, from the residuals ``left`` of the fit.
+
+    The residuals have ``degrees`` degrees of freedom.
+    """
     middle = fmean(across)
     width = fsum((x - middle) ** 2 for x in across)
     return _student(degrees) * sqrt(fsum(e * e for e in left) / degrees / width)
@@ -122,7 +125,10 @@ def _has_interval(values: Sequence[float]) -> bool:
 
 
 def _interval(middle: float, deviation: float, size: int) -> Interval:
-    """The interval of a value whose logarithm is the mean of a sample with this deviation."""
+    """The interval of the value ``middle``.
+
+    Its logarithm is the mean of a sample of this size, with this standard deviation.
+    """
     factor = exp(_student(size - 1) * deviation / sqrt(size))
     return middle / factor, middle * factor
 

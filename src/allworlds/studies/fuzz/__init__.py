@@ -1,4 +1,4 @@
-"""``fuzz``: worlds far beyond the exhaustive bound, and the way back to small ones.
+"""``fuzz``: random worlds, larger than a check can exhaust, and the way back to small ones.
 
 ``sample_sweep``
     the request, the verb, and the sweep through the drawn and the bred worlds;

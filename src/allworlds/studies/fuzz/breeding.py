@@ -65,7 +65,10 @@ class Bred(Struct, frozen=True):
 
 
 def bred_of(sample: Sample, begins: Iterable[int]) -> Iterator[Bred]:
-    """The units of worlds bred from the blocks that begin at these draws, in the sample's shard."""
+    """Yield a unit of bred worlds for each block of draws that is in the sample's shard.
+
+    ``begins`` has the number of the first draw of each block.
+    """
     for first in begins:
         if first // DRAWS_PER_BLOCK % sample.portion.count == sample.portion.index:
             yield Bred(
@@ -85,17 +88,19 @@ def bred(
 ) -> Iterator[NumberedRun]:
     """Breed worlds that run the rarest lines of the explorer; yield those that seem to refute it.
 
-    The first draws of the block are played and their lines traced; then, generation by generation,
-    mutants of worlds that ran one of the rarest lines.  The worlds depend on the explorer and on
+    The explorer is run in the first draws of the block, and its lines are traced; then it is run,
+    generation by generation, in mutants of worlds in which it ran one of its rarest lines.  The
+    bred worlds depend on the explorer and on
     these draws alone.  If the player is lost, breeding ends.
 
     Rare lines are the only target, since no other one helps.  Measured with up to 60 edges, in 48
     searches for a slip behind four nested conditions: 256 draws found 4 slips, 64 draws and 192
-    bred worlds 14.  With up to 12 edges breeding found one such slip from 7 of 8 seeds, and 448
-    draws from one seed.  Two other targets, a high cost and long agreement with a wrong hypothesis,
-    found less than plain draws, in up to four times the time.  Of 6 seeds they found the slip of an
-    explorer that trusts a hypothesis after 24 steps from 2 and 1, plain draws from 4; a cost above
-    8,000 from 4 and 3, plain draws from 5.
+    bred worlds found 14.  With up to 12 edges breeding found one such slip from 7 of 8 seeds, and
+    448 draws found it from one of these seeds.  Two other targets, a high cost and long agreement
+    with a wrong hypothesis, found less than plain draws, in up to four times the time.  The slip of
+    an explorer that trusts a hypothesis after 24 steps was found by these two targets from 2 and
+    from 1 of 6 seeds, by plain draws from 4; a cost above 8,000 was found by them from 4 and from
+    3 of the seeds, by plain draws from 5.
 
     Cost: 256 traced runs, each some three times a plain one.
     """
@@ -130,10 +135,10 @@ def bred(
 
 
 class _Pool:
-    """The worlds that can be parents.
+    """The worlds whose mutants may be in the next generation: the parents.
 
     Attributes:
-        lately: for each line the last worlds that ran the line.
+        lately: for each line of the explorer the last worlds in which it was run.
     """
 
     def __init__(self, unit: Bred, extent: Extent, kind: type[Lighthouse]) -> None:
@@ -143,7 +148,7 @@ class _Pool:
         self._random = Random(f"bred/{unit.key}")  # noqa: S311  # reproducible
 
     def add(self, map_: CombinatorialMap, lines: Iterable[UserLine]) -> None:
-        """Add a world that ran these lines."""
+        """Add a world in which the explorer ran these lines."""
         for line in lines:
             self._often[line] += 1
             self.lately.setdefault(line, deque(maxlen=PARENTS_PER_LINE)).append(map_)
@@ -158,7 +163,7 @@ class _Pool:
             yield child, [self._random.choice(places)] if places else []
 
     def _child(self, parent: CombinatorialMap) -> CombinatorialMap:
-        """A mutant that is in the extent; the parent, if no mutant that is tried is in it."""
+        """A mutant of the parent that is in the extent; after some vain tries the parent itself."""
         for _ in range(MUTANTS_TRIED):
             child = mutated(parent, self._extent.levels[-1], self._random)
             if child.edge_count >= self._least and self._extent.include(child):

@@ -18,7 +18,7 @@ from allworlds.world import selection
 
 
 class MapsRequest(ManyWorlds, sources.ExplorerOptions, selection.WhereOptions):
-    """Request for runs in given maps: an explorer, the class and a condition, rules and effort."""
+    """Request for runs in given maps: an explorer, a class, a condition, rules and limits."""
 
 
 def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Finding | None:

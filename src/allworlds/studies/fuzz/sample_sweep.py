@@ -85,7 +85,7 @@ class SampleOptions(Request):
 class FuzzRequest(
     CorpusOptions, RunDirectoryOptions, ClusterOptions, ShardOptions, MapsRequest, SampleOptions
 ):
-    """Request of ``fuzz``: an explorer, the sample, rules and effort."""
+    """Request of ``fuzz``: an explorer, the sample, the rules and the limits."""
 
 
 @answers(FuzzRequest)
@@ -192,7 +192,7 @@ class FuzzSweep(TallySweep[CheckReport]):
 
     @override
     def begin(self) -> Ending | None:
-        """Try past findings."""
+        """Try the findings of the user's corpus again; end the job if enough are reproduced."""
         return self.retry_past(self._tally)
 
     @override
@@ -218,7 +218,7 @@ class FuzzSweep(TallySweep[CheckReport]):
 
     @override
     def conclude(self, ending: Ending) -> None:
-        """Shrink the findings of the whole sample, and confirm the result."""
+        """Shrink the findings of a completed job, confirm them, and add them to the corpus."""
         settled = self.confirmation
         if isinstance(ending, Completed):
             self._tally.findings = [

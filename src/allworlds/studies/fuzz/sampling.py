@@ -32,7 +32,7 @@ REJECTED_BEFORE_REFUSAL = 2000
 
 
 def waves(runs: int) -> Iterator[tuple[int, int]]:
-    """The first run of each wave, and the first run of the next wave: 0, 16, 64, 256, ..."""
+    """Yield for each wave its first run and the run after its last: (0, 16), (16, 64), ..."""
     begin = 0
     while begin < runs:
         end = min(max(RUNS_OF_FIRST_WAVE, 4 * begin), runs)
@@ -41,7 +41,7 @@ def waves(runs: int) -> Iterator[tuple[int, int]]:
 
 
 def batches(sample: Sample, begin: int = 0, end: int | None = None) -> "Iterator[Batch]":
-    """Runs of a sample in batches; for shard i of k, the batches i, i + k, i + 2k, ...
+    """Yield the batches of a sample; for shard i of k, the batches i, i + k, i + 2k, ...
 
     The batches do not depend on the number of workers or shards.
 
@@ -99,9 +99,10 @@ class Batch(Struct, frozen=True):
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
         """Yield one world for each run: a random map with a random place of the lighthouse.
 
-        The parts of the mixture alternate.  Each part has its own sequence, which does not depend
-        on the other parts.  A map that is too small or not in the extent is drawn again; if many
-        draws of a part fail, random histories of the class take its place.
+        The parts of the mixture alternate.  Each part has its own sequence of random maps, which
+        does not depend on the other parts.  A map that is too small or not in the extent is drawn
+        again; if many draws of a part fail, the part ``histories`` takes its place, which glues
+        maps of the class at random.
         """
         mix = self.mix or default_mix(extent)
         for run in range(self.first, self.last):
@@ -113,10 +114,10 @@ class Batch(Struct, frozen=True):
             yield map_, [random.choice(places)] if places else []
 
     def _drawn(self, extent: Extent, part: str, random: Random) -> CombinatorialMap:
-        """A random map in the extent; from a history, if many draws of the part fail.
+        """A random map in the extent, by the given part, or after many vain draws by ``histories``.
 
         Raises:
-            InputError: if many histories fail the condition, too.
+            InputError: if many maps of the part ``histories`` fail the condition, too.
         """
         generators = generator(part, extent), generator(HISTORIES, extent)
         size = random.randint(self.min_edges, extent.levels[-1])

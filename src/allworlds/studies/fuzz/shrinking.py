@@ -33,10 +33,11 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
 
     First pieces of the map are removed, half of it, a quarter and so on, but never the start.
     Then edges are deleted or contracted one by one while that is possible; then, with as many
-    edges, a dart may move and the start and the marker may turn, towards fewer vertices and
-    the smaller code.  Every neighbour is tried with every root and every place of the lighthouse,
-    and the smallest that refutes is taken, so the result depends on the finding alone.  In the end
-    all worlds with few edges are tried.
+    edges, a dart moves to another vertex, or the start or the marker turns, if the map has fewer
+    vertices or a smaller code after that.  A world after one such change is a *neighbour*.  Every
+    neighbour is tried with every root and every place of the lighthouse, and the smallest that
+    refutes is taken, so the result depends on the finding alone.  In the end all worlds with few
+    edges are tried.
 
     Cost: O(m^3) runs for each step in small worlds, but at most ``NEIGHBOURS_PER_STEP``; a large
     world is not changed if no piece can be removed.
@@ -86,8 +87,8 @@ def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterato
     """Yield smaller and smaller refuting worlds, by deleting or contracting one piece at a time.
 
     A piece is a set of consecutive edges in breadth-first order from the start; the farthest piece
-    comes first.  While a piece can be removed, others of its size are tried; then pieces of half
-    the size.  The lighthouse keeps the number of its place, if the smaller map has that place.
+    comes first.  While a piece can be removed, further pieces of its size are tried; then pieces of
+    half the size.  The lighthouse keeps the number of its place, if the smaller map has that place.
 
     Cost: O(m) runs for each step, but about O(m log m) in all if few edges are needed.
     """
@@ -103,7 +104,10 @@ def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterato
 
 
 def _less_by(piece: int, finding: Finding, scope: Scope) -> Iterator[tuple[world.World, int]]:
-    """Yield the finding's world without a piece, for each piece, and the number of the place."""
+    """Yield the finding's world without each piece of ``piece`` edges, deleted and contracted.
+
+    With each world comes the number of its lighthouse's place.
+    """
     map_, extent = finding.world.map, scope.extent
     for end in range(map_.edge_count, 0, -piece):
         gone = {d for edge in map_.edges[max(0, end - piece) : end] for d in edge}
@@ -119,7 +123,10 @@ def _less_by(piece: int, finding: Finding, scope: Scope) -> Iterator[tuple[world
 def _smallest(
     refute: Refute, chunks: Sequence[GivenWorlds], at_once: int = CHUNKS_PER_WAVE
 ) -> Finding | None:
-    """The smallest finding of the first wave that has one; later waves are not tried."""
+    """The smallest finding of the first wave that has a finding; None if no wave has one.
+
+    A wave consists of ``at_once`` chunks; the waves after one with a finding are not tried.
+    """
     waves = (refute(chunks[i : i + at_once]) for i in range(0, len(chunks), at_once))
     return next((found for found in waves if found), None)
 
@@ -132,7 +139,10 @@ def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
 
 
 def _smaller(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -> list[GivenWorlds]:
-    """The smallest worlds of these maps, ascending, in chunks; all are smaller than the finding."""
+    """The worlds of these maps that are smaller than the finding's, ascending, in chunks.
+
+    If they are more than ``NEIGHBOURS_PER_STEP``, the larger ones are left out.
+    """
     size = finding.key[:4]
     placed = takewhile(lambda each: each[0] < size, placed_rootings(maps, scope))
     return in_chunks([each for _, each in islice(placed, NEIGHBOURS_PER_STEP)])
@@ -141,10 +151,12 @@ def _smaller(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -
 def placed_rootings(
     maps: Iterable[CombinatorialMap], scope: Scope
 ) -> Iterator[tuple[tuple[int, int, Code, int], tuple[world.World, int]]]:
-    """Yield the rootings of these maps, each once and with every place, by ascending keys.
+    """Yield a key and a world for each rooting of these maps and each place, by ascending keys.
 
-    A key has edges, vertices, code and place.  Maps that are not in the class, or do not satisfy
-    the condition, are left out; the bounds of the extent do not matter.
+    A key is the numbers of edges and vertices, the code of the rooted map, and the number of the
+    lighthouse's place, which also comes with the world.  Isomorphic rootings come once.  Maps
+    that are not in the class, or do not satisfy the condition, are left out; the bounds of the
+    extent do not matter.
     """
     extent = scope.extent
     rootings = {
@@ -162,7 +174,7 @@ def placed_rootings(
 def in_chunks(
     worlds: Sequence[tuple[world.World, int]], length: int = WORLDS_PER_CHUNK
 ) -> list[GivenWorlds]:
-    """Worlds with the numbers of their places, in chunks for one worker each."""
+    """Chunks of ``length`` worlds and the numbers of their places; a worker tries one at a time."""
     starts = range(0, len(worlds), length)
     return [GivenWorlds(tuple(worlds[start : start + length])) for start in starts]
 
