@@ -11,7 +11,8 @@ begins with a byte:
     205 BEYOND          a motion after the end of the recorded percepts
     206 FAR             a motion by 200 darts or more; 207 DROP, 208 PICK, 209 WRITE with a number
     210 CHOICE          the index, and the number of options (0: unknown)
-    211 LONG_CHOICE     the same, as numbers of any length; so 212 LONG_SHOWN and 213 LONG_ANSWER
+    211 LONG_CHOICE     the same, as numbers of any length; 212 LONG_SHOWN and 213 LONG_ANSWER
+                        are so to 200 and 201
     214 QUOTIENT        the answer is a rooted quotient; 215 VALUE: it is a JSON text
     216 OVER            the task is done, and ends the run; 217 FREE_TOO_OFTEN: too many free acts
     218 REFUSED         the last action is illegal; a walk of the log in the world shows why

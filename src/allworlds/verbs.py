@@ -1,8 +1,8 @@
 """**The** table of the verbs: the name, the function and the summary of each.
 
 The command line and the tests are derived from it.  A new verb is an entry here, and a module with
-its request, its function and its document.  One whose result is told in words of its own has a
-function in ``reports.content``; one that does more than answer a request has one in ``cli``.
+its request, its function and its document.  A verb whose report has content of its own also has a
+function in ``reports.content``, and a verb that does more than answer a request one in ``cli``.
 """
 
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""The command line: commands, groups, and what is refused."""
+"""The command line: its commands and groups of commands, and the errors for illegal words."""
 
 import os
 import shutil

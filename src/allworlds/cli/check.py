@@ -1,4 +1,4 @@
-"""The command check."""
+"""The verb ``check`` on the command line."""
 
 from typing import Annotated
 

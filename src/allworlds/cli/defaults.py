@@ -1,7 +1,7 @@
 """Defaults of options from a file, and the origin of a document.
 
-The file is ``allworlds.toml``, or ``[tool.allworlds]`` in a project's.  The origin is all that
-differs from run to run: version, host, time, speed.
+The file is ``allworlds.toml``, or the table ``[tool.allworlds]`` in a project's ``pyproject.toml``.
+The origin holds what may differ between documents of the same command: version, host, time, speed.
 """
 
 import tomllib

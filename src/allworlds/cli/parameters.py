@@ -1,4 +1,7 @@
-"""Requests on the command line: an option or an argument for each field, and back."""
+"""Requests on the command line: an option or an argument for each field.
+
+From the values of the options and arguments the request is made again.
+"""
 
 from collections.abc import Callable, Collection, Iterator, Mapping
 from dataclasses import MISSING

@@ -1,4 +1,7 @@
-"""The verbs ``run``, with the debugger, ``replay``, and ``play`` with its talk in the terminal."""
+"""The verbs ``run``, ``replay`` and ``play`` on the command line.
+
+A run can be watched in Python's debugger; ``play`` can ask for each action in the terminal.
+"""
 
 import re
 import sys

@@ -1,7 +1,7 @@
 """Values that can be shown: as a text, as a page, as a picture.
 
-The writers of these forms are in a higher wing.  The package registers them when it is imported,
-and loads them when the first value is shown.
+The writers of these forms are in ``allworlds.reports``, which this module does not import.  The
+package registers the writers when it is imported, and loads them when the first value is shown.
 """
 
 from collections.abc import Callable

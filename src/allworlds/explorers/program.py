@@ -1,4 +1,4 @@
-"""Programs behind a pipe, and the words of their commands."""
+"""Explorers that are programs in any language, with percepts and actions as lines on pipes."""
 
 import contextlib
 import json

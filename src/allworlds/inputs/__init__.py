@@ -1,8 +1,8 @@
 """Input from outside: checks of values, requests, and the refusal of nested checks.
 
 ``checks``
-    checks of values, and the error about bad input; guards against a model that sets the exit code
-    of the process, or catches the user's interrupt;
+    checks of values, and the error about bad input; guards against users' code that sets the exit
+    code of the process, or catches the user's interrupt;
 ``nesting``
     the refusal of a check that another one causes;
 ``requests``

@@ -1,6 +1,7 @@
 """Checks of values from outside, and the error about bad input.
 
-A model must not set the exit code of the process, because this would pass for a verdict.
+Code of the user's that the judge calls must not set the exit code of the process, because this
+would pass for a verdict.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@ There are two notations.  A *rotation* lists the neighbours of each vertex clock
 parallel edges.  *Cycles* list the names of the edges round each vertex clockwise.  Both can express
 all maps, also with loops and parallel edges.  The other functions use one of these notations.
 
-The module also makes maps with one edge less, and the postman's walk.
+The module also makes maps with one edge less, and the shortest walk along all edges of a map.
 """
 
 import random

@@ -1,7 +1,7 @@
 """**The** tables of the classes of maps and of the conditions that narrow them.
 
-The order is: the classes; the conditions, and the table of those with names; classes of bounded
-size under a condition; the options of requests.
+The module has, in this order: the classes; the conditions, and the table of those with names;
+extents, which are classes of bounded size under a condition; the options of requests.
 """
 
 from __future__ import annotations

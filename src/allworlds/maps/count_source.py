@@ -1,4 +1,4 @@
-"""The independent source of a count, and the number of completions of a partial gluing."""
+"""The independent source of a count, and the number of maps that complete a partial gluing."""
 
 from collections import Counter
 from collections.abc import Mapping

@@ -19,7 +19,7 @@ triangulation, quadrangu-     the recurrence at the degrees of the dual maps; si
 lation                        triangulations by Tutte's formula
 ============================  ===========================================================
 
-The tests compare each of them with another one.
+The tests compare each source with another one.
 
 A polynomial is a tuple of integer coefficients, lowest power first.  In the comments z marks
 edges and x vertices.

@@ -1,6 +1,7 @@
 """Distributions of random maps, by name: the parts of the mixtures from which ``fuzz`` draws.
 
-Each draws a map with at most, and about, the requested number of edges, and with a random root.
+Each distribution makes a map with a random root and with about the requested number of edges, but
+never more.
 """
 
 from collections.abc import Callable, Iterable

@@ -1,4 +1,4 @@
-"""The least quotient of a map with colours, and the number of worlds that share one."""
+"""The least quotient of a map with coloured darts, and the number of worlds that share it."""
 
 from collections import Counter
 from collections.abc import Hashable, Sequence

@@ -3,7 +3,7 @@
 ``table``
     **the** table of the notations, and files in any of them;
 ``entry``
-    one world of a file, and the functions that readers share;
+    functions that the readers and writers share;
 ``objects``, ``worlds_as_json``, ``sage``
     worlds as objects, in JSON and as Python's literals;
 ``plantri``, ``edge_list``, ``graphs``

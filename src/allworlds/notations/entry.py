@@ -1,4 +1,4 @@
-"""Names of lines in files for messages, and further functions that readers and writers share."""
+"""Functions that readers and writers of files share; one names a line of the file in errors."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager

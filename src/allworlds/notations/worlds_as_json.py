@@ -1,4 +1,7 @@
-"""JSON files of worlds, rotations and fat graphs: one, a list, named ones, or one in each line."""
+"""JSON files of worlds, rotations and fat graphs.
+
+A file has one of these, a list of them, an object with their names as keys, or one in each line.
+"""
 
 import json
 from collections.abc import Callable, Iterator

@@ -9,8 +9,8 @@ it is a part of the next :class:`Move`, or of ``here`` in the answer.
     and the faults of explorers outside Python;
 ``choices``
     the choices of an explorer: policies, and every schedule in turn;
-``playing``, ``log``
-    the play of one run to its end, and the log that it yields;
+``playing``
+    the play of one run to its end, which yields a log (see ``allworlds.log``);
 ``turns``
     programs of several robots, asked turn by turn; automata;
 ``code_lines``

@@ -1,6 +1,6 @@
 """The lines of the user's code that run in a play, when a finding is played again.
 
-No log contains them, and no verdict depends on them.
+No log contains these lines, and no verdict depends on them.
 """
 
 import json

@@ -1,4 +1,4 @@
-"""The import and the calls of users' code."""
+"""The import of users' code, and calls of it that turn its errors into those of bad input."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """The play of one run of an explorer to its end, which yields only a log.
 
-This is the explorer's side: a world answers its actions, or the percepts of an earlier play do.
+The explorer's actions are answered by a world, or by the recorded percepts of an earlier play.
 """
 
 import json

@@ -1,4 +1,4 @@
-"""Results of verbs as texts and as files, with the formats that names of files mean.
+"""Results of verbs as texts and as files, whose formats follow from the files' names.
 
 The files for CI services are Markdown, JUnit XML, commands of GitHub's runner, and SARIF.  A new
 format is a function and a line of the table.  Slow imports are inside functions, since the command

@@ -1,4 +1,4 @@
-"""Results for notebooks, and for ``print``."""
+"""Results as notebooks and ``print`` show them."""
 
 from html import escape
 from typing import Any

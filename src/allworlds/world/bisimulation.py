@@ -1,4 +1,4 @@
-"""The checker of bisimulations, and equality of worlds; it does not use the search for twins."""
+"""The checker of bisimulations, which does not use the search for twins; equality of worlds."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""The part of a world that a step changes."""
+"""The state of a walk in a world, which a step changes: robot, markers, written numbers."""
 
 from __future__ import annotations
 

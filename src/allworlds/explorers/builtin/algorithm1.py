@@ -1,7 +1,7 @@
 """Algorithm 1 of the paper, mapping with one directional lighthouse, and its partial map.
 
-There is one function for each group of lines; the docstrings keep the paper's names S, U, H, M and
-P.  Each decision that the paper leaves open is a choice:
+Each group of lines of the paper's Algorithm 1 is a function; the docstrings keep the paper's names
+S, U, H, M and P.  Each decision that the paper leaves open is a choice:
 
 ``edge``
     The dart that leaves U (line 3). Options: U in the order in which its darts came into S;

@@ -1,4 +1,4 @@
-"""Explorers for comparison: depth-first search under labels, and one movable marker.
+"""Explorers for comparison: depth-first search of numbered vertices, and one movable marker.
 
 The marker has no direction, and the worlds are simple: Dudek, Jenkin, Milios, Wilkes 1991.  Each
 pass explores one dart.  At its unknown end the robot drops the marker, comes back, and searches the

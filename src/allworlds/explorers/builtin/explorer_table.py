@@ -7,13 +7,14 @@ The modules:
 ``scanning``
     Algorithm 1 with one letter at v0, which depends on the bearing;
 ``folding``
-    the folded log, which is all percepts of a run as one map, and explorers that only fold;
-``shield``
-    the shield that makes any explorer right;
+    the folded log, which is all percepts of a run as one map; explorers that only fold; the shield,
+    which makes any explorer right;
 ``quotient``
-    position only: the quotient, learnt by experiments that are never repeated;
-``dudek91``, ``depth_first``
-    one movable marker; a number at each vertex.
+    an explorer whose marker at v0 has no direction; it learns the quotient by experiments;
+``baselines``
+    one movable marker; depth-first search with a number at each vertex;
+``elsewhere``
+    an explorer for robots that do not start at v0.
 """
 
 from collections.abc import Callable, Mapping

@@ -22,9 +22,10 @@ In the known part of the log a guest walks without cost, and its percepts are re
 Only when a guest goes through an open dart, the robot follows, by a shortest way in the log.
 
 Cost: less than 9 min(X, (1) + (2)) traversals, where X is the number of traversals of the explorer
-until its own log has no open dart.  Proof: in each turn the robot could walk back to v0 on the way
-of the last guest, and then follow the way of the next one.  This costs 2 (1 + 2 + ... + 2^(k-1))
-before the turn with the budget 2^k, and a guest that needs this turn has walked more than 2^(k-2).
+until its own log has no open dart, and (1) + (2) is the paper's bound on Algorithm 1.  Proof: in
+each turn the robot could walk back to v0 on the way of the last guest, and then follow the way of
+the next one.  This costs 2 (1 + 2 + ... + 2^(k-1)) before the turn with the budget 2^k, and a guest
+that needs this turn has walked more than 2^(k-2).
 """
 
 from bisect import insort

@@ -1,4 +1,4 @@
-"""The explorer of the quotient, and its experiments."""
+"""The explorer that learns the quotient of its world, and its experiments."""
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias

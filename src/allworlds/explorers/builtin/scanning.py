@@ -1,9 +1,11 @@
-"""Algorithm 1 with one letter at v0, which depends on the bearing: a door, or a word.
+"""Algorithm 1 for a robot that senses at v0 only a letter, which depends on the bearing.
 
-The robot learns the letters of v0 by going out by each of its darts and back: the *scan*.  A test
-that has come to v0 ends with queries of this kind, at darts whose letters prove that v0 was entered
-by the expected dart.  If the letters are a primitive word, such darts always exist; for a door one
-query suffices.  A failed query need not be undone, because the robot has only turned.
+If only one bearing has a letter, the letter marks a *door*; else the letters, clockwise, are a
+*word*.  The robot learns the letters of v0 by going out by each of its darts and back: the *scan*.
+A test that has come to v0 ends with queries of this kind, at darts whose letters prove that v0 was
+entered by the expected dart.  If the letters are a primitive word, no repetition of a shorter one,
+such darts always exist; for a door one query suffices.  A failed query need not be undone, because
+the robot has only turned.
 
 Source: beyond the paper.
 """

@@ -1,4 +1,4 @@
-"""Content of ``check`` and ``fuzz``."""
+"""Content of the reports of ``check`` and ``fuzz``."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from shlex import join

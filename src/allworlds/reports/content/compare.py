@@ -1,4 +1,4 @@
-"""Content of ``compare``."""
+"""Content of reports of ``compare``."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from shlex import quote

@@ -1,4 +1,4 @@
-"""Content of ``convert``: each world of a file, and the rooms behind the doors of its rooms."""
+"""Content of reports of ``convert``: each world of a file, with the rooms behind its doors."""
 
 from allworlds.reports import parts
 from allworlds.studies.convert import Convert, ConvertRow

@@ -1,4 +1,4 @@
-"""Content of ``ledger``: each claim, expected beside found."""
+"""Content of reports of ``ledger``: each claim, with what was expected and what was found."""
 
 import re
 from collections import Counter

@@ -1,4 +1,4 @@
-"""Content of one run, and sections and sentences about a finding."""
+"""Content of the report of one run, and sections and sentences about a finding."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Content of ``count`` and ``worst``: numbers by size, and their comparison with a source."""
+"""Content of reports of ``count`` and ``worst``: numbers by size, and their count gate."""
 
 from allworlds.reports import parts
 from allworlds.reports.content.check import most_expensive

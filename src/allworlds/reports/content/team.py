@@ -1,4 +1,4 @@
-"""Content of ``team``: the verdict, a shortest run as a space-time diagram, and the counts."""
+"""Content of reports of ``team``: the verdict, a space-time diagram of a shortest run, counts."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """The sections of a page, the frame of every page, and pictures with a walk.
 
-Keys step along the walk in all its pictures.
+The reader's keys step along a walk, in all pictures of it at the same time.
 """
 
 import json

@@ -33,7 +33,7 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
 
     First pieces of the map are removed, half of it, a quarter and so on, but never the start.
     Then edges are deleted or contracted one by one while that is possible; then, with as many
-    edges, a dart moves to another vertex, or the start or the marker turns, if the map has fewer
+    edges, a dart moves to another position, or the start or the marker turns, if the map has fewer
     vertices or a smaller code after that.  A world after one such change is a *neighbour*.  Every
     neighbour is tried with every root and every place of the lighthouse, and the smallest that
     refutes is taken, so the result depends on the finding alone.  In the end all worlds with few

@@ -1,4 +1,4 @@
-"""Lighthouses at vertices: at the start vertex, also at one of its neighbours, or at all."""
+"""Lighthouses at vertices: at the start, also at one of its neighbours, or at all vertices."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The options of a lighthouse."""
+"""The options of a kind of lighthouse, which are fields of its class."""
 
 import re
 from collections.abc import Mapping, Sequence
