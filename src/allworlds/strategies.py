@@ -1,7 +1,7 @@
 """Hypothesis strategies: maps, worlds, motions and choices that shrink to small, simple ones.
 
-Everything shrinks in the order of findings: fewer edges, then fewer vertices, then dart 0.  For
-example, a property of your explorer::
+All values shrink in the order of findings: to fewer edges, then to fewer vertices, then to start at
+dart 0.  For example, a property of your explorer::
 
     from hypothesis import given
     from allworlds import run, strategies

@@ -1,4 +1,4 @@
-"""Origin of documents: the version of this program, and the machine."""
+"""The origin of documents: the version of this program, and the machine that made them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Explorers in shared libraries; each of their buffers ends at a protected page."""
+"""Explorers in shared libraries.
+
+Each of their buffers ends at a protected page, so that an access behind its end is a crash.
+"""
 
 import ctypes
 import mmap

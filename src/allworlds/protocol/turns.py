@@ -1,9 +1,10 @@
 """Programs of robots that are asked turn by turn for their next action after a percept.
 
 This module knows no worlds and no schedules.  A *turn* is a tuple ``(number, before, percept)``:
-the history ``before`` with one more percept.  Generators are kept alive, and get that percept; a
-second branch of a history is replayed, since a generator cannot be copied.  An automaton steps from
-a memory, which is named by a number, and never sent.
+the history that ends with the turn number ``before`` gets one more percept.  Generators are kept
+alive, and get that percept; a second branch of a history is replayed, since a generator cannot be
+copied.  An automaton steps from a memory, which is named by a number, and never sent; ``before`` is
+this number.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The world of a text: inline JSON, a file, a name, a family of maps, or the corpus.
+"""The world that a text names: inline JSON, a file, a name, a family of maps, or the corpus.
 
 The corpus ships with the package: known worlds, and every finding so far.  It consists of a
 manifest and a file for each entry: named worlds, findings, pairs of indistinguishable worlds,

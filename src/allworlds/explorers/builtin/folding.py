@@ -10,8 +10,8 @@ is the world.
 
 A *way* decides which open dart comes next.  It must be fair: each open dart is finally walked
 through, or closed by other motions.  Then each entered vertex is finally left by its way home, and
-merged, so that the exploration ends.  The open dart that is nearest to the robot is not fair: the
-robot can walk on for ever, from copy to copy.
+merged, so that the exploration ends.  To choose always the open dart nearest to the robot is not
+fair: the robot can walk on for ever, from copy to copy.
 
 The *shield* makes any explorer right in every world under the directional lighthouse.  Two
 *guests*, the explorer and Algorithm 1, take turns with budgets 1, 2, 4, ...: in its turn a guest

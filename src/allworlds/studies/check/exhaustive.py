@@ -34,7 +34,7 @@ from allworlds.studies.check.report import (
 
 @answers(CheckRequest)
 def check(request: CheckRequest) -> CheckReport:
-    """Run an explorer on every start and every marker orientation of every map in a class.
+    """Run an explorer in every map of a class, from every start, with each place of its lighthouse.
 
     An explorer that cannot be imported by its name runs in this process.  There, a
     KeyboardInterrupt of the explorer interrupts the check, because it looks like the user's; in a
@@ -64,7 +64,7 @@ def job_of(
 
 
 class CheckSweep(tally_sweep.TallySweep[CheckReport]):
-    """The sweep of a check.
+    """The sweep of a check, which goes through its levels and makes its report.
 
     Args:
         request: the request.

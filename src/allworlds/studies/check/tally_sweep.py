@@ -83,9 +83,9 @@ class Confirmation(Struct, frozen=True):
         return bool(remarks)
 
     def replaced(self, name: str, found: Finding, by: Callable[[Finding], Finding]) -> Finding:
-        """The finding that ``by`` makes of ``found``, or made in an earlier call with this name.
+        """The finding that ``by`` makes of ``found``, once: it is recorded under ``name``.
 
-        If the record is a remark, or time is up, ``found`` is returned.
+        If a remark is recorded there, or the deadline is past, ``found`` is returned.
         """
         settled = self._recorded(name, found, by)
         return found if isinstance(settled, str) else settled
