@@ -98,9 +98,9 @@ class Comparison(ContestReport):
         return self.all_counted
 
     def walks(self) -> Iterator[single.SingleRun]:
-        """Yield a run of each explorer in the world in which their costs differ most.
+        """Yield a run of each explorer in the world where the first one differs most from another.
 
-        Each explorer's lighthouse is at the first of its places.
+        What differs is the mean cost.  Each explorer's lighthouse is at the first of its places.
         """
         if self.differ_most is None:
             return
@@ -220,7 +220,7 @@ class SameWorlds(Contest[Comparison]):
                 yield UnitOfOne(number, unit)
 
     def _placed(self, one: Entrant, map_: CombinatorialMap) -> tuple[tuple[World, int], ...]:
-        """A map with the entrant's lighthouse: a world for each place, and the place's number."""
+        """The worlds of a map, one for each place of the entrant's lighthouse, with its number."""
         places = enumerate(one.rules.kind.places(map_, 0))
         return tuple((World(map_, lighthouse, 0), place) for place, lighthouse in places)
 
@@ -241,7 +241,7 @@ class SameWorlds(Contest[Comparison]):
         return outcome.Stopped("a law is broken", final=True) if broken else None
 
     def _compare(self, map_: CombinatorialMap, found: Sequence[Mapping[int, int]]) -> None:
-        """Keep the world if costs differ most in it, and its runs if each world gets a row.
+        """Keep the map if the costs differ most in it so far, and its runs if they get a row.
 
         ``found`` has for each explorer the costs in the map, by the number of the place.
         """
