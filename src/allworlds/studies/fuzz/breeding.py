@@ -86,12 +86,12 @@ def is_bred_for(subject: loading.Subject) -> bool:
 def bred(
     unit: Bred, scope: Scope, subject: loading.Subject, limits: Limits
 ) -> Iterator[NumberedRun]:
-    """Breed worlds that run the rarest lines of the explorer; yield those that seem to refute it.
+    """Breed worlds in which the explorer runs its rarest lines; yield those that may refute it.
 
     The explorer is run in the first draws of the block, and its lines are traced; then it is run,
     generation by generation, in mutants of worlds in which it ran one of its rarest lines.  The
-    bred worlds depend on the explorer and on
-    these draws alone.  If the player is lost, breeding ends.
+    bred worlds depend on the explorer and on these draws alone.  If the player is lost, breeding
+    ends.
 
     Rare lines are the only target, since no other one helps.  Measured with up to 60 edges, in 48
     searches for a slip behind four nested conditions: 256 draws found 4 slips, 64 draws and 192

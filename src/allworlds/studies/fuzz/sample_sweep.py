@@ -218,7 +218,10 @@ class FuzzSweep(TallySweep[CheckReport]):
 
     @override
     def conclude(self, ending: Ending) -> None:
-        """Shrink the findings of a completed job, confirm them, and add them to the corpus."""
+        """Shrink the findings if the job is completed; confirm them, and add them to the corpus.
+
+        Past findings that the corpus has reproduced are confirmed already.
+        """
         settled = self.confirmation
         if isinstance(ending, Completed):
             self._tally.findings = [
