@@ -652,7 +652,7 @@ def claim(name, **given):
         "statement": f"All is {name}.",
         "expected": "holds",
         "witnesses": {"loops": 1200},
-        "expected_witnesses": {},
+        "expected_witnesses": {"loops": 1200},
         "figures": {},
         "expected_figures": {},
         "told": "",
