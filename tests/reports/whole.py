@@ -6,7 +6,7 @@ be meant, and told in the commit.
 
 import json
 import re
-import sys
+import shutil
 import tempfile
 from contextlib import chdir
 from pathlib import Path
@@ -44,6 +44,9 @@ TEXTS = Path(__file__).parent / "whole_texts"
 WIDTH = 100
 
 CASES = {}
+
+mine = SimpleNamespace()
+"""The explorers, once they are in the file."""
 
 
 def case(make):
@@ -95,6 +98,11 @@ def drawn(block):
 def whole(name):
     """The text of a case."""
     with tempfile.TemporaryDirectory() as made, chdir(made):
+        shutil.copy(Path(__file__).with_name("whole_explorers.py"), "mine.py")
+        file = Path("mine.py").resolve()
+        names = {"__name__": "mine"}
+        exec(compile(file.read_text(encoding="utf-8"), file, "exec"), names)
+        vars(mine).update(names)
         texts = [
             result if isinstance(result, str) else "\n".join(shown(content_of(result)))
             for result in CASES[name]()
@@ -105,7 +113,6 @@ def whole(name):
             .replace(str(PROGRAMS), "PROGRAMS")
         )
     text = text.replace(allworlds.__version__, "{version}")
-    text = re.sub(r"/\S*/whole\.py:\d+", "whole.py:LINE", text)
     text = re.sub(r"object at 0x[0-9a-f]+", "object", text)
     return "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
 
@@ -113,37 +120,9 @@ def whole(name):
 # ---------------------------------------------------------------- explorers
 
 
-def walking(*actions, answer=None, then=None):
-    """An explorer that does this, whatever it senses, and then that for ever."""
-
-    def explore(_):
-        yield from (action for action in actions)  # a tuple takes no percepts
-        while then is not None:
-            yield then
-        return answer
-
-    return explore
-
-
 EDGE, LOOP = CombinatorialMap([0, 1], [1, 0]), CombinatorialMap([1, 0], [1, 0])
 PATH = CombinatorialMap([0, 2, 1, 3], [1, 0, 3, 2])
 LASSO = CombinatorialMap([1, 2, 0, 3], [1, 0, 3, 2])
-
-
-def stays(first):
-    return Estimate(EDGE, 0)
-    yield
-
-
-def first_edge(first):
-    yield Move(0)
-    return Estimate(EDGE, 1)
-
-
-def crashes(first):
-    sys.stdout.write("at the start\n")
-    yield Move(0)
-    raise ValueError("this edge is too much")
 
 
 def moves(*turns):
@@ -188,7 +167,7 @@ def wrong_answers_told():
         right = truth.outcome.episode.ending.answer
         for answer in spoiled(right):
             for walked in (actions, actions[:2], actions[:5]):
-                finding = found(walking(*walked, answer=answer), map_)
+                finding = found(mine.walking(*walked, answer=answer), map_)
                 if finding:
                     yield f"{name}, {answer.map.sigma} {answer.map.alpha} {told(finding)}"
 
@@ -218,37 +197,45 @@ def endings_told():
     star, theta = named_map("star-5"), named_map("theta")
     every = named_map("k4")
     for name, finding in {
-        "nothing": found(walking(), PATH),
-        "crash": found(crashes, PATH),
-        "end after steps": found(walking(*moves(0, 1)), PATH),
-        "north": found(walking("north"), PATH),
-        "drop": found(walking(Drop()), PATH),
-        "cover": found(walking(*moves(0), answer=1), star, task="cover"),
-        "cover most": found(walking(*moves(0, 0, 1, 0, 1, 0, 1, 0), answer=1), star, task="cover"),
-        "stop": found(walking(*moves(0, 0, 1), answer=1), star, task="stop"),
-        "home": found(walking(*moves(0, 1), answer=1), PATH, task="home"),
-        "home left": found(walking(*moves(0), answer=1), PATH, task="home"),
-        "edges": found(walking(*moves(0, 1), answer=1), every, task="cover:edges"),
-        "edges most": found(walking(*moves(0, 1, 1), answer=1), theta, task="cover:edges"),
-        "budget": found(walking(then=Move(1)), every),
-        "budget of the user": found(walking(then=Move(0)), theta, step_budget=7),
-        "budget of one": found(walking(then=Move(0)), theta, step_budget=1),
-        "budget of a bound": found(
-            walking(then=Move(0)), "theta", lighthouse="compass", bound="m-2"
+        "nothing": found(mine.walking(), PATH),
+        "crash": found(mine.crashes, PATH),
+        "end after steps": found(mine.walking(*moves(0, 1)), PATH),
+        "north": found(mine.walking("north"), PATH),
+        "drop": found(mine.walking(Drop()), PATH),
+        "cover": found(mine.walking(*moves(0), answer=1), star, task="cover"),
+        "cover most": found(
+            mine.walking(*moves(0, 0, 1, 0, 1, 0, 1, 0), answer=1), star, task="cover"
         ),
-        "budget with all walked": found(walking(then=Move(1)), named_map("cycle-3")),
-        "budget of long rounds": found(walking(then=Move(1)), named_map("theta-torus")),
-        "budget, checkpoints": found(walking(Move(0), then=Checkpoint((1, 0), (1, 0), 0)), LOOP),
-        "budget, no move": found(walking(then=Drop()), World(PATH, Movable(), 0), step_budget=9),
-        "budget, cover": found(walking(then=Move(0)), star, task="cover"),
-        "budget, edges": found(walking(then=Move(0)), star, task="cover:edges"),
-        "bound": found(walking(*moves(0, 0, 0, 0, 0), answer=Estimate(EDGE, 1)), EDGE, bound=2),
-        "two doors": found(walking(*moves(0, 0, 1, 0, 2, 0)), star),
+        "stop": found(mine.walking(*moves(0, 0, 1), answer=1), star, task="stop"),
+        "home": found(mine.walking(*moves(0, 1), answer=1), PATH, task="home"),
+        "home left": found(mine.walking(*moves(0), answer=1), PATH, task="home"),
+        "edges": found(mine.walking(*moves(0, 1), answer=1), every, task="cover:edges"),
+        "edges most": found(mine.walking(*moves(0, 1, 1), answer=1), theta, task="cover:edges"),
+        "budget": found(mine.walking(then=Move(1)), every),
+        "budget of the user": found(mine.walking(then=Move(0)), theta, step_budget=7),
+        "budget of one": found(mine.walking(then=Move(0)), theta, step_budget=1),
+        "budget of a bound": found(
+            mine.walking(then=Move(0)), "theta", lighthouse="compass", bound="m-2"
+        ),
+        "budget with all walked": found(mine.walking(then=Move(1)), named_map("cycle-3")),
+        "budget of long rounds": found(mine.walking(then=Move(1)), named_map("theta-torus")),
+        "budget, checkpoints": found(
+            mine.walking(Move(0), then=Checkpoint((1, 0), (1, 0), 0)), LOOP
+        ),
+        "budget, no move": found(
+            mine.walking(then=Drop()), World(PATH, Movable(), 0), step_budget=9
+        ),
+        "budget, cover": found(mine.walking(then=Move(0)), star, task="cover"),
+        "budget, edges": found(mine.walking(then=Move(0)), star, task="cover:edges"),
+        "bound": found(
+            mine.walking(*moves(0, 0, 0, 0, 0), answer=Estimate(EDGE, 1)), EDGE, bound=2
+        ),
+        "two doors": found(mine.walking(*moves(0, 0, 1, 0, 2, 0)), star),
         "two doors of loops": found(
-            walking(*moves(1, 0, 3, 0, 3, 0)),
+            mine.walking(*moves(1, 0, 3, 0, 3, 0)),
             CombinatorialMap((1, 2, 3, 4, 0, 5, 6, 7), (5, 2, 1, 6, 7, 0, 3, 4)),
         ),
-        "quotient": found(walking(answer=Ambiguous((0,), (0,), 0, (1,), (0,))), PATH),
+        "quotient": found(mine.walking(answer=Ambiguous((0,), (0,), 0, (1,), (0,))), PATH),
     }.items():
         yield f"{name}: {told(finding) if finding else 'no finding'}"
 
@@ -256,7 +243,7 @@ def endings_told():
 @case
 def changed_findings_told():
     """Endings that a recorded finding tells otherwise."""
-    base = found(crashes, PATH)
+    base = found(mine.crashes, PATH)
     program = replace(base, explorer="exec:./mine")
     library = replace(base, explorer="lib:./mine.so")
     for law, finding, changes in (
@@ -378,26 +365,28 @@ def runs():
     yield run("algorithm1", world_named("theta", "directional"))
     yield run("algorithm1", world_named("theta-torus", "directional"), laws=("map", "pose"))
     yield run("folding", world_named("k4", "directional"), bound="none")
-    yield run(first_edge, World(EDGE, Directional(0)))
-    yield run(first_edge, World(PATH, Directional(0)))
-    yield run(crashes, World(PATH, Directional(0)))
-    yield run(walking(Move(0), answer=4), World(EDGE, Directional(0)), task="cover")
-    yield run(walking(*moves(0, 0), answer=[1, 2]), World(EDGE, Directional(0)), task="home")
-    yield run(walking(answer=Ambiguous((0,), (0,), (1,), (0,), 0)), world_named("cycle-3", "none"))
+    yield run(mine.first_edge, World(EDGE, Directional(0)))
+    yield run(mine.first_edge, World(PATH, Directional(0)))
+    yield run(mine.crashes, World(PATH, Directional(0)))
+    yield run(mine.walking(Move(0), answer=4), World(EDGE, Directional(0)), task="cover")
+    yield run(mine.walking(*moves(0, 0), answer=[1, 2]), World(EDGE, Directional(0)), task="home")
+    yield run(
+        mine.walking(answer=Ambiguous((0,), (0,), (1,), (0,), 0)), world_named("cycle-3", "none")
+    )
     yield run("algorithm1-cluster", world_named("k4", "cluster"))
-    yield run(stays, World(EDGE, Directional(0)), laws=("invariant-1", "variant"))
+    yield run(mine.stays, World(EDGE, Directional(0)), laws=("invariant-1", "variant"))
 
 
 @case
 def replays():
-    wrong = found(first_edge, PATH)
-    yield replay(wrong, first_edge)
+    wrong = found(mine.first_edge, PATH)
+    yield replay(wrong, mine.first_edge)
     yield replay(wrong, "algorithm1")
-    yield replay(wrong, crashes)
-    yield replay(wrong, stays)
-    crash = found(crashes, PATH)
+    yield replay(wrong, mine.crashes)
+    yield replay(wrong, mine.stays)
+    crash = found(mine.crashes, PATH)
     yield replay(crash, "folding")
-    yield replay(crash, crashes)
+    yield replay(crash, mine.crashes)
 
 
 # ---------------------------------------------------------------- checks
@@ -413,11 +402,11 @@ def checks():
     yield check("algorithm1", edges=2, laws=("map", "pose"), engine="python")
     yield check("algorithm1", edges=2, bound="none", policy="lifo", where="cubic", engine="python")
     yield check("algorithm1", edges=3, where="eulerian", engine="python")
-    yield check(stays, edges=2, laws=("invariant-1", "variant"))
-    yield check(walking(answer=1), edges=2, task="cover", max_findings=2)
+    yield check(mine.stays, edges=2, laws=("invariant-1", "variant"))
+    yield check(mine.walking(answer=1), edges=2, task="cover", max_findings=2)
     yield check("algorithm1", map_class="simple", vertices=3, engine="python")
-    yield check("algorithm1", worlds=str(worlds_file()), engine="python")
-    yield check(first_edge, worlds=str(worlds_file()), max_findings=9)
+    yield check("algorithm1", worlds=plantri("tri5.pl"), engine="python")
+    yield check(mine.first_edge, worlds=plantri("tri5.pl"), max_findings=9)
     cells = [replace(each, counted=each.counted + 1) for each in held.cells]
     yield replace(held, cells=(held.cells[0], *cells[1:]))
     yield replace(held, cells=(replace(held.cells[0], listed="abc"), *held.cells[1:]))
@@ -431,16 +420,18 @@ def checks():
     yield replace(held, ending=Stopped("the time is over"), levels=(), cells=())
 
 
-def worlds_file():
-    plantri = Path(__file__).parents[1] / "support" / "data" / "plantri"
-    return plantri / "tri5.pl"
+def plantri(name):
+    """A file of worlds in the current folder, so that its name is the same everywhere."""
+    data = Path(__file__).parents[1] / "support" / "data" / "plantri"
+    shutil.copy(data / name, name)
+    return name
 
 
 @case
 def refuted_checks():
-    yield check(first_edge, edges=2, max_findings=5)
-    yield check(crashes, edges=3, max_findings=1)
-    refuted = check(first_edge, edges=2, max_findings=2)
+    yield check(mine.first_edge, edges=2, max_findings=5)
+    yield check(mine.crashes, edges=3, max_findings=1)
+    refuted = check(mine.first_edge, edges=2, max_findings=2)
     past = SimpleNamespace(
         holds=lambda finding: finding == refuted.findings[0],
         directory="kept",
@@ -461,7 +452,7 @@ def samples():
     held = allworlds.fuzz("algorithm1", edges=4, runs=4, mix=("sparse",))
     yield replace(held, offspring=3)
     yield replace(held, ending=Stopped("the time is over"))
-    yield allworlds.fuzz(first_edge, edges=5, runs=9, seed=2)
+    yield allworlds.fuzz(mine.first_edge, edges=5, runs=9, seed=2)
     yield allworlds.fuzz("algorithm1", edges=4, runs=9, shard=(0, 2))
 
 
@@ -521,7 +512,7 @@ def comparisons():
     yield allworlds.compare("algorithm1", "folding", edges=2, by="world")
     yield allworlds.compare("algorithm1", "folding", edges=2, by="run", shard=(0, 2))
     yield allworlds.compare("folding", "algorithm1", family="prism:3")
-    yield allworlds.compare("algorithm1", first_edge, edges=2)
+    yield allworlds.compare("algorithm1", mine.first_edge, edges=2)
     yield replace(compared, ending=Stopped("the time is over"), rows=compared.rows[:1])
     yield replace(compared, ending=Interrupted(), rows=())
     yield replace(compared, rows=())
@@ -634,9 +625,8 @@ def text_of_plain(document):
 
 @case
 def conversions():
-    plantri = Path(__file__).parents[1] / "support" / "data" / "plantri"
-    yield allworlds.convert(str(plantri / "tri5.pl"))
-    yield allworlds.convert(str(plantri / "tri6.pl"))
+    yield allworlds.convert(plantri("tri5.pl"))
+    yield allworlds.convert(plantri("tri6.pl"))
 
 
 # ---------------------------------------------------------------- ledgers
