@@ -8,7 +8,7 @@ import json
 import re
 import shutil
 import tempfile
-from contextlib import chdir
+from contextlib import chdir, suppress
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -17,7 +17,9 @@ from allworlds import Ambiguous, Checkpoint, CombinatorialMap, Drop, Estimate, M
 from allworlds.documents.document import replace
 from allworlds.inputs.checks import InputError
 from allworlds.judging.findings.finding import Believed, CodeLines, EarlierRun, Finding
-from allworlds.maps import named_map
+from allworlds.judging.laws.bounds import BOUNDS
+from allworlds.maps import InvalidMap, named_map
+from allworlds.maps.build import contracted, deleted
 from allworlds.outcome import Completed, Disagreed, Interrupted, Stopped
 from allworlds.reports import parts
 from allworlds.reports.content.check import _cases as cases_of_check
@@ -159,17 +161,19 @@ WORLDS = ("edge", "loop", "path-3", "star-4", "cycle-3", "theta", "theta-torus",
 
 @case
 def wrong_answers_told():
-    """Answers that are wrong in one thing, each after a walk through all of the world."""
+    """Answers that are wrong in one thing, each after a walk through some or all of the world."""
+    said = {}
     for name in WORLDS:
         map_ = named_map(name)
         truth = run("algorithm1", world_named(name, "directional"))
         actions = [each for each in truth.walk.actions if isinstance(each, Move)]
         right = truth.outcome.episode.ending.answer
         for answer in spoiled(right):
-            for walked in (actions, actions[:2], actions[:5]):
+            for walked in (actions, actions[:5]):
                 finding = found(mine.walking(*walked, answer=answer), map_)
                 if finding:
-                    yield f"{name}, {answer.map.sigma} {answer.map.alpha} {told(finding)}"
+                    said.setdefault(told(finding), f"{name}, {answer.map.sigma} {answer.map.alpha}")
+    yield from (f"{which} {sentences}" for sentences, which in said.items())
 
 
 def spoiled(right):
@@ -187,6 +191,17 @@ def spoiled(right):
     sigma = [*map_.sigma, n + 1, map_.sigma[here]]
     sigma[here] = n
     yield Estimate(CombinatorialMap(sigma, [*map_.alpha, n + 1, n]), here)
+    for dart, _ in map_.edges[:3]:
+        for smaller in (deleted(map_, dart), contracted(map_, dart)):
+            if smaller is not None:
+                yield Estimate(smaller, 0)
+    for a, b in map_.edges[:3]:
+        for c, d in map_.edges[-2:]:
+            alpha = [*map_.alpha]
+            if a != c:
+                alpha[a], alpha[c], alpha[b], alpha[d] = c, a, d, b
+                with suppress(InvalidMap):  # it is not connected
+                    yield Estimate(CombinatorialMap(map_.sigma, alpha), here)
     yield Estimate(EDGE, 0)
     yield Estimate(LOOP, 1)
     yield Estimate(named_map("theta"), 3)
@@ -245,7 +260,7 @@ def changed_findings_told():
     """Endings that a recorded finding tells otherwise."""
     base = found(mine.crashes, PATH)
     program = replace(base, explorer="exec:./mine")
-    library = replace(base, explorer="lib:./mine.so")
+    library = replace(base, explorer="native:./mine.so")
     for law, finding, changes in (
         (
             "crash",
@@ -719,3 +734,37 @@ def team_findings():
     yield text_of([team_section(replace(found, loop=0, detail="one\ntwo"), 3)], WIDTH)
     yield "\n".join(map(str, rows_of_team(found)))
     yield "\n".join(map(str, rows_of_team(replace(found, loop=1))))
+
+
+@case
+def bounds_told():
+    for name in BOUNDS:
+        for world in ("theta", "star-4", "k4"):
+            answer = Estimate(named_map(world), 0)
+            for turns in (24, 600, 5000):
+                explore = mine.walking(*moves(*[0] * turns), answer=answer)
+                finding = found(explore, world, bound=name, laws=("map", "pose", "bound"))
+                yield f"{name}, {world}, {turns}: {told(finding) if finding else 'no finding'}"
+
+
+@case
+def searches():
+    for given in (
+        {"lighthouse": "position", "vertices": 1, "edges": 2},
+        {"lighthouse": "directional", "vertices": 2, "edges": 1},
+        {"lighthouse": "none", "map_class": "simple", "vertices": 2, "edges": 1},
+    ):
+        found = allworlds.search(**given, out="out")
+        levels = tuple(replace(each, seconds=0.25) for each in found.levels)
+        yield replace(found, levels=levels)
+        yield replace(found, levels=(), status="unknown")
+        yield replace(found, levels=(), vacuous=True)
+        yield replace(found, levels=levels, certificate=None)
+
+
+@case
+def other_lighthouses():
+    yield check("algorithm1-cluster", edges=3)
+    yield check(mine.stays, lighthouse="none", edges=1)
+    yield check(mine.first_edge, lighthouse="position", edges=2, max_findings=2)
+    yield check(mine.first_edge, lighthouse="compass", edges=2)
