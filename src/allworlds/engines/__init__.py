@@ -23,21 +23,25 @@ The modules, in this order; ``protocol.playing`` and ``log`` make and read logs:
 ``listeners``
     listeners to the progress of a job;
 ``lanes``, ``dask``
-    transports, which say where work is done: lanes here or forked; a Dask cluster;
+    transports, which bring units to lanes, in this process or forked; or to a Dask cluster;
 ``lane``
-    the loop: a judge with its two players;
+    the loop over the batches of some units, for a judge and its two players;
 ``batch``
     some runs of a unit, with their logs; the protocol of judges;
 ``plays``
     the two players of a lane and their messages; fresh players for runs that are played anew;
 ``losses``, ``hash_seeds``
-    two tables: the meaning of a lost player, and of plays that differ under other hash seeds;
+    two tables: the meaning of the loss of a player; the meaning of plays that differ, perhaps
+    because of their hash seeds;
 ``settling``, ``more_seeds``
-    the faults of a batch; runs that are played again under six further seeds;
+    the search for runs of a batch that break a law; runs of the largest worlds, which are played
+    again under six further hash seeds;
 ``across``
-    the plays of all small runs in both orders, to find earlier runs that change a later run;
+    the plays of all runs in small worlds in both orders, to find earlier runs that change a later
+    run;
 ``players``, ``player``
-    the owner's side, which starts and hears players and notices a loss; the player's program;
+    the owner's side of a player, which starts it, hears it and notices its loss; the program that
+    a player process executes;
 ``judge``, ``compiled_judge``, ``judges``
     the judge of every law; its twin in compiled code, which judges the same logs by the laws that
     the kernel knows; the choice between the two;
@@ -47,18 +51,17 @@ The modules, in this order; ``protocol.playing`` and ``log`` make and read logs:
     the compiled engine for built-in explorers; the compiled code that this engine calls, the only
     code that imports numba;
 ``kept_units``, ``run_directory``
-    the identity of a job, and results as JSON; the directory that keeps finished units;
+    the identity of a job, and the results of its units as JSON; the directory that keeps finished
+    units;
 ``engine_table``
     **the** table of the engines, the checks that the compiled one cannot do, and the job that an
     engine gets; two further transports: to this thread, and to several threads;
 ``sweep``
     **the** loop over units, and through the levels of a study;
 ``user_code_checks``
-    the user's predicates and lighthouses, which are asked again in fresh processes;
+    checks that the user's conditions and lighthouses give the same answers in fresh processes;
 ``single``
     single runs, and findings that the same players play again;
-``hints``
-    a finding with the results of more plays: options that help, lines of the user's code;
 ``prints``, ``linux``
     the prints of explorers, and a stderr whose reader may be gone; system calls of Linux.
 """

@@ -1,8 +1,9 @@
-"""The judge in compiled code, for the laws that it knows; its twin judges in Python.
+"""The judge in compiled code, which knows some of the laws; its twin is the judge in Python.
 
-Both judges take the same logs.  A lane keeps all logs of the smallest worlds, and when it loads
-this judge, it compares both judges on these logs, and then on the first batch.  If this judge finds
-a broken law, its twin judges the same bytes again, and only the twin makes the finding.
+Both judges read the same logs.  A lane keeps all logs of the smallest worlds.  When the lane loads
+the compiled judge, it compares both judges on these logs, and then on the first batch.  If the
+compiled judge finds a broken law, the judge in Python judges the same log again, and only this twin
+makes the finding.
 """
 
 from array import array
@@ -22,15 +23,16 @@ from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
 from allworlds.world.world import World
 
 LIBRARIES = 8
-"""The factor by which batches are larger if a library plays them."""
+"""The factor by which batches have more runs if a shared library plays them."""
 
 
 class CompiledBatch(RunBatch):
-    """Some runs that compiled code has laid out; each becomes a value of Python on demand.
+    """Runs that compiled code has written into arrays; a run becomes a value of Python on demand.
 
     Attributes:
-        laid: the range of the runs among those of the unit.
-        heads, tables: the head and the world of each run, as the kernel has laid them out.
+        laid: the number of the runs, and their range among all runs of the unit.
+        heads: for each run some numbers, such as its number, its place and its step budget.
+        tables: for each run the table of its world, with a row of numbers for each dart.
     """
 
     def __init__(
@@ -48,7 +50,7 @@ class CompiledBatch(RunBatch):
         return self.laid.runs
 
     def due(self, index: int) -> Due:
-        """A run as a value of Python: the map that was laid out, with its lighthouse."""
+        """The run of this index as a value of Python; its map is made from the run's table."""
         table = self.tables[index].reshape(-1, arrays.WIDE).tolist()
         sigma = [first + (d + 1 - first) % deg for d, (first, _, deg, *_) in enumerate(table)]
         map_ = CombinatorialMap(sigma, [dart[arrays.PARTNER] for dart in table])
@@ -58,12 +60,12 @@ class CompiledBatch(RunBatch):
 
 
 class CompiledJudge:
-    """The judge in compiled code of the units of levels.
+    """The judge in compiled code, for units of the class :class:`LevelUnit`.
 
     Args:
         python: the judge in Python, which is the twin.
         seed: the function that draws a seed for the order in which a library plays.
-        native: whether the explorer is a library, which compiled code also plays.
+        native: whether the explorer is a shared library; then compiled code also plays it.
     """
 
     every = False
@@ -75,7 +77,7 @@ class CompiledJudge:
         self.judged, self._compared = python.judged, False
 
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[CompiledBatch]:
-        """Yield the runs of a unit in batches of about this size."""
+        """Yield the runs of a unit in batches of ``size()`` runs, or more for a library."""
         unit = work.unit
         assert isinstance(unit, LevelUnit)
         scope, edges = self.counter.scope, unit.edges
@@ -95,9 +97,10 @@ class CompiledJudge:
                 work.tally.add(batch.tally)
 
     def judge(self, batch: RunBatch) -> bool:
-        """Judge and count the logs of a batch's first play; a unit's batches come in order.
+        """Judge and count the logs of a batch's first play; call this in the order of the batches.
 
-        Return False if Python must play the runs, because compiled code cannot write their logs.
+        Return False if Python must play the runs again, because compiled code could not write
+        all logs of a shared library.
         """
         assert isinstance(batch, CompiledBatch)
         if self.native and batch.plain:
@@ -126,7 +129,7 @@ class CompiledJudge:
         return True
 
     def _sums(self, batch: CompiledBatch) -> tuple[arrays.Sums, bool]:
-        """The sums of a batch, and whether all its logs could be judged."""
+        """The kernel's sums over a batch, and whether the kernel could judge all its logs."""
         stretch, replay = self._memories[batch.unit.edges]
         given = batch.logs[0]
         in_order = [given[i] for i in sorted(given)] if isinstance(given, dict) else given
@@ -142,7 +145,7 @@ class CompiledJudge:
         return sums, good and size >= 0
 
     def _by_python(self, batch: CompiledBatch) -> None:
-        """Count by the Python judge a batch with log entries that compiled code does not know."""
+        """Let the Python judge count a batch whose logs compiled code cannot read."""
         batch.tally.add(self._python_tally(batch))
         batch.broken.extend(
             index for index in range(len(batch)) if batch.outcome(index).outcome.violation
@@ -150,7 +153,7 @@ class CompiledJudge:
         batch.plain, batch.percepts = True, b""
 
     def _python_tally(self, batch: CompiledBatch) -> Tally:
-        """Return the tally that the Python judge makes of the same logs."""
+        """Return the tally that the Python judge makes of the logs of this batch."""
         tally, laid, index = self.counter.tally(), batch.laid, 0
         runs = islice(self.counter.runs(batch.unit, laid.first), laid.until - laid.first)
         for run in runs:
@@ -161,7 +164,11 @@ class CompiledJudge:
         return tally
 
     def _index_of(self, batch: CompiledBatch, code: Code, place: int | None) -> int:
-        """The index of a run in its batch."""
+        """The index in the batch of the run with this code of its rooted map, and with this place.
+
+        Raises:
+            EnginesDisagree: if the batch has no such run.
+        """
         for index, head in enumerate(batch.heads.tolist()):
             if head[arrays.RUN_PLACE] == place:
                 map_ = batch.due(index).world.map
@@ -183,7 +190,11 @@ class CompiledJudge:
         return self.python.message("table", _entries(batch, indices, packed))
 
     def percepts(self, batch: RunBatch, indices: Indices, order: Indices = ()) -> Message:
-        """The message to play runs by percepts, in an order that a library's player draws."""
+        """The message that tells a player to play these runs by their percepts, without a world.
+
+        If compiled code plays the whole batch, it draws the order of the runs; else the runs are
+        played in the given order of their positions in ``indices``.
+        """
         assert isinstance(batch, CompiledBatch)
         if len(indices) == len(batch) and not batch.plain:
             again = {"again": True, "percepts": batch.percepts, "starts": batch.starts}
@@ -206,10 +217,10 @@ class CompiledJudge:
     # ---------------------------------------------------------------- its twin
 
     def compare_with(self, batches: Iterable[RunBatch]) -> None:
-        """Compare both judges on all logs of some units.
+        """Compare both judges on the logs of these batches, which are all runs of some units.
 
         Raises:
-            EnginesDisagree: if they count differently.
+            EnginesDisagree: if the two judges count differently.
         """
         units: dict[str, tuple[Work, dict[int, tuple[bytes, Judged]]]] = {}
         for batch in batches:
@@ -232,7 +243,10 @@ class CompiledJudge:
 def _entries(
     batch: CompiledBatch, indices: Indices, around: Iterable[bytes]
 ) -> list[tuple[Any, ...]]:
-    """The entries of a message: the world or the percepts of each run, and its other data."""
+    """The entries of a message, one for each run: its world or percepts, and its other data.
+
+    ``around`` holds the world or the percepts of each run, as bytes.
+    """
     said = batch.heads[[*indices]][:, [arrays.RUN_BUDGET, arrays.RUN_TOLD]].tolist()
     return [
         (world, None if number < 0 else number, False, budget, "", ())

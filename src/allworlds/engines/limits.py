@@ -26,7 +26,10 @@ from allworlds.protocol import importing
 from allworlds.protocol.actions import ANSWER_TIMEOUT
 
 POLL = 0.1
-"""Seconds between two checks of other threads and processes, and the shortest time-out."""
+"""Seconds between two checks whether other threads or processes have sent a result.
+
+This is also the shortest legal time-out of an answer.
+"""
 
 START_TIMEOUT = 60.0
 """The default number of seconds in which an explorer must be imported."""
@@ -39,11 +42,11 @@ MOST = {
     "memory": 10**9,
     "max-findings": 10**9,
 }
-"""The largest legal value of each limit; an operating system cannot count further."""
+"""The largest legal value of each limit; operating systems refuse larger numbers."""
 
 
 def worker_count(text: str) -> int:
-    """The number of processes; for ``auto`` one for each usable core."""
+    """The number of workers that a text names; for ``auto`` the number of usable cores."""
     if text == "auto":
         return len(os.sched_getaffinity(0))
     if re.fullmatch(r"[0-9]{1,9}", text) and int(text) > 0:
@@ -52,9 +55,10 @@ def worker_count(text: str) -> int:
 
 
 def positive(name: str) -> Callable[[Any], Any]:
-    """Return the function that takes a limit of that name, which is a positive number or None.
+    """Return the function that checks a value of the limit of this name, and returns the value.
 
-    That function raises InputError, naming the value.
+    The value must be a positive number up to :data:`MOST`; for ``time-limit`` and ``memory`` it may
+    be None.  For any other value that function raises InputError, naming the value.
     """
 
     def limit(value: Any) -> Any:
@@ -78,7 +82,7 @@ def positive(name: str) -> Callable[[Any], Any]:
 
 
 def _seconds(about: str, panel: str = RARE_EFFORT) -> Option:
-    """An option with a number of seconds that does not change the meaning of a job."""
+    """An option whose value is a number of seconds; the value does not change what a job means."""
     return Option(panel, "S", about, parse=seconds_of, apart=True)
 
 
@@ -98,7 +102,7 @@ class TimeoutOptions(Request):
 
     @property
     def limits(self) -> "Limits":
-        """The limits alone, without the rest of a request."""
+        """The limits among the fields of this request, without its other fields."""
         shared = {each.name for each in fields(Limits)} & {each.name for each in fields(self)}
         return Limits(**{name: getattr(self, name) for name in shared})
 
@@ -147,7 +151,10 @@ class Limits(TimeLimitOptions, WorkerOptions, TimeoutOptions):
 
 
 LOCAL = "local"
-"""The word for a new cluster on this machine, made for one job, in place of an address."""
+"""The word that a user writes in place of the address of a Dask cluster.
+
+It stands for a new cluster on this machine, which is made for one job.
+"""
 
 
 class TimeIsUp(OutOfTime):
@@ -155,11 +162,11 @@ class TimeIsUp(OutOfTime):
 
 
 class ClusterLost(outcome.NoResult):
-    """Raised if too many workers are lost, or if the scheduler is lost."""
+    """Raised if too many workers of a Dask cluster are lost, or if its scheduler is lost."""
 
 
 def deadline_after(time_limit: float | None) -> float | None:
-    """The end, on the monotonic clock, of a time limit in seconds that begins now."""
+    """The end, on the monotonic clock, of a time limit that begins now; None without a limit."""
     return None if time_limit is None else time.monotonic() + time_limit
 
 
@@ -175,9 +182,10 @@ def check_deadline(deadline: float | None) -> None:
 
 @contextmanager
 def models_bounded(deadline: float | None) -> Iterator[None]:
-    """A context in which a user's model is interrupted by TimeIsUp when the deadline passes.
+    """A context in which TimeIsUp interrupts the user's models when the deadline passes.
 
-    Outside the main thread, or if the alarm has another use, the model is not interrupted.
+    A model is a user's lighthouse, task or condition.  Outside the main thread, or if SIGALRM
+    already has a handler, models are not interrupted.
     """
     here = threading.current_thread() is threading.main_thread()
     if deadline is None or not here or signal.getsignal(signal.SIGALRM) != signal.SIG_DFL:

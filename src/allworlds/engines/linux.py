@@ -1,4 +1,6 @@
-"""Calls that only Linux has; all of them are extras, and do nothing on other systems.
+"""System calls that only Linux has; on other systems these functions do nothing.
+
+The program also works there, because no verdict needs these calls.
 
 Source: prctl(2), PR_SET_PDEATHSIG and PR_SET_CHILD_SUBREAPER; proc(5); getrlimit(2), RLIMIT_AS.
 """
@@ -23,7 +25,10 @@ COMPILER = "ALLWORLDS_COMPILER"
 
 
 def end_with_parent(parent: int, number: int = signal.SIGKILL) -> None:
-    """Send this process a signal when the thread of process ``parent`` that started it ends."""
+    """Let the system send this process a signal when the thread that has started it ends.
+
+    ``parent`` is the number of the process with that thread; if it has ended, exit.
+    """
     if HERE:
         _control(DEATH_SIGNAL, number)
         if os.getppid() != parent:
@@ -37,7 +42,7 @@ def adopt() -> None:
 
 
 def descendants(pid: int) -> list[int]:
-    """The processes that a process has started, and their descendants."""
+    """The numbers of the processes that process ``pid`` has started, and of their descendants."""
     found = _children(pid) if HERE else []
     for one in found:
         found += _children(one)
@@ -47,8 +52,9 @@ def descendants(pid: int) -> list[int]:
 def end_adopted(token: str) -> None:
     """Kill the children of this process whose environment contains this text.
 
-    A player has started them in other process groups, and their parents have ended.  Processes
-    that another part of this program has started are not touched.
+    The explorer of a player has started these processes in other process groups.  They became
+    children of this process when their parents ended.  Processes that another part of this program
+    has started are not touched.
     """
     while HERE and (left := [pid for pid in _children(os.getpid()) if _has(pid, token)]):
         for pid in left:
@@ -60,7 +66,7 @@ def end_adopted(token: str) -> None:
 
 @contextmanager
 def compilers_ended() -> Iterator[None]:
-    """A context that ends the compilers below this process when the user interrupts it."""
+    """A context in which an interrupt by the user also ends the compilers below this process."""
     try:
         yield
     except KeyboardInterrupt:
@@ -98,7 +104,7 @@ def address_space() -> int:
 
 
 def limit_memory(megabytes: int) -> None:
-    """Bound the address space of this process.
+    """Limit the address space of this process to this number of megabytes.
 
     Raises:
         InputError: if the address space is already larger than the limit.

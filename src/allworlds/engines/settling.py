@@ -1,6 +1,7 @@
-"""The runs of a batch that break a law, once both plays of them are known.
+"""Settling: the search for runs of a batch that break a law, once both plays of each are known.
 
-If two plays of a run differ, fresh players repeat each play twice, under its seed, in two orders.
+If the two plays of a run differ, fresh players repeat both plays, each under its own hash seed and
+twice: once in the order of the runs, and once in the reverse order.
 """
 
 from collections.abc import Sequence
@@ -28,11 +29,11 @@ OTHER_CHOICES = (
 PLAYED_ONCE_MORE = "when it was played once more, the walk or the answer was another"
 
 Differing: TypeAlias = Sequence[tuple[int, Log]]
-"""Runs of a batch whose plays differ, with their second logs."""
+"""The indices of runs whose two plays differ, each with the log of the second play."""
 
 
 class Settler:
-    """A settler finds the runs of batches that break a law.
+    """Finder of runs that break a law, in batches that have been played.
 
     Args:
         judge: the judge of the runs.
@@ -43,11 +44,14 @@ class Settler:
         self.judge, self.plays = judge, plays
 
     def differ(self, one: Log, other: Log) -> bool:
-        """Whether two plays of a run differ."""
+        """Whether two plays of one run, given by their logs, differ."""
         return difference_of(one, other, choices=self.judge.every) is not None
 
     def settle(self, batch: RunBatch, *, twice: bool) -> None:
-        """Find the faults of a batch that was played once, or twice."""
+        """Find the runs of a batch that break a law, and keep the findings.
+
+        ``twice`` tells whether a second player has also played the runs.
+        """
         # Compiled code writes logs without texts and choices; the log of a lost player has them.
         without_words = [] if batch.plain else [*batch.broken]
         outcomes = {i: self._in_words(batch, i) for i in without_words if i not in batch.lost}
@@ -57,14 +61,22 @@ class Settler:
         self.find(batch, outcomes)
 
     def find(self, batch: RunBatch, outcomes: dict[int, Outcome]) -> None:
-        """Count those runs of a batch whose outcomes break a law as findings."""
+        """Keep a finding for each run whose outcome breaks a law.
+
+        Args:
+            batch: the batch.
+            outcomes: some outcomes, by the indices of their runs in the batch.
+        """
         counter, referee = self.judge.counter, self.judge.referee
         for index, outcome in sorted(outcomes.items()):
             due = batch.due(index)
             counter.settle(referee, due.world, due.place, outcome, batch.work.tally)
 
     def give_up(self, which: int, batch: RunBatch) -> None:
-        """Find the faults of the runs of an unfinished batch; the batch itself is not counted."""
+        """Keep the findings of the runs of an unfinished batch in which a player was lost.
+
+        ``which`` is the number of that player.  The batch itself is not counted.
+        """
         outcomes = dict[int, Outcome]()
         for index in batch.lost:
             one = self.judge.judged(batch.due(index), batch.logs[FIRST][index])
@@ -73,12 +85,12 @@ class Settler:
         self.find(batch, outcomes)
 
     def explain_under(self, seed: int, batch: RunBatch, differing: Differing) -> None:
-        """Find the faults of runs whose second logs, which were made under this seed, differ."""
+        """Keep the findings of runs whose second logs differ, which were made under this seed."""
         seeds = self.plays.seeds[FIRST], seed
         self.find(batch, self._explained(batch, differing, seeds))
 
     def _differing(self, batch: RunBatch) -> Differing:
-        """The runs whose two logs differ, with their second logs."""
+        """The indices of the runs whose two logs differ, each with the second log."""
         found = list[tuple[int, Log]]()
         first, again = batch.logs
         if isinstance(first, Logs) and isinstance(again, Logs) and first.message == again.message:
@@ -91,14 +103,21 @@ class Settler:
         return found
 
     def _own(self, batch: RunBatch, index: int) -> Outcome:
-        """The outcome of a run by its first play."""
+        """The outcome of a run by its first play.
+
+        If that play did not make the choices that were due, the explorer is nondeterministic.
+        """
         one = batch.outcome(index)
         if not one.fits:
             return replace(one.outcome, violation=nondeterministic(OTHER_CHOICES))
         return one.outcome
 
     def _in_words(self, batch: RunBatch, index: int) -> Outcome:
-        """The outcome of a run that compiled code has played, by a new play in Python."""
+        """The outcome of a run that compiled code has played, by a new play in Python.
+
+        The log of the new play holds texts for a finding.  If it differs from the first log
+        otherwise, the explorer is nondeterministic.
+        """
         before, batch.plain = batch.outcome(index), True
         (log,), _ = self.plays.alone(FIRST, batch, index)
         one = self.judge.judged(batch.due(index), log)
@@ -107,7 +126,7 @@ class Settler:
         return replace(one.outcome, violation=nondeterministic(PLAYED_ONCE_MORE))
 
     def _explained(self, batch: RunBatch, differing: Differing, seeds: Seeds) -> dict[int, Outcome]:
-        """The outcomes of runs whose plays under these seeds differ."""
+        """The outcomes, by index, of runs whose two plays under these two seeds differ."""
         few, plays = dict(differing[:MOST_SETTLED]), self.plays
         orders = [*few], [*few][::-1]
         firsts = [plays.again(FIRST, seeds[FIRST], batch, order) for order in orders]
@@ -120,7 +139,11 @@ class Settler:
         return {index: self._of_plays(batch, index, other, seeds) for index, other in few.items()}
 
     def _of_plays(self, batch: RunBatch, index: int, other: Log, seeds: Seeds) -> Outcome:
-        """The outcome of a run by its two plays, which differ, or by two later plays that agree."""
+        """The outcome of a run whose two plays differ; ``other`` is the log of the second play.
+
+        The difference refutes the explorer.  But if the machine may have ended one of the plays,
+        and two later plays agree, the outcome follows from the later plays.
+        """
         one, anew = batch.outcome(index), None
         faults = fault_of(one.log), fault_of(other)
         if any(fault and fault.machine for fault in faults):  # it may be the machine's
@@ -128,10 +151,11 @@ class Settler:
         return anew or overruled(one.outcome, one.log, other, choices=self.judge.every)
 
     def _alike(self, batch: RunBatch, index: int, other: Log, seeds: Seeds) -> Outcome | None:
-        """The outcome of a run by two later plays of it alone; None if these differ.
+        """The outcome of a run by two later plays; None if the logs of these two plays differ.
 
-        An event that happened once, and in no fresh process, refutes nothing.  The second of these
-        plays gets the percepts of the first, because the percepts of the run may be too few.
+        In each of them a fresh player plays this run alone.  A loss that no fresh process repeats
+        refutes nothing.  The second later play gets the percepts of the first later play, because
+        the log of a lost run may end too early.
         """
         due, one = batch.due(index), batch.outcome(index).log
         log = self.plays.again(FIRST, seeds[FIRST], batch, [index])[index]
@@ -150,7 +174,11 @@ class Settler:
         return self.judge.referee.outcome(due.world, episode, tuple(log.choices))
 
     def _by_seed(self, batch: RunBatch, indices: list[int], seeds: Seeds) -> dict[int, Outcome]:
-        """The outcomes of runs that depend on the hash seed, by plays in their worlds."""
+        """The outcomes that break a law, by index, of runs whose plays depend on the hash seed.
+
+        A run breaks no law if it breaks none under either seed.  Under the second seed, the runs
+        are played again in their worlds.
+        """
         batch.work.tally.remark(hash_seeds.GOES_BY_HASHES)
         again = self.plays.again(FIRST, seeds[SECOND], batch, indices)
         outcomes = {
@@ -161,7 +189,7 @@ class Settler:
 
 
 def _is_refused(without_words: Log, in_words: Log) -> bool:
-    """Whether both logs end with an illegal action; the log without texts omits the action."""
+    """Whether both logs end with one illegal action, which the log without texts does not hold."""
     known = without_words.actions
     faults = fault_of(without_words), fault_of(in_words)
     illegal = all(fault and fault.law == "illegal-action" for fault in faults)

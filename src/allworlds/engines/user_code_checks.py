@@ -1,6 +1,7 @@
-"""The user's predicates and lighthouses, which are asked again in fresh processes.
+"""Checks that the user's conditions and lighthouses give the same answers in fresh processes.
 
-All processes must make the same worlds, and the same percepts on the walk of a finding.
+A condition must select the same maps in each process.  A lighthouse must give the same percepts on
+the walk of a finding.
 """
 
 from collections.abc import Sequence
@@ -15,15 +16,21 @@ from allworlds.maps.classes import Extent
 from allworlds.world.lighthouses.kinds import kind_of
 
 PROCESSES = 8
-"""The number of fresh processes, each with a hash seed of its own.  A predicate that tosses a coin
-in each process has the same value in all of them with probability 1/128."""
+"""The number of fresh processes, each with a hash seed of its own.
+
+A condition that tosses one coin in each process has the same value in all of them with probability
+1/128.
+"""
 
 SMALL, DRAWN = 4, 16
-"""The largest m of which all units are made again; the number of units drawn from larger levels."""
+"""The largest m of the levels whose units are all checked; the number of units that are drawn and
+checked of each larger level."""
 
 
 def ensure_same_worlds(extent: Extent | None, units: Sequence[Any], deadline: float | None) -> None:
-    """Raise InputError unless fresh processes make the same maps of each of these units.
+    """Raise InputError unless the condition of the extent selects the same maps in all processes.
+
+    Only the maps of these units are compared.
 
     Raises:
         TimeIsUp: when the time limit has been reached.
@@ -42,9 +49,10 @@ def ensure_same_worlds(extent: Extent | None, units: Sequence[Any], deadline: fl
 
 
 def ensure_same_senses(finding: Finding) -> None:
-    """Raise InputError if a user's lighthouse senses or tells something else in fresh processes.
+    """Raise InputError unless a user's lighthouse is the same in fresh processes as in a finding.
 
-    Each process makes the world of the finding anew, and follows its walk there.
+    Each process makes the world of the finding anew, and follows the finding's walk there.  What
+    the lighthouse tells the robot, and each percept, must be as in the finding.
     """
     world, transcript = finding.world, finding.transcript
     kind = kind_of(world.lighthouse)
@@ -63,7 +71,14 @@ def ensure_same_senses(finding: Finding) -> None:
 def _answers_of_processes(
     kind: str, content: Any, number: int, said: str, deadline: float | None
 ) -> list[Any]:
-    """The answers of fresh processes to a message of this kind; each answers in its own order.
+    """The answers of :data:`PROCESSES` fresh processes to one message; each is a list of bytes.
+
+    Args:
+        kind: the kind of the message.
+        content: the content of the message.
+        number: the number of items in an answer; each process makes them in an order of its own.
+        said: the name of the user's code for error messages.
+        deadline: the end of the time limit, on the monotonic clock; or None.
 
     Raises:
         TimeIsUp: when the time limit has been reached.
