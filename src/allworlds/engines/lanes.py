@@ -1,9 +1,10 @@
-"""The transport into lanes: here, or each in a process of its own.
+"""The transport into lanes, which are in this process or in forked processes.
 
-One lane is in this process, unless a model of the user's, which could end the process, judges the
-runs.  With more workers this lane begins first, because a small job ends before the others are
-ready.  The others are forked after everything is loaded.  If a lane is lost, its units are done
-again, so that no verdict is lost.  A lane gets one unit at a time, as soon as it can begin it.
+A lane is a judge with its two players.  One lane is in this process, unless a lighthouse, task or
+condition of the user takes part, because such a model could end the process.  With more workers,
+this lane begins first, because a small job ends before forked lanes are ready.  Lanes are forked
+after everything is loaded.  If a lane is lost, its units are done again, so that no verdict is
+lost.  A lane gets one unit at a time, as soon as the lane can begin that unit.
 """
 
 from __future__ import annotations
@@ -41,19 +42,22 @@ if TYPE_CHECKING:
     from multiprocessing.connection import Connection  # loaded where there are processes
 
 AT_A_TIME = 4096
-"""The number of units whose order is drawn at a time."""
+"""The number of units that are shuffled together, before the next units are shuffled."""
 
 MOST_ATTEMPTS = 2
-"""The number of lanes that may be lost over one unit before the job is given up."""
+"""The number of lanes lost over one unit after which the job is given up."""
 
 AHEAD = 2
 """The largest number of units that a lane in a process has at a time."""
 
 ALONE = 1.5
-"""Seconds during which the lane of this process is the only lane."""
+"""Seconds from the beginning during which the lane of this process is the only lane."""
 
 FIRST_LEVELS = 0.8
-"""Seconds during which the lane of this process takes levels; later levels go to the others."""
+"""Seconds from the beginning during which the lane of this process may begin a level.
+
+Later levels go to forked lanes.
+"""
 
 _KNOWN = (InputError, players.Unsettled, tally.EnginesDisagree, players.HarnessError)
 
@@ -117,7 +121,7 @@ class Lanes(Struct):
         limits: the number of lanes, and the limits of each.
         deadline: the end of the time limit, on the monotonic clock; or None.
         here: whether one lane is in this process; it begins before the others.
-        apart: whether other lanes are in processes of their own.
+        apart: whether there may be lanes in processes of their own.
         models: whether the user's models judge the runs, or choose the worlds.
         make: the function that makes a lane.
     """
@@ -191,7 +195,7 @@ class Lanes(Struct):
             yield PartialResult(last, first.end(), last=False)
 
     def _lane_here(self, counter: tally.RunCounter) -> Lane | None:
-        """The lane of this process for the counter; None once other lanes have begun."""
+        """The lane of this process for this counter; None if forked lanes do the work."""
         self._began = self._began or time.monotonic()
         late = self.apart and time.monotonic() > self._began + FIRST_LEVELS
         apart = not self.here or late or bool(self._processes)
@@ -209,7 +213,10 @@ class Lanes(Struct):
             self._lane = None
 
     def _idle(self) -> _Process | None:
-        """The lane with the fewest units, or a new lane; None if each has enough units."""
+        """The forked lane that gets the next unit; None if each lane has enough units.
+
+        This is a new lane if one may be started, else the lane with the fewest units.
+        """
         least = min(self._processes, key=lambda one: len(one.units), default=None)
         if least is None or (least.units and len(self._processes) < self.limits.workers):
             self._processes.append(_Process(self, self._processes))
@@ -220,8 +227,8 @@ class Lanes(Struct):
         """Remove a lane that was lost; return its units.
 
         Raises:
-            InputError: if a unit has lost too many lanes, and a user's model judges runs.
-            Unsettled: if a unit has lost too many lanes, and no such model does.
+            InputError: if a unit has lost too many lanes, and models of the user take part.
+            Unsettled: if a unit has lost too many lanes, and no such models take part.
         """
         self._processes.remove(process)
         how, left = process.end(), process.units
@@ -279,7 +286,8 @@ def _lane_of(link: Connection, lanes: Lanes, *, first_lane: bool) -> None:
 def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:
     """The units in a random order, which is drawn for :data:`AT_A_TIME` units at a time.
 
-    An :class:`AcrossUnit` comes last, since a lane has then judged most runs that are in it.
+    Among them an :class:`AcrossUnit` comes last, since a lane has then judged most of the runs
+    that this unit plays again.
     """
     every, order = iter(units), Random()  # noqa: S311  # from the system; no verdict depends on it
     while some := list(islice(every, AT_A_TIME)):
@@ -296,7 +304,7 @@ def workers_for(
     models: bool = False,
     make: Callable[..., Any] = Lane,
 ) -> Transport:
-    """Lanes for an explorer.
+    """The transport into lanes for an explorer, which are here or in other processes as needed.
 
     Args:
         subject: the explorer.

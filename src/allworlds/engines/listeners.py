@@ -5,13 +5,22 @@ class Listener:
     """A listener to the progress of a job; by default each event is ignored."""
 
     def level(self, edges: int, worlds: int) -> None:
-        """Hear that a level with so many worlds begins, or a shard of it with about so many."""
+        """Hear that a level begins, which has this number of worlds.
+
+        If a shard is done, ``worlds`` is about the number of worlds of the level in this shard.
+        """
 
     def stage(self, name: str, total: int, of: str) -> None:
-        """Hear that a stage that is no level begins, with the number and the name of its items."""
+        """Hear that a stage of the job begins that is no level.
+
+        The stage has ``total`` items; ``of`` says what an item is.
+        """
 
     def progress(self, count: int) -> None:
-        """Hear how many more worlds, or other units of the stage, are done."""
+        """Hear that ``count`` further worlds, or items of the stage, are done.
+
+        A negative number takes back worlds whose unit is begun anew.
+        """
 
     def walk(self, turns: int, budget: int) -> None:
         """Hear that a run goes on: the explorer's turns in it so far, and its step budget."""

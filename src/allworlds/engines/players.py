@@ -1,8 +1,9 @@
-"""The owner's side of a player, who starts it, gives it batches, hears it, and notices its loss.
+"""The owner's side of a player: it starts the player, gives batches, hears logs, notices a loss.
 
 A player is a process with an explorer (:mod:`allworlds.engines.player`).  An explorer that no other
-process can import plays in :class:`PlayerHere`.  Sixteen shared bytes hold the run in progress and
-the explorer's turn in it, so that silence is noticed although all logs of a batch are one message.
+process can import plays in :class:`PlayerHere`.  Owner and player share sixteen bytes of memory,
+which hold the number of the run in progress and the number of the explorer's turn in that run.  So
+the owner notices silence, although the player sends all logs of a batch in one message.
 """
 
 import marshal
@@ -38,10 +39,15 @@ from allworlds.protocol.actions import Player as Explorer
 from allworlds.protocol.playing import AN_ACTION
 
 GRACE = 2.0
-"""Extra seconds for a user's program, whose silence the player itself notices, and for its end."""
+"""Seconds that the owner waits longer for a player whose explorer is a user's program.
+
+The player itself notices the silence of such a program.  The owner also waits this number of
+seconds for the end of a process, and for the last prints of a silent player.
+"""
 
 NATIVE_MEMORY = 2048
-"""The default limit of the address space of a shared library, in MB."""
+"""The number of MB by which the address space of a player may grow after it has loaded a shared
+library, if the user sets no limit."""
 
 RELAYED = 1 << 16
 """The largest number of bytes that are shown of an explorer's prints while it is loaded."""
@@ -64,9 +70,9 @@ class Lost(Exception):
     """Raised if a player has died, or was silent for too long.
 
     Attributes:
-        law: ``timeout`` or ``crash``.
+        law: the law that the explorer breaks by the loss, ``timeout`` or ``crash``.
         seen: a sentence about the loss.
-        machine: whether the machine may be the cause.
+        machine: whether the machine, and not the explorer, may be the cause.
     """
 
     def __init__(self, law: str, seen: str, *, machine: bool) -> None:
@@ -82,7 +88,7 @@ class Description(NamedTuple):
 
 
 class Logs(Sequence[bytes]):
-    """The logs of a batch in one message, which is not copied.
+    """The logs of a batch, which are read on demand from one message.
 
     Args:
         message: the length of each log, as four bytes, and then the logs.
@@ -117,7 +123,10 @@ class Logs(Sequence[bytes]):
 
 
 Answer: TypeAlias = tuple[Any, Sequence[bytes] | None]
-"""A job and its logs, or None if the second logs of a library do not fit into memory."""
+"""A job, and the logs that a player has made for it.
+
+In place of the logs there is None if the second logs of a library do not fit into memory.
+"""
 
 
 class Setup(Struct, frozen=True):
@@ -125,9 +134,9 @@ class Setup(Struct, frozen=True):
 
     Attributes:
         subject: the explorer.
-        limits: the limits of its effort.
-        prints: whether its prints are recorded.
-        deadline: the time on the monotonic clock after which nobody waits for it; or None.
+        limits: the limits of the effort of its players.
+        prints: whether the explorer's prints are recorded.
+        deadline: the time on the monotonic clock after which nobody waits for a player; or None.
     """
 
     subject: Subject
@@ -136,7 +145,7 @@ class Setup(Struct, frozen=True):
     deadline: float | None = None
 
     def message(self) -> dict[str, Any]:
-        """The first message to a player."""
+        """The first message to a player: the explorer that it must load, with limits."""
         source, limits = self.subject.source, self.limits
         return {
             "name": self.subject.name,
@@ -154,17 +163,17 @@ class Setup(Struct, frozen=True):
 
 
 class PlayerProcess:
-    """One process with the explorer.
+    """A player in a process of its own, as its owner sees it.
 
     Args:
-        setup: the explorer.
-        seed: its hash seed.
+        setup: the explorer, with the limits of its players.
+        seed: the hash seed of the process.
 
     Attributes:
         jobs: the jobs without an answer so far, each with its message.
         part: the log so far of a run whose turns are sent one by one.
         prints: the prints of the explorer, if they are recorded.
-        description: the description of the explorer, once it is loaded.
+        description: the description of the explorer; None before the explorer is loaded.
     """
 
     def __init__(self, setup: Setup, seed: int) -> None:
@@ -204,7 +213,7 @@ class PlayerProcess:
         return (link,) if self.prints.ended else (link, self._printed)
 
     def give(self, job: Any, message: dict[str, Any]) -> None:
-        """Give the player a batch; its answer is returned together with ``job``."""
+        """Give the player a message; :meth:`heard` returns the answer together with ``job``."""
         if not self.jobs:
             self._seen, self._since = None, time.monotonic()
         self.jobs.append((job, message))
@@ -229,7 +238,7 @@ class PlayerProcess:
             self._out.clear()  # then it is lost, which the next read notices
 
     def heard(self) -> list[Answer]:
-        """The answers that have come by now.
+        """The answers that have come since the last call.
 
         Raises:
             Lost: if the player is silent for too long, or has died.
@@ -321,7 +330,11 @@ class PlayerProcess:
             self.prints.ended = True
 
     def _silent_for(self) -> float:
-        """The seconds since the explorer's latest turn, while an answer is due."""
+        """The seconds since the explorer's latest turn; 0 if no answer is due.
+
+        Raises:
+            InputError: if the explorer is not loaded within the limit.
+        """
         now = time.monotonic()
         if self.description is None:
             limit = self.setup.limits.start_timeout
@@ -336,7 +349,11 @@ class PlayerProcess:
         return now - self._since
 
     def _died(self) -> Lost:
-        """The loss that follows from the end of the process."""
+        """The loss of the player, after its process has ended.
+
+        Raises:
+            InputError: if the explorer has ended the process while it was loaded.
+        """
         deadline = time.monotonic() + GRACE
         while (code := self._code()) is None and time.monotonic() < deadline:
             time.sleep(0.005)
@@ -366,7 +383,7 @@ class PlayerProcess:
         return self._code() is None
 
     def again(self) -> None:
-        """Start a new process, and give it the batches without an answer so far."""
+        """Replace the process by a new one, and give it the messages that have no answer yet."""
         self.close()
         if self.description is not None:
             self._tries, self.description = 0, None
@@ -376,10 +393,10 @@ class PlayerProcess:
             self.give(job, message)
 
     def loaded(self) -> Description:
-        """The description of the explorer, once it is loaded.
+        """Wait until the explorer is loaded; return its description.
 
         Raises:
-            InputError: if it cannot be loaded.
+            InputError: if the explorer cannot be loaded.
         """
         while self.description is None:
             wait([self], 0.1)
@@ -419,11 +436,11 @@ class PlayerHere:
     Args:
         explorer: the explorer.
         of_user: whether it is a user's explorer, whose prints are dropped.
-        subject: the subject of the explorer, if the program is asked turn by turn.
+        subject: the explorer with its name; only messages that ask a program turn by turn need it.
 
     Attributes:
         beat, description, files, part: as in :class:`PlayerProcess`.
-        prints: the prints of the last job, if they are recorded.
+        prints: the prints of all jobs so far, if they are recorded.
     """
 
     description = Description(frozenset(), has_shield=False)
@@ -450,7 +467,7 @@ class PlayerHere:
         self.jobs.append((job, message))
 
     def heard(self) -> list[Answer]:
-        """Play one job."""
+        """Play the next job; return it with its logs, or an empty list if there is no job."""
         if not self.jobs:
             return []
         job, message = self.jobs[0]
@@ -480,13 +497,16 @@ _spare: list[PlayerProcess] = []
 
 
 def keep(player: PlayerProcess, subject: Subject) -> None:
-    """Keep a player for the next request for such a player; it ends with its subject if unused."""
+    """Keep a player that has not played, until :func:`fresh` needs an equal one.
+
+    A player that is never needed ends when its subject is deleted.
+    """
     _spare.append(player)
     finalize(subject, _let_go, player)
 
 
 def fresh(setup: Setup, seed: int) -> PlayerProcess:
-    """A player that has not played yet: a kept one or a new one."""
+    """A player with this hash seed that has not played yet: a kept player or a new player."""
     wanted = os.getpid(), seed, setup.message()
     for spare in [*_spare]:
         if (spare.owner, spare.seed, spare.setup.message()) == wanted:
@@ -506,7 +526,10 @@ def _let_go(player: PlayerProcess) -> None:
 def wait(
     players: Sequence[PlayerProcess | PlayerHere], seconds: float, others: Sequence[int] = ()
 ) -> bool:
-    """Wait for messages of the players or others; return whether one of the others is ready."""
+    """Wait until a player or another descriptor can be read, or until these seconds are over.
+
+    Return whether one of the other descriptors, which are ``others``, can be read.
+    """
     poll = select.poll()
     for one in players:
         if isinstance(one, PlayerHere):
@@ -522,7 +545,11 @@ def wait(
 
 
 def started(setup: Setup, seed: int, notice: Any = None) -> PlayerProcess | PlayerHere:
-    """A player of the explorer: a process of its own, if another process can load it."""
+    """A player of an explorer.
+
+    A user's explorer plays in a process of its own, if another process can load it.  Any other
+    explorer plays in this process.  A built-in explorer calls ``notice`` at its events.
+    """
     subject = setup.subject
     if subject.from_user and subject.importable:
         return fresh(setup, seed)
@@ -532,7 +559,7 @@ def started(setup: Setup, seed: int, notice: Any = None) -> PlayerProcess | Play
 
 
 def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> Sequence[bytes]:
-    """The logs with which a player without another job answers a message.
+    """Give a message to a player that has no other job; return the logs with which it answers.
 
     Raises:
         Lost: if the player is lost.
@@ -561,7 +588,7 @@ def logs_from(player: PlayerProcess | PlayerHere) -> Sequence[bytes]:
 
 
 def lost_log(part: bytes, lost: Lost) -> bytes:
-    """The log of a lost run: its known part, and the loss."""
+    """The log of a run in which a player was lost: its known part, followed by the loss."""
     return part + fault(lost.law, AN_ACTION, lost.seen, machine=lost.machine)
 
 
@@ -569,7 +596,7 @@ def lost_log(part: bytes, lost: Lost) -> bytes:
 
 
 def _shared(size: int) -> tuple[mmap.mmap, int]:
-    """Memory that is shared with another process, and its descriptor."""
+    """New memory of this size that other processes can share, and the descriptor of this memory."""
     if hasattr(os, "memfd_create"):
         file = os.memfd_create("allworlds")
     else:
@@ -586,7 +613,10 @@ def _shared(size: int) -> tuple[mmap.mmap, int]:
 
 
 _spawners: list[tuple[int, ThreadPoolExecutor]] = []
-"""This process, and its thread that starts all players, which end with that thread."""
+"""At most one pair: the number of this process, and its thread that starts all players.
+
+The players end with that thread.
+"""
 
 
 def _in_thread(act: Callable[[], int]) -> int:
@@ -600,7 +630,15 @@ def _in_thread(act: Callable[[], int]) -> int:
 
 
 def _spawned(seed: int, token: str, link: int, beat: int, printing: int) -> int:
-    """The process number of a new player."""
+    """Start a player; return the number of its process.
+
+    Args:
+        seed: the hash seed.
+        token: a text in the environment of the process and of all its descendants.
+        link: the descriptor, in this process, of the player's end of the socket.
+        beat: the descriptor of the shared memory.
+        printing: the descriptor to which the player prints.
+    """
     environment = {**os.environ, HASH_SEED: str(seed), PLAYER: token}
     places = (link, 3), (beat, 4), (printing, 1), (printing, 2)
     # Whatever these descriptors are here, they are copied out of the way first.
@@ -618,7 +656,10 @@ def _spawned(seed: int, token: str, link: int, beat: int, printing: int) -> int:
 
 
 def child_path() -> list[str]:
-    """A child's import path: the user's folders come last, and hide no module of the package."""
+    """The import path of a player, in which the user's folders come last.
+
+    So no file of the user hides a module of this package or of a library.
+    """
     users = {"", str(Path.cwd())}
     main = getattr(sys.modules.get("__main__"), "__file__", None)
     if main:

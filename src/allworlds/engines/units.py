@@ -1,6 +1,7 @@
 """The scope of a check, and the units into which its levels are cut.
 
-A scope holds every option on which the counts and the verdict depend.  A shard is a set of units.
+A scope holds every option on which the counts and the verdict depend.  A shard is one of several
+parts of the units of a job.
 """
 
 import re
@@ -31,7 +32,7 @@ from allworlds.world.world import World
 
 
 class Unit(Protocol):
-    """A piece of work; its content does not depend on the workers or their number."""
+    """A piece of work, which one worker does; it does not depend on the number of workers."""
 
     @property
     def key(self) -> str:
@@ -39,7 +40,10 @@ class Unit(Protocol):
 
 
 class Sum(Protocol):
-    """A result whose parts can be added up in any order; a dataclass, kept by its fields."""
+    """A result whose parts can be added up in any order.
+
+    Its class is a dataclass, whose fields a run directory keeps.
+    """
 
     @property
     def worlds(self) -> int:
@@ -68,14 +72,14 @@ class PartialResult(Struct, frozen=True):
 
 
 class UnitEngine(Protocol):
-    """An engine does the units of a job."""
+    """An engine computes the results of the units of a job."""
 
     def parts(self, unit: Any) -> Iterator[Any]:
-        """Yield the unit's result in parts, at least one; they add up to the whole."""
+        """Yield the result of a unit in one or more parts, whose sum is the whole result."""
 
 
 class Transport(Protocol):
-    """A transport brings units to engines; after its context no work goes on."""
+    """A transport brings units to engines; all work ends when the transport's context ends."""
 
     def __enter__(self) -> Self: ...
 
@@ -90,10 +94,10 @@ class Transport(Protocol):
 
 
 class Shard(Struct, frozen=True):
-    """Part number ``index`` of ``count`` parts, to which the units of every level are dealt.
+    """One of ``count`` parts, to which the units of every level are dealt; the first has index 0.
 
-    As the coverage of a scope it has the attributes of :class:`Sample`: whether worlds are drawn,
-    the words for the finished worlds, and the least number of edges.
+    A shard may be the coverage of a scope.  So it has the attributes of :class:`Sample`: whether
+    worlds are drawn, the words of reports for the finished part, and the least number of edges.
 
     Raises:
         InputError: naming what is out of range.
@@ -108,7 +112,7 @@ class Shard(Struct, frozen=True):
 
     @property
     def portion(self) -> "Shard":
-        """The whole, or a shard of it."""
+        """The part of the units that is done: this shard itself."""
         return self
 
     def __post_init__(self) -> None:
@@ -135,10 +139,10 @@ def shard_numbers(text: str) -> tuple[int, int]:
 
 
 def a_shard(pair: object) -> Shard:
-    """The shard of ``(K, N)``; of None the whole.
+    """The shard that a pair ``(K, N)`` names; None names the whole, and a shard itself.
 
     Raises:
-        InputError: for anything else.
+        InputError: for any other value.
     """
     if pair is None:
         return WHOLE
@@ -171,9 +175,10 @@ class ShardOptions(Request):
 
 
 def dealt(weights: Sequence[int], shard: Shard) -> Iterator[int]:
-    """The numbers of the units that fall to a shard, ascending.
+    """The indices, in ascending order, of the units that fall to a shard.
 
-    The heaviest unit that is left goes to the lightest shard; among equals the first to the first.
+    Item i of ``weights`` is the weight of unit i.  The heaviest unit that is left goes to the shard
+    with the smallest weight so far; among equal units and among equal shards, the first is taken.
     """
     heaviest = sorted(range(len(weights)), key=lambda i: (-weights[i], i))
     loads = [(0, index) for index in range(min(shard.count, len(weights)))]
@@ -197,14 +202,14 @@ _LONG = "this takes long, or does not end; an interrupt ends it with what is fin
 
 
 class LevelUnit(Struct, frozen=True):
-    """All maps of a level whose history begins with ``prefix``."""
+    """All maps of a level that the enumeration makes by decisions which begin with ``prefix``."""
 
     edges: int
     prefix: tuple[int, ...]
 
     @property
     def key(self) -> str:
-        """The name ``EDGES:DECISION,DECISION,...``."""
+        """The name of the unit, in the form ``EDGES:DECISION,DECISION,...``."""
         return f"{self.edges}:{','.join(map(str, self.prefix))}"
 
     def maps(self, extent: Extent) -> Iterator[combinatorial.CombinatorialMap]:
@@ -212,12 +217,12 @@ class LevelUnit(Struct, frozen=True):
         return rooted_maps(self.edges, extent.map_class, extent.vertices, self.prefix, extent.where)
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
-        """The maps, each with every place."""
+        """The maps, each with all places of a lighthouse of this kind."""
         for map_ in self.maps(extent):
             yield map_, list(enumerate(kind.places(map_, 0)))
 
     def weight(self, extent: Extent) -> int:
-        """The number of these maps; in simple classes and under conditions an upper bound."""
+        """The number of maps of the unit; in simple classes and under conditions an upper bound."""
         gluing = Gluing(self.edges, extent.map_class, extent.vertices, extent.where)
         for decision in self.prefix:
             gluing.apply(decision)
@@ -225,16 +230,22 @@ class LevelUnit(Struct, frozen=True):
 
 
 DEPTHS = ((6, 1), (9, 2), (inf, 3))
-"""Bounds of the number of edges, each with the number of decisions that make a unit below it.  The
-compiled engine does a unit in some milliseconds, so that keeping the result costs little."""
+"""Pairs of a number of edges and a number of decisions.
+
+With fewer edges than the first number, the prefix of a unit has the second number of decisions.
+The compiled engine needs some milliseconds for such a unit; keeping its result costs less.
+"""
 
 SIMPLE_DEPTHS = ((4, 1), (7, 2), (inf, 5))
-"""The same numbers for the simple classes.  Weights are upper bounds there; smaller units have
-smaller errors, and the errors of many units compensate each other."""
+"""The same pairs for the simple classes.
+
+There the weights of units are upper bounds.  The errors of smaller units are smaller, and the
+errors of many units compensate each other.
+"""
 
 
 class GivenUnit(Struct, frozen=True):
-    """A numbered piece of the given maps of a level."""
+    """Some of the given maps of a level, as piece ``number`` of these maps."""
 
     edges: int
     number: int
@@ -242,15 +253,15 @@ class GivenUnit(Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        """The name ``EDGES/NUMBER``."""
+        """The name of the unit, in the form ``EDGES/NUMBER``."""
         return f"{self.edges}/{self.number}"
 
     def maps(self, extent: Extent) -> Iterator[combinatorial.CombinatorialMap]:
-        """The maps of the extent, each from every start."""
+        """The maps of the unit that are in the extent, once for each start."""
         return (map_ for map_, _ in self.placed(extent, Nothing))
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
-        """The maps, each with its given place, or with every place if none is given."""
+        """The maps of the extent, each with its given place; if none is given, with all."""
         for each in self.given:
             if extent.include(each.map):
                 yield from each.placed(kind)
@@ -261,8 +272,9 @@ def units_of_level(
 ) -> Iterator[LevelUnit | GivenUnit]:
     """The units of a level, or those of a shard; they do not depend on the number of workers.
 
-    All shards get about the same number of worlds: the weights of the units are counted first.  If
-    one world takes long, ``finer`` is the number of further decisions that make a unit.
+    All shards get about the same number of worlds: the weights of the units are counted first.  The
+    prefix of each unit is longer by ``finer`` decisions than usual: if one world takes long, a unit
+    must have fewer worlds.
     """
     given = extent.given
     if isinstance(given, GivenMaps):
@@ -280,10 +292,10 @@ def units_of_level(
 
 
 def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator[LevelUnit]:
-    """Yield without end units of a level with at most ``most`` maps, each drawn by its weight.
+    """Yield without end random units of a level, each of which has at most ``most`` maps.
 
-    The probability of a unit is proportional to its number of maps; units without a map are left
-    out.
+    The probability of a unit is proportional to its weight, which is its number of maps or an upper
+    bound; units of weight 0 are left out.
     """
     while True:
         gluing, prefix = Gluing(edges, extent.map_class, extent.vertices, extent.where), list[int]()
@@ -299,21 +311,25 @@ def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator
 
 
 def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:
-    """The number of rooted maps of a level for each number of vertices, computed in another way.
+    """The number of rooted maps of a level for each number of vertices, computed without maps.
 
-    Under a condition for which no such way is known, these are upper bounds: those of the class.
+    Under a condition for which this cannot be done, the numbers are those of the whole class, which
+    are upper bounds.
     """
     cells = (count_source.source_of(extent) or counting.SOURCES[extent.map_class]).cells(edges)
     return {n: cells.get(n, 0) for n in range(1, extent.vertex_limit(edges) + 1)}
 
 
 def is_counted(extent: Extent | None) -> bool:
-    """Whether the number of worlds itself is computed in another way, not an upper bound."""
+    """Whether :func:`cells_of_level` returns the numbers of the extent, and no upper bounds."""
     return extent is None or count_source.source_of(extent) is not None
 
 
 def level_size(extent: Extent, edges: int) -> int:
-    """The number of rooted maps of the level, or an upper bound, as :func:`cells_of_level`."""
+    """The number of rooted maps of a level.
+
+    If :func:`cells_of_level` returns upper bounds, this is an upper bound, too.
+    """
     if extent.given is not None:
         return extent.given.starts.get(edges, 0)
     return sum(cells_of_level(extent, edges).values())
@@ -324,7 +340,7 @@ class SweptLevel(Struct, frozen=True):
 
     Attributes:
         edges: the number of edges of its largest worlds.
-        worlds: the number of worlds that are counted in the whole level, also for a shard.
+        worlds: the number of worlds of the whole level, even if only a shard is done.
         units: the units of this shard, made on demand.
         of: further data by which the study identifies the level.
     """
@@ -360,30 +376,31 @@ def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
 
 
 class UnitOfRuns(Unit, Protocol):
-    """A unit that one worker does at a time."""
+    """A unit that consists of runs."""
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
-        """Every map with its places, in a fixed order."""
+        """Every map with the places of a lighthouse of this kind, in a fixed order."""
 
 
 class GivenWorlds(Struct, frozen=True):
-    """Chosen worlds, each with its own place of the lighthouse; the start is dart 0."""
+    """A unit of chosen worlds, each with the number of its place; the start is dart 0."""
 
     worlds: tuple[tuple[World, int], ...]
     key: str = ""
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:  # noqa: ARG002  # they are all there
-        """The worlds as they are."""
+        """The maps of the worlds, each with its own place and lighthouse."""
         for world, place in self.worlds:
             yield world.map, [(place, world.lighthouse)]
 
 
 ACROSS, TWICE = 4, 3
-"""The largest m for which runs are played after all other runs, and for which after themselves."""
+"""The largest m of the levels whose runs are played in both orders; the largest m of the levels
+whose runs the second process plays twice, so that each run also follows itself."""
 
 
 class AcrossUnit(Struct, frozen=True):
-    """All runs of the levels up to this one, to find out whether one run changes a later run.
+    """All runs with up to ``edges`` edges, played to find out whether one run changes a later run.
 
     The unit counts no world, because each world is counted in another unit.
     """
@@ -392,11 +409,11 @@ class AcrossUnit(Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        """The name ``EDGES across``."""
+        """The name of the unit: the number of edges, and the word ``across``."""
         return f"{self.edges} across"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
-        """The maps of all levels, with every place."""
+        """The maps with up to ``edges`` edges, each with all places of such a lighthouse."""
         for edges in extent.levels:
             if edges <= self.edges:
                 for unit in units_of_level(extent, edges):
@@ -404,14 +421,18 @@ class AcrossUnit(Struct, frozen=True):
 
 
 def across_level(extent: Extent, edges: int, portion: Shard) -> Iterator[AcrossUnit]:
-    """The unit of all runs up to a level; it exists for the last small levels, in shard 0."""
+    """Yield the unit of all runs up to a level, or yield no unit.
+
+    There is a unit for each level from :data:`TWICE` to :data:`ACROSS`, or for the last level if
+    that level is smaller.  If the job is cut into shards, only shard 0 has these units.
+    """
     small = [each for each in extent.levels[:ACROSS] if each <= ACROSS]
     if portion.index == 0 and edges in small and (edges >= TWICE or edges == small[-1]):
         yield AcrossUnit(edges)
 
 
 class NumberedRun(Struct, frozen=True):
-    """A run of a unit: its number there, and its world.
+    """A run of a unit, with its number in the unit.
 
     Attributes:
         number: the number, from 0 on; a world without a place counts as one run.
@@ -431,7 +452,7 @@ class NumberedRun(Struct, frozen=True):
 def numbered_runs(
     worlds: UnitOfRuns, extent: Extent, kind: type[Lighthouse]
 ) -> Iterator[NumberedRun]:
-    """Yield the runs of a unit in order; parent and workers name a run by its number."""
+    """Yield the runs of a unit in a fixed order, so that a run has one number in all processes."""
     number = 0
     for map_, places in worlds.placed(extent, kind):
         for i, (place, lighthouse) in enumerate(places or [(0, None)]):
@@ -443,10 +464,10 @@ MOST_RUNS = 10**12
 
 
 class Sample(Struct, frozen=True):
-    """A number of random worlds, drawn from a seed, with a least number of edges.
+    """Random worlds as the coverage of a scope: their number, their seed and their least m.
 
-    The worlds are drawn from the parts of the mixture in turn; the default is the mixture of the
-    class.  A shard is a range of the worlds.
+    ``mix`` names the parts of the mixture; a part is a way of drawing a map.  The parts take turns.
+    If there are no names, the class determines the parts.  ``portion`` names a range of the worlds.
 
     Raises:
         InputError: for numbers out of range.
@@ -483,7 +504,7 @@ class Scope(Struct, frozen=True):
     Attributes:
         extent: the class and its bounds.
         rules: the rules by which each run is played and judged.
-        schedules: ``one`` (the policy's) or ``all`` (every sequence of choices).
+        schedules: ``one`` if only the policy makes choices; ``all`` if every sequence is tried.
         coverage: the part of the worlds that is tried.
     """
 
@@ -494,7 +515,7 @@ class Scope(Struct, frozen=True):
 
     @property
     def whole(self) -> bool:
-        """Whether every world of a class is tried, so that they can be counted."""
+        """Whether every world of a class is tried, so that their number can be compared."""
         return self.coverage == WHOLE and self.extent.given is None
 
     def like(self, world: World) -> Iterable[World]:
@@ -508,5 +529,5 @@ class Scope(Struct, frozen=True):
 
     @property
     def portion(self) -> Shard:
-        """The whole, or a shard of it."""
+        """The part of the units that is done: the whole, or a shard."""
         return self.coverage.portion
