@@ -1,7 +1,7 @@
 """Batches, which are some runs of a unit with their logs, and the protocol of their judges.
 
-A batch is data.  Its judge lays out the runs and judges the logs, the owner of the players gives
-the players the runs, and the lane settles the batch.
+A batch is data, and other modules act on it: a judge makes the batch and judges its logs, the owner
+of the players gives them its runs, and a lane adds its counts to those of the unit.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -19,10 +19,13 @@ from allworlds.protocol.choices import next_script
 from allworlds.world.world import World
 
 FIRST, SECOND = 0, 1
-"""The numbers of the two plays of a run and of the two players, and the default hash seeds."""
+"""The numbers of the two plays of a run, and of the two players.
+
+These numbers are also the default hash seeds of the players.
+"""
 
 Message: TypeAlias = dict[str, Any]
-"""A message to a player."""
+"""A message to a player, which marshal can write."""
 
 Indices: TypeAlias = Sequence[int]
 """The indices of some runs in their batch."""
@@ -32,7 +35,10 @@ LogsByIndex: TypeAlias = dict[int, bytes] | Sequence[bytes]
 
 
 class Due(NamedTuple):
-    """A run to be played: its number in the unit, its place, its world, and its first choices."""
+    """A run to be played: its number in the unit, its place, its world, and its first choices.
+
+    The other choices follow from the policy, or from the schedules that are tried.
+    """
 
     number: int
     place: int
@@ -45,7 +51,7 @@ class Recorded(NamedTuple):
 
     Attributes:
         percepts: the percept at the start and after each action.
-        world: the world; only its size and what its lighthouse tells are passed on.
+        world: the world; the player gets only some data of it, such as what its lighthouse tells.
         script: the first choices.
         over: whether the task ended the run, because all was done.
     """
@@ -57,7 +63,7 @@ class Recorded(NamedTuple):
 
     @classmethod
     def of(cls, due: Due, episode: Episode) -> "Recorded":
-        """The run with the percepts of this episode, in which it was played."""
+        """The run ``due`` with the percepts of its episode."""
         over = isinstance(episode.ending, Over)
         return cls(episode.walk.percepts, due.world, due.script, over)
 
@@ -68,7 +74,7 @@ class Judged(NamedTuple):
     Attributes:
         log: the log of the run.
         outcome: the outcome of the run.
-        fits: whether the log makes the choices that were due.
+        fits: whether the choices in the log are those that were due, if every schedule is tried.
     """
 
     log: Log
@@ -84,9 +90,10 @@ class Work:
         unit: the unit.
         tally: the counts since the last partial result was returned.
         batches: the batches that have not been laid out yet; None if there are no more.
-        more: the runs with further schedules.
-        open: the number of batches that are being played.
-        best: the cost of the cheapest schedule of each run, if every schedule is tried.
+        more: the runs that are to be played again, each with its next schedule.
+        open: the number of batches that are being played or compared.
+        best: by its number, each run and the cost of its cheapest schedule so far, if every
+            schedule is tried.
     """
 
     unit: UnitOfRuns
@@ -101,15 +108,17 @@ class RunBatch:
     """Some runs of a unit, with their logs once they are judged.
 
     Attributes:
-        by: the judge.
-        work: the unit.
-        tally: the counts of these runs, added to the unit's once both plays of each are compared.
-        logs: the logs of the first and of the second play.
-        plain: whether Python plays the runs.
-        broken: the runs that break a law, or that did not make the choices that were due; if
-            compiled code has judged the batch, only the least of them.
-        lost: the runs in which a player was lost; the walk, or the end of it, is unknown.
-        judged: the runs that the Python judge has judged.
+        by: the judge that has made the batch.
+        work: the unit, with the state of the work on it.
+        tally: the counts of these runs; they are added to the counts of the unit once both plays of
+            each run have been compared.
+        logs: the logs of the first play, and the logs of the second play.
+        plain: whether Python plays the runs, and not compiled code.
+        broken: the indices of the runs that break a law, or that did not make the choices that were
+            due; if compiled code has judged the batch, only those of the smallest such runs.
+        lost: the indices of the runs in which a player was lost; their logs are missing or
+            incomplete.
+        judged: the runs that the Python judge has judged, by their indices.
     """
 
     def __init__(self, by: "Judge", work: Work, runs: Iterable[Due]) -> None:
@@ -123,7 +132,7 @@ class RunBatch:
 
     @property
     def runs(self) -> list[Due]:
-        """The runs that are due."""
+        """The runs of the batch."""
         return self._runs
 
     def due(self, index: int) -> Due:
@@ -134,7 +143,7 @@ class RunBatch:
         return len(self.runs)
 
     def take(self, which: int, indices: Indices, logs: Sequence[bytes]) -> None:
-        """Store the logs of these runs in one of the two plays."""
+        """Store the logs of these runs, which the player ``which`` has made."""
         if isinstance(logs, Logs) and len(logs) == len(self):
             self.logs[which] = logs
             return
@@ -144,22 +153,25 @@ class RunBatch:
         known.update(zip(indices, logs, strict=True))
 
     def unplayed(self, which: int, indices: Indices) -> list[int]:
-        """The runs among these that have no log of this play yet."""
+        """Those of these indices whose runs have no log of the player ``which`` yet."""
         known = self.logs[which]
         return [index for index in indices if index not in known] if isinstance(known, dict) else []
 
     def outcome(self, index: int) -> Judged:
-        """The run of this index, judged by the Python judge."""
+        """The run of this index with its first log, as the Python judge judges them."""
         if index not in self.judged:
             self.judged[index] = self.by.judged(self.due(index), self.logs[FIRST][index])
         return self.judged[index]
 
     def record(self, index: int) -> Recorded:
-        """Return the percepts of a run, which is all that the second player gets."""
+        """The run of this index in the form in which the second player gets it."""
         return Recorded.of(self.due(index), self.outcome(index).outcome.episode)
 
     def follow_ups(self) -> list[Due]:
-        """The runs with their next schedules; none unless every schedule is due."""
+        """The runs that have a further schedule, each with its next schedule.
+
+        There are none unless every schedule is tried.
+        """
         if not self.by.every:
             return []
         logs = ((due, self.outcome(index).log) for index, due in enumerate(self.runs))
@@ -172,17 +184,20 @@ class Judge(Protocol):
 
     Attributes:
         counter: the counter of the runs, which also holds the scope.
-        every: whether every schedule is due.
+        every: whether every schedule of each run is tried.
     """
 
     counter: RunCounter
     every: bool
 
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[RunBatch]:
-        """Yield the runs of a unit in batches of this size."""
+        """Yield the runs of a unit in batches of about ``size()`` runs."""
 
     def judge(self, batch: RunBatch) -> bool:
-        """Judge and count the logs of a batch's first play; return whether all could be read."""
+        """Judge and count the logs of a batch's first play.
+
+        Return False if Python must play the runs again, because logs are missing.
+        """
 
     def judged(self, due: Due, log: bytes) -> Judged:
         """One run with its log, judged by the judge in Python."""

@@ -1,4 +1,4 @@
-"""**The** table of the engines, the job of an engine, and the transports of this process.
+"""**The** table of the engines, the job of an engine, and two transports in this process.
 
 This module knows the checks that the compiled engine cannot do, and loads no compiled code.  A new
 engine is a new entry of the table.
@@ -28,7 +28,7 @@ from allworlds.world.lighthouses import base, marked
 
 
 def _parts(engine: UnitEngine, unit: Any) -> Iterator[PartialResult]:
-    """The parts of a unit's result; the last one is marked as the last."""
+    """The parts of a unit's result; the last part is marked by ``last``."""
     parts = iter(engine.parts(unit))
     result = next(parts)
     for following in parts:
@@ -38,7 +38,7 @@ def _parts(engine: UnitEngine, unit: Any) -> Iterator[PartialResult]:
 
 
 class ThisThread:
-    """The transport in this thread; nothing from outside can stop the engine's work here."""
+    """The transport to an engine that works in this thread; a part that is begun is finished."""
 
     def __init__(self, deadline: float | None = None) -> None:
         self._deadline = deadline
@@ -60,7 +60,15 @@ class ThisThread:
 def local_or_dask(
     cluster: str | None, deadline: float | None, workers: int = 0, batch: int = 1
 ) -> Transport:
-    """The transport to a cluster (0 workers: all cores), or to threads (0: to this thread)."""
+    """The transport to a Dask cluster, if one is named; else to threads or to this thread.
+
+    Args:
+        cluster: the address of the scheduler; None for no cluster.
+        deadline: the end of the time limit, on the monotonic clock; or None.
+        workers: the number of processes or threads; 0 stands for one process for each core in a
+            cluster, and else for this thread.
+        batch: the number of units that a thread gets at a time.
+    """
     if cluster is None:
         return Threads(workers, deadline, batch) if workers else ThisThread(deadline)
     from allworlds.engines.dask import Dask
@@ -100,7 +108,7 @@ class Threads:
         """Yield the parts of all units, in the order in which their batches are done.
 
         Raises:
-            Exception: the engine's exception in the first unit, in the order of units, that raises.
+            Exception: if the engine raises it; of several exceptions, that of the first unit.
         """
         self._engine = engine
         waiting = iter(units)
@@ -120,7 +128,7 @@ class Threads:
 
 
 def _done(engine: UnitEngine, batch: Iterable[Any], ended: Event) -> list[PartialResult]:
-    """The parts of some units; units are left out once the context has ended."""
+    """The parts of some units; once ``ended`` is set, further units are left out."""
     return [
         part
         for unit in takewhile(lambda _: not ended.is_set(), batch)
@@ -172,7 +180,10 @@ class ReadyEngine(Struct, frozen=True):
 
 
 def obstacle(scope: Scope, subject: Subject) -> str:
-    """The reason why the kernel cannot do a check; empty if it can."""
+    """The reason why the kernel cannot do a check; empty if it can.
+
+    The reason is a clause whose subject is the kernel.
+    """
     rules, extent = scope.rules, scope.extent
     if not subject.from_user and subject.name not in capabilities.EXPLORERS:
         return f"runs only {', '.join(capabilities.EXPLORERS)}, not {show(subject.name)}"
@@ -205,14 +216,14 @@ def obstacle(scope: Scope, subject: Subject) -> str:
 
 
 def kind_of(kind: type[base.Lighthouse]) -> str:
-    """The kernel's name of a kind of lighthouse."""
+    """The kernel's name of a kind of lighthouse; empty if the kernel knows no such kind."""
     single = "-single" if kind.chosen == {"single": True} else ""
     known = isinstance(kind.kind, str) and (single or not kind.chosen)  # not one that is composed
     return kind.kind + single if known else ""
 
 
 def walks(scope: Scope, subject: Subject, edges: int) -> bool:
-    """Whether a single walk in each map of the level counts for all bearings."""
+    """Whether one walk in each map with this number of edges counts for all bearings."""
     rules = scope.rules
     return (
         edges >= WALKED_FROM
@@ -226,7 +237,10 @@ def walks(scope: Scope, subject: Subject, edges: int) -> bool:
 
 
 class EngineKind:
-    """The Python engine, which knows every explorer and every option; the base of other kinds."""
+    """The Python engine, which knows every explorer and every option.
+
+    It is also the base class of the other engines.
+    """
 
     name = "python"
 
@@ -239,7 +253,7 @@ class EngineKind:
         return ""
 
     def ready(self, job: Job) -> ReadyEngine:
-        """Return the engine for this job.
+        """Return the engine for this job, with its transport.
 
         Raises:
             EnginesDisagree: if a comparison with another engine shows an error.
@@ -253,7 +267,7 @@ class Compiled(EngineKind):
     name = "kernel"
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:
-        """The reason why in large maps one walk counts for all bearings."""
+        """The reason why in large maps one walk counts for all bearings; empty if it does not."""
         if not walks(scope, subject, scope.extent.levels[-1]):
             return ""
         from allworlds.engines.compiled_engine import SYMMETRY
@@ -261,15 +275,19 @@ class Compiled(EngineKind):
         return SYMMETRY
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
-        """Return a clause about the first unknown option, or about a package that is missing."""
+        """Return a clause about the first unknown option, or about a package that is missing.
+
+        The clause is empty if this engine can do the check.
+        """
         if subject.from_user and not subject.importable and subject.native is None:
             return f"judges no explorer that lives in this process alone, as {show(subject.name)}"
         return obstacle(scope, subject) or lack_of(*COMPILER)
 
     def ready(self, job: Job) -> ReadyEngine:
-        """Return the engine with threads, after both engines have agreed on every small world.
+        """Return the engine with a transport to threads, or to lanes for a user's explorer.
 
-        A user's explorer gets processes instead; there the engines are compared during the check.
+        Before threads begin, both engines have agreed on every small world.  In lanes, the judges
+        of both engines are compared during the check.
         """
         if job.subject.from_user:
             # An engine that is asked for by its name is used in small worlds, too.
@@ -309,13 +327,14 @@ def players_for(job: Job) -> Transport:
 ENGINES: dict[str, EngineKind] = {engine.name: engine for engine in (EngineKind(), Compiled())}
 
 EngineName: TypeAlias = Annotated[str, one_of(*ENGINES)]
-"""Every engine by its name."""
+"""The name of one of the engines."""
 
 
 def why_not_compiled(scope: Scope, subject: Subject, memory: int | None = None) -> str:
-    """The reason why a large check does not use the compiled engine, if the user expects it.
+    """The reason why a large check does not use the compiled engine, if the user expects it to.
 
-    The user expects it for native explorers; if only the compiler is missing, for all explorers.
+    The user expects this for native explorers; and for all explorers, if only the compiler is
+    missing.  The reason is empty if the check is small, or if the engine is used or not expected.
     """
     most = scope.extent.levels[-1]
     if most < COMPILED_FROM or _is_kept_out(subject, memory):
@@ -327,7 +346,7 @@ def why_not_compiled(scope: Scope, subject: Subject, memory: int | None = None) 
 
 
 def _is_kept_out(subject: Subject, memory: int | None) -> bool:
-    """Whether a limit of memory rules out compiled code, whose addresses take hundreds of MB."""
+    """Whether a limit of memory forbids compiled code, which needs hundreds of MB of addresses."""
     return memory is not None and subject.from_user and not subject.compiled
 
 

@@ -1,7 +1,8 @@
-"""The two plays of each run of a lane: its two players, and fresh players for further plays.
+"""The two plays of each run in a lane, by the lane's two players; fresh players make further plays.
 
 The first player plays in worlds.  The second player is another process, perhaps with another hash
-seed; it holds no world, and plays by the percepts that the judge has computed, in a random order.
+seed, and holds no world: it plays by the percepts that the judge has computed from the first log.
+It plays the runs in a random order.
 """
 
 from collections.abc import Callable, Sequence
@@ -23,14 +24,18 @@ from allworlds.engines.players import (
 from allworlds.log import Log
 
 DEPTH = 2
-"""The number of batches that a player has: it plays one batch while the other batch is judged."""
+"""The largest number of batches that a player has at a time.
+
+So the player can play one batch while the judge judges the other.
+"""
 
 Attempt: TypeAlias = tuple[Sequence[bytes], Lost | None]
-"""The logs of a fresh player, or the log of the run in which it was lost, with the loss."""
+"""Logs and a loss: the logs of a fresh player and None; or, if the player was lost, the log of the
+run in which it was lost, and the loss."""
 
 
 class RunsToPlay(NamedTuple):
-    """Runs of a batch that a player is to play."""
+    """A batch, and the indices of those of its runs that a player is to play."""
 
     batch: RunBatch
     indices: Indices
@@ -39,8 +44,10 @@ class RunsToPlay(NamedTuple):
 class BothPlays:
     """The two players of a lane, and fresh players.
 
+    The argument ``which`` of a method is the number of a player, :data:`FIRST` or :data:`SECOND`.
+
     Args:
-        setup: the explorer.
+        setup: the explorer, with the limits of its players.
         seeds: the hash seeds of both players.
         random: the generator of random orders.
     """
@@ -68,11 +75,11 @@ class BothPlays:
     # ---------------------------------------------------------------- the two
 
     def has_room(self, which: int) -> bool:
-        """Whether a player would take one more batch."""
+        """Whether a player, which may not have been started yet, can take one more batch."""
         return which not in self._players or len(self._players[which].jobs) < DEPTH
 
     def give(self, which: int, batch: RunBatch, indices: Indices) -> None:
-        """Give a player runs of a batch."""
+        """Give a player these runs of a batch; start the player if it does not exist yet."""
         if which not in self._players:
             self._players[which] = started(self.setup, self.seeds[which], self._notice)
         self._players[which].give(RunsToPlay(batch, indices), self._message(which, batch, indices))
@@ -95,6 +102,8 @@ class BothPlays:
     def hear(self, which: int) -> list[RunBatch]:
         """Store the logs that have come from a player; return the batches with new logs.
 
+        If the second logs of a library do not fit into memory, Python plays these runs instead.
+
         Raises:
             Lost: if the player is lost.
             InputError, HarnessError: as in :meth:`PlayerProcess.heard`.
@@ -110,7 +119,10 @@ class BothPlays:
         return heard
 
     def longest_walk(self) -> tuple[int, int] | None:
-        """The explorer's turns in the longest run in progress, and the step budget of that run."""
+        """The explorer's turns in the longest run in progress, and the step budget of that run.
+
+        Return None if no run is in progress.
+        """
         walks = list[tuple[int, int]]()
         for player in self.players:
             if not player.jobs:
@@ -123,7 +135,10 @@ class BothPlays:
         return max(walks, default=None)
 
     def lost_in(self, which: int) -> tuple[RunBatch | None, int | None]:
-        """The batch and the index of the run in which a player was lost, or None for each."""
+        """The batch and the index of the run in which a player was lost.
+
+        Both are None if the player had no batch, and the index is None if it was in no run.
+        """
         player = self._players[which]
         if not player.jobs or player.description is None:
             return None, None
@@ -144,24 +159,34 @@ class BothPlays:
     # ---------------------------------------------------------------- fresh ones
 
     def alone(self, which: int, batch: RunBatch, index: int) -> Attempt:
-        """The log of a run, played as in one of the two plays by a fresh player, and any loss."""
+        """The attempt of a fresh player to play one run of a batch.
+
+        The fresh player plays as the player ``which`` does: in the world or by percepts.
+        """
         message = batch.by.worlds if which == FIRST else batch.by.percepts
         return self.anew(self.seeds[which], message(batch, [index]))
 
     def again(self, which: int, seed: int, batch: RunBatch, indices: Indices) -> dict[int, Log]:
-        """The logs of these runs, played as in one of the two plays, but under this hash seed."""
+        """The logs, by index, of these runs, which a fresh player with this hash seed plays.
+
+        The fresh player plays as the player ``which`` does: in worlds or by percepts.
+        """
         message = batch.by.worlds if which == FIRST else batch.by.percepts
         return self.fresh(seed, partial(message, batch), indices)
 
     def fresh(self, seed: int, make: Callable[[Indices], Message], runs: Indices) -> dict[int, Log]:
-        """The logs of these runs by a fresh player; if it is lost, each run is played alone."""
+        """The logs, by index, of these runs, which a fresh player with this hash seed plays.
+
+        If that player is lost, another fresh player plays each run alone.  ``make`` returns the
+        message for some of these indices.
+        """
         logs, lost = self.anew(seed, make(runs))
         if lost and len(runs) > 1:
             return {index: self.fresh(seed, make, [index])[index] for index in runs}
         return dict(zip(runs, map(Log, logs), strict=True))
 
     def anew(self, seed: int, message: Message) -> Attempt:
-        """The logs with which a fresh player answers a message, or its loss."""
+        """The attempt of a fresh player with this hash seed to answer a message."""
         player = started(self.setup, seed)
         try:
             return answered(player, message | {"hear": message["runs"] == 1}), None

@@ -23,7 +23,10 @@ from allworlds.world.world import World
 
 
 def finding_to_record(finding: Finding) -> dict[str, Any]:
-    """The document of a finding without its rules, and whether the machine may be the cause."""
+    """The JSON document of a finding without its rules.
+
+    A key ``machine`` is added, which says whether the machine may be the cause.
+    """
     return {**finding.to_json(), "machine": finding.machine}
 
 
@@ -33,9 +36,9 @@ def finding_from_record(document: Mapping[str, Any]) -> Finding:
 
 
 class AtRun(NamedTuple):
-    """A run in canonical numbering, and the choices of one of its episodes.
+    """A run whose map is in canonical numbering, and the choices of one episode of this run.
 
-    If the policy makes the choices, they may be empty.
+    ``choices`` may be empty if the policy makes the choices.
     """
 
     sigma: tuple[int, ...]
@@ -75,7 +78,7 @@ class Row:
     fingerprint: int = 0
 
     def add(self, other: "Row") -> None:
-        """Add the counts of another part."""
+        """Add the counts of another part of the check."""
         self.worlds += other.worlds
         self.fingerprint = (self.fingerprint + other.fingerprint) % FINGERPRINTS
         self.runs += other.runs
@@ -89,7 +92,7 @@ class Row:
         self.best_of(other.best_cost)
 
     def cost_of(self, cost: int, where: AtRun) -> None:
-        """Update the largest cost and its run by the cost of a run."""
+        """Update the largest cost, and the run that attains it, by a run of this cost."""
         if cost > self.max_cost or self.most_expensive is None:
             self.max_cost, self.most_expensive = cost, where
         elif cost == self.max_cost:
@@ -133,17 +136,17 @@ class Tally:
     covered: Counter[tuple[str, int]] = field(default_factory=Counter)
 
     def row(self, edges: int, vertices: int) -> Row:
-        """The row of that size."""
+        """The row of the worlds of this size, which is added if it is missing."""
         return self.rows.setdefault((edges, vertices), Row())
 
     def wants(self, edges: int, vertices: int) -> bool:
-        """Whether a finding of that size could be among the smallest."""
+        """Whether a finding in a world of this size could be among those that are kept."""
         if len(self.findings) < self.keep:
             return True
         return (edges, vertices) <= self.findings[-1].key[:2]
 
     def find(self, finding: Finding) -> None:
-        """Keep the finding if it is the smallest of its kind, and among the smallest of all."""
+        """Keep the finding if it is the smallest of its law and map, and among the smallest."""
         if len(self.findings) >= self.keep and finding.rank >= self.findings[-1].rank:
             return
         for at, kept in enumerate(self.findings):
@@ -160,7 +163,7 @@ class Tally:
         self.remarks[text] += 1
 
     def add(self, other: "Tally") -> None:
-        """Add another part's tally."""
+        """Add the tally of another part of the check."""
         for (edges, vertices), row in other.rows.items():
             self.row(edges, vertices).add(row)
         self.witnesses.update(other.witnesses)
@@ -172,13 +175,13 @@ class Tally:
             self.find(finding)
 
     def under(self, rules: Rules) -> Self:
-        """Set the rules of the job in all findings, which are kept without them; return self."""
+        """Set the rules of the job in all findings, which were kept without rules; return self."""
         self.findings = [replace(found, under=rules) for found in self.findings]
         return self
 
     @property
     def costs_by_size(self) -> Iterator[tuple[int, int, int]]:
-        """Edges, vertices and the largest cost of each size."""
+        """A triple for each size: edges, vertices, and the largest cost of an episode."""
         for (edges, vertices), row in self.rows.items():
             yield edges, vertices, row.max_cost
 
@@ -189,7 +192,7 @@ class Tally:
 
     @property
     def runs(self) -> int:
-        """The number of runs: worlds x places."""
+        """The number of runs, which are pairs of a world and a place."""
         return sum(row.runs for row in self.rows.values())
 
     @property
@@ -207,13 +210,13 @@ class EnginesDisagree(Exception):
 
 
 class RunCounter(Struct, frozen=True):
-    """The counter of the runs of units.
+    """The counter of runs, which adds runs and their outcomes to tallies.
 
     Attributes:
         scope: the worlds and the rules of the check.
         keep: the number of findings that are kept.
-        compiled_from: the least number of worlds of a level whose runs of a user's explorer are
-            judged by compiled code; None: never.
+        compiled_from: the least number of worlds of a level in which compiled code judges the runs
+            of a user's explorer; None if it judges none.
     """
 
     scope: units.Scope
@@ -221,7 +224,7 @@ class RunCounter(Struct, frozen=True):
     compiled_from: int | None = None
 
     def runs(self, unit: units.UnitOfRuns, start: int = 0) -> Iterator[units.NumberedRun]:
-        """The runs of a unit from that number on."""
+        """The runs of a unit whose number is ``start`` or more."""
         every = units.numbered_runs(unit, self.scope.extent, self.scope.rules.kind)
         return islice(every, start, None)
 
