@@ -1,11 +1,12 @@
-"""The compiled engine of a check of a built-in explorer; the general engine checks it first.
+"""The compiled engine of a check of a built-in explorer; the Python engine checks it first.
 
-In small worlds the kernel plays and judges every run.  With
+The kernel is the compiled code.  In small worlds the kernel plays and judges every run.  With
 :data:`allworlds.engines.engine_table.WALKED_FROM` edges or more, Algorithm 1 with its directional
 lighthouse walks each rooted map once.  This walk counts for every bearing, because the marker's
-direction only distinguishes the darts of v0.  Before the first level the general engine plays all
-small worlds, and the kernel must agree with it, in runs and in single walks; meanwhile another
-process compiles the kernel.  The report has only broken laws that the general engine finds, too.
+direction only distinguishes the darts of v0.  Before the first level the Python engine plays all
+small worlds, while another process compiles the kernel.  Then the kernel must agree with the Python
+engine, both if it plays each run and if it walks each map once.  The report names a broken law only
+if the Python engine finds that it is broken, too.
 """
 
 from collections.abc import Iterator
@@ -39,7 +40,7 @@ UNBOUNDED = 1 << 40
 
 @cache
 def level_of(explorer: str, rules: Rules, extent: classes.Extent, edges: int) -> arrays.Level:
-    """The request to the kernel for a level."""
+    """The data of a level by which the kernel plays and judges: bounds, rules, step budgets."""
     return arrays.Level(
         edges,
         extent.vertex_limit(edges),
@@ -55,10 +56,11 @@ def level_of(explorer: str, rules: Rules, extent: classes.Extent, edges: int) ->
 
 
 def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
-    """The largest legal costs by number of vertices, degree of v0 and largest degree.
+    """The largest legal costs: item ``[n][d0][D]`` is that of maps with these three numbers.
 
-    They are cut to the range from -1 to :data:`UNBOUNDED`, which changes no verdict, because each
-    walk costs at least 0.
+    They are the number of vertices, the degree of v0 and the largest degree.  If the bound does not
+    depend on one of these degrees, only item 0 exists for it.  Costs are cut to the range from -1
+    to :data:`UNBOUNDED`, which changes no verdict, because each walk costs at least 0.
     """
 
     def value(n: int, d0: int, largest: int) -> int:
@@ -74,7 +76,10 @@ def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
 
 
 def tally_of(sums: arrays.Sums, unit: LevelUnit, scope: Scope, tally: Tally) -> Tally:
-    """Add the kernel's counts, but neither events nor findings, to the empty tally."""
+    """Add the kernel's counts to the empty tally, and return it.
+
+    Of the events only loops and parallel edges are added, and no findings.
+    """
     most_expensive = {
         n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in sums.most_expensive
     }
@@ -105,17 +110,17 @@ def tally_of(sums: arrays.Sums, unit: LevelUnit, scope: Scope, tally: Tally) -> 
 
 
 AGREEMENT_EDGES = 4
-"""The largest m of the worlds in which a check first compares both engines."""
+"""The largest m of the worlds in which both engines are compared before a check begins."""
 
 AGREEMENT_EDGES_SIMPLE = 6
-"""The same limit in simple classes for lighthouses at two vertices, which have few small worlds."""
+"""The same limit for a lighthouse at two vertices in a simple class, where few worlds are small."""
 
 
 def compare_engines(scope: Scope, subject: Subject) -> None:
     """Raise EnginesDisagree unless both engines agree on each small world.
 
-    If a level of the scope has one walk for all bearings, the kernel's walks are also compared with
-    the runs that the kernel plays at every bearing.
+    If in a level of the scope one walk counts for all bearings, the kernel also walks each small
+    map once, and the counts must equal those of the kernel's runs at every bearing.
 
     Raises:
         EnginesDisagree: naming the first world in which they differ.
@@ -165,7 +170,7 @@ def _compare_in(
 
 
 def played_tally(scope: Scope, subject: Subject, unit: UnitOfRuns) -> Tally:
-    """The tally of a unit by the general engine, with a finding for each broken law."""
+    """The tally that the Python engine makes of a unit, with a finding for each broken law."""
     counter, examiner = RunCounter(scope, keep=len(LAWS)), Examiner(subject, scope.rules)
     tally = counter.tally()
     for run in counter.runs(unit):
@@ -178,7 +183,7 @@ def played_tally(scope: Scope, subject: Subject, unit: UnitOfRuns) -> Tally:
 
 
 def compare(kernels: Tally, sums: arrays.Sums, pythons: Tally, unit: LevelUnit) -> None:
-    """Raise EnginesDisagree unless both engines have counted the same."""
+    """Raise EnginesDisagree unless both engines have equal counts in a unit."""
     if _counts_of(kernels) != _counts_of(pythons):
         raise EnginesDisagree(
             f"the kernel and the python engine count differently in the unit {unit.key}: "
@@ -187,14 +192,14 @@ def compare(kernels: Tally, sums: arrays.Sums, pythons: Tally, unit: LevelUnit) 
 
 
 def _counts_of(tally: Tally) -> object:
-    """All counts of the runs of a unit."""
+    """All counts of a tally that both engines must have equal."""
     sizes = sorted(tally.rows.items())
     most = [(size, row.most_expensive and row.most_expensive[:3]) for size, row in sizes]
     return [row for _, row in sizes], most, tally.left_out, tally.checkpoints, +tally.witnesses
 
 
 def compared_to(scope: Scope) -> int:
-    """The largest m for which both engines are compared."""
+    """The largest m of the worlds in which both engines are compared."""
     at_two_vertices = issubclass(scope.rules.kind, Cluster | Natural)
     few = scope.extent.map_class.simple and at_two_vertices
     return AGREEMENT_EDGES_SIMPLE if few else AGREEMENT_EDGES
@@ -215,7 +220,7 @@ SYMMETRY = (
 
 
 class CompiledEngine(Struct, frozen=True):
-    """The engine in which the kernel plays and judges, or walks, all runs of a unit.
+    """The engine in which the kernel plays and judges every run of a unit, or walks each map once.
 
     Attributes:
         scope, subject, keep: the scope, the explorer, and the number of findings to be kept.
@@ -229,7 +234,7 @@ class CompiledEngine(Struct, frozen=True):
 
     @classmethod
     def ready(cls, job: Job) -> Self:
-        """The engine, after it has been compared with the general one.
+        """The compiled engine, after it has been compared with the Python engine.
 
         Raises:
             EnginesDisagree: naming the first world in which they differ.
@@ -244,10 +249,10 @@ class CompiledEngine(Struct, frozen=True):
         self.flag[0] = 1
 
     def parts(self, unit: LevelUnit) -> Iterator[Tally]:
-        """The tally of the unit, which equals the general engine's tally.
+        """Yield one part: the tally of the unit, which equals the Python engine's tally.
 
         Raises:
-            EnginesDisagree: if the general engine does not confirm a broken law.
+            EnginesDisagree: if the Python engine does not confirm a broken law.
             InputError: if the bound has no value in a world.
         """
         scope = self.scope
@@ -262,10 +267,10 @@ class CompiledEngine(Struct, frozen=True):
         yield tally
 
     def _blame(self, broken: arrays.BrokenRun, tally: Tally) -> None:
-        """Add the general engine's findings for the runs in which the kernel finds a broken law.
+        """Add the Python engine's findings of the runs in which the kernel finds a broken law.
 
         Raises:
-            EnginesDisagree: if the general engine finds another law broken, or none.
+            EnginesDisagree: if the Python engine finds that another law is broken, or that none is.
         """
         try:
             map_ = combinatorial.CombinatorialMap(broken.sigma, broken.alpha)
@@ -289,7 +294,10 @@ class CompiledEngine(Struct, frozen=True):
 
 
 def load_native() -> None:
-    """Load or compile the code that judges and that plays libraries, without the lighthouses."""
+    """Load or compile the code that judges logs, and the code that plays libraries.
+
+    The code of the lighthouses is left out, because these players do not need it.
+    """
     level = level_of("", Rules(), classes.Extent(classes.MapClass.MAPS, 1), 1)
     with uncollected():
         stretch = arrays.Stretch.of(level.edges)
@@ -299,11 +307,11 @@ def load_native() -> None:
 
 
 def is_kept() -> bool:
-    """Whether the compiled code is kept on disk."""
+    """Whether the code that :func:`load_native` loads is kept on disk, already compiled."""
     return all(map(is_compiled, (library_player.play, examine)))
 
 
 def compile_apart() -> None:
-    """Start another process, of low priority, that compiles the code; do not wait for it."""
+    """Start a process of low priority that does :func:`load_native`; do not wait for its end."""
     code = f"import os; os.nice(19); from {__name__} import load_native; load_native()"
     kernel.in_another_process(code)

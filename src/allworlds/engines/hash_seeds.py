@@ -6,7 +6,8 @@
     a play is not repeated, or both seeds are equal     the explorer is nondeterministic
     ==================================================  ======================================
 
-Python allows an explorer to depend on the order of a set of texts: that is a remark, not a fault.
+A run is right if it breaks no law.  Python orders a set of texts by the hash seed; if an explorer
+depends on this order, that is a remark, not a fault.
 """
 
 from collections.abc import Callable, Iterable
@@ -21,7 +22,7 @@ Seeds: TypeAlias = tuple[int, int]
 """The hash seeds of the two plays of a run."""
 
 OTHER_SEED = 2
-"""The hash seed of the play of all small runs in the other order."""
+"""The hash seed of the second process that plays all runs in small worlds, see ``across``."""
 
 SIX_MORE = (OTHER_SEED, 3, 4, 5, 6, 7)
 """Further seeds under which some runs of larger worlds are played again."""
@@ -33,18 +34,22 @@ Play = TypeVar("Play")
 
 
 def seeds_of(subject: Subject, wanted: Seeds = (FIRST, SECOND)) -> Seeds:
-    """The hash seeds of both players; they are equal unless a process loads a Python explorer."""
+    """The hash seeds of both players: the wanted seeds for a user's explorer in Python.
+
+    The explorer must be importable by other processes.  For any other explorer both seeds are the
+    first wanted seed.
+    """
     apart = subject.from_user and subject.importable and not subject.compiled
     return wanted if apart else (wanted[FIRST], wanted[FIRST])
 
 
 def are_more_tried(subject: Subject, seeds: Seeds) -> bool:
-    """Whether some runs are played under further seeds; a program has seeds of its own."""
+    """Whether some runs are played under six further seeds; never those of a program."""
     return subject.from_user and seeds == (FIRST, SECOND) and not is_program(subject.name)
 
 
 def across(seeds: Seeds) -> Seeds:
-    """The seeds of the plays of all runs in both orders."""
+    """The hash seeds of the two processes that play all runs in small worlds in both orders."""
     return FIRST, seeds[SECOND] and OTHER_SEED
 
 
@@ -53,7 +58,9 @@ def explain(
     plays: Iterable[tuple[Play, Iterable[Play]]],
     differ: Callable[[Play, Play], bool],
 ) -> bool:
-    """Whether the seeds explain that plays differ: fresh players repeat each play under its seed.
+    """Whether the seeds explain that plays differ.
+
+    This is so if the seeds are different, and fresh players repeat each play under its seed.
 
     Args:
         seeds: the seeds of the two plays.

@@ -42,7 +42,7 @@ class PythonJudge:
         self._given = given or ()
 
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[RunBatch]:
-        """Yield the runs of a unit in batches of this size."""
+        """Yield the runs of a unit in batches of ``size()`` runs; the last batch may be smaller."""
         batch = RunBatch(self, work, ())
         for run in self.counter.runs(work.unit):
             world = self.counter.count_run(run, batch.tally)
@@ -57,7 +57,7 @@ class PythonJudge:
             work.tally.add(batch.tally)
 
     def judge(self, batch: RunBatch) -> bool:
-        """Judge and count the logs of a batch's first play; return True: all could be read."""
+        """Judge and count the logs of a batch's first play; return True: all can be judged."""
         work = batch.work
         for index, due in enumerate(batch.runs):
             one = batch.outcome(index)
@@ -70,7 +70,11 @@ class PythonJudge:
         return True
 
     def judged(self, due: Due, log: bytes) -> Judged:
-        """One run with its log, judged."""
+        """Judge a run by its log.
+
+        Raises:
+            InputError: if a user's task is no function of the run.
+        """
         read, rules, world = Log(log), self.rules, due.world
         episode = self.episode(world, read)
         # The log of a lost run may hold fewer choices than were due.
@@ -86,7 +90,11 @@ class PythonJudge:
         return Judged(read, outcome, fits)
 
     def episode(self, world: World, log: Log) -> Episode:
-        """The episode of a log in this world."""
+        """The episode that follows from a log, whose actions are walked in this world.
+
+        Raises:
+            InputError: if an action is illegal now, because of a user's lighthouse.
+        """
         rules = self.rules
         try:
             budget = rules.budget(world.map)
@@ -135,9 +143,10 @@ class PythonJudge:
         return around, told, over, rules.budget(world.map), name_run(rules, world), run.script
 
     def message(self, kind: str, content: Any, order: Sequence[int] = ()) -> Message:
-        """A message to a player, with an entry for each run.
+        """A message to a player, whose content has an entry for each run.
 
-        Without an order the runs are played one after the other.
+        ``order`` holds the positions of the entries in the order in which the runs are played;
+        without it they are played in the order of the entries.
         """
         return {
             "kind": kind,
@@ -153,7 +162,7 @@ class PythonJudge:
 
 
 def table_of(world: World) -> bytes | tuple[int, ...]:
-    """The table of which a player makes a :class:`allworlds.protocol.playing.TableWorld`.
+    """The table from which a player makes a :class:`allworlds.protocol.playing.TableWorld`.
 
     Args:
         world: a world with a static lighthouse.

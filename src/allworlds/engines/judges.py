@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from allworlds.engines.compiled_judge import CompiledJudge
 
 SMALL = 3
-"""The largest m of the worlds of which both judges judge every log."""
+"""The largest m of the worlds whose logs are all judged by both judges."""
 
 
 class Judges:
@@ -21,8 +21,8 @@ class Judges:
     Args:
         python: the judge in Python.
         random: the generator of seeds.
-        native: whether the explorer is a library.
-        compiles: whether this lane, alone among all, starts the compiler.
+        native: whether the explorer is a shared library.
+        compiles: whether this is the one lane that starts the compiler.
     """
 
     def __init__(
@@ -35,7 +35,10 @@ class Judges:
         self._small: list[RunBatch] = []
 
     def of(self, unit: units.UnitOfRuns) -> Judge:
-        """The judge of a unit: in compiled code, once there is some, if the level is large."""
+        """The judge for a unit: the compiled judge, or the judge in Python.
+
+        The compiled judge is for levels with many worlds, once its code has been compiled.
+        """
         counter = self.python.counter
         least = counter.compiled_from
         if least is None or not isinstance(unit, units.LevelUnit):
@@ -63,7 +66,7 @@ class Judges:
         return kept
 
     def remember(self, batch: RunBatch) -> None:
-        """Remember the logs of a small batch for the comparison of both judges."""
+        """Remember a batch if its worlds are small, to compare both judges on its logs later."""
         unit = batch.work.unit
         wanted = self._compiled is None and self.python.counter.compiled_from
         if wanted and isinstance(unit, units.LevelUnit) and unit.edges <= SMALL:

@@ -39,7 +39,7 @@ class Lane:
         given: the choices of the only run, which is not played again under further seeds; None if
             the scope determines the choices.
         seeds: the hash seeds of both players.
-        first_lane: whether this lane, alone among all, starts the compiler and tries six seeds.
+        first_lane: whether this is the one lane that starts the compiler and tries six more seeds.
         deadline: the time after which the lane waits for no play, or None.
 
     Attributes:
@@ -78,7 +78,7 @@ class Lane:
     # ---------------------------------------------------------------- units
 
     def offer(self, unit: units.UnitOfRuns) -> None:
-        """Take a unit."""
+        """Take a unit, on which the next turns will work."""
         work = Work(unit, self.counter.tally())
         if isinstance(unit, units.AcrossUnit):
             work.open, seeds = 1, hash_seeds.across(self._plays.seeds)
@@ -94,16 +94,16 @@ class Lane:
 
     @property
     def busy(self) -> bool:
-        """Whether there is work."""
+        """Whether the lane has a unit that is not finished."""
         return bool(self._works)
 
     @property
     def keeps(self) -> bool:
-        """Whether runs are left that are to be played under further seeds."""
+        """Whether the lane keeps runs that it will play under further seeds, see :meth:`end`."""
         return bool(self._more_seeds)
 
     def turn(self, others: Sequence[int] = ()) -> list[units.PartialResult]:
-        """Go on for a moment; return the parts of units that are done.
+        """Give work to the players, and hear them once; return the partial results that are due.
 
         Args:
             others: descriptors; the turn ends when one of them is readable.
@@ -126,7 +126,7 @@ class Lane:
         return self._done()
 
     def end(self) -> tally.Tally:
-        """The tally of the plays under further seeds, which come at the end."""
+        """Play some runs under further seeds, after all units; return the tally of these plays."""
         return self._more_seeds.end()
 
     def close(self) -> None:
@@ -219,7 +219,7 @@ class Lane:
                 self._settle(batch)
 
     def _settle(self, batch: RunBatch) -> None:
-        """Find the faults of a batch, and count it."""
+        """Find the runs of a batch that break a law, and add its counts to those of the unit."""
         self._settler.settle(batch, twice=self._twice)
         self._settled += len(batch)
         batch.work.tally.add(batch.tally)
@@ -227,7 +227,7 @@ class Lane:
         self._more_seeds.keep(batch)
 
     def _lose(self, which: int, lost: Lost) -> None:
-        """Go on after the loss of a player: a fresh player plays its run once more, alone."""
+        """Go on after the loss of a player: a fresh player plays the same run once more, alone."""
         if which == FIRST:
             self._first_logs.clear()  # the logs of one process alone are wanted
         batch, index = self._plays.lost_in(which)
@@ -251,8 +251,8 @@ class Lane:
     def _hear_across(self, across: Across) -> None:
         """Hear the plays of all runs in both orders; settle them once they are complete.
 
-        If a loss was repeated, the explorer is refuted; then these plays are given up, because
-        their players would be lost, too.
+        If a fresh player has repeated a loss, the explorer is refuted; then these plays are given
+        up, because their players would be lost, too.
         """
         if not (across.begun or self._losses.repeated):
             across.begin(self._first_logs)

@@ -110,7 +110,7 @@ class SingleRun(Report):
 
     @property
     def checked_laws(self) -> tuple[str, ...]:
-        """The laws of which something was checked."""
+        """The laws that were checked at least once in this run."""
         return checked_laws(self.rules.judged, 1, len(self.outcome.episode.checkpoints))
 
     @cached_property
@@ -120,7 +120,7 @@ class SingleRun(Report):
 
     @property
     def answer(self) -> Any:
-        """The answer; None where there is none."""
+        """The explorer's answer; None if the run has ended without an answer."""
         ending = self.outcome.episode.ending
         return ending.answer if isinstance(ending, Answered) else None
 
@@ -143,7 +143,7 @@ def subject_of(explore: str | Callable[..., Any], limits: limits.Limits) -> load
 
     Raises:
         InputError: if no such explorer exists, if it cannot be imported or is no explorer, or if
-            this process must not play.
+            this process is itself a player, or is loading an explorer.
     """
     ensure_outermost()
     if not isinstance(explore, str):
@@ -171,11 +171,11 @@ def subject_of(explore: str | Callable[..., Any], limits: limits.Limits) -> load
 
 
 REPEATED = 5
-"""The number of times that a process plays a finding by its percepts."""
+"""The number of times that one process plays the run of a finding by its percepts."""
 
 
 class OutcomeCounter(RunCounter, frozen=True):
-    """The counter that keeps the outcomes of its run; the last outcome is the settled outcome."""
+    """The counter of a single run, which keeps the outcomes of the run; the last one is final."""
 
     outcomes: list[Outcome] = field(default_factory=list)
 
@@ -198,7 +198,10 @@ def _outcome_of(
     limits: limits.Limits,
     hash_seed: int | None,
 ) -> Outcome:
-    """The outcome of a user's explorer in a canonical world."""
+    """The outcome of one run of a user's explorer, which a lane plays twice and compares.
+
+    ``world`` is in canonical numbering; ``script`` holds the first choices.
+    """
     counter = OutcomeCounter(Scope(Extent(MapClass.MAPS, world.map.edge_count), rules), keep=1)
     seeds = (FIRST, SECOND) if hash_seed is None else (hash_seed, hash_seed)
     lane = Lane(subject, counter, limits, given=script, seeds=seeds)
@@ -220,10 +223,11 @@ def single_run(
     hash_seed: int | None = None,
     after: Sequence[World] = (),
 ) -> SingleRun:
-    """One episode; the script makes its first choices, as long as they are legal.
+    """Play one run, and return its report.
 
-    If a hash seed is given, both players of a user's explorer have it.  If ``after`` names worlds,
-    the run is also played after runs in these worlds.
+    The script holds the first choices of the run, which are made as long as they are legal.  If a
+    hash seed is given, both players of a user's explorer have this seed.  If ``after`` holds
+    worlds, the run is also played after runs in these worlds.
     """
     if subject.from_user:
         canonical = canonical_world(world)
@@ -274,7 +278,10 @@ class Plays:
         self.judge = PythonJudge(counter, subject.name)
 
     def in_world(self, script: tuple[int, ...], seed: int) -> tuple[Log, str]:
-        """The log of the run in its world, up to a loss, and the prints."""
+        """The log of the run in its world, and the prints.
+
+        If the player is lost, the log ends with the loss.
+        """
         message = self.judge.worlds_message([Due(0, 0, self._world, script)])
         (log,), printed = self._played(message | {"hear": True}, seed)
         return log, printed
@@ -282,13 +289,16 @@ class Plays:
     def again(
         self, actions: Iterable[Action], script: tuple[int, ...], seed: int, times: int = 1
     ) -> tuple[list[Log], str]:
-        """The logs of plays by the percepts of these actions, and the prints."""
+        """The logs of ``times`` plays by one player, and its prints.
+
+        The player gets the percepts of a walk that consists of these actions.
+        """
         walk = Walk.of(self._world, actions)
         record = Recorded(walk.percepts, self._world, script, self._rules.task.is_over(walk))
         return self._played(self.judge.percepts_message([record] * times), seed)
 
     def traced(self, runs: Sequence[Due]) -> Sequence[bytes]:
-        """The logs of these runs, and as last entry the lines of code that ran in them."""
+        """The logs of these runs in their worlds; a last entry holds the lines of code that ran."""
         message = self.judge.worlds_message(runs)
         return self._logs(message | {"lines": True, "runs": len(runs) + 1}, FIRST)[0]
 
@@ -310,9 +320,10 @@ class Plays:
 
 
 def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limits) -> Finding:
-    """The finding with the prints of a fresh process, and whether that process repeats the run.
+    """The finding after further plays, with their prints, and with ``confirmed``.
 
-    A lost run is played once more in its world, which yields its walk.  An explorer that no other
+    ``confirmed`` says whether fresh processes repeat the run.  A run in which the player was lost
+    is played once more in its world, because its walk is not known yet.  An explorer that no other
     process can import is not confirmed; it plays once more in this process, for its prints.
 
     Raises:
@@ -341,7 +352,10 @@ def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limi
 
 
 def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
-    """The finding of a lost run, with its walk, and whether the run was lost again."""
+    """The finding of a loss, with the walk of this log.
+
+    ``confirmed`` says whether the player was lost again by the same law.
+    """
     episode = plays.judge.episode(finding.world, log)
     ending = episode.ending
     return doc.replace(
@@ -353,10 +367,11 @@ def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
 
 
 def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: int) -> Finding:
-    """The finding, and whether fresh processes repeat the run by its percepts alone.
+    """The finding with ``confirmed``: whether fresh processes repeat the run by its percepts alone.
 
-    If a process plays differently, the explorer is nondeterministic, which plays that differ
-    confirm.  The players of ``later`` first play runs in other worlds.
+    If a process plays differently, the finding becomes one of a nondeterministic explorer, which is
+    confirmed by plays that differ.  The players of ``later`` first play runs in other worlds.
+    ``first`` is the log of a play that has been made already.
     """
     record = finding.transcript.actions, finding.choices
     if finding.after:
@@ -378,7 +393,10 @@ def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: in
 
 
 def _unlike(finding: Finding, again: Log) -> Finding:
-    """The finding of an explorer that plays differently in a fresh process."""
+    """The finding changed to one of a nondeterministic explorer, by this log that differs from it.
+
+    A finding of a loss is not changed, but is not confirmed.
+    """
     if finding.law in LOST:
         return doc.replace(finding, confirmed=False)
     broken = nondeterministic(f"it breaks the law {finding.law} in some plays only")
