@@ -3,8 +3,8 @@
     one process:      run 1, run 2, ..., run N
     another process:  run N, ..., run 2, run 1; with few edges run 1, run 2, ..., run N once more
 
-So of any two runs, in the same unit or not, each is once played before the other run, in a process
-that has played nothing but these runs.  If a run has a different log in the two processes,
+So of any two runs, in the same unit or not, each is once played before the other run.  The two
+processes play nothing but these runs.  If a run has a different log in the two processes,
 a bisection finds the fewest earlier runs that cause the difference.  These plays are not counted,
 because each run is counted in another unit.
 """
@@ -35,7 +35,7 @@ MOST_EARLIER = 4
 """The largest number of earlier runs that a finding names."""
 
 FEW = 3
-"""The largest number of runs for which earlier runs that change them are searched."""
+"""The largest number of runs for each of which a search is made for earlier runs that change it."""
 
 At: TypeAlias = tuple[CombinatorialMap, int]
 """A map, and the number of the lighthouse's place."""
@@ -50,7 +50,7 @@ class FirstLog(NamedTuple):
 
 
 def remember(batch: RunBatch, known: dict[At, FirstLog]) -> None:
-    """Remember the logs of a batch if its worlds are small, in the order of the plays."""
+    """Add the logs of a batch to ``known``, in the order of the plays, if its worlds are small."""
     unit, logs, broken = batch.work.unit, batch.logs[FIRST], {*batch.broken}
     small = isinstance(unit, LevelUnit | GivenUnit) and unit.edges <= ACROSS
     if small and batch.plain:  # a library draws the order
@@ -65,8 +65,8 @@ class _Play:
 
     Attributes:
         seed: the hash seed.
-        order: the indices of the runs in this order; an index may occur twice.
-        logs: the logs in this order, once all are known.
+        order: the indices of the runs, as they are played; an index may occur twice.
+        logs: the logs of the runs as they are played; None until all are known.
         player: the player at work; None if the logs are known.
     """
 
@@ -95,7 +95,8 @@ class Across:
         batch: the batch of all runs.
         begun: whether the plays have begun.
         found: the outcomes of the runs that refute the explorer, by their indices.
-        odd: the runs whose two logs differ, but not by earlier runs, each with its second log.
+        odd: the indices of runs whose two logs differ although no earlier run is the cause, each
+            with the second log.
     """
 
     def __init__(
@@ -156,7 +157,8 @@ class Across:
         """Hear the players; return whether all plays have ended.
 
         Args:
-            note: the function that notes a loss which is not repeated; that play begins anew.
+            note: the function that notes a loss which no fresh player repeats; then the play of the
+                lost player begins anew.
         """
         for play in self._plays:
             if play.player:
@@ -190,12 +192,18 @@ class Across:
         return not self._differ(self._after(play.seed, [], index), lost_log(b"", lost))
 
     def _after(self, seed: int, earlier: Sequence[int], index: int) -> bytes:
-        """The log of a run that a fresh player plays after others; empty if it is lost before."""
+        """The log of the run ``index``, which a fresh player plays after the runs ``earlier``.
+
+        The log is empty if the player is lost in one of the earlier runs.
+        """
         logs = self._fresh(seed, [*earlier, index])
         return logs[-1] if len(logs) > len(earlier) else b""
 
     def _fresh(self, seed: int, order: Sequence[int]) -> list[bytes]:
-        """The logs of a fresh player; if it is lost, the log of that run, after empty logs."""
+        """The logs of a fresh player that plays the runs of these indices in this order.
+
+        If the player is lost, all logs before that of the lost run are empty, and none follows.
+        """
         player = started(self._setup, seed)
         try:
             return [*answered(player, self._in_order(order))]
@@ -213,7 +221,7 @@ class Across:
     # ---------------------------------------------------------------- differences
 
     def settle(self) -> None:
-        """Find the smallest run that earlier runs change, or that breaks a law."""
+        """Find the smallest run that earlier runs change, or that breaks a law by itself."""
         first, second = self._plays
         if not (first.logs and second.logs):
             return
@@ -233,7 +241,11 @@ class Across:
                     return
 
     def _unlike(self, forwards: Sequence[bytes]) -> dict[int, int]:
-        """The runs whose logs in the second play differ from these, with their positions there."""
+        """The runs whose logs in the second play differ from the logs ``forwards``.
+
+        Item i of ``forwards`` is a log of run i.  Return a dictionary from the index of each run to
+        the position in the second play of the first log that differs.
+        """
         second, found = self._plays[1], dict[int, int]()
         assert second.logs is not None
         for position, (index, log) in enumerate(zip(second.order, second.logs, strict=True)):
@@ -242,7 +254,7 @@ class Across:
         return found
 
     def _broken(self) -> list[int]:
-        """The runs that break a law in the first play."""
+        """The indices of the runs that break a law in the first play."""
         return [
             i
             for i, (due, log) in enumerate(zip(self.batch.runs, self.batch.logs[0], strict=True))
@@ -258,7 +270,10 @@ class Across:
         return map_.edge_count, map_.vertex_count, code, place
 
     def _named(self, index: int, earlier: Sequence[int]) -> Outcome | None:
-        """The outcome that names the earlier runs which change this run; None if none change it."""
+        """The outcome that names the earlier runs which change the run ``index``.
+
+        Return None if no runs among ``earlier`` change it, or if the change is not repeated.
+        """
         alone = self._after(self._seed, [], index)
         needed = self._needed(alone, index, earlier)
         after, again = (self._after(self._seed, needed, index) for _ in range(2))
@@ -269,9 +284,11 @@ class Across:
         return after_worlds(wrong, [canonical_world(self.batch.runs[i].world) for i in needed])
 
     def _needed(self, alone: bytes, index: int, earlier: Sequence[int]) -> list[int]:
-        """The fewest earlier runs after which a run has another log than if it is played alone.
+        """The fewest earlier runs after which the run ``index`` has another log than ``alone``.
 
-        Empty if the logs are equal, if two plays of it alone differ, or if too many are needed.
+        ``alone`` is the log of the run if it is played alone.  The list is empty if the log after
+        all earlier runs equals ``alone``, if a second play of the run alone has another log, or if
+        more than :data:`MOST_EARLIER` runs are needed.
         """
 
         def shows(indices: Sequence[int]) -> bool:

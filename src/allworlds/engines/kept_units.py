@@ -53,7 +53,7 @@ class Identity(doc.Document):
 
     @classmethod
     def of_text(cls, text: str) -> Self:
-        """The identity of :attr:`text`."""
+        """The identity whose :attr:`text` this is."""
         return parse({"format": 1} | json.loads(text), cls, "identity")
 
     @property
@@ -63,7 +63,7 @@ class Identity(doc.Document):
 
     @property
     def code(self) -> dict[str, str]:
-        """The user's code that the job needs, as it was recorded; see ``as_recorded``."""
+        """The texts of the user's code that the job needs, by name, as they were recorded."""
         code: dict[str, str] = self.parameters.get("code", {})
         return code
 
@@ -113,7 +113,7 @@ canonical = json.JSONEncoder(sort_keys=True, separators=(",", ":")).encode
 """The function from a JSON value to its canonical text, which is equal for equal values."""
 
 ENDED = "complete"
-"""The value that is noted under ``ended`` when the job is complete."""
+"""The value that is noted under the name ``ended`` once the whole job is done."""
 
 
 class KeptUnits:
@@ -126,13 +126,13 @@ class KeptUnits:
     added = 0
 
     def result(self, key: str) -> Any:
-        """Return the JSON value of a finished unit; None for any other."""
+        """Return the JSON value of the result of a finished unit; None for any other unit."""
 
     def keep(self, key: str, result: Sum) -> None:
-        """Add a finished unit with its whole result."""
+        """Add a finished unit: its key, and its whole result."""
 
     def recall(self, name: str) -> Any:
-        """Return the value that was noted under a name; None if there is none."""
+        """Return the value that was noted under a name; None if no value was."""
 
     def note(self, name: str, value: Any) -> None:
         """Note a JSON value under a name."""
@@ -147,11 +147,14 @@ WHAT = "what is kept of a unit"
 
 
 class Form(NamedTuple):
-    """The form in which values of a type are kept; in an annotation it overrides the type's form.
+    """The form in which values of a type are kept.
+
+    If the type of a field is annotated by a form, the values of this field are kept in that form.
 
     Attributes:
         write: the function from a value to its JSON value.
-        read: the function from this JSON value to the value; raises InputError for others.
+        read: the function from this JSON value back to the value; it raises InputError for any
+            other JSON value.
     """
 
     write: Callable[[Any], Any]
@@ -168,7 +171,7 @@ def from_kept(kept: object, kind: type[T]) -> T:
     """The result of this class that :func:`to_kept` has written.
 
     Raises:
-        InputError: for any other value.
+        InputError: if the JSON value is of no such result.
     """
     made: Any = kind
     found: T = _form(made).read(kept)

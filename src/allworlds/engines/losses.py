@@ -7,7 +7,8 @@
     the fresh player is not lost, in all other cases        a remark: it refutes nothing
     ======================================================  ====================================
 
-Once a loss by a law has been repeated, further losses by that law count at once.
+Once a fresh player has repeated a loss by a law, further losses by that law break the law without
+another play.  A remark is a line of the report that refutes nothing.
 """
 
 from collections import Counter
@@ -19,10 +20,14 @@ from allworlds.engines.players import Lost, Unsettled, lost_log
 from allworlds.engines.plays import Attempt
 
 MOST_LOSSES = 20
-"""The largest number of losses, repeated by no fresh player, that the machine may have caused."""
+"""The largest number of losses that become remarks; with more there is no verdict."""
 
 SILENT_RUNS, MOST_WAITED = 4, 60.0
-"""The least number of silent runs, and of their seconds in all, after which a lane gives up."""
+"""A number of runs and a number of seconds.
+
+A lane gives up after at least this number of silent runs, if it has waited for them for at least
+this number of seconds in all.
+"""
 
 AFTER = " when it was played after others; by itself it was not"
 
@@ -40,7 +45,7 @@ def meaning(lost: Lost, *, again: bool, before: int) -> Meaning:
 
     Args:
         lost: the loss.
-        again: whether a fresh player was also lost, in this run or earlier by this law.
+        again: whether a fresh player was also lost: now in this run, or before by the same law.
         before: the number of earlier losses by this law that no fresh player repeated.
     """
     if again:
@@ -51,7 +56,10 @@ def meaning(lost: Lost, *, again: bool, before: int) -> Meaning:
 
 
 def given_up(silences: int, timeout: float) -> str:
-    """The reason to give up after this number of silent runs; empty if there is none."""
+    """The reason to give up after this number of silent runs; empty if the lane goes on.
+
+    ``timeout`` is the number of seconds of silence that end a run.
+    """
     if silences < SILENT_RUNS or silences * timeout < MOST_WAITED:
         return ""
     waited = f"the explorer was silent in {silences} runs, for {timeout:g} s each"
@@ -71,12 +79,12 @@ class Losses:
         self.repeated, self._unrepeated = set[str](), Counter[str]()
 
     def log_of(self, lost: Lost, batch: RunBatch, run: int, alone: Callable[[], Attempt]) -> bytes:
-        """The log of a run in which a player was lost.
+        """The log that a run gets after a player was lost in it.
 
         Args:
             lost: the loss.
             batch: the batch of the run.
-            run: the index of the run there.
+            run: the index of the run in the batch.
             alone: the function by which a fresh player plays the run alone.
         """
         self.silences += lost.law == "timeout"
@@ -96,7 +104,7 @@ class Losses:
         return log
 
     def remark(self, work: Work, lost: Lost) -> None:
-        """Remark on a loss that a fresh process has not repeated, and that refutes nothing.
+        """Add a remark on a loss that no fresh process has repeated, and that refutes nothing.
 
         Raises:
             Unsettled: if there are too many such losses.

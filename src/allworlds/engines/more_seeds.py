@@ -10,16 +10,16 @@ from allworlds.engines.tally import Tally
 from allworlds.log import Log
 
 KEPT = 64
-"""The number of runs of larger worlds that are played under six further seeds."""
+"""The largest number of runs that are played under six further seeds."""
 
 
 class MoreSeeds:
-    """The runs whose percepts are kept, and their plays under further seeds.
+    """Some runs of the largest worlds, which are kept to be played under further seeds.
 
     Args:
-        settler: the settler of the lane.
+        settler: the finder of runs that break a law, with the players of the lane.
         random: the generator of random orders.
-        wanted: whether any runs are kept.
+        wanted: whether any runs are to be kept.
     """
 
     def __init__(self, settler: Settler, random: Random, *, wanted: bool) -> None:
@@ -30,7 +30,7 @@ class MoreSeeds:
         return bool(self._kept)
 
     def keep(self, batch: RunBatch) -> None:
-        """Keep the percepts of some runs, if their worlds are large."""
+        """Keep some runs of a batch, if its worlds are of the last level, and not small."""
         levels = self._settler.judge.counter.scope.extent.levels
         wanted = self._wanted and len(self._kept) < KEPT
         edges = batch.due(0).world.map.edge_count if wanted else 0
@@ -38,7 +38,10 @@ class MoreSeeds:
             self._kept += [(batch, index) for index in range(len(batch))][: KEPT - len(self._kept)]
 
     def end(self) -> Tally:
-        """The tally of the plays under further seeds, up to the first seed that shows a fault."""
+        """Play the kept runs under further seeds, up to the first seed with a different log.
+
+        Return the tally of these plays.
+        """
         judge = self._settler.judge
         kept, self._kept = self._kept, []
         work = Work(kept[0][0].work.unit, judge.counter.tally())

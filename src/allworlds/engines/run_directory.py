@@ -28,7 +28,7 @@ from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.version import __version__
 
 in_order = json.JSONEncoder(separators=(",", ":")).encode
-"""The function from a JSON value to a text that keeps the order of keys, as reports need it."""
+"""The function from a JSON value to a text that keeps the order of keys, which reports show."""
 
 
 FILE, DRAFT = "units.sqlite", "draft.sqlite"
@@ -37,7 +37,7 @@ APPLICATION = 0x616C6C77
 """The number in the header of the file that marks it as a run directory's."""
 
 SCHEMA = 2
-"""The version of the tables below, and of their content."""
+"""The version of the tables below and of their content; other versions are refused."""
 
 TABLES = """
 CREATE TABLE meta (name TEXT PRIMARY KEY, value TEXT NOT NULL, checksum TEXT NOT NULL) STRICT;
@@ -49,7 +49,7 @@ CREATE TABLE sessions (started REAL NOT NULL) STRICT;
 """
 
 BUSY = 10.0
-"""Seconds to wait for a reader."""
+"""Seconds to wait while another process has locked the file of units."""
 
 
 def named(path: Path) -> str:
@@ -99,7 +99,7 @@ class Database:
         """The JSON value of a finished unit; None for any other unit.
 
         Raises:
-            InputError: if it has changed since it was written.
+            InputError: if the row of the unit has changed since it was written.
         """
         row = self._first("SELECT * FROM units WHERE key = ?", key)
         return None if row is None else json.loads(self._sound(f"unit {key}", *row)[3])
@@ -112,18 +112,18 @@ class Database:
                 yield key, worlds, finished, json.loads(result)
 
     def keep(self, key: str, worlds: int, finished: float, result: Any) -> None:
-        """Write a finished unit, in a transaction of its own.
+        """Write a finished unit and the time of its end, in a transaction of its own.
 
         If the lock was removed and another command writes the same unit, both results are equal.
 
         Raises:
-            sqlite3.OperationalError: if there is no room for it.
+            sqlite3.OperationalError: if there is no room for the unit.
         """
         row = self._sealed(key, worlds, finished, in_order(result))
         self._connection.execute("INSERT OR REPLACE INTO units VALUES (?, ?, ?, ?, ?)", row)
 
     def recall(self, name: str) -> Any:
-        """The value that was noted under a name; None if there is none."""
+        """The value that was noted under a name; None if no value was."""
         row = self._first("SELECT * FROM meta WHERE name = ?", name)
         return None if row is None else json.loads(self._sound(f"its {name}", *row)[1])
 
@@ -131,7 +131,7 @@ class Database:
         """Note a JSON value under a name, in place of an earlier one.
 
         Raises:
-            sqlite3.OperationalError: if there is no room for it.
+            sqlite3.OperationalError: if there is no room for the value.
         """
         row = self._sealed(name, in_order(value))
         self._connection.execute("INSERT OR REPLACE INTO meta VALUES (?, ?, ?)", row)
@@ -146,7 +146,7 @@ class Database:
         return float(started or 0)
 
     def _first(self, query: str, *values: Any) -> Any:
-        """The first row of the answer; None if there is none."""
+        """The first row that a query returns; None if the query returns no row."""
         with saying_where(self.path):
             return self._connection.execute(query, values).fetchone()
 
@@ -160,12 +160,15 @@ class Database:
 
 
 def checksum(seal: str, *row: Any) -> str:
-    """A digest of a row and of the identity of its job."""
+    """A digest of a row and of ``seal``, which is the digest of the identity of the job."""
     return hashlib.sha256(repr((seal, *row)).encode(errors="backslashreplace")).hexdigest()[:32]
 
 
 def created(path: Path, identity: Identity) -> Database:
-    """The new file of a directory that has no file yet; the file appears complete or not at all."""
+    """Create the file of a directory that has none, and open it.
+
+    The file appears complete or not at all.
+    """
     draft = path / DRAFT
     with saying_where(path):
         for file in path.glob(f"{DRAFT}*"):
@@ -207,7 +210,7 @@ def reading(path: Path) -> Iterator[Database]:
     """A context with the file of a directory, open for reading, also while a process adds units.
 
     Raises:
-        InputError: as :func:`opened`; and if there is no file.
+        InputError: if there is no file, or if :func:`opened` would raise it.
     """
     if not (path / FILE).is_file():
         raise InputError(f"{show(str(path))} is no run directory: it holds no {FILE}")
@@ -242,7 +245,11 @@ def _write_ahead(connection: sqlite3.Connection) -> None:
 
 
 def _looked_through(path: Path, connection: sqlite3.Connection) -> Identity:
-    """The identity in the file, after all pages of the file have been checked."""
+    """Check the whole file of a directory; return the identity of its job.
+
+    Raises:
+        InputError: if the file is of no run directory, of another version, or damaged.
+    """
     (application,) = connection.execute("PRAGMA application_id").fetchone()
     if application != APPLICATION:
         raise InputError(f"{show(str(path))} is no run directory: its {FILE} is somebody else's")
@@ -272,7 +279,7 @@ PATIENCE = 3.0
 
 
 class Gap(outcome.NoResult):
-    """Raised if parts of a whole are missing."""
+    """Raised if merged run directories lack a unit, or a note, of the whole job."""
 
     exit = outcome.Exit.INCOMPLETE
 
@@ -340,8 +347,8 @@ class Merged(KeptUnits):
         """The JSON value of a unit.
 
         Raises:
-            Gap: if it is not finished.
-            InputError: if it was finished twice.
+            Gap: if the unit is in no directory.
+            InputError: if the unit is in several directories.
         """
         found = [(d, kept) for d in self.directories if (kept := d.result(key)) is not None]
         if len(found) > 1:
@@ -355,7 +362,7 @@ class Merged(KeptUnits):
         """The value that one of the directories has noted under a name.
 
         Raises:
-            Gap: if none has.
+            Gap: if no directory has noted a value under this name.
         """
         for directory in self.directories:
             if (value := directory.recall(name)) is not None:
@@ -435,7 +442,10 @@ def _locked(path: Path) -> Iterator[None]:
 
 
 def _is_taken(lock: int, how: int) -> bool:
-    """Whether another process has the lock; if none has, take it."""
+    """Whether another process has the lock; if no process has it, take it.
+
+    ``how`` is ``LOCK_EX``, to be the only one that has the lock, or ``LOCK_SH``.
+    """
     try:
         fcntl.flock(lock, how | fcntl.LOCK_NB)
     except BlockingIOError:
