@@ -1,8 +1,9 @@
 """Units on the workers of a Dask cluster.
 
-A task consists of some units, an engine, and a transport that a worker makes.  This transport is
-called a *lane*, and outlives the tasks: each thread of a worker starts a user's explorer only once.
-A task returns whole results, so if a worker is lost, another worker does its units again.
+A task consists of some units, an engine, and a function with which a worker makes a transport.
+Here this transport is called a *lane*.  It outlives the tasks, so that each thread of a worker
+starts a user's explorer only once.  A task returns the whole results of its units; if a worker is
+lost, another worker does the units of its tasks again.
 """
 
 import asyncio
@@ -40,7 +41,8 @@ class Dask:
         workers: the number of processes of a local cluster.
         deadline: the end of the time limit, on the monotonic clock; or None.
         inside: the picklable function that makes the transport on a worker.
-        probe: the picklable function that returns the reason why a worker cannot do the job.
+        probe: the picklable function that returns the reason why a worker cannot do the job, or
+            an empty text.
         order: the function that orders the units.
     """
 
@@ -180,7 +182,13 @@ class Dask:
 
 @lru_cache(8)
 def _unpacked(job: str, version: str, packed: bytes) -> tuple[Any, Any]:  # noqa: ARG001  # each its own
-    """The function that makes lanes on this worker, and the engine; cached for a level's tasks."""
+    """The function that makes lanes on this worker, and the engine, both unpacked from bytes.
+
+    All tasks of a level have the same bytes; so the pair is cached.
+
+    Raises:
+        InputError: if the worker has another version, or cannot do the job.
+    """
     from distributed import get_worker, protocol
 
     said = f"has allworlds {__version__}, not {version}"
@@ -192,7 +200,7 @@ def _unpacked(job: str, version: str, packed: bytes) -> tuple[Any, Any]:  # noqa
 
 
 class _Job:
-    """The state of one job on a worker: the engine, and the idle lanes."""
+    """The state of one job on a worker: its engine, its idle lanes, and whether it has ended."""
 
     def __init__(self) -> None:
         self.turn, self.timer = Lock(), Timer(IDLE, self.close)
@@ -255,7 +263,7 @@ def end_job(job: str) -> None:
 
 @contextmanager
 def local_cluster(workers: int) -> Iterator[str]:
-    """A context with the address of a local cluster of so many processes, killed at its end.
+    """A context with the address of a local cluster, whose processes are killed at its end.
 
     All processes have one parent, so that they can be killed without waiting for answers.
     """
@@ -285,7 +293,7 @@ def local_cluster(workers: int) -> Iterator[str]:
 
 
 def serve(workers: int) -> None:
-    """Print the address of a new cluster, which ends when stdin does."""
+    """Print the address of a new cluster with this number of workers; end it when stdin ends."""
     from distributed import LocalCluster
 
     stdout = os.dup(1)

@@ -1,10 +1,12 @@
-"""The program with the user's code in it: it plays, and does not judge.
+"""The program of a player process, which loads the user's code: it plays, and does not judge.
 
     python -P -c "...; main(PARENT)" PATH...       (descriptor 3: the link; 4: the beat)
 
-It gets an explorer and then batches of runs, until the link is closed.  A message consists of its
-length and of bytes that marshal has written.  An answer consists of its length, a letter and bytes;
-the owner trusts no answers but logs.  The program loads only those modules of the package that it
+The link is the socket to the owner.  The beat is memory that the owner can read: the number of the
+run in progress, and that of the explorer's turn in this run.  The program gets an explorer and then
+batches of runs, until the link is closed.  A message consists of its length and of bytes that
+marshal has written.  An answer consists of its length, a letter and bytes; verdicts use no answers
+but logs, which a judge walks anew.  The program loads only those modules of the package that it
 needs: an explorer in Python without choices costs some 50 ms.
 """
 
@@ -37,7 +39,7 @@ if TYPE_CHECKING:
     from allworlds.world.world import World
 
 LINK, BEAT = 3, 4
-"""The descriptors of a player."""
+"""The descriptors of the link and of the beat in a player process."""
 
 READY, LOGS, PART, REFUSAL, FAILURE, NO_ROOM = b"RLPEFN"
 """The letters of the answers: the explorer is loaded; the logs of a batch; the log so far; bad
@@ -102,10 +104,10 @@ def main(parent: int) -> None:
 
 
 def _loaded(setup: dict[str, Any]) -> Subject:
-    """The explorer of this message, loaded.
+    """Load the explorer that the first message names, and return it.
 
     Raises:
-        InputError: if it cannot be loaded.
+        InputError: if the explorer cannot be loaded.
     """
     from allworlds.protocol.importing import SourceText
 
@@ -125,7 +127,7 @@ def _loaded(setup: dict[str, Any]) -> Subject:
 
 
 class _Server:
-    """The loaded explorer, and the shared bytes that tell its run and turn."""
+    """The loaded explorer with its beat, which plays batches."""
 
     def __init__(self, subject: Subject, beat: Any) -> None:
         self._subject, self._beat, self._pid = subject, beat, os.getpid()
@@ -203,9 +205,10 @@ def played(
     beat: Any,
     hear: Callable[[bytearray], None] | None = None,
 ) -> list[bytes]:
-    """Play the runs of a batch that is not for a library; return their logs.
+    """Play the runs of a batch in Python; return their logs, by the numbers of the runs.
 
-    If the batch asks for lines of code, the last entry is these lines instead of a log.
+    If the batch asks for lines of code, the last entry is these lines instead of a log.  Before
+    each turn ``hear`` is called with the log so far.
     """
     own, explorer = os.getpid(), player
     logs: list[bytes] = [b""] * batch["runs"]
@@ -231,7 +234,7 @@ def played(
 
 
 def turns_of(subject: Subject, player: Player, beat: Any) -> Turns:
-    """The explorer as a program that is asked turn by turn, at its beginning."""
+    """The explorer as a program that replies turn by turn, before its first turn."""
     from allworlds.protocol.turns import Turns
 
     if subject.program:
@@ -240,14 +243,17 @@ def turns_of(subject: Subject, player: Player, beat: Any) -> Turns:
 
 
 def turns_taken(turns: Turns, batch: dict[str, Any]) -> list[bytes]:
-    """The words of a program in the turns or histories of a batch."""
+    """The replies of a program, as bytes, to the turns or the histories of a batch."""
     if batch["kind"] == "histories":
         return turns.plays(batch["content"])
     return turns.replies(batch["content"], known=batch["known"])
 
 
 def maps_made(batch: dict[str, Any]) -> list[bytes]:
-    """A digest of the maps of each unit in an extent; equal maps have equal digests."""
+    """A digest for each unit of a batch: of the maps of the unit that are in the extent.
+
+    Equal maps have equal digests.
+    """
     import hashlib
 
     from allworlds.world.lighthouses.composed import Nothing
@@ -262,7 +268,10 @@ def maps_made(batch: dict[str, Any]) -> list[bytes]:
 
 
 def senses(world: World, made: Sequence[actions.Action]) -> bytes:
-    """Return as bytes what the world, made anew, tells the robot, and the percepts of the walk."""
+    """Make a world anew; return as bytes what it tells the robot, and the percepts of a walk.
+
+    The walk consists of the actions ``made``; if one is illegal, return the error instead.
+    """
     from allworlds.judging.walk import Walk
 
     anew = type(world)(world.map, world.lighthouse, world.start)
@@ -273,7 +282,7 @@ def senses(world: World, made: Sequence[actions.Action]) -> bytes:
 
 
 def in_bytes(told: actions.Told, transcript: actions.Transcript) -> bytes:
-    """The two values as bytes, equal for equal values."""
+    """The two values as bytes; equal values have equal bytes."""
     return repr((told, transcript.to_json())).encode()
 
 
@@ -295,7 +304,7 @@ def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> choic
 
 
 def _sender() -> Callable[[bytearray], None]:
-    """The function that sends the new part of a log before each turn."""
+    """Return a function that sends the owner the part of a log that it has not sent before."""
     sent = 0
 
     def send(log: bytearray) -> None:
@@ -307,12 +316,12 @@ def _sender() -> Callable[[bytearray], None]:
 
 
 def logs_message(logs: Sequence[bytes]) -> tuple[bytes, bytes]:
-    """The lengths of the logs, four bytes each, and the logs."""
+    """Two byte strings: the lengths of the logs, four bytes for each, and the logs themselves."""
     return array("i", map(len, logs)).tobytes(), b"".join(logs)
 
 
 def _read() -> Any:
-    """The next message; None if the owner has closed the link."""
+    """The next message from the owner; None if the owner has closed the link."""
     head = _bytes(4)
     return marshal.loads(_bytes(int.from_bytes(head, "little"))) if head else None  # noqa: S302
 

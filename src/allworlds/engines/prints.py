@@ -1,4 +1,4 @@
-"""Prints of explorers, escaped and limited, and a stderr that may fail; no verdict uses them."""
+"""Prints of explorers as short texts, and a stderr that never raises; no verdict uses them."""
 
 import io
 import sys
@@ -8,10 +8,10 @@ from itertools import accumulate
 from typing import Any, TextIO
 
 KEPT = 4096
-"""The largest number of bytes of a text; of longer prints the beginning and the end are kept."""
+"""The largest number of bytes of a text; of longer prints the middle is left out."""
 
 SIGN = "\n[... {} bytes more ...]\n"
-"""The line between the beginning and the end; the number in it has at most 15 digits."""
+"""The line in place of the middle that is left out; its number has at most 15 digits."""
 
 
 class Prints:
@@ -47,7 +47,7 @@ class Prints:
 
 
 def _letters(printed: bytes | bytearray) -> list[tuple[int, str]]:
-    """The letters of the text, each with its number of bytes."""
+    """A pair for each printed letter: the number of its bytes, and the letter, perhaps escaped."""
     letters = []
     for letter in printed.decode(errors="surrogateescape").replace("\r\n", "\n"):
         raw = letter.encode(errors="surrogateescape")
@@ -57,7 +57,10 @@ def _letters(printed: bytes | bytearray) -> list[tuple[int, str]]:
 
 
 def _fitting(letters: Sequence[tuple[int, str]], room: int) -> tuple[list[str], int]:
-    """The letters that fit into this number of bytes, and the number of bytes that they take."""
+    """The first letters that fit into ``room`` bytes, and the number of the bytes printed for them.
+
+    Escaped letters need more room than they had bytes.
+    """
     sizes = accumulate(len(shown.encode()) for _, shown in letters)
     fitting = letters[: sum(size <= room for size in sizes)]
     return [shown for _, shown in fitting], sum(size for size, _ in fitting)
@@ -80,7 +83,10 @@ class _PrintStream(io.BytesIO):
 
 @contextmanager
 def printing_to(sink: Prints) -> Iterator[None]:
-    """Send Python's prints in this process to a sink; other prints are not redirected."""
+    """A context that sends Python's prints in this process to a sink.
+
+    Prints of compiled code and of other processes are not redirected.
+    """
     written = io.TextIOWrapper(
         _PrintStream(sink), "utf-8", "backslashreplace", newline="", write_through=True
     )
@@ -91,8 +97,8 @@ def printing_to(sink: Prints) -> Iterator[None]:
 def patient_stderr() -> TextIO:
     """Stderr as a text stream that drops texts if it is full or nobody reads it.
 
-    Otherwise ``print`` would raise in the code that calls it: an explorer would be refuted, or bad
-    input would have the exit code of an internal error.
+    With Python's own stderr, ``print`` would raise in the code that calls it: an explorer would be
+    refuted, or bad input would have the exit code of an internal error.
     """
     return io.TextIOWrapper(
         io.BufferedWriter(_Patient(2, "w", closefd=False)),

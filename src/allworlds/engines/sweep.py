@@ -30,7 +30,10 @@ from allworlds.inputs import checks, requests
 from allworlds.maps import classes
 
 By: TypeAlias = Literal["size", "world", "run"]
-"""The kinds of rows for programs: one row for each explorer and size, world, or run."""
+"""The choice of rows in the output for programs.
+
+For each explorer there is one row for each size, for each world, or for each run.
+"""
 
 
 Total = TypeVar("Total", bound=units.Sum)
@@ -46,9 +49,9 @@ def gather(
     kept: KeptUnits = NOTHING_KEPT,
     extent: classes.Extent | None = None,
 ) -> None:
-    """Add the results of all units to ``total``; the listener is told of each part.
+    """Do all units ``undone``, and add their results to ``total``.
 
-    A unit that is whole is added to ``kept``.
+    The listener hears of each part of a result.  A finished unit is added to ``kept``.
 
     Raises:
         TimeIsUp: when the time limit has been reached; ``total`` holds the results so far.  If no
@@ -95,8 +98,8 @@ class Sweep(ABC, Generic[Total, Answer]):
         verb: the study's name on the command line.
         request_type: the class of its requests.
         result: the class of its results, if its constructor needs no arguments.
-        finer: the number of further decisions that make a unit.
-        narrowed: the extent whose condition is asked again in fresh processes.
+        finer: the number of decisions by which prefixes of units are longer than usual.
+        narrowed: the extent whose condition is checked in fresh processes.
         portion: the part of the units that is done.
         seconds: the seconds that each finished level took.
         deadline: the end of the time limit, on the monotonic clock; or None.
@@ -121,7 +124,7 @@ class Sweep(ABC, Generic[Total, Answer]):
     def known(
         cls, identity: Identity, portion: units.Shard, listener: Listener
     ) -> "Sweep[Any, Any]":
-        """Return the sweep of a job or of a shard of it, without loading an explorer."""
+        """Return the sweep of the job with this identity, for a portion; load no explorer."""
         return cls(cls.request_of(identity, portion, listener))
 
     @classmethod
@@ -150,11 +153,11 @@ class Sweep(ABC, Generic[Total, Answer]):
         )
 
     def parameters(self) -> dict[str, Any]:
-        """Return everything but the explorer on which the report depends; default: all options."""
+        """Return all that the report depends on, except the explorer; by default all options."""
         return requests.meant(self.request)
 
     def explorer(self) -> dict[str, Any]:
-        """Return the data of the explorer; default: there is none."""
+        """Return the data that identify the explorer; by default there is no explorer."""
         return {"name": ""}
 
     def levels(self) -> Iterable[units.SweptLevel]:
@@ -166,7 +169,7 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     @abstractmethod
     def ready(self) -> ReadyEngine:
-        """Return the engine of a unit, and its transport."""
+        """Return the engine that does units, and the transport that brings units to it."""
 
     def empty(self) -> Total:
         """Return an empty result, to which the results of units are added."""
@@ -180,14 +183,20 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     @abstractmethod
     def finish(self, level: units.SweptLevel, total: Total) -> outcome.Ending | None:
-        """Use a finished level; if an ending is returned, the job ends with this level."""
+        """Use the result ``total`` of a finished level.
+
+        If an ending is returned, the job ends with this level.
+        """
 
     @abstractmethod
     def report(self, ending: outcome.Ending) -> Answer:
         """Return the report of all finished levels."""
 
     def ended(self, ending: outcome.Ending, extent: classes.Extent | None = None) -> dict[str, Any]:
-        """Return the keywords of every report; ``extent`` is for a sweep that holds no extent."""
+        """Return the arguments that every report gets: its ending, its request and its extent.
+
+        ``extent`` is given if the sweep itself holds no extent.
+        """
         asked = doc.replace(requests.without_effort(self.request), listener=NOBODY)
         return {"ending": ending, "request": asked, "extent": extent or self.extent}
 
@@ -196,19 +205,22 @@ class Sweep(ABC, Generic[Total, Answer]):
         return None
 
     def leave(self, level: units.SweptLevel, total: Total) -> None:
-        """Use the finished units of an unfinished level; by default they are dropped."""
+        """Use the result of the finished units of an unfinished level; by default drop it."""
 
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
-        """Do the work after the last level; return the new ending, if it has changed."""
+        """Do the work after the last level; return a new ending, or None to keep the ending."""
 
     def costs(self, total: Total) -> Iterable[tuple[int, int, int]]:  # noqa: ARG002  # none
-        """Return triples: edges, vertices, and the largest cost of the worlds of this size."""
+        """Return triples: edges, vertices, and the largest cost in worlds of this size.
+
+        By default there are none.
+        """
         return ()
 
     # ------------------------------------------------------------ what a sweep does
 
     def answer(self, run: str | Path | None) -> Answer:
-        """Return the report; finished units are kept in the directory, if one is named.
+        """Do the job, and return its report; keep finished units in the directory, if one is named.
 
         Raises:
             InputError: if the directory is of another job, in use, damaged, or not writable.
@@ -225,7 +237,7 @@ class Sweep(ABC, Generic[Total, Answer]):
             return self._answered(kept, self._from_the_beginning)
 
     def merged(self, kept: KeptUnits) -> Answer:
-        """Return the report of the kept units, which must be all units of the job.
+        """Return the report of a job all of whose units are kept; no unit is done anew.
 
         Raises:
             Gap: if a unit is missing.
@@ -247,7 +259,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         return self._guarded(lambda: self.conclude(ending)) or ending
 
     def _guarded(self, job: Callable[[], outcome.Ending | None]) -> outcome.Ending | None:
-        """Return the ending of a part of the job, or the ending by an interruption."""
+        """Do a part of the job; return its ending, or the ending that an exception of it means."""
         try:
             with limits.models_bounded(self.deadline):
                 return job()
@@ -292,7 +304,11 @@ class Sweep(ABC, Generic[Total, Answer]):
     def _undone(
         self, level: units.SweptLevel, total: Total, drawn: list[units.Unit]
     ) -> Iterable[units.Unit]:
-        """Yield the units that were not finished before; keep a random sample in ``drawn``."""
+        """Yield the units of a level that were not finished before.
+
+        The results of other units are added to the total.  A random sample of all units of the
+        level is put into ``drawn``.
+        """
         for number, unit in enumerate(level.units):
             if level.edges <= SMALL or number < DRAWN:
                 drawn.append(unit)
