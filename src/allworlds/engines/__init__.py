@@ -61,7 +61,7 @@ The modules, in this order; ``protocol.playing`` and ``log`` make and read logs:
 ``user_code_checks``
     checks that the user's conditions and lighthouses give the same answers in fresh processes;
 ``single``
-    single runs, and findings that the same players play again;
+    single runs, and findings that fresh players play again;
 ``prints``, ``linux``
     the prints of explorers, and a stderr whose reader may be gone; system calls of Linux.
 """

@@ -181,7 +181,10 @@ class Across:
             play.end()
 
     def _is_repeated(self, play: _Play, player: Any, lost: Lost) -> bool:
-        """Whether a player is lost again in the same run, played alone or after earlier runs."""
+        """Whether a fresh player is lost, too, in the same run, played alone or after earlier runs.
+
+        If earlier runs cause the loss, the outcome that names them is added to :attr:`found`.
+        """
         position = player.beat[0]
         if player.description is None or not 0 <= position < len(play.order):
             return False
@@ -263,7 +266,7 @@ class Across:
         ]
 
     def _size(self, index: int) -> tuple[Any, ...]:
-        """The key by which findings in these runs are ordered."""
+        """The key by which findings are ordered, for a finding in the run of this index."""
         _, place, world, _ = self.batch.runs[index]
         map_ = world.map
         code = rooted_code(map_.sigma, map_.alpha, world.start)

@@ -1,7 +1,7 @@
-"""Batches, which are some runs of a unit with their logs, and the protocol of their judges.
+"""Batches, and the protocol of judges; a batch holds some runs of a unit, with their logs.
 
-A batch is data, and other modules act on it: a judge makes the batch and judges its logs, the owner
-of the players gives them its runs, and a lane adds its counts to those of the unit.
+A batch is data, and other modules act on it.  A judge makes the batch and judges its logs.  A lane
+gives its runs to players, and adds its counts to the counts of the unit.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -25,7 +25,7 @@ These numbers are also the default hash seeds of the players.
 """
 
 Message: TypeAlias = dict[str, Any]
-"""A message to a player, which marshal can write."""
+"""A message to a player: its parts by their names, such as ``kind`` and ``content``."""
 
 Indices: TypeAlias = Sequence[int]
 """The indices of some runs in their batch."""
@@ -89,7 +89,7 @@ class Work:
     Attributes:
         unit: the unit.
         tally: the counts since the last partial result was returned.
-        batches: the batches that have not been laid out yet; None if there are no more.
+        batches: the iterator over the batches that have not been made yet; None at its end.
         more: the runs that are to be played again, each with its next schedule.
         open: the number of batches that are being played or compared.
         best: by its number, each run and the cost of its cheapest schedule so far, if every
@@ -105,7 +105,7 @@ class Work:
 
 
 class RunBatch:
-    """Some runs of a unit, with their logs once they are judged.
+    """Some runs of a unit, with their logs once players have made these logs.
 
     Attributes:
         by: the judge that has made the batch.
@@ -180,7 +180,7 @@ class RunBatch:
 
 
 class Judge(Protocol):
-    """A judge lays out the runs of a unit, makes messages to players, and judges their logs.
+    """A judge makes batches of the runs of a unit, makes messages to players, and judges logs.
 
     Attributes:
         counter: the counter of the runs, which also holds the scope.

@@ -56,11 +56,12 @@ def level_of(explorer: str, rules: Rules, extent: classes.Extent, edges: int) ->
 
 
 def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
-    """The largest legal costs: item ``[n][d0][D]`` is that of maps with these three numbers.
+    """The largest legal cost for each size of maps, as nested lists.
 
-    They are the number of vertices, the degree of v0 and the largest degree.  If the bound does not
-    depend on one of these degrees, only item 0 exists for it.  Costs are cut to the range from -1
-    to :data:`UNBOUNDED`, which changes no verdict, because each walk costs at least 0.
+    Item ``[n][d0][D]`` is the cost for maps with n vertices, degree d0 of v0 and largest degree D.
+    If the bound does not depend on one of these degrees, the list for this degree has one item.
+    Costs are cut to the range from -1 to :data:`UNBOUNDED`, which changes no verdict, because each
+    walk costs at least 0.
     """
 
     def value(n: int, d0: int, largest: int) -> int:
@@ -78,7 +79,7 @@ def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
 def tally_of(sums: arrays.Sums, unit: LevelUnit, scope: Scope, tally: Tally) -> Tally:
     """Add the kernel's counts to the empty tally, and return it.
 
-    Of the events only loops and parallel edges are added, and no findings.
+    Of the events only loops and parallel edges are counted.  Findings are not added.
     """
     most_expensive = {
         n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in sums.most_expensive
@@ -296,7 +297,7 @@ class CompiledEngine(Struct, frozen=True):
 def load_native() -> None:
     """Load or compile the code that judges logs, and the code that plays libraries.
 
-    The code of the lighthouses is left out, because these players do not need it.
+    The code that makes the lighthouses of worlds is not loaded.
     """
     level = level_of("", Rules(), classes.Extent(classes.MapClass.MAPS, 1), 1)
     with uncollected():

@@ -217,7 +217,7 @@ class CompiledJudge:
     # ---------------------------------------------------------------- its twin
 
     def compare_with(self, batches: Iterable[RunBatch]) -> None:
-        """Compare both judges on the logs of these batches, which are all runs of some units.
+        """Compare both judges on the logs of these batches, which the Python judge has judged.
 
         Raises:
             EnginesDisagree: if the two judges count differently.

@@ -77,7 +77,7 @@ def local_or_dask(
 
 
 class Threads:
-    """A pool of threads; at the end of the context the engine's ``halt()`` stops the work.
+    """The transport to a pool of threads; when its context ends, ``engine.halt()`` stops the work.
 
     Args:
         workers: the number of threads.

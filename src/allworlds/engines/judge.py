@@ -23,7 +23,7 @@ from allworlds.world.world import World
 
 
 class PythonJudge:
-    """The judge in Python of the runs of a scope.
+    """The judge in Python, for the runs of one scope.
 
     Args:
         counter: the counter of the runs, which also holds the scope.

@@ -136,7 +136,7 @@ class Lane:
             self._across.close()
 
     def _done(self) -> list[units.PartialResult]:
-        """The results of the finished units, and at intervals the counts of the others so far."""
+        """The results of the finished units; at intervals also the counts of unfinished units."""
         late = bool(self.given_up) or time.monotonic() > self._reported + tally.REPORT_EVERY
         parts = list[units.PartialResult]()
         for work in [*self._works]:

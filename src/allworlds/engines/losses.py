@@ -7,8 +7,8 @@
     the fresh player is not lost, in all other cases        a remark: it refutes nothing
     ======================================================  ====================================
 
-Once a fresh player has repeated a loss by a law, further losses by that law break the law without
-another play.  A remark is a line of the report that refutes nothing.
+Once a fresh player has repeated a loss by a law, the run of each further loss by that law breaks
+the law, without another play.  A remark is a line of the report that refutes nothing.
 """
 
 from collections import Counter
@@ -41,7 +41,7 @@ class Meaning(Enum):
 
 
 def meaning(lost: Lost, *, again: bool, before: int) -> Meaning:
-    """The meaning of a loss.
+    """The meaning of a loss, by the table of this module.
 
     Args:
         lost: the loss.

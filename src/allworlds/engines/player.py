@@ -127,7 +127,7 @@ def _loaded(setup: dict[str, Any]) -> Subject:
 
 
 class _Server:
-    """The loaded explorer with its beat, which plays batches."""
+    """The answers to the owner's messages, by the loaded explorer; the beat tells its turns."""
 
     def __init__(self, subject: Subject, beat: Any) -> None:
         self._subject, self._beat, self._pid = subject, beat, os.getpid()

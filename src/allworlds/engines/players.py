@@ -50,7 +50,7 @@ NATIVE_MEMORY = 2048
 library, if the user sets no limit."""
 
 RELAYED = 1 << 16
-"""The largest number of bytes that are shown of an explorer's prints while it is loaded."""
+"""The largest number of bytes of an explorer's prints that are shown before it has been loaded."""
 
 _BOOT = (
     "import gc, sys; gc.disable(); sys.path[:] = sys.argv[1:]; del sys.argv[1:]; "
@@ -81,7 +81,10 @@ class Lost(Exception):
 
 
 class Description(NamedTuple):
-    """The description of an explorer: its keywords, and whether it has a shield."""
+    """The description of an explorer: its keywords, and whether it has a shield.
+
+    A shield is a wrapper, as in ``shield:NAME``.
+    """
 
     keywords: frozenset[str]
     has_shield: bool

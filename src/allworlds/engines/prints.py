@@ -57,7 +57,7 @@ def _letters(printed: bytes | bytearray) -> list[tuple[int, str]]:
 
 
 def _fitting(letters: Sequence[tuple[int, str]], room: int) -> tuple[list[str], int]:
-    """The first letters that fit into ``room`` bytes, and the number of the bytes printed for them.
+    """The first letters that fit into ``room`` bytes, and the number of printed bytes they show.
 
     Escaped letters need more room than they had bytes.
     """

@@ -105,7 +105,7 @@ class Database:
         return None if row is None else json.loads(self._sound(f"unit {key}", *row)[3])
 
     def units(self) -> Iterator[tuple[str, int, float, Any]]:
-        """Yield the key, worlds, time and result of each finished unit, in no order."""
+        """Yield the key, the number of worlds, the time and the result of each finished unit."""
         with saying_where(self.path):
             for row in self._connection.execute("SELECT * FROM units"):
                 key, worlds, finished, result, _ = self._sound(f"unit {row[0]}", *row)

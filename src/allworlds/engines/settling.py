@@ -85,7 +85,7 @@ class Settler:
         self.find(batch, outcomes)
 
     def explain_under(self, seed: int, batch: RunBatch, differing: Differing) -> None:
-        """Keep the findings of runs whose second logs differ, which were made under this seed."""
+        """Keep the findings of runs whose two logs differ; the second was made under ``seed``."""
         seeds = self.plays.seeds[FIRST], seed
         self.find(batch, self._explained(batch, differing, seeds))
 
@@ -115,8 +115,8 @@ class Settler:
     def _in_words(self, batch: RunBatch, index: int) -> Outcome:
         """The outcome of a run that compiled code has played, by a new play in Python.
 
-        The log of the new play holds texts for a finding.  If it differs from the first log
-        otherwise, the explorer is nondeterministic.
+        The log of the new play holds texts for a finding.  If the two logs differ in anything
+        else, the explorer is nondeterministic.
         """
         before, batch.plain = batch.outcome(index), True
         (log,), _ = self.plays.alone(FIRST, batch, index)

@@ -137,7 +137,7 @@ def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
 
 
 def subject_of(explore: str | Callable[..., Any], limits: limits.Limits) -> loading.Subject:
-    """The subject for a name or a generator function.
+    """The explorer with this name or this generator function, as a subject.
 
     A named explorer is loaded in another process, so that users' code stays out of this process.
 
@@ -393,9 +393,9 @@ def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: in
 
 
 def _unlike(finding: Finding, again: Log) -> Finding:
-    """The finding changed to one of a nondeterministic explorer, by this log that differs from it.
+    """The finding of a nondeterministic explorer, made because a later play differs from a finding.
 
-    A finding of a loss is not changed, but is not confirmed.
+    ``again`` is the log of the later play.  A finding of a loss is returned as it is, unconfirmed.
     """
     if finding.law in LOST:
         return doc.replace(finding, confirmed=False)

@@ -49,7 +49,7 @@ class AtRun(NamedTuple):
 
 @dataclass(slots=True)
 class Row:
-    """The counts of the worlds with one number of edges and of vertices.
+    """The counts of the worlds with one number of edges and one number of vertices.
 
     Attributes:
         worlds: the number of rooted maps.

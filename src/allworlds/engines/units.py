@@ -261,7 +261,7 @@ class GivenUnit(Struct, frozen=True):
         return (map_ for map_, _ in self.placed(extent, Nothing))
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
-        """The maps of the extent, each with its given place; if none is given, with all."""
+        """The maps of the extent, each with its given place, or with all places without one."""
         for each in self.given:
             if extent.include(each.map):
                 yield from each.placed(kind)
@@ -311,7 +311,7 @@ def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator
 
 
 def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:
-    """The number of rooted maps of a level for each number of vertices, computed without maps.
+    """The number of rooted maps of a level by number of vertices, computed without making maps.
 
     Under a condition for which this cannot be done, the numbers are those of the whole class, which
     are upper bounds.
@@ -413,7 +413,7 @@ class AcrossUnit(Struct, frozen=True):
         return f"{self.edges} across"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
-        """The maps with up to ``edges`` edges, each with all places of such a lighthouse."""
+        """The maps with up to ``edges`` edges, each with all places of this kind of lighthouse."""
         for edges in extent.levels:
             if edges <= self.edges:
                 for unit in units_of_level(extent, edges):
