@@ -63,7 +63,7 @@ class Identity(doc.Document):
 
     @property
     def code(self) -> dict[str, str]:
-        """The texts of the user's code that the job needs, by name, as they were recorded."""
+        """The user's code that the job needs, by name: text of a file, or digest of a module."""
         code: dict[str, str] = self.parameters.get("code", {})
         return code
 
