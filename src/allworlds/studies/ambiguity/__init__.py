@@ -6,23 +6,26 @@ quotient
     The world with each class of darts that no motion tells apart merged into one dart
     (:mod:`allworlds.maps.quotient`).
 ambiguity class
-    All worlds with the same rooted quotient; a world with a class of one member can be
-    mapped.
+    All worlds with the same rooted quotient; a robot can map a world that is the only member
+    of its class.
 pose hypothesis
-    A member of the class and a dart in it, up to automorphisms, at which the robot can be.
+    A member of the ambiguity class, and a dart of this member where the robot can be; darts
+    that an automorphism takes to each other count once.
 bisimulation
     Classes of darts that prove that no motion tells two worlds apart
     (:mod:`allworlds.world.bisimulation`).
 separation
-    Motions that tell two worlds apart.
+    Motions after which a robot senses different percepts in two worlds.
+    coarsening
+        A sensor that tells no more percepts apart than a given one, the finest sensor.
 
 Modules
 -------
 ``members``
-    a bisimulation or a separation of two worlds; the members of a world's class, which are made
-    from the quotient;
+    a bisimulation or a separation of two worlds; the members of a world's ambiguity class,
+    which are made from the quotient;
 ``census_sweep``
-    the census: which of all worlds look alike, under one lighthouse;
+    the census, which finds all worlds of a class of maps that look alike under one lighthouse;
 ``sensed_classes``
     arrays for many worlds of one size, and names that are equal for worlds that look alike;
 ``side_by_side``, ``coarsenings``

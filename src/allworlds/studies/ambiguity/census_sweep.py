@@ -1,4 +1,4 @@
-"""The census of every marked world of a class: which of them look alike."""
+"""The census of a class of maps: which maps with a lighthouse look alike to a robot."""
 
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -73,8 +73,9 @@ class SizeCounts(Struct):
 
     Attributes:
         marked_worlds: the number of maps with a lighthouse, up to isomorphism.
-        ambiguous_worlds: the number of these worlds that have a twin, of any size.
-        classes: the number of classes with two or more members, at least one of these sizes.
+        ambiguous_worlds: the number of these worlds that have a twin, whatever the twin's size.
+        classes: the number of ambiguity classes that have two or more members, of which at least
+            one has one of these sizes.
         largest_class: the number of members of the largest of these classes; 0 if there is none.
     """
 
@@ -84,22 +85,23 @@ class SizeCounts(Struct):
     largest_class: int = 0
 
     def add_class(self, members: int, of: int) -> None:
-        """Add the worlds that are members of a class with ``of`` members, two or more."""
+        """Count ``members`` worlds of these sizes, which are in a class of ``of`` worlds in all."""
         self.ambiguous_worlds += members
         self.classes += 1
         self.largest_class = max(self.largest_class, of)
 
 
 class SensedParts(Struct, forbid_unknown_fields=True):
-    """The worlds of the parts so far, and which of these worlds look alike.
+    """The worlds of some parts of a census, and which of these worlds look alike.
 
     Attributes:
         worlds: the number of rooted maps.
-        sizes: the numbers of edges and vertices of each world, by the world's name.
+        sizes: the numbers of edges and of vertices of each world, by the world's name.
         looks: the name of the smallest world with each look.  A look is a code of all that a robot
             can find out from a start.
         alike: pairs of names of worlds that share a look, the smaller world first.
-        counted: for some looks the number of worlds in the look's class, by Burnside's lemma.
+        counted: for some looks the number of all worlds in the ambiguity class of the worlds with
+            that look, computed by Burnside's lemma.
     """
 
     worlds: doc.Natural
@@ -118,7 +120,10 @@ class SensedParts(Struct, forbid_unknown_fields=True):
             self._meet(look, name)
 
     def meet(self, worlds: arrays.SensedWorlds, *, counted: bool) -> None:
-        """Add worlds with one number of edges; ``counted``: count them by Burnside, too."""
+        """Add worlds that have equally many edges.
+
+        If ``counted``, the sizes of their ambiguity classes are computed by Burnside's lemma, too.
+        """
         edges = worlds.sigma.shape[1] // 2
         for i, (look, name, sheets) in enumerate(arrays.named(worlds)):
             self.sizes[name] = edges, worlds.vertices[i]
@@ -140,7 +145,11 @@ class SensedParts(Struct, forbid_unknown_fields=True):
         return self.sizes[name], name
 
     def classes(self) -> Iterator[list[str]]:
-        """The names of worlds that look alike from some starts, directly or through others."""
+        """Yield each class of two or more worlds, as the list of its members' names.
+
+        Two worlds are in one class if they look alike from some starts, or if a chain of worlds
+        leads from one to the other, in which each world looks like the next one.
+        """
         beside: dict[str, list[str]] = {}
         for one, other in self.alike:
             beside.setdefault(one, []).append(other)
@@ -157,7 +166,7 @@ class SensedParts(Struct, forbid_unknown_fields=True):
                 yield found
 
     def counts(self, name: Callable[[Size], Key]) -> dict[Key, SizeCounts]:
-        """The counts of the worlds, grouped by the key of their size."""
+        """The counts of the worlds, grouped by the key that ``name`` gives to their sizes."""
         found: dict[Key, SizeCounts] = {}
         for size, number in Counter(self.sizes.values()).items():
             found.setdefault(name(size), SizeCounts()).marked_worlds += number
@@ -167,13 +176,16 @@ class SensedParts(Struct, forbid_unknown_fields=True):
         return found
 
     def smallest_pair(self) -> tuple[str, ...]:
-        """The names of the two smallest worlds that look alike from some starts; or empty."""
+        """The names of the two smallest worlds that look alike from some starts.
+
+        Empty if no two worlds look alike.
+        """
         return min(self.alike, key=lambda pair: [*map(self._order, reversed(pair))], default=())
 
     def ensure_counted(self) -> None:
         """Raise Disagreement unless each class has as many worlds as Burnside's lemma counts.
 
-        The lemma counts all maps with one marked vertex that have the same quotient.
+        The lemma counts all maps with one marked vertex that have the quotient of the class.
         """
         members = Counter({one: len(found) for found in self.classes() for one in found})
         for look, counted in self.counted.items():
@@ -208,7 +220,7 @@ class PartBySensing(Struct, frozen=True):
 def batches(
     unit: AnyUnit, extent: classes.Extent, kind: kinds.LighthouseKind
 ) -> Iterator[tuple[int, list[arrays.Placed]]]:
-    """Yield the worlds of a unit in batches, each with the number of its maps.
+    """Yield the worlds of a unit in batches, each with the number of rooted maps in the batch.
 
     There is at least one batch, which may be empty.
     """
@@ -255,7 +267,10 @@ class CensusRow(doc.Document, kw_only=True):
     counted: doc.NotInDocument[int]
 
     def agrees(self, *, whole: bool) -> bool:
-        """Whether the number of rooted maps is the source's count; for a shard, at most that."""
+        """Whether the number of rooted maps is the count of the independent source.
+
+        A shard, for which ``whole`` is false, agrees if it has no more maps than the source counts.
+        """
         return self.rooted == self.counted if whole else self.rooted <= self.counted
 
 
@@ -381,7 +396,7 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         pair = self._compared(self._met.smallest_pair()) if whole else None
 
         def shown(counts: SizeCounts) -> dict[str, int]:
-            """The counts; for a shard only the count that does not depend on other shards."""
+            """The counts as keys of a row; of a shard, only the count that needs no other shard."""
             return asdict(counts) if whole else {"marked_worlds": counts.marked_worlds}
 
         return AmbiguityCensus(
@@ -404,7 +419,10 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         )
 
     def _compared(self, names: tuple[str, ...]) -> ComparedWorlds | None:
-        """The two worlds with these names, with the proof that no motion tells them apart."""
+        """The two worlds with these names, with the proof that no motion tells them apart.
+
+        None if no names are given.
+        """
         found: dict[str, dict[str, World]] = {}
         for edges in sorted({self._met.sizes[name][0] for name in names}):
             for unit in units.units_of_level(self.extent, edges):

@@ -16,13 +16,14 @@ Clause: TypeAlias = tuple[Literal, ...]
 
 
 class Block(Struct, frozen=True):
-    """Consecutive variables, one for each index within a shape.
+    """Consecutive variables of a formula, one for each index, or for each pair of indices.
 
     Attributes:
-        name: for example ``sigma1``.
-        first: the variable of index 0, or ``(0, 0)``.
-        shape: the numbers of indices, one or two; the last index runs fastest.
-        meaning: what the variable of an index means, as a sentence about ``[x][y]``.
+        name: the name of the block, for example ``sigma1``.
+        first: the variable of index 0, or of the pair ``(0, 0)``.
+        shape: the number of indices; for pairs, the numbers of first and of second indices.  The
+            variables with one first index are consecutive.
+        meaning: what it means that a variable is true, as a sentence about its indices x and y.
     """
 
     name: str
@@ -54,7 +55,7 @@ class Formula:
         title: the statement of the formula, line by line.
         blocks: the blocks of variables, in the order in which they were made.
         variable_count: the number of variables in all blocks.
-        clauses: a list of tuples of literals.
+        clauses: the clauses; each is a tuple of literals, a variable or its negative.
     """
 
     def __init__(self, title: Sequence[str] = ()) -> None:
@@ -65,7 +66,7 @@ class Formula:
         self._sections: list[tuple[int, str]] = []
 
     def block(self, name: str, shape: tuple[int, ...], meaning: str) -> Block:
-        """Return new variables of a shape."""
+        """Add a block of new variables to the formula, and return the block."""
         block = Block(name, self.variable_count + 1, shape, meaning)
         self.blocks.append(block)
         self.variable_count += prod(shape)

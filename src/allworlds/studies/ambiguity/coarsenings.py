@@ -1,4 +1,8 @@
-"""The weakest sensors: of all coarsenings of a finest sensor the minimal ones that suffice."""
+"""The weakest sensors: of all coarsenings of a finest sensor the minimal ones that suffice.
+
+A coarsening is a sensor that tells no more percepts apart than the finest one.  It suffices if no
+two worlds with different rooted maps look alike under it.
+"""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import KW_ONLY, dataclass
@@ -104,7 +108,7 @@ class Coarser(base.Lighthouse):
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[base.Lighthouse]:  # noqa: ARG003
-        """Yield none: coarser sensors are made from places of the finest one."""
+        """Yield no lighthouse: each is made from a lighthouse of the finest sensor instead."""
         yield from ()
 
     @override
@@ -133,7 +137,10 @@ class FinestLevel(NamedTuple):
     roots: list[int]
 
     def looks(self, letters: Letters, indices: Sequence[int]) -> Iterator[bytes]:
-        """The codes of some worlds under a coarsening; worlds that look alike have equal codes."""
+        """The codes, under a coarsening, of the worlds with these indices.
+
+        Two worlds that look alike have equal codes.
+        """
         import numpy as np
 
         some = self.arrays.chosen(indices)
@@ -147,7 +154,7 @@ AtLevel: TypeAlias = tuple[int, int]
 
 
 def partitions(count: int) -> list[Letters]:
-    """Every coarsening of ``count`` features, fewest letters first."""
+    """Every coarsening of a sensor with ``count`` features, ascending by number of letters."""
     found: list[Letters] = [()]
     for _ in range(count):
         found = [(*one, letter) for one in found for letter in range(max(one, default=-1) + 2)]
@@ -166,14 +173,20 @@ def lower(letters: Letters) -> list[Letters]:
 
 
 class Refuter:
-    """A search for two worlds that look alike under a coarsening, first in pairs found before."""
+    """A search for two worlds that look alike under a coarsening.
+
+    The worlds that refuted earlier coarsenings are tried first, then all worlds.
+    """
 
     def __init__(self, levels: Sequence[FinestLevel]) -> None:
         self.levels, self.tried = levels, 0
         self.pairs = dict[tuple[AtLevel, AtLevel], None]()
 
     def pair(self, letters: Letters) -> tuple[AtLevel, AtLevel] | None:
-        """Return two worlds that look alike, with different rooted maps; None if none do."""
+        """Return two worlds with different rooted maps that look alike; None if there are none.
+
+        Each world is given as the index of its level, and its index there.
+        """
         known = sorted({index for pair in self.pairs for index in pair})
         if pair := self._alike(letters, known):
             return pair
@@ -185,7 +198,7 @@ class Refuter:
         return pair
 
     def _alike(self, letters: Letters, worlds: Sequence[AtLevel]) -> tuple[AtLevel, AtLevel] | None:
-        """The first two of these worlds, in their order, that look alike."""
+        """The first two of these worlds with different rooted maps that look alike, or None."""
         first: dict[bytes, AtLevel] = {}
         for i, level in enumerate(self.levels):
             indices = [index for number, index in worlds if number == i]
@@ -269,7 +282,7 @@ def _features(kind: kinds.LighthouseKind) -> tuple[str, ...]:
 def _levels(
     request: WeakestRequest, kind: kinds.LighthouseKind, count: int
 ) -> Iterator[FinestLevel]:
-    """The levels, each with every world.
+    """The levels that have worlds, each with all its worlds.
 
     Raises:
         InputError: if a robot senses or is told anything but the number of a feature.

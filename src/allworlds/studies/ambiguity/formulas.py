@@ -27,12 +27,15 @@ DIFFERENT = "the codes differ, and the first is the smaller one"
 
 
 class Pair(Struct, frozen=True):
-    """The variables of two worlds.
+    """The variables of two worlds, and the question that they are to answer.
 
     Attributes:
+        question: the question of the search.
         one, two: the variables of the maps, rooted at the starts.
-        pointed: for each world ``[x]``: dart x is a reference dart; empty without reference darts.
-        letters: for each world ``[x, l]``: dart x has letter l; empty without letters.
+        pointed: a block for each world; its variable x says whether dart x is a reference dart.
+            Empty if the robot senses no bearing.
+        letters: a block for each world; its variable ``[x, l]`` says whether dart x has the l-th
+            letter.  Empty if the lighthouse has no letters.
     """
 
     question: Question
@@ -42,7 +45,11 @@ class Pair(Struct, frozen=True):
     letters: tuple[Block, ...] = ()
 
     def signs(self, x: int, y: int) -> list[tuple[Literal, Literal]]:
-        """For each mark two literals: dart x of the first world has it, dart y of the second."""
+        """Two literals for each kind of mark.
+
+        The first says that dart x of the first world has the mark, the second that dart y of the
+        second world has it.
+        """
         if self.letters:
             one, two = self.letters
             return [(one[x, letter], two[y, letter]) for letter in range(one.shape[1])]
@@ -80,7 +87,7 @@ def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, Pair]:
 
 
 def world_formula(question: Question, sizes: Sizes) -> Formula:
-    """The formula 'one world of the second size, with the walk'; a model is such a world."""
+    """The formula 'one world of the second size, in which the walk senses what is asked'."""
     formula = Formula(_title(question, sizes))
     _walk(formula, question, one_world(formula, "1", sizes.two, question))
     return formula
@@ -92,7 +99,10 @@ def _title(question: Question, sizes: Sizes) -> list[str]:
 
 
 def _reference_darts(formula: Formula, name: str, where: Where, world: OneWorld) -> Block:
-    """Require exactly one reference dart at every vertex, or at v0 alone."""
+    """Require exactly one reference dart at every vertex, or at v0 alone; return its block.
+
+    The variable x of the block says whether dart x is a reference dart.
+    """
     darts, most = world.size.darts, world.size.most
     pointed = formula.block(f"pointed{name}", (darts,), "x is a reference dart")
     formula.section(f"world {name} has its reference darts")
@@ -115,7 +125,12 @@ def _reference_darts(formula: Formula, name: str, where: Where, world: OneWorld)
 def _letters(
     formula: Formula, name: int, words: Mapping[int, tuple[int, ...]], world: OneWorld
 ) -> Block:
-    """Require the letters of v0's word at v0, with the start at bearing 0, and none elsewhere."""
+    """Require the letters of v0's word at the darts of v0, and no letters elsewhere.
+
+    ``words`` has a word for each degree that v0 can have: its letters at the bearings 0, 1 and so
+    on.  The start is at bearing 0.  The variable ``[x, l]`` of the block that is returned says
+    whether dart x has the l-th letter.
+    """
     found, (darts, degrees) = sorted({*chain(*words.values())} - {0}), world.degree.shape
     meaning = f"x has one of {','.join(map(str, found))}"
     has = formula.block(f"letter{name}", (darts, len(found)), meaning)
@@ -200,7 +215,7 @@ def forbid_other_start(formula: Formula, pair: Pair, start: int) -> None:
     If a vertex is marked, this is required only for a ``start`` at v0.  Let F number the second
     map's darts from ``start`` on, in the order that the first map's numbering prescribes.  Then F
     must fail to carry the first map's sigma, alpha or reference darts to the second map's.  For
-    ``start`` 0 the codes require this already.
+    ``start`` 0 this is so already, since the codes differ.
     """
     one, two, darts = pair.one, pair.two, range(pair.one.size.darts)
     shape = (len(darts), len(darts))

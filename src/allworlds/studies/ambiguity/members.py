@@ -1,7 +1,8 @@
 """Worlds that look alike: the comparison of two worlds, and all members of a class.
 
 A bisimulation proves that no motion tells two worlds apart; a walk proves that motions do.  The
-members of a class are lifts of a quotient, each named by its code.
+members of an ambiguity class are the maps with the quotient of the class; each is named by its
+code.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -155,7 +156,11 @@ def separation(a: World, b: World) -> tuple[int, ...]:
 
 
 def replayed(a: World, b: World, motions: Sequence[int]) -> str | None:
-    """The reason why the percepts do not first differ after the last motion; None if they do."""
+    """Play motions in two worlds; return what is wrong with them as a proof, or None.
+
+    They prove that the worlds can be told apart, and none of them can be left out at the end, if
+    the percepts are equal before the last motion and differ after it.
+    """
     one, other = sensed(a, motions), sensed(b, motions)
     if one[-1] == other[-1]:
         return "the last percepts are equal"
@@ -163,7 +168,7 @@ def replayed(a: World, b: World, motions: Sequence[int]) -> str | None:
 
 
 def ensure_motions_decide(kind: LighthouseKind, why: str) -> None:
-    """Raise InputError, with the reason ``why``, if the robot can leave marks itself."""
+    """Raise InputError, with the reason ``why``, if the robot can leave marks under this kind."""
     if kind.as_class.leaves_marks:
         standing = ", ".join(name for name, own in LIGHTHOUSES.items() if not own.leaves_marks)
         raise InputError(
@@ -194,7 +199,7 @@ class ClassRequest(ListenerOptions, ClassOptions, kw_only=False):
 
 
 class LeastRooting(NamedTuple):
-    """The least code among some rootings of a map, and the number of rootings that have it."""
+    """The least code among some rootings of a map, and the number of rootings with this code."""
 
     code: Code
     times: int
@@ -222,7 +227,7 @@ _Kind: TypeAlias = Callable[[Sequence[Permutation]], Iterator[Permutation]]
 
 
 def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
-    """Maps with this quotient, one for each way to permute the sheets.
+    """Yield the maps with this quotient, one for each way to permute the sheets.
 
     Dart ``q * k + i`` of a map lies over class q, in sheet i.  Sigma changes the sheet only at the
     last class of a vertex, alpha only at edges outside a spanning tree.  The same marked map
@@ -258,7 +263,15 @@ def _lift(quotient: Quotient, choice: Iterator[Permutation]) -> CombinatorialMap
 
 
 def _permute(map_: list[Dart], k: int, q: int, to: int, moved: Sequence[int]) -> None:
-    """Map the darts over class q to the darts over class ``to``; ``moved`` permutes the sheets."""
+    """Let a permutation of darts take the darts over class q to those over class ``to``.
+
+    Args:
+        map_: the permutation of the darts, which is changed.
+        k: the number of sheets.
+        q: the class of the darts.
+        to: the class of the images.
+        moved: for each sheet of a dart the sheet of its image.
+    """
     map_[q * k : (q + 1) * k] = [to * k + i for i in moved]
 
 
@@ -289,7 +302,7 @@ def uniform_permutations(k: int, b: int) -> Iterator[Permutation]:
 def _choices(kinds: Sequence[_Kind]) -> Iterator[tuple[tuple[int, ...], ...]]:
     """Every combination with one option of each kind, in lexicographic order.
 
-    Each kind is given the options chosen before.
+    A kind is a function: from the options that were chosen of earlier kinds it makes its options.
 
     Unlike a product this stores nothing, and unlike a recursion it takes thousands of kinds.
     """
@@ -329,7 +342,7 @@ class SensedQuotient(doc.Document):
 
     @classmethod
     def of(cls, quotient: Quotient) -> Self:
-        """Return a quotient whose labels are percepts as part of a document."""
+        """Return the part of a document that tells a quotient, whose labels must be percepts."""
         marks = tuple(label.marks for label in quotient.labels if isinstance(label, Percept))
         return cls(sigma=quotient.sigma, alpha=quotient.alpha, degree=quotient.degree, marks=marks)
 
@@ -373,7 +386,7 @@ class AmbiguityClass(Report):
 
     @property
     def left_out(self) -> str | None:
-        """A remark on the worlds that are not listed; None if all are."""
+        """A remark on the worlds that are not listed; None if all worlds are listed."""
         if self.listed == self.size:
             return None
         return (
@@ -454,7 +467,11 @@ def _checked(world: World, limit: int, universe: MapClass) -> None:
 
 
 def _members(quotient: Quotient, limit: int, own: LeastRooting) -> dict[Code, LeastRooting]:
-    """The members by their codes; if the limit is exceeded, the given world and first others."""
+    """The members of a class by their codes.
+
+    If there are more than ``limit``, only the given world, whose code is in ``own``, and the first
+    other members.
+    """
     alike = range(quotient.sheets)  # the darts of a lift that lie over class 0
     found: dict[Code, LeastRooting] = {}
     for lift in lifts(quotient):
@@ -468,7 +485,11 @@ def _members(quotient: Quotient, limit: int, own: LeastRooting) -> dict[Code, Le
 
 
 def _check_complete(quotient: Quotient, found: dict[Code, LeastRooting], own: LeastRooting) -> None:
-    """Raise Disagreement unless three counts of the class agree and the world is a member."""
+    """Raise Disagreement unless all members of the class have been found.
+
+    Their number must be that of Burnside's lemma, their poses must be as many as are counted in
+    another way, and the given world must be one of them.
+    """
     size, poses, weighed = class_size(quotient), pose_count(quotient), _poses(quotient, found)
     if len(found) != size or poses != weighed or own.code not in found:
         raise Disagreement(
@@ -478,7 +499,10 @@ def _check_complete(quotient: Quotient, found: dict[Code, LeastRooting], own: Le
 
 
 def _poses(quotient: Quotient, found: dict[Code, LeastRooting]) -> int:
-    """Number of poses by the mass formula: the sum of k / |Aut(world, v0)|."""
+    """Number of poses by the mass formula: the sum of k / |Aut(world, v0)| over the members.
+
+    k is the number of sheets, and Aut(world, v0) are the automorphisms that fix v0.
+    """
     return sum(quotient.sheets // rooting.times for rooting in found.values())
 
 

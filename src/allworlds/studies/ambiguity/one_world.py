@@ -15,7 +15,7 @@ from allworlds.studies.ambiguity.question import Question, Size
 
 
 class OneWorld(Struct, frozen=True):
-    """The variables of one rooted map; dart 0 is the root, vertex 0 is the root's.
+    """The variables of one rooted map; dart 0 is the root, vertex 0 is the vertex of the root.
 
     :func:`one_world` gives their meanings.  Vertices are numbered in order of their first darts.
     """
@@ -31,11 +31,14 @@ class OneWorld(Struct, frozen=True):
     offset: Block
 
     def step(self, t: int, y: int) -> int:
-        """The variable for: the value found in step t is y."""
+        """The variable that says that the value found in step t is y."""
         return (self.alpha if t % 2 else self.sigma)[t // 2, y]
 
     def has_degree(self, x: int, degree: int) -> Clause:
-        """The part of a clause for: the vertex of x has this degree; empty if that cannot be."""
+        """The literal that the vertex of dart x has this degree, as a part of a clause.
+
+        Empty if no vertex can have this degree.
+        """
         return (self.degree[x, degree],) if degree < self.degree.shape[1] else ()
 
 
@@ -132,14 +135,17 @@ def _vertices(formula: Formula, world: OneWorld) -> None:
 
 
 def _constant(formula: Formula, step: Block, here: Block, there: Block) -> None:
-    """Require: if dart x has a label in ``here``, then ``step(x)`` has this label in ``there``."""
+    """Require that, if dart x has a label in ``here``, ``step(x)`` has this label in ``there``."""
     labels = range(here.shape[1])
     for x, y in product(*map(range, step.shape)):
         formula.clauses += [(-step[x, y], -here[x, v], there[y, v]) for v in labels]
 
 
 def _in_order(formula: Formula, label: Block, used: Block) -> None:
-    """Require labels in the order of their first darts; ``used[x, v]``: v is a label up to x."""
+    """Require that labels are numbered in the order of the first darts that have them.
+
+    The variable ``used[x, v]`` says that one of the darts 0 to x has label v.
+    """
     formula.section(f"{label.name} is numbered in the order of first darts")
     formula.add(label[0, 0])
     for x, v in product(*map(range, label.shape)):
@@ -198,7 +204,8 @@ def _simple(formula: Formula, world: OneWorld, name: str) -> None:
 def _planar(formula: Formula, world: OneWorld, name: str) -> None:
     """Require ``n + f >= m + 2``.
 
-    No map has more faces, so different faces have different labels.
+    f is the number of labels of faces, one label for each face.  No map has more than
+    ``m + 2 - n`` faces, so the map is planar, and different faces have different labels.
     """
     size, darts = world.size, world.size.darts
     most_faces = size.edges + 2 - size.fewest

@@ -1,4 +1,4 @@
-"""Checkers of proofs that a formula has no model, by this package's solver or another program.
+"""Checkers of the proofs, written by a solver, that a formula has no model.
 
 They share no code with the modules that make or solve formulas.  :func:`check_lrat` checks LRAT;
 :func:`lrat_of_drat` is a forward checker of DRAT by unit propagation, which returns LRAT.

@@ -30,7 +30,7 @@ from allworlds.world.selection import TRIED_EDGES, tried_kind
 
 
 def motion_list(text: str) -> tuple[int, ...]:
-    """The motions of a text, integers with commas between; negative ones too."""
+    """The motions that a text names: integers, which may be negative, with commas between."""
     if not re.fullmatch(r"-?[0-9]{1,3}(,-?[0-9]{1,3})*", text):
         raise InputError(f"motions {show(text)} are not integers of up to 3 digits with commas")
     return tuple(int(part) for part in text.split(","))
@@ -149,7 +149,7 @@ class Question(Struct, frozen=True, dict=True):
     Attributes:
         lighthouse: the kind of the lighthouse.
         map_class: the class of both maps.
-        vertices, edges: the most vertices, and edges, of each world.
+        vertices, edges: the largest numbers of vertices and of edges of each world.
         degree_marked: the degree of v0, the vertex of the start; None: any.
         degree_others: the degree of all other vertices; None: any.
         walk: a walk from the start, with its percepts, which are the same in both worlds.
@@ -178,9 +178,10 @@ class Question(Struct, frozen=True, dict=True):
 
     @cached_property
     def words(self) -> Mapping[int, tuple[int, ...]]:
-        """The letters at bearings 0, 1, ... for each degree of v0; empty without letters.
+        """The letters at bearings 0, 1, ... for each degree of v0; empty for kinds without letters.
 
-        They are the marks at the hub of a star under the lighthouse at its first place.
+        They are the marks that a robot senses at the hub of a star, a map in which every edge leads
+        from the hub to a vertex of degree 1, under the lighthouse at its first place.
         """
         stars = [named_map(f"star-{d}") for d in range(1, 2 * self.edges + 1)]
         none = self.lighthouse in SEARCHED
@@ -244,7 +245,7 @@ def letters_at(placed: base.Lighthouse, map_: combinatorial.CombinatorialMap) ->
 
 
 def _ensure_at_v0(question: Question) -> None:
-    """Raise InputError if a robot senses anything but the letters at v0 in some small map."""
+    """Raise InputError if in a small map a robot senses more than degrees and letters at v0."""
     most = min(question.edges, TRIED_EDGES)
     for map_ in (map_ for edges in range(1, most + 1) for map_ in rooted_maps(edges)):
         for placed in question.kind.places(map_, 0):

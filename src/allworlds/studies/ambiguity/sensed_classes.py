@@ -84,7 +84,7 @@ def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
 
 
 def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
-    """The kernel's name of a lighthouse, if the kernel is to make the worlds; else empty.
+    """The name of a lighthouse in compiled code, if that code is to make the worlds; else empty.
 
     Lighthouses with letters have the name of ``Door``.
     """
@@ -97,7 +97,10 @@ def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
 
 @lru_cache(16)
 def _room(edges: int, thread: int) -> tuple[Any, ...]:  # noqa: ARG001  # each has its own
-    """The memory of compiled code: a job, a robot that stands still, and the worlds."""
+    """Arrays for the compiled code: its job, its robot, which stands still, and the worlds.
+
+    There are two arrays of worlds: one has an entry for each world, one for each dart of a world.
+    """
     from allworlds.engines.kernel import arrays
 
     made = arrays.Stretch.of(edges)
@@ -107,7 +110,10 @@ def _room(edges: int, thread: int) -> tuple[Any, ...]:  # noqa: ARG001  # each h
 def laid_out(
     unit: LevelUnit, extent: Extent, kind: type[Lighthouse]
 ) -> Iterator[tuple[int, SensedWorlds]]:
-    """Yield batches of a unit's worlds, made by compiled code, each with its number of maps."""
+    """Yield batches of a unit's worlds, made by compiled code.
+
+    With each batch comes the number of the rooted maps in it, maps without a place included.
+    """
     import numpy as np
 
     from allworlds.engines.kernel import arrays, engine
@@ -141,7 +147,10 @@ def laid_out(
 
 
 def _labelled(worlds: SensedWorlds, first: Matrix) -> SensedWorlds:
-    """The worlds with a label at each vertex: the vertex's number in canonical order."""
+    """The worlds with a label at each vertex: the vertex's number in canonical order.
+
+    ``first`` has for each dart the least dart of its vertex.
+    """
     import numpy as np
 
     at, degree = np.broadcast_to(np.arange(first.shape[1]), first.shape), worlds.sensed
@@ -195,7 +204,7 @@ def numbered(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> tuple[Matrix, M
 
     The class of the world's root has number 0.  Then, for each numbered class in turn, the class to
     which sigma leads gets the next number if it has none, and so does that to which alpha leads.
-    ``of`` has the class of each dart.
+    ``of`` has the class of each dart, ``roots`` the root of each world.
 
     Cost: O(m) a world.
     """

@@ -1,4 +1,4 @@
-"""Sensors side by side: the first failure of each, and which sensor tells more than another."""
+"""Sensors side by side: the first worlds that look alike under each, and which tells more."""
 
 from collections.abc import Hashable, Sequence
 from itertools import permutations
@@ -270,7 +270,9 @@ def sensors(*lighthouses: kinds.GivenLighthouse, **asked: Any) -> AmbiguitySenso
 def worlds_of_level(
     request: ListenerOptions, extent: classes.Extent, edges: int, kind: kinds.LighthouseKind
 ) -> list[list[Placed]]:
-    """The worlds of a level, in batches; the number of their maps is checked.
+    """The worlds of a level, in batches.
+
+    The number of their rooted maps is compared with that of an independent source.
 
     Raises:
         Disagreement: if the independent source gives another number of maps.

@@ -42,7 +42,9 @@ UNKNOWN = SolverAnswer("unknown")
 
 
 def has_model_without(formula: Path, requirement: str) -> bool:
-    """Whether z3 finds a model of the formula in a file after one requirement is left out.
+    """Whether z3 finds a model of the formula in a file without the clauses of one section.
+
+    ``requirement`` is the text of the section.
 
     Raises:
         ValueError: if the formula has no such section.
@@ -83,14 +85,17 @@ def python_sat_is_installed() -> bool:
 
 
 def solve_with_python_sat(formula: Path, proof: Path, deadline: float | None) -> SolverAnswer:
-    """The answer of python-sat's CaDiCaL; if it is unsat, a DRAT proof is in ``proof``."""
+    """The answer of python-sat's CaDiCaL.
+
+    If the formula has no model, a DRAT proof is written to the file ``proof``.
+    """
     return _solve_with_process([sys.executable, "-m", __name__], formula, proof, deadline)
 
 
 def solve_here(formula: str, proof: str) -> None:
     """Solve the DIMACS file by python-sat, and print the verdict as solvers do.
 
-    When unsat, write a DRAT proof.
+    If the formula has no model, write a DRAT proof.
     """
     from pysat.formula import CNF
     from pysat.solvers import Cadical153
@@ -129,7 +134,10 @@ class ExternalSolver(Struct, frozen=True):
             )
 
     def solve(self, formula: Path, proof: Path, deadline: float | None) -> SolverAnswer:
-        """The program's answer; if it is unsat, an LRAT proof is in ``proof``."""
+        """The program's answer.
+
+        If the formula has no model, an LRAT proof is written to the file ``proof``.
+        """
         command = [self.path, "-q", "--lrat", "--no-binary"]
         return _solve_with_process(command, formula, proof, deadline)
 

@@ -150,7 +150,7 @@ class SearchResult(EndedReport, kw_only=True):
 
 
 def bisimulation(a: World, b: World) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """The classes of the darts of ``a`` and of ``b``, numbered as they occur among those of ``a``.
+    """The classes of the darts of ``a`` and of ``b``, numbered in the order of the darts of ``a``.
 
     The classes are the finest ones such that the starts share a class, and sigma and alpha map
     classes to classes.  It is not checked that the darts of a class have equal percepts.
@@ -173,7 +173,8 @@ def decoded(pair: formulas.Pair, model: frozenset[int]) -> Twins:
     """The two worlds of a model, which is given as the set of its true variables.
 
     Raises:
-        RuntimeError: if the worlds do not fit the question: the formula or the solver is wrong.
+        RuntimeError: if the worlds do not fit the question, so that the formula or the solver is
+            wrong.
     """
     question, pointed = pair.question, pair.pointed or (None, None)
     try:
@@ -323,7 +324,10 @@ class _TwinsSearch(Struct):
         return self._result("unsat", certificate=self.directory if complete else None)
 
     def _decide(self, sizes: Sizes) -> Searched:
-        """Solve for two sizes; exclude, one by one, pairs that are one map with two starts."""
+        """Solve the formula of two sizes.
+
+        A pair that is one map with two starts is excluded, and the formula is solved again.
+        """
         began = monotonic()
         formula, pair = formulas.pair_formula(self.question, sizes)
         path = self.directory / f"{sizes.name}.cnf"
@@ -369,7 +373,7 @@ class _TwinsSearch(Struct):
         return True
 
     def _fewer_vertices(self, sizes: Sizes, twins: Twins) -> Twins:
-        """A pair with the fewest vertices, among all pairs with these numbers of edges."""
+        """Twins with the fewest vertices, among all twins that have as many edges as ``twins``."""
         counts = [world.map.vertex_count for world in twins.pair]
         one, two = (doc.replace(size, most=n) for size, n in zip(sizes, counts, strict=True))
         less, less_too = (doc.replace(size, most=size.most - 1) for size in (one, two))
@@ -416,7 +420,7 @@ class _TwinsSearch(Struct):
         return False
 
     def _prove(self) -> bool:
-        """Add checked LRAT proofs, made from python-sat's DRAT; return whether all levels have one.
+        """Add checked LRAT proofs, made from DRAT proofs; return whether all formulas have a proof.
 
         One notice for each reason names the formulas that have no proof.
         """
@@ -433,7 +437,7 @@ class _TwinsSearch(Struct):
         return not missing
 
     def _write_proof(self, formula: Path) -> str:
-        """The reason why there is no proof; empty if one was written."""
+        """Write a checked LRAT proof of a formula; return why there is none, or an empty text."""
         if not python_sat_is_installed():
             return f"{INSTALL.format('proofs')}, or name a CaDiCaL 2 with --solver"
         drat = formula.with_suffix(".drat")
