@@ -1,8 +1,9 @@
 """Every schedule and every choice of the adversary in one world, as a graph of configurations.
 
-A configuration is the state of the world with one mind for each robot.  The search is breadth
-first, so the first finding is a shortest one.  Schedules that differ only by the order of
-independent steps lead to the same configuration.
+A configuration is the state of the world with one mind for each robot: all that the robot's program
+remembers, and the action that is due.  The search is breadth first, so the first finding is a
+shortest one.  A layer holds the new configurations that one more step reaches.  Schedules that
+differ only by the order of independent steps lead to the same configuration.
 """
 
 from __future__ import annotations
@@ -35,7 +36,8 @@ class Ends(Struct):
         count: the number of configurations in which a run ends.
         longest: the largest number of activations of a robot in a run that ends.
         cut_off: the number of configurations in which the budget cuts a run off.
-        shortest: the first configuration in which it does; -1: none.
+        shortest: the number of the first configuration in which the budget cuts a run off; -1:
+            there is none.
     """
 
     count: int = 0
@@ -56,7 +58,7 @@ class Search:
         world: the model in its map.
         starts: a dart for each robot.
         program_of: for each robot the number of its program.
-        minds: the minds of these programs, which searches may share.
+        minds: the minds of these programs, which several searches may share.
         timing: the schedules that are tried.
 
     Attributes:
@@ -89,7 +91,7 @@ class Search:
         self._plans: list[tuple[int, Sequence[int], Sequence[int]]] = []
 
     def begin(self) -> None:
-        """Make the first configurations.
+        """Make the first configurations, one for each state at the start and each delay of robot 1.
 
         Raises:
             InputError: for too many robots, or a bound on activations if all programs are automata.
@@ -120,11 +122,14 @@ class Search:
 
     @property
     def going(self) -> bool:
-        """Whether the search has another layer."""
+        """Whether the last layer has configurations, and no law is broken and no limit reached."""
         return bool(self._layer) and self.broken is None and not self.full
 
     def plan(self) -> None:
-        """Plan the transitions from this layer, and add the robots' turns to the next messages."""
+        """Plan the transitions from the last layer.
+
+        The robots' turns in these transitions are added to the next messages to the programs.
+        """
         for number in self._layer:
             state = self.states[self._keys[number][0]]
             if self.world.says_bad and (seen := self.world.bad(state)):
@@ -164,7 +169,11 @@ class Search:
         self._layers += 1
 
     def configuration(self, number: int) -> tuple[Any, tuple[int, ...], tuple[int, ...]]:
-        """The state, the minds, and the scheduler's counts."""
+        """The state and the minds in a configuration, and the scheduler's counts.
+
+        The counts are the number of rounds before robot 1 begins, if it may begin later; then, if
+        ``lead`` is given, by how many activations each robot is ahead of the last one.
+        """
         key = self._keys[number]
         robots = len(self.program_of)
         return self.states[key[0]], key[1 : robots + 1], key[robots + 1 :]
@@ -178,7 +187,7 @@ class Search:
         return self._sensed_in(self._keys[number][0])[robot]  # type: ignore[no-any-return]
 
     def sensed_first(self, state: int, robot: int) -> Sensed | None:
-        """The robot's percept in the state of that number; None if the model was not asked."""
+        """The percept of a robot in a state, by its number; None if the model was not asked yet."""
         return self._sensed[state][robot] if self._sensed[state] else None
 
     def able(self, number: int) -> tuple[list[int], list[int]]:
@@ -218,7 +227,10 @@ class Search:
         return [robot for robot in able if minds[robot] < 0 or done[robot] < most]
 
     def _goes_on(self, number: int) -> bool:
-        """Whether the run goes on though no robot is able: one begins later, or rounds go on."""
+        """Whether a run goes on although no robot can be activated.
+
+        It does if robot 1 begins later, or if the world makes a step in each round.
+        """
         _, _, counts = self.configuration(number)
         if self.timing.start_delay and counts[0]:
             return True
@@ -244,7 +256,9 @@ class Search:
         self.ends.shortest = number if self.ends.shortest < 0 else self.ends.shortest
 
     def _groups(self, number: int, able: Sequence[int]) -> Iterable[tuple[tuple[int, ...], int]]:
-        """The sets of robots that may be activated; of a given schedule the next one alone.
+        """The sets of robots that may be activated, each also as a bit set.
+
+        If a schedule is given, only the set of its next event.
 
         Raises:
             InputError: if the schedule names a robot that cannot be activated.
@@ -262,7 +276,7 @@ class Search:
         return ((event.group, bits_of(event.group)),)
 
     def _chosen(self, following: Sequence[Any]) -> Iterable[tuple[int, Any]]:
-        """The states that follow, with their indices; in a given schedule the chosen one alone.
+        """The states that follow, with their indices; if a schedule is given, only its choice.
 
         Raises:
             InputError: if the schedule chooses an index that does not exist.
@@ -278,7 +292,7 @@ class Search:
         return ((index, following[index]),)
 
     def _looks(self, number: int, able: Iterable[int]) -> list[int]:
-        """The mind of each able robot after its look; the old one for a robot that moves."""
+        """The mind of each able robot after its look; for a robot that moves, its present mind."""
         key = self._keys[number]
         sensed, look = self._sensed_in(key[0]), self.minds.look
         minds = [(robot, key[robot + 1]) for robot in able]
@@ -305,7 +319,10 @@ class Search:
         bits: int,
         turns: Mapping[int, PlannedTurn],
     ) -> bool:
-        """Make the transitions of a group from a configuration; return False if a law is broken."""
+        """Make the transitions from a configuration in which a group of robots is activated.
+
+        Return False if a law is broken.
+        """
         state, minds, counts = at
         after, acts, due = [*minds], dict[int, Any](), dict[int, Any]()
         for robot in group:
@@ -389,7 +406,7 @@ class Search:
         bits: int,
         adversary: int,
     ) -> int:
-        """The number of a configuration, which is added if it is new."""
+        """The number of a configuration; a new configuration is added first."""
         state_id = self._state_ids.setdefault(state, len(self.states))
         if state_id == len(self.states):
             self.states.append(state)
@@ -478,7 +495,7 @@ class Search:
         return len(self._keys)
 
     def way(self, number: int) -> list[int]:
-        """The numbers of the configurations on a shortest way to one of them."""
+        """The numbers of the configurations on a shortest way to the given one, which ends it."""
         way = []
         while number >= 0:
             way.append(number)
@@ -514,7 +531,10 @@ class Search:
 
 
 def in_lockstep(searches: Sequence[Search], minds: Minds) -> None:
-    """Do some searches layer by layer, with one message to each program for a layer of all."""
+    """Run several searches together, layer by layer.
+
+    Each program gets one message for a layer of all these searches.
+    """
     for search in searches:
         search.begin()
     going = [search for search in searches if search.going]

@@ -1,8 +1,9 @@
 """Runs that never end, found as fair cycles that break a condition on infinite runs.
 
 Weak fairness: each robot is activated on the cycle, or cannot be activated somewhere on it.  Both
-fairness and the assumptions on the adversary are criteria: a cycle must have a transition that
-meets each one.  A strongly connected component has such a cycle if each criterion is met in it.
+fairness and the assumptions on the adversary are criteria: for each of them, a cycle must have a
+transition that meets it.  A strongly connected component has such a cycle if each criterion is met
+by a transition in the component.
 """
 
 from __future__ import annotations
@@ -28,7 +29,10 @@ Criterion: TypeAlias = Callable[[int, int], bool]
 
 
 def broken_for_ever(search: Search) -> Broken | None:
-    """The first condition that an infinite run breaks, with a shortest run into such a cycle."""
+    """The first condition on infinite runs that a fair cycle breaks, with a run into the cycle.
+
+    None if no cycle breaks a condition.
+    """
     graph = search.graph
     if search.minds.histories and all(map(graph.bits, range(len(graph)))):
         return None  # each transition makes a history longer
@@ -50,7 +54,10 @@ def broken_for_ever(search: Search) -> Broken | None:
 
 
 def cut_for_ever(search: Search) -> int | None:
-    """A configuration of a cycle whose robots go on while the budget alone stops another one."""
+    """The number of a configuration on a cycle on which the budget alone stops some robot.
+
+    The other robots go on for ever on this cycle.  None if there is no such cycle.
+    """
 
     def cut(before: int, _index: int) -> bool:
         return bool(search.able(before)[1])
@@ -69,7 +76,11 @@ def _broken_in_component(
     criteria: list[Criterion],
     outgoing: Outgoing,
 ) -> Broken | None:
-    """The law that a cycle in a component breaks; a cycle without activations may break none."""
+    """The law that a cycle in a component breaks, or None.
+
+    If no robot is activated on the first cycle, and that cycle breaks no law, a cycle with an
+    activation is tried.
+    """
     cycle = _cycle(search, component, criteria, outgoing)
     if not cycle:
         return None
@@ -116,7 +127,7 @@ def _fairness(search: Search, unable: Unable) -> Iterator[Criterion]:
 
 
 def _assumptions(search: Search) -> Iterator[Criterion]:
-    """The criteria of the adversary, one for each assumption of the model."""
+    """The criteria of the assumptions on the adversary, one for each assumption of the model."""
     for assumption in search.world.assumes():
 
         def assumed(before: int, index: int, assumption: Assumption = assumption) -> bool:
@@ -126,7 +137,7 @@ def _assumptions(search: Search) -> Iterator[Criterion]:
 
 
 def components(search: Search, inside: Sequence[int], outgoing: Outgoing) -> Iterator[list[int]]:
-    """The strongly connected components that hold a transition, by their least configuration.
+    """The strongly connected components with a transition, ascending by least configuration.
 
     Args:
         search: the search, whose graph is gone through by Tarjan's algorithm.
@@ -205,7 +216,11 @@ def _meets(search: Search, inside: set[int], criteria: list[Criterion], outgoing
 def _shortest(
     search: Search, inside: set[int], at: int, criterion: Criterion, outgoing: Outgoing
 ) -> list[tuple[int, int]]:
-    """The transitions of a shortest way inside whose last one meets the criterion."""
+    """A shortest way from ``at`` through configurations inside, ending with the criterion met.
+
+    Each item is the number of a configuration, and the index of the transition from it; the last
+    transition meets the criterion.
+    """
     to = search.graph.target
     reached_by: dict[int, tuple[int, int]] = {at: (-1, -1)}
     for number in (queue := [at]):

@@ -13,7 +13,8 @@ class Transition(NamedTuple):
     """A step of some robots at once, with a choice of the adversary.
 
     Attributes:
-        before: the number of the configuration before it; -1: the choice of an initial state.
+        before: the number of the configuration before the step; -1: the step is the choice of a
+            state at the start.
         bits: the robots that are activated, as a bit set.
         adversary: the index of the adversary's choice, among the states that the model yields.
     """
@@ -60,7 +61,10 @@ class Graph:
         self._first, self._packed, self._discovered = array("q"), array("q"), array("q")
 
     def begin(self, number: int) -> None:
-        """Begin the transitions from a configuration; those skipped since the last have none."""
+        """Begin the list of transitions from a configuration.
+
+        Configurations are begun in ascending order; a configuration that is skipped has none.
+        """
         while len(self._first) <= number:
             self._first.append(len(self._packed))
 
@@ -72,7 +76,7 @@ class Graph:
         """Add a configuration, with the transition by which it was reached first.
 
         Raises:
-            InputError: if the adversary has more choices than a search keeps.
+            InputError: if the adversary has more choices than a search can store.
         """
         if adversary >> INDEX:
             raise InputError(f"a model has more than {1 << INDEX:,} states after one step")

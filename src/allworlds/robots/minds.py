@@ -1,8 +1,9 @@
 """The next action of a robot: a function of its percepts, never of a world.
 
-A *mind* is a number.  The mind of a generator stands for a history of percepts, a node of a trie;
-the mind of an automaton for its memory, with the action that is due.  A search needs three answers:
-the mind after one more percept, the action of a mind, and the mind after that action.
+A *mind* is a number.  The mind of a generator stands for a history of percepts; these histories are
+the nodes of a trie, a tree in which each percept leads to a child.  The mind of an automaton stands
+for its memory, with the action that is due.  A search needs three answers: the mind after one more
+percept, the action of a mind, and the mind after that action.
 """
 
 from __future__ import annotations
@@ -50,7 +51,7 @@ class RobotProgram(Protocol):
     """A program of robots that can be asked turn by turn."""
 
     def replies(self, turns: Sequence[NumberedTurn]) -> Sequence[bytes]:
-        """The program's reply in each turn: see :class:`allworlds.protocol.turns.Turns`."""
+        """The program's reply in each turn, as :class:`allworlds.protocol.turns.Turns` has it."""
 
 
 class Dialogue(Struct):
@@ -62,7 +63,7 @@ class Dialogue(Struct):
         turns: all turns so far, in their order.
         replies: the program's reply in each turn.
         waiting: the turns of the next message, each with its mind; -1 for a turn of an automaton.
-        automaton: whether the program is one; None: it has not been asked yet.
+        automaton: whether the program is an automaton; None: it has not been asked yet.
     """
 
     program: RobotProgram
@@ -81,7 +82,8 @@ class Minds:
 
     Attributes:
         value: for each mind the action that is due, the end of its program, or None.
-        sensed: for each mind its last percept, if it is a history or watches; else None.
+        sensed: for each mind its last percept, if the mind is a history, or its action is Watch;
+            else None.
         depth: for each mind the number of activations; 0 for automata.
         watches: for each mind whether its action is Watch.
 
@@ -137,7 +139,11 @@ class Minds:
         return not any(each.automaton for each in self.dialogues)
 
     def look(self, mind: int, sensed: Sensed) -> int:
-        """The mind after one more percept; a number below 0 is a promise for :meth:`resolved`."""
+        """The mind after one more percept, or a promise of it, which is a number below 0.
+
+        The mind that is promised depends on the program's reply.  After :meth:`ask`,
+        :meth:`resolved` returns it.
+        """
         key = mind, sensed
         found = self._after.get(key)
         if found is not None:
@@ -177,7 +183,10 @@ class Minds:
             dialogue.waiting = []
 
     def resolved(self, mind: int) -> int:
-        """The mind of a promise that :meth:`look` has made since :meth:`forget`."""
+        """The mind that a promise of :meth:`look` stands for; a mind that is no promise, unchanged.
+
+        The promise must have been made after the last call of :meth:`forget`.
+        """
         if mind >= 0:
             return mind
         key, step = self._promised[-mind - 1]
@@ -194,7 +203,7 @@ class Minds:
         self._promised.clear()
 
     def after(self, mind: int) -> int:
-        """The mind after its action is done; an automaton's mind then has its memory alone."""
+        """The mind after its action is done: of an automaton, the memory without an action."""
         program = self._program_of[mind]
         stays = self.watches[mind] or type(self.value[mind]) is Ended
         if stays or not self.dialogues[program].automaton:
@@ -202,7 +211,10 @@ class Minds:
         return self._automaton(program, self._memory[mind], None, None)
 
     def precedes(self, mind: int, before: int) -> bool:
-        """Whether a turn with this number of the turn (or memory) before it starts from a mind."""
+        """Whether a turn starts from a mind.
+
+        ``before`` is the number of the turn before that turn, or, of an automaton, its memory.
+        """
         automaton = self.dialogues[self._program_of[mind]].automaton
         first = self.depth[mind] == 0 and self.sensed[mind] is None
         own = self._memory[mind] if automaton else mind

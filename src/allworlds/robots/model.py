@@ -77,7 +77,10 @@ class Model:
         raise NotImplementedError
 
     def told(self, map_: CombinatorialMap, robot: int) -> Any:  # noqa: ARG002  # nothing
-        """The value that a robot is told at the start; robots with equal values are anonymous."""
+        """The value that a robot is told at the start.
+
+        Robots that are told equal values are anonymous: their programs cannot tell them apart.
+        """
         return None
 
     def sensed(self, map_: CombinatorialMap, state: Any, robot: int) -> Any:
@@ -132,7 +135,9 @@ class Model:
         return False
 
     def flaw(self, map_: CombinatorialMap, state: Any, answers: Sequence[Any]) -> str:  # noqa: ARG002
-        """The flaw of a run in which all robots have ended, or wait for ever; empty if it has none.
+        """The flaw of a run in which all robots have ended, or wait for ever, in words.
+
+        Empty if the run has no flaw.
 
         Args:
             map_: the map.
@@ -149,7 +154,7 @@ class Model:
 
     @property
     def says_progress(self) -> bool:
-        """Whether the model has its own conditions on infinite runs."""
+        """Whether the model overrides :meth:`progress` by its own conditions on infinite runs."""
         return type(self).progress is not Model.progress
 
     def assumes(self, map_: CombinatorialMap) -> Iterable[Assumption]:  # noqa: ARG002  # nothing
@@ -201,7 +206,8 @@ class ModelInMap:
         name: the name of the model.
 
     Attributes:
-        says_bad, says_over, says_progress: whether the model overrides that method.
+        says_bad, says_over, says_progress: whether the model overrides ``bad``, ``over``, and
+            ``progress``.
         decides_at_looks: whether the model overrides ``looked``.
 
     Each method raises ModelError for an error or an illegal value of the model's method.
@@ -238,7 +244,7 @@ class ModelInMap:
         return None if value is None else self._json("told", value)
 
     def sensed(self, state: Any, robot: int) -> Sensed | None:
-        """The percept of a robot, as a message has it."""
+        """The percept of a robot, as a message to its program has it; None: the robot is gone."""
         value = self._ask("sensed", state, robot)
         if value is None:
             return None
@@ -287,7 +293,7 @@ class ModelInMap:
         return bool(self._ask("over", state))
 
     def flaw(self, state: Any, answers: Sequence[Any]) -> str:
-        """The flaw at the end of a run; empty if it has none."""
+        """The flaw of a run, in its last state; empty if the run has none."""
         return self._text("flaw", state, answers)
 
     def progress(self) -> list[Liveness]:
@@ -333,7 +339,7 @@ class ModelInMap:
         return found
 
     def _numbers(self, percept: Percept) -> tuple[int, ...]:
-        """The numbers of a percept; booleans are refused, since True is equal to 1."""
+        """The numbers of a percept; a boolean raises ModelError, since True is equal to 1."""
         parts = percept.degree, percept.marks, percept.bearing
         try:
             return tuple([None if part is None else integer(part) for part in parts])  # type: ignore[misc]  # a bearing may be None

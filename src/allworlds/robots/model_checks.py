@@ -1,4 +1,4 @@
-"""Checks that a model answers the same twice, and does not depend on the numbers of darts."""
+"""Checks that a model gives the same answers twice, whatever numbers the darts have."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ def ensure_same_model(search: Search) -> None:
     """Ask the model again about every state of a search, in reverse order and with other darts.
 
     Raises:
-        ModelError: if it answers differently, or tells renumbered darts apart.
+        ModelError: if the model answers differently, or if another law is broken when the same
+            darts have other numbers.
     """
     _ensure_same_answers(search)
     if search.full:
@@ -65,7 +66,11 @@ def _ensure_same_verdict(search: Search, names: Sequence[int]) -> None:
 
 
 def _verdict(search: Search) -> tuple[str, int]:
-    """The broken law and the least number of events; 0 for a cycle; or the configurations."""
+    """The law that a search has broken, and the length of a shortest run that breaks it.
+
+    The length is 0 if the run never ends.  If no law is broken: an empty text, and the number of
+    configurations.
+    """
     found = search.broken
     if found is None:
         return "", len(search)

@@ -74,7 +74,10 @@ class ProgramPlayer:
         return found
 
     def plays(self, histories: Sequence[tuple[Any, Sequence[Sensed]]]) -> Iterator[list[bytes]]:
-        """The program's replies in each history, each played from its beginning."""
+        """Yield the program's replies in each history, which is played from its beginning.
+
+        A history is the value that the robot is told, and its percepts.
+        """
         every = iter(histories)
         while some := [*islice(every, AT_ONCE)]:
             try:
@@ -93,7 +96,7 @@ class ProgramPlayer:
             return [_fault(lost)]
 
     def _after(self, lost: Lost, turns: Sequence[NumberedTurn]) -> list[bytes]:
-        """The replies in turns after the player was lost in one of them."""
+        """The replies in all these turns, although the player was lost in one of them."""
         at = min(max(0, self._player.beat[0]), len(turns) - 1)
         before = turns[:at]
         self._start()
@@ -150,7 +153,7 @@ def _fault(lost: Lost) -> bytes:
 
 
 def said_of(answer: bytes) -> list[bytes]:
-    """The program's replies in a history."""
+    """The program's replies in a history, from the player's answer."""
     return said(answer)  # type: ignore[return-value]  # a list here
 
 
@@ -161,7 +164,7 @@ class History(NamedTuple):
     """A history that the second player plays.
 
     Attributes:
-        told: the value that the robot is told before it.
+        told: the value that the robot is told before its first percept.
         indices: the indices of its turns in the dialogue, in their order.
     """
 

@@ -58,7 +58,8 @@ class Timing(Struct, frozen=True):
     """The schedules that are tried.
 
     Attributes:
-        scheduler: see :data:`allworlds.robots.model.Scheduler`.
+        scheduler: the rule that says which robots are activated at once: ``fsync``, ``ssync``,
+            ``central`` or ``async``.
         budget: the most activations of a robot whose program is a generator.
         lead: the largest number of activations by which a robot may be ahead of another one that
             could be activated; None: no limit.
@@ -90,7 +91,7 @@ class Timing(Struct, frozen=True):
 
 
 def bits_of(robots: Iterable[int]) -> int:
-    """A set of robots as a bit set."""
+    """A set of robots as a bit set: bit i stands for robot i."""
     return sum(1 << robot for robot in robots)
 
 

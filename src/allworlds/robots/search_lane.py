@@ -1,4 +1,4 @@
-"""A lane that searches the worlds of units, and asks the players of each program.
+"""A lane for searches: it takes a unit, searches its worlds, and asks the programs' players.
 
 unit --> searches, in lockstep --> first players, a message a layer --> findings
                                    second players, at the end of the unit: the same replies?
@@ -32,7 +32,10 @@ SAME_TO = 2
 
 
 class SearchLane:
-    """A lane of searches.
+    """A lane for searches: it works on one unit at a time, a portion of the worlds of a level.
+
+    The programs are played twice.  The first players take part in the searches; at the end of the
+    unit the second players play the same turns again, and must give the same replies.
 
     Args:
         team: the programs.
@@ -78,7 +81,7 @@ class SearchLane:
         return bool(self._units)
 
     def turn(self, others: Sequence[int] = ()) -> list[PartialResult]:  # noqa: ARG002  # they wait
-        """Do some more searches of the unit, and return their part of the result.
+        """Do some more searches of the unit, and return the part of its result that they make.
 
         Raises:
             InputError: if a program cannot be loaded, or the model has an error.
@@ -106,7 +109,10 @@ class SearchLane:
         self._tally.remarks[text] += 1
 
     def _parts_of(self, unit: Any) -> Iterator[TeamTally]:
-        """The parts of a unit's result; the last one has the findings of the second players."""
+        """Yield the parts of a unit's result.
+
+        The last part has the findings of programs whose second player gives another reply.
+        """
         for player in (*self._players[FIRST], *self._players[SECOND]):
             player.begin_unit()
         minds = Minds(self._players[FIRST])
@@ -147,7 +153,7 @@ class SearchLane:
         return finding_of(search, broken, scope.model.name, scope.model.digest, scope.team.names)
 
     def _blame(self, unit: Any, minds: Minds, program: int, found: Difference) -> None:
-        """Add a finding for a difference: the first world in which the program meets that turn."""
+        """Add a finding for a difference: in the first world in which the program has its turn."""
         for _, search in self.counter.searches(unit, minds):
             if not isinstance(search, Search):
                 continue
@@ -163,7 +169,11 @@ class SearchLane:
 def _where_sensed(
     search: Search, program: int, found: Difference, minds: Minds
 ) -> tuple[int, tuple[int, ...], int] | None:
-    """The first configuration with the turn of a difference, a group to activate, and the robot."""
+    """The number of the first configuration in which a robot has the turn of a difference.
+
+    With it come a group of robots that can be activated there, and the robot, which is one of
+    them; None if there is no such configuration.
+    """
     _, before, sensed = found.turn
     for number in range(len(search)):
         _, of_robots, _ = search.configuration(number)

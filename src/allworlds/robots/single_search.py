@@ -74,7 +74,7 @@ def search(
         scheduler: ``fsync``, ``ssync``, ``central`` or ``async``; by default the model's first.
         budget: the most activations of a robot whose program is a generator, in a run.
         within: a budget that is a bound: a run that exceeds it is a finding.
-        lead: the largest number of activations that a robot may be ahead.
+        lead: the largest number of activations by which a robot may be ahead of another one.
         start_delay: the largest number of rounds by which robot 1 may begin later.
         configurations: the largest number of configurations.
 

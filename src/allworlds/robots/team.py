@@ -70,7 +70,7 @@ class Team(Struct, frozen=True, weakref=True):
         return Team(tuple(map(with_content, self.subjects)), self.program_of)
 
     def not_alike(self, digests: tuple[str, ...], answer_timeout: float) -> str:
-        """The reason why a program differs on this machine; empty if none differs."""
+        """The reason why a program on this machine does not have its digest; empty if all have."""
         pairs = zip(self.subjects, digests, strict=True)
         found = (not_alike(subject, digest, answer_timeout) for subject, digest in pairs)
         return next(filter(None, found), "")
@@ -185,7 +185,7 @@ class TeamTally:
         del held[most:]
 
     def wants(self, map_: CombinatorialMap, *, unfinished: bool = False) -> bool:
-        """Whether a finding of that size could be among the smallest."""
+        """Whether a finding in a map of this size could be among the smallest findings."""
         held, most = (self.unfinished, 1) if unfinished else (self.findings, self.keep)
         size = map_.edge_count, map_.vertex_count
         return len(held) < most or size <= held[-1].key[:2]

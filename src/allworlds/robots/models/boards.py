@@ -17,7 +17,7 @@ from allworlds.robots.models.goals import others_with, replaced
 
 
 class BoardsState(NamedTuple):
-    """A state.
+    """A state of a world with whiteboards.
 
     Attributes:
         darts: the dart of each robot.
@@ -36,7 +36,7 @@ class BoardsState(NamedTuple):
 
 @dataclass(frozen=True)
 class WhiteboardModel(Model):
-    """The base of models with whiteboards; at first each has the value null.
+    """The base of models with whiteboards; at first each whiteboard has the value null.
 
     ``Do({"write": value, "move": k})`` writes, then moves; one part may be missing, and ``Move(k)``
     and ``Write(k)`` are short for one part alone.  If several robots write on one board at once,

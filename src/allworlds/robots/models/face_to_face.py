@@ -16,7 +16,7 @@ from allworlds.robots.models.goals import map_flaw, replaced
 
 
 class FaceToFaceState(NamedTuple):
-    """A state.
+    """A state of a world in which robots see and hear each other.
 
     Attributes:
         darts: the dart of each robot.

@@ -16,10 +16,10 @@ from allworlds.robots.model import Assumption, Liveness, Model, Places, Schedule
 
 
 class FaultsState(NamedTuple):
-    """A state.
+    """A state of a model that wraps another model.
 
     Attributes:
-        inside: the state of the model inside.
+        inside: the state of the model inside, which is the one that is wrapped.
         living: the robots that have not stopped.
         left: the number of faults that may still happen.
         blind: the robots from which the markers at their vertices are hidden.
@@ -33,10 +33,10 @@ class FaultsState(NamedTuple):
 
 @dataclass(frozen=True)
 class Wrapper(Model):
-    """The base of models that wrap another model, whose methods it calls by default.
+    """The base of models that wrap another model; by default their methods call its methods.
 
     Attributes:
-        inside: the model inside.
+        inside: the model inside, which is the one that is wrapped.
         faults: the largest number of faults.
     """
 
@@ -112,7 +112,7 @@ class Wrapper(Model):
 
 
 def _inside(holds: Callable[..., bool]) -> Callable[..., bool]:
-    """Return the condition for states of the wrapper, from that for the states inside."""
+    """Return a condition on states of the wrapper, made from a condition on the states inside."""
     return lambda *values: holds(*(v.inside if isinstance(v, FaultsState) else v for v in values))
 
 
@@ -145,7 +145,10 @@ class Crash(Wrapper):
 
 
 def _stopping(state: FaultsState) -> Iterator[tuple[FaultsState, str]]:
-    """The states after no robot, or some more robots, have stopped."""
+    """Yield each state after some of the living robots have stopped, or none of them.
+
+    No more robots stop than faults are left.
+    """
     for count in range(min(state.left, len(state.living)) + 1):
         for robots in combinations(sorted(state.living), count):
             words = ", ".join(f"robot {robot} stops" for robot in robots)

@@ -80,7 +80,10 @@ def ensure_few(robots: int) -> None:
 
 
 def map_flaw(map_: CombinatorialMap, dart: Dart, answer: Any) -> str:
-    """The flaw of an answer that should be the map, with the robot at this dart; or empty."""
+    """The flaw of an answer that should be the map, with the robot at this dart, in words.
+
+    Empty if the answer is right.
+    """
     if not isinstance(answer, Estimate):
         return f"the answer is {'nothing' if answer is None else answer}, not an Estimate"
     given, true = answer.map, rooted_code(map_.sigma, map_.alpha, dart)

@@ -20,7 +20,7 @@ from allworlds.world.world import World
 
 
 class LighthouseState(NamedTuple):
-    """A state.
+    """A state of a world with one robot and a lighthouse.
 
     Attributes:
         start: the dart of the robot at the start.
@@ -80,6 +80,6 @@ class LighthouseModel(Model):
 
 @lru_cache(maxsize=1 << 8)
 def _worlds(map_: CombinatorialMap, kind: str, start: Dart) -> list[World]:
-    """The worlds with a lighthouse at each of its places."""
+    """The worlds of a map and a start, one for each place of the lighthouse."""
     places = lighthouse_kind(kind).as_class.places(map_, start)
     return [World(map_, place, start) for place in places]

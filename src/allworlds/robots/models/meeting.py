@@ -14,7 +14,7 @@ from allworlds.robots.models.goals import Apart, are_together, others_with
 
 
 class MeetingState(NamedTuple):
-    """The dart of each robot."""
+    """A state, which is the dart of each robot."""
 
     darts: tuple[Dart, ...]
 

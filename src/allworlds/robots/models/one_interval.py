@@ -17,7 +17,7 @@ from allworlds.words import plural
 
 
 class RoundState(NamedTuple):
-    """A state.
+    """A state of a world in which one edge may be missing in each round.
 
     Attributes:
         darts: the dart of each robot.
@@ -36,14 +36,18 @@ class RoundState(NamedTuple):
 class OneInterval(Apart):
     """Robots that must visit all vertices, in a world in which one edge may be missing each round.
 
-    A robot is told the number of vertices.  Its percept is ``[degree, moved, held, others]``:
-    whether its last motion succeeded; whether it is on a port whose edge was missing; and for each
-    other robot here, sorted, whether that robot is held.  A robot that waits or is not activated
-    stays where it is, also on a port.
+    A robot that moves goes to the port of the edge, a point at its vertex.  From there it
+    crosses the edge; if the edge is missing, it is held on the port.
+
+    A robot is told the number of vertices.  Its percept is ``[degree, moved, held, others]``: the
+    degree; whether its last motion succeeded; whether it is on a port whose edge was missing; and
+    for each other robot here, sorted, whether that robot is held.  A robot that waits or is not
+    activated stays where it is, also on a port.
 
     Attributes:
         ends: whether the run ends when all vertices are visited; else the programs must end.
-        exclusive: whether at most one robot can be on a port; the adversary chooses which.
+        exclusive: whether at most one robot can be on a port; of several robots that want to be on
+            one port, the adversary chooses which goes there.
         one_face: whether all robots start at darts of one face: on a ring, with one orientation.
     """
 

@@ -28,7 +28,7 @@ INDEX_OF_NAME = {"first": 0, "second": 1}
 
 
 class SnapshotState(NamedTuple):
-    """A state.
+    """A state of a world whose robots see the whole map.
 
     Attributes:
         darts: the dart that each robot heads for; without chirality the least one at its vertex.
@@ -67,7 +67,8 @@ class Snapshot(Apart):
         crossing: whether two robots may cross on an edge.
         multiplicity: ``none``: any number of robots is seen as 1; ``weak``: two or more are seen as
             2; ``strong``: the number is seen.
-        local: whether multiplicity is for one's own vertex; elsewhere any number is seen as 1.
+        local: whether ``multiplicity`` is about the robot's own vertex alone; elsewhere any number
+            of robots is seen as 1.
     """
 
     goal: Literal["gather", "explore"] = "gather"

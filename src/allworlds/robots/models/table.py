@@ -94,7 +94,8 @@ def model_of(text: object) -> tuple[Model, str]:
     """The model of a name, and its canonical name.
 
     A name is ``NAME[:key=value,...]``, ``path/to/file.py:Class[:key=value,...]``,
-    ``lighthouse:KIND``, or ``crash:F+`` or ``hidden:F+`` before one of these.
+    ``lighthouse:KIND``, or ``crash:F+`` or ``hidden:F+`` before one of these; F is the largest
+    number of faults.
 
     Raises:
         InputError: naming the unknown model or option, or the illegal value.

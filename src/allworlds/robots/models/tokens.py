@@ -17,7 +17,7 @@ from allworlds.robots.models.goals import Apart, are_together, others_with, repl
 
 
 class TokensState(NamedTuple):
-    """A state.
+    """A state of a world with tokens.
 
     Attributes:
         darts: the dart of each robot.

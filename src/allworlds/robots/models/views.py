@@ -52,7 +52,7 @@ class Eyes(NamedTuple):
 
     Attributes:
         here: the largest number of robots that is seen exactly at one's own vertex.
-        elsewhere: the same for other vertices.
+        elsewhere: the largest number of robots that is seen exactly at any other vertex.
     """
 
     here: int

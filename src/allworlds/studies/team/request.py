@@ -50,7 +50,7 @@ def _model(given: object) -> NamedModel:
 
 
 def _natural(name: str, least: int) -> Callable[[object], Any]:
-    """The value of an option, an integer from ``least`` on, or None."""
+    """A function that checks the value of an option: None, or an integer of at least ``least``."""
 
     def take(given: object) -> int | None:
         if given is None:
@@ -70,7 +70,7 @@ def _schedule(given: object) -> str | None:
 
 
 def darts_of(text: str) -> tuple[int, ...]:
-    """The darts of a text, with commas between.
+    """The darts that a text names, with commas between.
 
     Raises:
         InputError: if a part of the text is no integer.
@@ -244,7 +244,7 @@ class TeamRequest(
 
     @property
     def extent(self) -> Extent:
-        """The maps.
+        """The maps that are searched: a class with its bounds, or the given maps.
 
         Raises:
             InputError: naming the offending bound and what would be legal.
@@ -256,10 +256,10 @@ class TeamRequest(
     @cached_property
     @override
     def given(self) -> GivenMaps | None:
-        """The given maps: those of files, that of a graph, or the named one; None: a class.
+        """The given maps, from files, from a graph, or by name; None: a class of maps is searched.
 
         Raises:
-            InputError: naming the option.
+            InputError: naming an option that excludes another one, or has no effect.
         """
         named = {
             name: value
@@ -279,7 +279,7 @@ class TeamRequest(
 
     @property
     def timing(self) -> Timing:
-        """The schedules.
+        """The schedules that are tried, and the bounds of a run and of a search.
 
         Raises:
             InputError: naming an option that has no effect under this scheduler.
@@ -333,7 +333,10 @@ class TeamRequest(
 def _one(
     name: str, map_: combinatorial.CombinatorialMap, starts: Sequence[int] | None
 ) -> GivenMaps:
-    """One map, with every root up to automorphism; with given starts, rooted at the first one."""
+    """One map as given maps, with every root, up to automorphism.
+
+    If starts are given, the first start is the only root.
+    """
     if starts is not None:
         renamed(map_, starts)
         return held("map", name, "one map", [GivenMap(map_, (starts[0],))])

@@ -135,7 +135,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
         """The finding of the present programs in a past finding's world; None if no law is broken.
 
         Raises:
-            OtherText: if its model has changed, or it has another number of robots.
+            OtherText: if the finding's model has changed, or its run has another number of robots.
             LeftOpen: if a limit ends the search.
         """
         programs = tuple(self.request.explorers)
@@ -196,7 +196,10 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 
 
 def gate_of(extent: Extent, edges: int, tally: TeamTally) -> Iterator[TeamCell]:
-    """Compare the numbers of a level's maps with those of an independent source, if it has one."""
+    """Compare the numbers of a level's maps with those of an independent source.
+
+    Yield a comparison for each number of vertices; none if no source counts maps of this extent.
+    """
     source = count_source.source_of(extent)
     if source is None:
         return

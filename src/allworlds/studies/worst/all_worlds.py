@@ -95,10 +95,11 @@ class WorstRequest(
 
     @property
     def extent(self) -> classes.Extent:
-        """The worlds.
+        """The maps that are searched: a class with its bounds, or the given maps.
 
         Raises:
-            InputError: naming a bound that is too large, or another lighthouse of given worlds.
+            InputError: naming a bound that is too large, or a lighthouse of given worlds that is
+                not the directional one.
         """
         self.lighthouse_of_given(LighthouseKind(Directional.kind))
         usual = self.edges is None and self.given is None
@@ -134,7 +135,7 @@ class WorstRow(doc.Document):
 
     @property
     def agrees(self) -> bool:
-        """Whether count and replay agree with the search."""
+        """Whether the independent count of maps and the run played again agree with the search."""
         counted = self.counted in (None, self.worlds)
         return counted and (bool(self.wrong_tests) or self.replayed == self.worst)
 
@@ -204,7 +205,7 @@ class WorstReport(SweptReport, kw_only=True):
         return any(row.refutes for row in self.rows)
 
     def walks(self) -> Iterator[single.SingleRun]:
-        """The runs that attain each row's worst cost, where they are known, played again."""
+        """Yield for each row a run that attains its worst cost, if one is known, played again."""
         for row in self.rows:
             if row.replayed is not None:
                 yield single.single_run(

@@ -1,9 +1,12 @@
 """Every schedule of Algorithm 1 in one world.
 
+A pass is one turn of the loop of Algorithm 1: the robot walks to an open dart e of the explored
+part S, traverses e, and tests hypotheses until it knows where it is.  U is the set of open darts.
+
 In a fixed world the set of explored edges determines S.  Between two passes the state of the
 robot is that set and the vertex where it stands; the costs of rejected hypotheses add up in any
 order.  So the worst and the best cost follow by dynamic programming, backwards from the explored
-world.  S is described by darts of the world, in which S is embedded by I-1.
+world.  S is described by darts of the world, in which S is embedded by the paper's invariant I-1.
 
 Source: Algorithm 1, Section IV.
 """
@@ -45,7 +48,7 @@ class TestCost(Struct, frozen=True):
 
 
 class PassCosts(Struct, frozen=True):
-    """The costs of one pass, without the way to its dart.
+    """The costs of one pass, without the way to the dart that the pass takes.
 
     Attributes:
         dart: the dart e that the pass takes from U.
@@ -66,7 +69,7 @@ class PassCost(Struct, frozen=True):
 
     Attributes:
         vertices, explored: the numbers of vertices of S and of explored edges before the pass.
-        cost: the traversals of the pass, those on the way to its dart included.
+        cost: the number of traversals of the pass, those on the way to its dart included.
     """
 
     vertices: int
@@ -80,7 +83,8 @@ class EverySchedule:
     Args:
         map_: the world.
         start: the dart that the robot faces at the start; the costs depend on its vertex alone.
-        transit: the reading of line 4 of Algorithm 1.
+        transit: whether the robot may walk to the next dart (line 4 of Algorithm 1) on any simple
+            path, or on a shortest path only.
     """
 
     def __init__(self, map_: CombinatorialMap, start: Dart, transit: Transit = "simple") -> None:
@@ -92,7 +96,7 @@ class EverySchedule:
 
     @property
     def worst(self) -> int:
-        """The traversals of the most expensive schedule.
+        """The number of traversals of the most expensive schedule.
 
         Raises:
             WrongTest: if a false hypothesis can be confirmed.
@@ -101,7 +105,7 @@ class EverySchedule:
 
     @property
     def best(self) -> int:
-        """The traversals of the cheapest schedule; raises WrongTest as :attr:`worst` does."""
+        """The number of traversals of the cheapest schedule; raises WrongTest as :attr:`worst`."""
         return self._best(frozenset(), self._v0)
 
     def most_expensive_picks(self) -> list[int]:
@@ -149,11 +153,11 @@ class EverySchedule:
         return max((self._onward(explored, robot, p) for p in self._passes(explored)), default=0)
 
     def _onward(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
-        """The largest cost of a pass and of all later passes, with the way to its dart."""
+        """The largest cost of a pass and all later passes, the way to the pass's dart included."""
         return self._most(explored, robot, chosen) + self._worst(chosen.explored, chosen.robot)
 
     def _most(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
-        """The largest cost of a pass, with the way to its dart."""
+        """The largest cost of a pass, the way to the pass's dart included."""
         transit = self._transits(explored, robot, self._owner[chosen.dart])[-1]
         return len(transit) + 1 + sum(test.cost for test in chosen.worst)
 
@@ -227,7 +231,10 @@ class EverySchedule:
         return None
 
     def _sensed(self, dart: Dart) -> tuple[int, Dart | None]:
-        """The percept after arrival by a dart; at v0 with the dart, which the bearing tells."""
+        """The degree at a dart by which the robot arrives; at v0 also the dart, else None.
+
+        At v0 the bearing tells the dart.
+        """
         marked = self._owner[dart] == self._v0
         return self._map.degree_at[dart], dart if marked else None
 
