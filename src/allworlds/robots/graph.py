@@ -69,7 +69,11 @@ class Graph:
             self._first.append(len(self._packed))
 
     def add(self, target: int, bits: int, *, has_action: bool) -> None:
-        """Add a transition of some robots, and whether one of them acts in the world."""
+        """Add a transition to the configuration ``target`` from the one that was begun last.
+
+        ``bits`` are the robots that are activated; ``has_action`` says whether one of them acts in
+        the world.
+        """
         self._packed.append(target << BITS + 1 | bits << 1 | has_action)
 
     def discover(self, before: int, bits: int, adversary: int) -> None:

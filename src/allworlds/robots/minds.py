@@ -81,7 +81,8 @@ class Minds:
         programs: the programs of the team, each once.
 
     Attributes:
-        value: for each mind the action that is due, the end of its program, or None.
+        value: for each mind the action that is due, or the end or the fault of its program; None:
+            no action is due.
         sensed: for each mind its last percept, if the mind is a history, or its action is Watch;
             else None.
         depth: for each mind the number of activations; 0 for automata.

@@ -1,4 +1,4 @@
-"""A program that a player in another process plays turn by turn, and its second play.
+"""A program that a player in another process plays turn by turn, and its play a second time.
 
 A lost player is started anew, and hears all earlier turns again.  If it is lost a second time in
 the same turn, the reply in that turn is a fault.

@@ -204,7 +204,7 @@ class Sensor(Struct):
 
 
 def _place(lighthouse: Any) -> list[Any]:
-    """The fields that say where a lighthouse stands, for lighthouses of all kinds."""
+    """The names and values of the fields that say where a lighthouse stands, whatever its kind."""
     return [
         (key, getattr(part, key))
         for part in kinds.parts_of(lighthouse)

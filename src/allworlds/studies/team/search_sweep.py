@@ -122,7 +122,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 
     @override
     def begin(self) -> outcome.Ending | None:
-        """Try past findings; end the job if enough of them are reproduced."""
+        """Try the past findings of the corpus; end the job if enough of them are reproduced."""
         if self.corpus is None:
             return None
         for found in self.corpus.retry(self._again, partial(is_inside, scope=self.scope)):
@@ -132,7 +132,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
         return None
 
     def _again(self, finding: TeamFinding) -> TeamFinding | None:
-        """The finding of the present programs in a past finding's world; None if no law is broken.
+        """The finding of today's programs in the world of a past finding; None if no law is broken.
 
         Raises:
             OtherText: if the finding's model has changed, or its run has another number of robots.

@@ -128,7 +128,7 @@ class EverySchedule:
         return picks
 
     def most_expensive_passes(self) -> Iterator[PassCost]:
-        """The most expensive pass with each dart, in each state that a schedule can reach.
+        """Yield the most expensive pass that takes each dart, in each state that can be reached.
 
         Raises:
             WrongTest: if a false hypothesis can be confirmed.
