@@ -3,8 +3,8 @@
 If a test has matched to its end, a lighthouse with a direction has proved the hypothesis.  Without
 a direction the robot can recognise only v0 and one neighbour v1: before its first pass it searches
 the dart of v0 that leads to v1, and after a test that has come to v0 it makes the query: it goes
-out by that dart, and back.  Hypotheses are tried in the order of S, on the first
-of the shortest paths.
+out by that dart, and back.  Hypotheses are tried in the order in which their darts came into S;
+each test walks home on the first of the shortest paths.
 
 The twin is :mod:`allworlds.explorers.builtin.algorithm1`.
 
@@ -26,7 +26,7 @@ tests a hypothesis; on the way back; at v0 after a test that has matched."""
 
 
 def start(robot, percept, _told, action):  # pragma: no cover  # compiled
-    """Line 1, and the first step."""
+    """Do line 1 of Algorithm 1, and write the first action."""
     begin(robot, int64(percept.degree), percept.marks, percept.bearing)
     next_pass(robot, action)
 
@@ -42,14 +42,14 @@ def step(robot, percept, action):  # pragma: no cover  # compiled
 
 
 def answer(robot, published):  # pragma: no cover  # compiled
-    """Write the answer: S, and the robot's place in it."""
+    """Write S, and the robot's dart in S, as an answer or as a checkpoint."""
     published.sigma, published.alpha = address_of(robot.sigma), address_of(robot.alpha)
     published.darts, published.here = robot.darts, robot.here
 
 
 @cache
 def explorer_addresses(explorer: str) -> tuple[int, int, int]:
-    """The addresses of a compiled explorer, one of ``EXPLORERS``: start, step, answer."""
+    """The addresses of start, step and answer of a compiled explorer, one of ``EXPLORERS``."""
     robot, percept, action = RECORD(ROBOT), RECORD(PERCEPT), RECORD(ACTION)
     directed = explorer == "algorithm1"
     begins, goes_on = (start, step) if directed else (start_undirected, step_undirected)
@@ -72,7 +72,7 @@ def begin(robot, degree, marks, bearing):
 
 @inner
 def next_pass(robot, action):
-    """Lines 2-4: the dart e to be explored, and the way to it; or the answer."""
+    """Do lines 2-4: choose the dart e, and take the first step towards e; if U is empty, answer."""
     if robot.known == 0:
         action.kind = names.ANSWER_READY
         return
@@ -94,7 +94,7 @@ def next_pass(robot, action):
 
 @inner
 def sense(robot, degree, marks, bearing, action):
-    """Lines 5-16 and 20-21, up to the next step."""
+    """Go on with lines 5-16 and 20-21 after this percept, up to the next action."""
     if robot.phase == FOLLOWING:
         _follow(robot, action)
     elif robot.phase == CROSSING:
@@ -118,7 +118,7 @@ def sense(robot, degree, marks, bearing, action):
 
 @inner
 def _follow(robot, action):
-    """Lines 4-5: one step through S, or along e."""
+    """Do lines 4-5: take one step through S towards the dart e, or cross e."""
     dart = robot.goal
     robot.phase = CROSSING
     if robot.done < robot.steps:
@@ -131,7 +131,7 @@ def _follow(robot, action):
 
 @inlined
 def offset(robot, dart):
-    """The motion from where the robot stands in S to another dart of that vertex."""
+    """The motion k by which the robot leaves along this dart of the vertex where it stands in S."""
     motion = dart - robot.here
     if motion < 0:
         motion += robot.degree[dart]
@@ -140,7 +140,7 @@ def offset(robot, dart):
 
 @inlined
 def _expected(robot, dart, degree, marks, bearing):
-    """Whether a robot that arrives by this dart of S gets this percept."""
+    """Whether a robot that arrives by this dart of S should get this percept."""
     return (
         robot.degree[dart] == degree
         and robot.marks[dart] == marks
@@ -150,7 +150,7 @@ def _expected(robot, dart, degree, marks, bearing):
 
 @inner
 def next_hypothesis(robot, action):
-    """Lines 7-9: the next test, or the new vertex if all tests have failed."""
+    """Do lines 7-9: begin the next test, or add a new vertex if all tests have failed."""
     if robot.tried == robot.alike:
         _augment_by_vertex(robot, action)
         return
@@ -164,7 +164,7 @@ def next_hypothesis(robot, action):
 
 @inner
 def _test(robot, action):
-    """Lines 10-13: the next step on the way to v0, or the end of it."""
+    """Do lines 10-13: take the next step of a test, or note at v0 that the test has matched."""
     v = robot.owner[robot.here]
     if v == 0:
         robot.phase = MATCHED
@@ -181,7 +181,7 @@ def _test(robot, action):
 
 @inner
 def reject(robot, action):
-    """Cases (1) and (2), and the first step of line 15."""
+    """Count case (1) or (2), in which a test fails, and take the first step of line 15."""
     robot.events[names.CASE_2 if robot.owner[robot.here] == 0 else names.CASE_1] += 1
     robot.turned = -robot.turned
     retrace(robot, action)
@@ -189,9 +189,10 @@ def reject(robot, action):
 
 @inner
 def retrace(robot, action):
-    """Line 15: undo the last motion that is left, or go on with the next hypothesis.
+    """Do line 15: undo the last motion of the test that is not undone yet, or begin the next test.
 
-    While the robot goes back, ``turned`` is the first part of the next motion.
+    While the robot goes back, ``robot.turned`` is its next motion; afterwards it is again the
+    number of darts from the dart of entry to the robot's dart.
     """
     if robot.done == 0:
         robot.turned = -robot.turned
@@ -205,7 +206,10 @@ def retrace(robot, action):
 
 @inner
 def confirm(robot, here, action):
-    """Case (3), lines 18-19: e and e' are one edge; the robot stands at v0."""
+    """Do case (3), lines 18-19: join the dart e and the tested dart to one edge of S.
+
+    ``here`` is the robot's dart in S; it is a dart of v0.
+    """
     robot.events[names.CASE_3] += 1
     robot.events[names.LOOP] += 1
     goal, partner = robot.goal, robot.partner
@@ -219,7 +223,7 @@ def confirm(robot, here, action):
 
 @inlined
 def _augment_by_vertex(robot, action):
-    """Lines 20-21: v_u is a new vertex; its first dart is the dart of entry."""
+    """Do lines 20-21: add the vertex v_u to S; its first dart is the dart of entry."""
     robot.events[names.NON_LOOP] += 1
     v, entry = robot.vertices, robot.darts
     degree = robot.seen_degree
@@ -233,7 +237,7 @@ def _augment_by_vertex(robot, action):
 
 @inner
 def _add_vertex(robot, degree, marks, bearing):
-    """Add a vertex to S; its darts are in U."""
+    """Add a vertex to S, and its darts to U; each of them gets this percept as its expected one."""
     entry, v = robot.darts, robot.vertices
     for dart in range(entry, entry + degree):
         robot.sigma[dart] = dart + 1
@@ -250,7 +254,7 @@ def _add_vertex(robot, degree, marks, bearing):
 
 @inner
 def _explore(robot, dart, partner):
-    """Add an edge to S; its darts leave U."""
+    """Add the edge of these two darts to S; both darts leave U."""
     robot.alpha[dart], robot.alpha[partner] = partner, dart
     left = 0
     for i in range(robot.known):
@@ -262,7 +266,7 @@ def _explore(robot, dart, partner):
 
 @inner
 def _measure(robot, goal):
-    """Measure for each vertex of S the length of a shortest walk to the goal."""
+    """Measure for each vertex of S the length of a shortest walk to the vertex ``goal``."""
     for v in range(robot.vertices):
         robot.length[v] = NONE
     robot.length[goal] = 0
@@ -281,7 +285,7 @@ def _measure(robot, goal):
 
 @inner
 def _plan(robot, start, goal):
-    """Write the first of the shortest paths through S to ``robot.path``."""
+    """Write a shortest path between two vertices of S, with the first darts, to ``robot.path``."""
     robot.steps = 0
     if start == goal:
         return
@@ -296,7 +300,7 @@ def _plan(robot, start, goal):
 
 @inner
 def _nearer(robot, v):
-    """The first dart of the vertex that leads one step nearer to the measured goal."""
+    """The first dart of vertex v that leads nearer to the goal of the last ``_measure``."""
     dart = robot.first[v]
     while robot.length[robot.owner[robot.alpha[dart]]] != robot.length[v] - 1:
         dart += 1
@@ -319,7 +323,7 @@ at the other end of the dart to v1, and back."""
 
 
 def start_undirected(robot, percept, told, action):  # pragma: no cover  # compiled
-    """The first step of the search."""
+    """Begin with S = v0, and take the first step of the search for v1."""
     robot.degree_of_v0, robot.degree_of_v1 = percept.degree, told
     marks = _is(robot, percept.degree, percept.marks, percept.degree, 1)
     begin(robot, int64(percept.degree), marks, NONE)
@@ -355,7 +359,7 @@ def step_undirected(robot, percept, action):  # pragma: no cover  # compiled
 
 @inlined
 def _is(robot, degree, marks, own_degree, own_marks):
-    """Return 1 if this is the percept of the vertex with that degree or those marks, else 0."""
+    """Return 1 if a percept has a vertex's own degree (natural) or own marks (else); 0 if not."""
     if robot.natural:
         return 1 if degree == own_degree else 0
     return 1 if marks == own_marks else 0

@@ -1,9 +1,8 @@
 """The requests to the engines and their results, and the structured arrays of compiled code.
 
-Requests and results are plain numbers.  A structured array lies in memory field by field, beside
-the memory of a batch of runs.  Compiled code reaches its fields by name, and gets a pointer to it
-where a function takes one.  In a map that has been glued the darts of a vertex are consecutive, and
-the root is dart 0.
+Requests and results are plain numbers.  A structured array lies in memory field by field: compiled
+code reaches its fields by name, and a C function gets a pointer to the array.  In every map that
+the kernel enumerates the darts of a vertex are consecutive, and the root is dart 0.
 """
 
 from __future__ import annotations
@@ -22,19 +21,23 @@ if TYPE_CHECKING:
 
 
 class Level(Struct, frozen=True, eq=False):
-    """The data that all units of a level share.
+    """The request that all units of a level share.
+
+    A level is all worlds with one number of edges; a unit is the maps of a level whose gluing
+    begins with one list of decisions.
 
     Attributes:
         edges: m, at most MOST_EDGES.
         limit: the largest number of vertices, at most m + 1.
-        simple, planar: whether the class has these properties.
-        explorer: one of :data:`allworlds.engines.kernel.capabilities.EXPLORERS`.
-        lighthouse: one of :data:`allworlds.engines.kernel.capabilities.LIGHTHOUSES`.
+        simple, planar: whether the maps of the class are simple, and whether they are planar.
+        explorer: a name in :data:`allworlds.engines.kernel.capabilities.EXPLORERS`.
+        lighthouse: a name in :data:`allworlds.engines.kernel.capabilities.LIGHTHOUSES`.
         policy: ``fifo``, ``lifo`` or ``nearest``.
-        laws: the checked laws; the laws before ``map`` are always checked.
-        bounds: the largest legal costs by vertices, degree of v0 and largest degree; a degree on
-            which the bound does not depend has one entry.
-        budgets: the largest number of traversals, by vertices from 0 on; at most MOST_BUDGET.
+        laws: the checked laws; those before ``map`` in the order of precedence are always checked.
+        bounds: the largest legal cost, indexed by the number of vertices, the degree of v0 and the
+            largest degree; if the bound does not depend on a degree, that index is always 0.
+        budgets: the largest number of traversals of a run, indexed by the number of vertices; at
+            most MOST_BUDGET.
     """
 
     edges: int
@@ -50,7 +53,7 @@ class Level(Struct, frozen=True, eq=False):
 
 
 class Counts(Struct, frozen=True):
-    """The counts of the worlds of one size.
+    """The counts of the worlds with one number of vertices.
 
     Attributes:
         vertices: n.
@@ -79,7 +82,7 @@ class Counts(Struct, frozen=True):
 
 
 class At(NamedTuple):
-    """A run, in canonical numbering.
+    """A run: the map of its world, in canonical numbering, and its place.
 
     Attributes:
         vertices: n.
@@ -94,9 +97,10 @@ class At(NamedTuple):
 
 
 class BrokenRun(Struct, frozen=True):
-    """A run that breaks a law, in canonical numbering, as :class:`At`.
+    """A run that breaks a law.
 
     Attributes:
+        vertices, sigma, alpha: the map of the run's world, as in :class:`At`.
         place: the number of the place; None stands for every place.
         law: the law's name; empty if the engine does not distinguish laws.
     """
@@ -109,14 +113,16 @@ class BrokenRun(Struct, frozen=True):
 
 
 class Sums(Struct, frozen=True):
-    """The sums of a unit, or of a batch.
+    """The results of all runs of a unit, or of a batch, summed up.
 
     Attributes:
         counts: the counts for each number of vertices that occurs.
         events: the number of occurrences of each event of Algorithm 1.
-        met: the triples (n, d0, D) of all runs, with 0 for a degree that the bound does not use.
-        most_expensive: for each number of vertices the least of the most expensive runs.
-        broken: the least runs that break a law, ascending.
+        met: the triples (n, d0, D) that occur, with 0 for a degree that the bound does not use.
+        most_expensive: for each number of vertices the run with the largest cost; of several runs
+            the one with the least canonical code.
+        broken: runs that break a law, ascending by vertices, code, place and law; of many runs only
+            the least.
     """
 
     counts: tuple[Counts, ...]
@@ -140,7 +146,7 @@ NONE = -1
 
 
 def _record(*fields: tuple[Any, ...]) -> Any:
-    """The type of a structured array; each group of fields has a type, names, and maybe a shape."""
+    """The type of a structured array; a group of fields has a type, names, and maybe a shape."""
     every = ((names.split(), kind, shape) for kind, names, *shape in fields)
     return dtype([(name, kind, *of) for names, kind, of in every for name in names], align=True)
 
@@ -353,7 +359,11 @@ SCHEDULES = _record(
 
 
 class Kept(NamedTuple):
-    """Kept runs, as rows: n, the code, the place, the law's number, the unrooted code."""
+    """Runs that are kept, each as a row of numbers.
+
+    A row holds n, the canonical code of the rooted map, the place, the law's number, and the code
+    of the map without a root, which is the least of its codes from all roots.
+    """
 
     # By n, the least of the most expensive runs, without unrooted codes.
     most_expensive: Any
@@ -392,7 +402,7 @@ LOG_BYTES = 1 << 20
 
 
 class Stretch(NamedTuple):
-    """Memory for a batch of runs."""
+    """Memory for a batch of runs: for their worlds, percepts and logs."""
 
     # The head of each run.
     heads: Any
@@ -407,14 +417,14 @@ class Stretch(NamedTuple):
 
     @classmethod
     def of(cls, edges: int) -> Stretch:
-        """Memory for worlds with so many edges."""
+        """Memory for a batch of runs in worlds with this number of edges."""
         heads, worlds = zeros((MOST_RUNS, HEAD), int32), zeros((MOST_RUNS, WIDE * 2 * edges), uint8)
         percepts, logs = (zeros(LOG_BYTES, uint8) for _ in range(2))
         starts, begins = (zeros(MOST_RUNS + 1, int32) for _ in range(2))
         return cls(heads, worlds, percepts, starts, logs, begins)
 
     def put(self, logs: Logs) -> int:
-        """Write logs, one behind the other, to this memory; return their size; without room -1."""
+        """Write logs, one behind the other, to memory; return their size, or -1 without room."""
         runs, begin = len(logs), logs.starts[0]
         size = len(logs.message) - begin
         if size > LOG_BYTES:

@@ -1,4 +1,4 @@
-"""Canonical codes and fingerprints of rooted maps, and lists of the least of them."""
+"""Canonical codes and fingerprints of rooted maps, and sorted rows that keep the least runs."""
 
 from allworlds.engines.kernel.arrays import NONE
 from allworlds.engines.kernel.compiling import inlined, inner
@@ -9,7 +9,7 @@ FACTOR, LESS = 0x1E3779B97F4A7C15, (1 << 62) - 1
 
 @inlined
 def mixed(code, decision):
-    """The code of a history after one more decision."""
+    """The fingerprint of a gluing after one more decision; ``code`` is the one before it."""
     code = (code ^ decision) * FACTOR & LESS
     return code ^ code >> 31
 
@@ -44,7 +44,7 @@ def fingerprint(world, alpha):
 
 @inner
 def number(world, root):
-    """Number the darts in canonical order from the root, in ``world.order``."""
+    """Write the darts in canonical order from the root to ``world.order``, and number them so."""
     for dart in range(world.darts):
         world.number[dart] = NONE
     world.number[root] = 0
@@ -62,7 +62,7 @@ def number(world, root):
 
 @inlined
 def encode(world, root, row, start):
-    """Write the canonical code, sigma then alpha, to ``row[start:]``."""
+    """Write the canonical code of the map with this root, sigma then alpha, to ``row[start:]``."""
     number(world, root)
     for i in range(world.darts):
         row[start + i] = world.number[world.sigma[world.order[i]]]
@@ -71,7 +71,7 @@ def encode(world, root, row, start):
 
 @inner
 def _encode_unrooted(world, row, start):
-    """Write the least of the canonical codes from all roots to ``row[start:]``."""
+    """Write the least of the map's canonical codes, one for each root, to ``row[start:]``."""
     encode(world, 0, row, start)
     darts = world.darts
     for root in range(1, darts):
@@ -89,7 +89,7 @@ def _encode_unrooted(world, row, start):
 
 @inner
 def note(world, law, row):
-    """Write a run as a row, except for the unrooted code of its map."""
+    """Write a run to ``row``, without the last part, which is the unrooted code of its map."""
     row[0] = world.vertices
     encode(world, 0, row, 1)
     row[1 + 2 * world.darts] = world.place
@@ -98,7 +98,11 @@ def note(world, law, row):
 
 @inner
 def blame(world, law, least, row):
-    """Keep a run that breaks a law if it is among the least; keep one run of each law and map."""
+    """Keep a run that breaks this law if it is among the least.
+
+    The kept runs are the rows of ``least``.  Of all runs that break the same law in the same map,
+    whatever its root, only the least is kept.  The run is written to ``row``.
+    """
     note(world, law, row)
     if not _before(row, least, least.shape[0] - 1):
         return
@@ -116,9 +120,10 @@ def blame(world, law, least, row):
 
 @inner
 def is_less(world, kept, spot):
-    """Whether the canonical code of the world is less than the code of a row, or the row is empty.
+    """Whether the world's canonical code is less than that in row ``spot`` of ``kept``.
 
-    The code is not written, because the first difference decides, and is early in most cases.
+    It is less than any code if that row is empty.  The code is not written first, because the first
+    difference decides, and is early in most cases.
     """
     if kept[spot, 0] == 0:
         return True
@@ -144,9 +149,9 @@ def is_less(world, kept, spot):
 
 @inner
 def keep_least(least, row):
-    """Sort a row into the ascending rows of ``least``; the greatest falls out.
+    """Insert a row into the ascending rows of ``least``; the greatest row is dropped.
 
-    A row begins with its number of vertices; 0 there marks an empty row.
+    A row begins with the number of vertices of its map; 0 there marks an empty row.
     """
     spot = least.shape[0]
     while spot > 0 and _before(row, least, spot - 1):
@@ -161,7 +166,7 @@ def keep_least(least, row):
 
 @inlined
 def _before(row, least, spot):
-    """Whether the row is lexicographically less than the row at this spot, or that row is empty."""
+    """Whether this row is lexicographically less than row ``spot``, or row ``spot`` is empty."""
     if least[spot, 0] == 0:
         return True
     for i in range(len(row)):

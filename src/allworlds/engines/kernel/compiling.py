@@ -1,4 +1,4 @@
-"""The compilation of the engines, the reuse of earlier compilations, and instructions.
+"""The compilation of the engines, the reuse of compiled code, and instructions that numba lacks.
 
 numba keeps compiled code beside the sources (or in the user's cache), but checks only the source
 file of the outermost function.  This module checks all source files of the kernel.
@@ -6,9 +6,10 @@ file of the outermost function.  This module checks all source files of the kern
 No compiled function makes an array or counts references, and only functions that Python calls are
 wrapped for Python, which saves a third of the time of compiling.
 
-The instructions are calls by address, bytes in memory, and sets as bit masks.  The arguments of a C
-function are pointers (to a structured array, or an address as an integer) and 32-bit integers; it
-returns nothing or a 32-bit integer.  Such a function is called in the same way on every platform.
+The instructions call functions by address, read and write memory, and compute with sets of small
+numbers, which are bit masks.  The arguments of a C function are 32-bit integers and pointers; a
+pointer is given as a structured array, or as an address in a 64-bit integer.  A C function returns
+nothing or a 32-bit integer.  So all platforms call these functions in the same way.
 """
 
 import gc
@@ -28,17 +29,17 @@ _njit = partial(njit, nogil=True, error_model="numpy", no_cfunc_wrapper=True, _n
 
 
 def inlined(function: Callable[..., Any]) -> Any:
-    """A function that is called from one place only; it is compiled into its caller."""
+    """Compile a function that is called from one place only into its caller."""
     return _njit(no_cpython_wrapper=True, inline="always")(function)
 
 
 def inner(function: Callable[..., Any]) -> Any:
-    """A function that only compiled code calls."""
+    """Compile a function that only compiled code calls."""
     return _njit(no_cpython_wrapper=True)(function)
 
 
 def entry(function: Callable[..., Any]) -> Any:
-    """A function that Python calls; its compiled code is kept if that is possible."""
+    """Compile a function that Python calls; keep its compiled code in a file if possible."""
     try:
         return _stamped(_njit(cache=True)(function))
     except RuntimeError:  # no folder that could be written to
@@ -46,7 +47,10 @@ def entry(function: Callable[..., Any]) -> Any:
 
 
 def callback(function: Callable[..., Any], signature: Any) -> int:
-    """A C function with an address; its compiled code is kept if that is possible."""
+    """Compile a function that C code can call; return its address.
+
+    The compiled code is kept in a file if that is possible.
+    """
     options = {"error_model": "numpy", "_nrt": False}
     compiled = CFunc(function, (signature.args, signature.return_type), {}, options)
     with suppress(RuntimeError):  # as above
@@ -59,7 +63,10 @@ def callback(function: Callable[..., Any], signature: Any) -> int:
 
 @contextmanager
 def uncollected() -> Iterator[None]:
-    """Switch off the garbage collector, which would take a tenth of the time of compiling."""
+    """Switch off the garbage collector inside of a ``with`` block.
+
+    The garbage collector would take a tenth of the time of compiling.
+    """
     enabled = gc.isenabled()
     gc.disable()
     try:
@@ -72,8 +79,8 @@ def uncollected() -> Iterator[None]:
 def is_compiled(function: Any) -> bool:
     """Whether valid compiled code of ``function`` is kept from an earlier use.
 
-    The stamp of the kept code is checked, not its age, so that a later installation of equal
-    sources uses it, too.
+    Kept code holds a hash of its sources, and is valid if the present sources have that hash, so
+    that a later installation of equal sources uses the code, too.
     """
     file = _file_of(function)
     return file is not None and bool(file._load_index())  # noqa: SLF001  # there is no public way
@@ -87,7 +94,7 @@ _ALIVE: list[CFunc] = []
 
 
 def _stamped(function: Any) -> Any:
-    """The function; its kept code is valid until a source file of this package changes."""
+    """Return the function; its kept code is valid from now on only for the present sources."""
     file = _file_of(function)
     if file is not None:
         file._source_stamp = _stamp()  # noqa: SLF001  # there is no public way
@@ -117,7 +124,7 @@ _NOT_EMPTY = ir.Constant(ir.IntType(1), 0)
 
 
 def _lowered(builder: Any, kind: Any, value: Any) -> Any:
-    """The value in the form in which C takes it."""
+    """The value of an argument of this kind in the form that C takes: pointer or 32-bit integer."""
     if isinstance(kind, types.Record):
         return builder.bitcast(value, _POINTER)
     if kind == types.int64:
@@ -127,7 +134,7 @@ def _lowered(builder: Any, kind: Any, value: Any) -> Any:
 
 
 def _call(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> Any:
-    """The code of a call of the address in the first value, with the tuple in the second."""
+    """Build a call of a function; ``values`` are its address and the tuple of its arguments."""
     address, arguments = values
     lowered = [
         _lowered(builder, kind, value)
@@ -141,18 +148,21 @@ def _call(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> 
 
 @intrinsic
 def call(_context, address, arguments):
-    """Call the function at the address with a tuple of arguments; it returns nothing."""
+    """Call the function at the address, which returns nothing, with a tuple of arguments."""
     return types.void(address, arguments), _call
 
 
 @intrinsic
 def ask(_context, address, arguments):
-    """Call the function at the address with a tuple of arguments; return its 32-bit integer."""
+    """Call the function at the address with a tuple of arguments; return what it returns."""
     return types.int32(address, arguments), _call
 
 
 def expression(function: Callable[..., Any]) -> Any:
-    """Make a function of 64-bit integers from the function that builds its instructions."""
+    """Make a function for compiled code, which takes and returns 64-bit integers.
+
+    The given function builds the instructions of the new one.
+    """
 
     @wraps(function)
     def typed(_context: Any, *arguments: Any) -> Any:
@@ -165,31 +175,34 @@ def expression(function: Callable[..., Any]) -> Any:
 
 
 def number(value: int) -> Any:
-    """The value as a constant in compiled code."""
+    """The value as a 64-bit constant in compiled code."""
     return ir.Constant(_LONG, value)
 
 
 @expression
 def lowest(builder, mask):
-    """The least element of a nonempty set of numbers below 63."""
+    """The least number in a nonempty set; bit i of the mask says whether i < 63 is in the set."""
     return builder.cttz(mask, _NOT_EMPTY)
 
 
 @expression
 def highest(builder, mask):
-    """The greatest element of a nonempty set."""
+    """The greatest number in a nonempty set, which is given as a mask."""
     return builder.sub(number(63), builder.ctlz(mask, _NOT_EMPTY))
 
 
 @expression
 def size(builder, mask):
-    """The number of elements."""
+    """The number of elements of a set, which is given as a mask."""
     return builder.ctpop(mask)
 
 
 @inlined
 def neighbours(graph, front):
-    """The set of vertices that are joined to the set ``front`` by ``graph.adjacent``."""
+    """The set of the neighbours of all vertices in the set ``front``.
+
+    The set of the neighbours of vertex v is ``graph.adjacent[v]``.
+    """
     joined = 0
     while front:
         joined |= graph.adjacent[lowest(front)]
