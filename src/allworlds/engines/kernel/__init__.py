@@ -1,9 +1,9 @@
-"""The kernel: compiled engines with the answers of their twins, orders of magnitude faster.
+"""The kernel: compiled engines that give the answers of their twins, but much faster.
 
 Each engine is compared with a readable twin that shares no code with it.  An engine holds the
 interpreter's lock only at its start and its end, so that threads share the work.
 
-``engine``: the interface to Python, by plain numbers; it also lays out and judges users' runs.
+``engine``: the interface to Python, by plain numbers; it also lays out and judges runs of users.
 ``runs``, ``laws``, ``code``: every run of a unit, played or read from its log, judged and tallied.
 ``worlds``: maps one after the other, with their lighthouses, and the numbers of maps.
 ``algorithm1``: the built-in explorers, behind the C interface of all explorers.

@@ -7,10 +7,14 @@ tried in turn: it is glued to another open dart, or to the first dart of a new v
 decisions after which W can be finished are tried.  Each finished walk belongs to one world, and
 each world to one finished walk.
 
-Each pass checks conditions that imply I-1, I-2 and the variant after it: a new vertex of S has not
-been in S, and a dart that is closed to a loop leads in W to the same dart as in S.  The robot
-closes a loop only on an arrival at v0 in the last dart of the path.  That arrival also merges the
-log's node with v0, so the folded log holds every edge of S.  At the end S must be all of W.
+Each pass checks two conditions: a new vertex of S stands for a vertex of W for which no other
+vertex of S stands, and a dart that is closed to a loop leads in W to the same dart as in S.  From
+these the laws invariant-1, invariant-2 and variant follow.  The robot closes a loop only on an
+arrival at v0 by the last dart of the tested path.  That arrival also merges the present node of the
+folded log with v0, so the folded log holds every edge of S.  At the end S must be all of W.
+
+``w`` is the state of the check, an array ``WALK``, and ``s`` is its part to which a walk can go
+back.
 
 Source: Algorithm 1, Sections IV and V.
 """
@@ -48,7 +52,8 @@ _FEW = 0xFF
 def explore(w, prefix, kept, halt):
     """Walk and tally every world whose gluing begins with ``prefix``, once each.
 
-    A broken world is kept as a run at place 0 that breaks law 0.
+    A world in which a law is broken is kept as a run with place 0 and law 0, which stands for all
+    its places and laws.  The work is given up once ``halt[0]`` is not 0.
     """
     s = w.now
     _begin(w, s, prefix)
@@ -81,7 +86,7 @@ def explore(w, prefix, kept, halt):
 
 @inlined
 def _begin(w, s, prefix):
-    """Take the decisions of the prefix; S is v0, and the robot faces dart 0 of W and of S."""
+    """Take the decisions of the prefix; let S be v0, with the robot at dart 0 of W and of S."""
     s.open = s.darts = s.vertices = 0
     _add_vertex(w, s, -prefix[0])
     for i in range(1, len(prefix)):
@@ -119,14 +124,17 @@ def _add_vertex(w, s, degree):
 
 @inlined
 def _glue(w, s, z):
-    """Join the darts y and z of W."""
+    """Join the darts ``s.y`` and z of W to an edge."""
     w.partner[s.y], w.partner[z] = z, s.y
     s.open &= ~(1 << s.y | 1 << z)
 
 
 @inlined
 def _choose(w, s):
-    """Take the next decision for the dart y; if none is left, drop the choice, and return False."""
+    """Take the next decision for the dart ``s.y``, and return True.
+
+    If no decision is left for this dart, drop its choice, and return False.
+    """
     choice = w.choices[w.depth - 1]
     if choice.untried:
         z = lowest(choice.untried)
@@ -176,7 +184,7 @@ def _tally(w, s, kept):
 
 @inlined
 def _fingerprint(w, s):
-    """The fingerprint of W; unless the policy is fifo, W is numbered anew for it."""
+    """The fingerprint of W, which a walk under fifo has already computed, unless it has failed."""
     if w.policy == FIFO and s.stage != FAILED:
         return s.code
     return fingerprint(w, w.partner)
@@ -184,7 +192,7 @@ def _fingerprint(w, s):
 
 @inner
 def _settle(w, s):
-    """Write W, which is complete, as a world."""
+    """Write W, in which no dart is open, to ``w.world``."""
     world = w.world
     world.darts, world.vertices = s.darts, s.vertices
     for dart in range(s.darts):
@@ -195,14 +203,14 @@ def _settle(w, s):
 
 @inner
 def _blame(w, s, kept):
-    """Keep a world in which a law is broken, if it is among the least."""
+    """Keep W, in which a law is broken, if it is among the least of such worlds."""
     _settle(w, s)
     blame(w.world, 0, kept.least, kept.row)
 
 
 @inlined
 def _go_back(w, s):
-    """Take the walk back to the latest choice."""
+    """Restore S and the walk as they were at the latest choice."""
     now = w.choices[w.depth - 1].now
     while s.passes > now.passes:
         s.passes -= 1
@@ -235,7 +243,7 @@ def _walk(w, s):
 
 @inlined
 def _pick(w, s):
-    """Lines 2-5: the dart e and the way to it, or the end."""
+    """Do lines 2-5: choose the dart e, and add the steps of the way; or end the walk."""
     if s.total & COST > w.fuel:
         s.stage = FAILED
         return
@@ -266,7 +274,7 @@ def _pick(w, s):
 
 @inlined
 def _arrive(w, s):
-    """Line 6: the robot has crossed e, and the hypotheses about its other end are collected."""
+    """Do line 6: the robot has crossed e; collect the hypotheses about the other end of e."""
     z = w.partner[s.y]
     if z < w.end[0]:
         # The direction tells the dart of v0, so this test needs no step.
@@ -283,7 +291,10 @@ def _arrive(w, s):
 
 @inlined
 def _test_all(w, s):
-    """Lines 7-17, 20-21: whether the pass is done; else it failed, or a dart must be decided."""
+    """Do lines 7-17 and 20-21; return whether the pass is done.
+
+    If the pass is not done, the walk has failed, or a dart of W must be decided.
+    """
     while s.stage != FAILED:
         if s.stage == NEXT:
             if s.total & COST > w.fuel:
@@ -326,7 +337,10 @@ def _test_all(w, s):
 
 @inlined
 def _aim(w, s, dart, x):
-    """Plan the next step on the way home, from this dart of S and the dart x of W."""
+    """Plan the next step of a test, on the way to v0.
+
+    By the hypothesis the robot is at this dart of S; in truth it is at the dart x of W.
+    """
     p = s.parent >> (5 * (w.s_owner[dart] - 1)) & 31
     turn = p - dart
     if turn < 0:
@@ -340,7 +354,7 @@ def _aim(w, s, dart, x):
 
 @inlined
 def _augment_by_vertex(w, s):
-    """Lines 20-21: add a new vertex to S."""
+    """Do lines 20-21: add a new vertex to S; the walk fails if S has that vertex already."""
     u, x, end = w.owner[s.x], s.x, w.end[s.x]
     degree = w.degree[x]
     s.code = mixed(s.code, 0 - degree)
@@ -376,7 +390,10 @@ def _augment_by_vertex(w, s):
 
 @inlined
 def _augment_by_loop(w, s):
-    """Lines 18-19: the dart e is closed to a loop with the candidate."""
+    """Do lines 18-19: join the dart e and the tested dart to an edge of S.
+
+    The walk fails if these darts are no edge in W.
+    """
     e, dart = s.e, s.candidate
     if not s.unexplored >> dart & 1 or w.partner[w.image[e]] != w.image[dart]:
         s.stage = FAILED
@@ -425,7 +442,10 @@ def _distance(w, start, goal):
 
 @inner
 def _ways_home(w, s):
-    """Pack for each vertex of S its distance to v0, and the first dart that leads nearer."""
+    """Pack for each vertex of S its distance to v0, and its first dart that leads nearer.
+
+    The distances are written to ``s.level``, the darts to ``s.parent``.
+    """
     level = parent = 0
     reached = front = 1
     steps = 0
@@ -449,7 +469,7 @@ def _ways_home(w, s):
 
 @inner
 def _nearest(w, s):
-    """The first among the darts in U with the shortest walk."""
+    """The dart in U to whose vertex the walk through S is shortest; of several darts the first."""
     reached = front = 1 << s.position
     while front:
         after = darts = 0

@@ -1,11 +1,11 @@
 """The compiled engines for a unit of a level; requests are plain numbers, results plain sums.
 
 :func:`judge` plays and judges every run; :func:`walk` walks Algorithm 1 once in each rooted map
-and counts the walk for every bearing of the lighthouse.
+and counts the walk once for each direction of the lighthouse.
 
-For a user's explorer this module lays out runs and judges their logs, and other processes play.
-The runs are laid out first, so that a player needs no enumeration and can play them in any order.
-A library plays in :mod:`allworlds.engines.kernel.library_player`.
+For a user's explorer this module lays out runs and judges their logs, and other processes play.  To
+lay out runs is to write their worlds to memory, so that a player need not enumerate maps, and can
+play the runs in any order.  :mod:`allworlds.engines.kernel.library_player` plays users' libraries.
 """
 
 import json
@@ -55,10 +55,11 @@ def judge(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = Non
     Args:
         level: the request.
         prefix: the first decisions, at least one (:func:`allworlds.maps.enumeration.prefixes`).
-        keep: the number of broken runs that are kept, each the least of its law and map.
+        keep: the largest number of runs that break a law and are kept; of the runs that break the
+            same law in the same map only the least is kept.
         halt: an array; if its entry 0 is set, the work is given up, and its result is void.
 
-    Cost: some microseconds a run; constant memory.
+    Cost: some microseconds for a run; constant memory.
     """
     job, robot = new(JOB), new(ROBOT)
     set_up(job, robot, level)
@@ -68,7 +69,7 @@ def judge(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = Non
 
 
 def sums_of(unit: runs.UnitArrays, job: Any, robot: Any) -> Sums:
-    """The sums of the judge's results."""
+    """The results that the judge has written to the arrays of a unit, as sums."""
     darts, kept = 2 * int(job.gluing.edges), unit.kept
     table = enumerate(unit.counts.tolist())
     return Sums(
@@ -85,7 +86,7 @@ def sums_of(unit: runs.UnitArrays, job: Any, robot: Any) -> Sums:
 
 
 def unit_of(level: Level, prefix: Sequence[int], keep: int = 1) -> runs.UnitArrays:
-    """The arrays of the judge, with room for its results."""
+    """The arrays of a unit: the request, and room for the results."""
     bounds = array(level.bounds, int64)
     return runs.UnitArrays(
         array(prefix, int64),
@@ -99,14 +100,14 @@ def unit_of(level: Level, prefix: Sequence[int], keep: int = 1) -> runs.UnitArra
 
 
 def _rooms(edges: int, keep: int) -> Kept:
-    """Room for the runs that are kept."""
+    """Empty rows for runs: the most expensive of each size, and ``keep`` runs that break a law."""
     width = 3 + 8 * edges
     most_expensive, least = (zeros((many, width), int64) for many in (edges + 2, keep))
     return Kept(most_expensive, least, zeros(width, int64))
 
 
 def compile_apart(explorer: str) -> None:
-    """Let another process compile an explorer into the cache.
+    """Let another process compile an explorer into the cache, and wait for that process.
 
     Without a writable cache this has no effect.
     """
@@ -147,8 +148,8 @@ def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None
     """Walk Algorithm 1 once in every map whose gluing begins with ``prefix``.
 
     The class is ``maps``, the lighthouse is directional, all laws are checked together, and the
-    bound depends on n alone.  A walk that costs more than the largest budget has failed.  A world
-    is broken if some law is broken at some place.
+    bound depends on n alone.  A walk that costs more than the largest budget has failed.  If
+    some law is broken at some place of a world, that world is one broken run, for all its places.
 
     The arguments are those of :func:`judge`.
 
@@ -193,12 +194,13 @@ def flag() -> Any:
 
 
 class LaidOutRuns(Struct, frozen=True):
-    """A batch that has been laid out.
+    """A batch of runs whose worlds have been written to memory for a player.
 
     Attributes:
         runs: the number of runs.
-        first, until: the number in the unit of its first run, and of the run after its last run.
-        last: whether it is the last batch of its unit.
+        first, until: the numbers, in the unit, of the batch's first run, and of the run after the
+            batch's last run.
+        last: whether this batch is the last one of its unit.
     """
 
     runs: int
@@ -212,9 +214,9 @@ class UnitJudge:
 
     Args:
         level, prefix: the request, and the first decisions of the maps.
-        keep: the number of broken runs that are kept for each batch.
-        stretch: the memory of the first play.
-        replay: the memory of the second play.
+        keep: the largest number of runs that break a law and are kept, for each batch.
+        stretch: the memory of the first play of a batch, in worlds.
+        replay: the memory of the second play, by the percepts of the first.
     """
 
     def __init__(
@@ -230,7 +232,7 @@ class UnitJudge:
         reader.percepts, reader.starts = replay.percepts.ctypes.data, replay.starts.ctypes.data
 
     def lay_out(self, most: int) -> LaidOutRuns:
-        """Write the next batch, of about this number of runs, to memory; return its bounds."""
+        """Write the next batch, of about ``most`` runs, to memory; return a description of it."""
         ahead, stretch = self._ahead, self._stretch
         first = int(ahead.number)
         ahead.until = first + min(most, layout.LONGEST_STRETCH)
@@ -241,7 +243,7 @@ class UnitJudge:
     def judge(self, batch: LaidOutRuns, size: int) -> tuple[Sums, bool]:
         """Judge the logs in memory; return the sums, and whether all logs could be judged.
 
-        The percepts are written to the memory of the second play.
+        The percepts of these runs are written to the memory of the second play.
 
         Args:
             batch: the batch of the logs.
@@ -269,7 +271,7 @@ class UnitJudge:
 def lay_out(job, unit, heads, worlds):
     """Lay out runs up to ``job.until``, or until there is no more room; return their number.
 
-    The first two arguments are as in :func:`allworlds.engines.kernel.runs.examine`.  ``job.number``
+    ``job`` and ``unit`` are as in :func:`allworlds.engines.kernel.runs.examine`.  ``job.number``
     becomes the number of the next run, and ``job.until`` becomes 0 after the last run.  Each run is
     written to a row of ``heads`` and of ``worlds``.
     """

@@ -4,9 +4,9 @@ A published S is embedded into the world: its ``here`` is mapped to the robot's 
 images of all other darts follow along sigma and the explored edges.
 
 A folded log begins as a tree of new nodes, walked as the log says.  On each arrival at v0 the node
-is merged with v0, aligned by the bearing; if a dart then leads to two nodes, these are merged, too.
-Each node is a copy of a vertex of the true map, and its darts have the numbers of that vertex's
-darts.  Dart d of node v is the number ``v << NODE | d``.
+is merged with v0, dart with dart as the bearing says; if a dart then leads to two nodes, these are
+merged, too.  Each node is a copy of a vertex of the true map, and its darts have the numbers of
+that vertex's darts.  Dart d of node v is the number ``v << NODE | d``.
 
 The twins are :mod:`allworlds.judging.laws` and
 :class:`allworlds.maps.combinatorial.CombinatorialMap`.
@@ -39,9 +39,10 @@ NODE = DARTS.bit_length() - 1
 
 @inner
 def look_at(judged, published, world, dart, walked):
-    """Note the laws that this checkpoint breaks; ``alpha[d] == d`` marks an open dart of S.
+    """Note in ``judged`` the laws that the checkpoint ``published`` breaks.
 
-    ``dart`` is the robot's true dart, ``walked`` the set of the darts of all edges walked so far.
+    ``alpha[d] == d`` marks an open dart of S.  ``dart`` is the robot's true dart, ``walked`` the
+    set of the darts of all edges walked so far.
     """
     darts, alpha, explored = published.darts, published.alpha, 0
     for d in range(darts):
@@ -62,7 +63,10 @@ def look_at(judged, published, world, dart, walked):
 
 @inner
 def answer_law(published, world, dart, judged):
-    """The law that the answer breaks (no-estimate, map or pose); 0 if it breaks none."""
+    """The number of the law that the answer breaks (no-estimate, map or pose); 0 if it breaks none.
+
+    ``dart`` is the robot's true dart.
+    """
     size, here = int64(published.darts), int64(published.here)
     if here < 0 or here >= size or not _is_map(published, judged):
         return NO_ESTIMATE
@@ -77,7 +81,10 @@ def answer_law(published, world, dart, judged):
 
 @inner
 def _is_part(judged, published, world, dart, walked):
-    """Whether S is a part of the world, in its cyclic orders, and each of its edges was walked."""
+    """Whether S is a part of the world with the same cyclic orders, and all edges of S were walked.
+
+    The dart of the world for which ``here`` stands is ``dart``.
+    """
     size, here = published.darts, published.here
     if here < 0 or here >= size or size > world.darts:
         return False
@@ -155,7 +162,7 @@ def _is_map(published, judged):
 
 @inner
 def folds(world, log, fold):
-    """Whether no dart of the folded log is open; the log is that of a directional lighthouse."""
+    """Whether no dart of the folded log is open; the lighthouse must be directional."""
     fold.parent[0] = fold.linked[0] = fold.node = 0
     fold.open = world.degree[0]
     fold.nodes = 1
@@ -198,7 +205,7 @@ def _step(world, fold, entered):
 
 @inlined
 def _lead(fold, v, leaving, w, entered):
-    """Join two darts whose other ends were unknown."""
+    """Join dart ``leaving`` of node v and dart ``entered`` of node w, which had no partners."""
     fold.link[v << NODE | leaving], fold.link[w << NODE | entered] = w, v
     fold.linked[v] |= 1 << leaving
     fold.linked[w] |= 1 << entered
@@ -207,7 +214,7 @@ def _lead(fold, v, leaving, w, entered):
 
 @inlined
 def _root(fold, v):
-    """The node into which this node has been merged."""
+    """The node into which node v has been merged, perhaps in several steps; v itself if in none."""
     while fold.parent[v] != v:
         v = fold.parent[v]
     return v
@@ -215,7 +222,7 @@ def _root(fold, v):
 
 @inner
 def _merge(world, fold, v, w):
-    """Merge two nodes, and the nodes to which their equal darts lead."""
+    """Merge two nodes, and then the nodes to which the darts of one number lead from both."""
     waiting = 0
     while True:
         v, w = _root(fold, v), _root(fold, w)

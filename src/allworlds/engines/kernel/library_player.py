@@ -1,6 +1,7 @@
-"""Batches of runs that a shared library plays, in worlds or by percepts; only players use this.
+"""Batches of runs that a shared library plays; only players use this.
 
-A run yields a log (:mod:`allworlds.log`), which another process judges.  The twin is
+A batch is played in its worlds, and then again by the percepts of this first play.  A run yields a
+log (:mod:`allworlds.log`), which another process judges.  The twin is
 :mod:`allworlds.explorers.shared_library`.
 """
 
@@ -34,7 +35,12 @@ LONGEST_ENTRY = 4 + 2 * codes.MOST_DARTS
 
 
 class Handed(NamedTuple):
-    """A native explorer: its structured array, the exchanged values, and its run and turn."""
+    """A native explorer, as compiled code takes it.
+
+    ``library`` is a structured array ``LIBRARY``; percept, action and ``here`` are the memory of
+    the exchanged values; ``beat`` holds the numbers of the run and of the explorer's turn in the
+    run.
+    """
 
     library: Any
     percept: Any
@@ -48,7 +54,7 @@ class LibraryPlayer:
 
     Args:
         explorer: the explorer, loaded in this process.
-        beat: the shared numbers of the run and of the explorer's turn in it.
+        beat: two shared numbers: that of the run, and that of the explorer's turn in the run.
     """
 
     def __init__(self, explorer: NativeExplorer, beat: MutableSequence[int]) -> None:
@@ -60,7 +66,11 @@ class LibraryPlayer:
         self._moved = empty(layout.LOG_BYTES, uint8)
 
     def play(self, batch: dict[str, Any]) -> tuple[bytes, Any] | None:
-        """The lengths of the logs, and the logs; None if they do not fit, or new threads remain."""
+        """Play a batch; return the lengths of the logs as bytes, and the logs.
+
+        Return None if the logs do not fit into memory, or if the library has left new threads
+        running.
+        """
         edges, runs, again = batch["edges"], batch["runs"], batch["again"]
         if edges not in self._memories:
             self._memories[edges] = Stretch.of(edges)
@@ -82,7 +92,10 @@ class LibraryPlayer:
         return self._in_order(order, size, memory)
 
     def _in_order(self, order: Any, size: int, memory: Stretch) -> tuple[bytes, Any]:
-        """The lengths of the logs, and the logs, which are sorted by the numbers of their runs."""
+        """The lengths of the logs as bytes, and the logs, both sorted by the numbers of the runs.
+
+        ``order`` holds these numbers in the order in which the runs were played.
+        """
         begins, lengths = memory.begins[: len(order)], empty(len(order), c_int)
         lengths[order] = diff(begins[order], append=c_int(size))
         move(begins, lengths, memory.logs, self._moved)
@@ -92,8 +105,8 @@ class LibraryPlayer:
 def _handed(functions: Sequence[int], memory: Sequence[Any], beat: Any) -> Handed:
     """A native explorer in the form that compiled code takes.
 
-    The functions are the addresses of start, step, answer, choose (0: none) and of the state; the
-    memory consists of percept, action, here, sigma and alpha.
+    The functions are the addresses of start, step, answer and choose, and of the state; choose is 0
+    if the explorer has none.  The memory consists of percept, action, here, sigma and alpha.
     """
     library = new(LIBRARY)
     percept, action, here, sigma, alpha = (frombuffer(part, c_int) for part in memory)
@@ -127,7 +140,8 @@ def move(begins, lengths, logs, moved):
 def play(handed, shared, order, again):
     """Play runs in this order; return the size of their logs in bytes, or -1 without room.
 
-    If ``again`` is set, the runs are played by the percepts of the first play, without a world.
+    ``order`` holds the numbers of the runs.  If ``again`` is set, the runs are played by the
+    percepts of the first play, without a world.
     """
     at = int64(0)
     for run in order:
@@ -141,7 +155,7 @@ def play(handed, shared, order, again):
 
 @inlined
 def _episode(handed, shared, run, again, at):
-    """Play an episode; return the index after its log, or -1 without room."""
+    """Play an episode; return the index after its log, or -1 if there is no room for its log."""
     explorer, action, head, logs = handed.library, handed.action, shared.heads[run], shared.logs
     cost, shown, turn = 0, 0, 1
     # The address of the percepts of three bytes, and the offset of the present one.
@@ -197,14 +211,14 @@ def _episode(handed, shared, run, again, at):
 
 @inlined
 def _sense(address, percept):
-    """Write the percept whose three bytes are at the address."""
+    """Write the percept whose three bytes are at the address to ``percept``."""
     percept[0], percept[1] = byte_of(address, 0), byte_of(address, 1)
     percept[2] = byte_of(address, 2) - 1
 
 
 @inlined
 def _arrival(sensed, offset, motion, degree):
-    """The offset of the percept after the motion in a laid-out world."""
+    """The offset, in a laid-out world, of the percept at the end of this motion."""
     leaving = offset + layout.WIDE * motion
     if leaving >= layout.WIDE * (byte_of(sensed, offset + layout.FIRST - layout.DEGREE) + degree):
         leaving -= layout.WIDE * degree
@@ -240,9 +254,9 @@ def _end(handed, logs, at):
 
 @inner
 def _publish(handed, logs, at, what):
-    """Write a published map; return the index after it.
+    """Write the explorer's map, after the code ``what``; return the index after the map.
 
-    If the map does not fit into bytes, write BEYOND, and return the index of BEYOND.
+    If a number of the map does not fit into a byte, write the code BEYOND, and return its index.
     """
     explorer, here = handed.library, handed.here
     here[0] = NONE
@@ -265,7 +279,7 @@ def _publish(handed, logs, at, what):
 
 
 def pick(library, of, options, cost):  # pragma: no cover  # compiled
-    """Answer ``allworlds_pick`` by the policy."""
+    """Answer the explorer's question ``allworlds_pick``: the index that the policy chooses."""
     taken = 0
     if options < 1 or of < 0 or of > 3:
         library.wrong = 1

@@ -3,8 +3,8 @@
 A run is a world with a place of the lighthouse.  Runs have the same numbers in their unit as in the
 Python engine; a world without a place counts as one run.
 
-A player is an explorer behind its C interface, or a reader of logs; the judge is compiled for one
-of the two.
+A player is an explorer behind its C interface, or a reader of logs; the judge is compiled once
+for each of the two.
 """
 
 from typing import Any, NamedTuple
@@ -61,9 +61,11 @@ class UnitArrays(NamedTuple):
 
 @entry
 def examine(job, player, unit, halt):
-    """Examine a unit; return False if it was given up, or has reached ``job.until``.
+    """Play and judge the runs of a unit; return True after the last run.
 
-    The player is an explorer or a reader; the work is given up once ``halt[0]`` is not 0.
+    Return False if the work was given up, or the runs before number ``job.until`` are done.  Return
+    True also at a run for which the bound has no value; ``job.undefined`` is then 1.  The player is
+    an explorer or a reader; the work is given up once ``halt[0]`` is not 0.
     """
     g, world, counts = job.gluing, job.world, unit.counts
     while halt[0] == 0 and job.number < job.until:
@@ -97,7 +99,10 @@ def examine(job, player, unit, halt):
 
 @inlined
 def _bound_of(world, bounds, met):
-    """The largest legal cost of this run, or UNDEFINED; note in ``met`` on what it depends."""
+    """The largest legal cost of this run, or UNDEFINED if the bound has no value.
+
+    Note in ``met`` the sizes on which the bound depends.
+    """
     n, d0, largest = world.vertices, 0, 0
     if bounds.shape[1] > 1:
         d0 = world.degree[0]
@@ -110,7 +115,7 @@ def _bound_of(world, bounds, met):
 
 @inlined
 def _count_run(world, log, law, counts, most_expensive):
-    """Add a run to the tally; note it if it is the most expensive so far."""
+    """Add a run to the tally, and note the run if its cost is the largest so far."""
     n, cost = world.vertices, log.cost
     more_expensive = cost > counts[n, LARGEST]
     if more_expensive or (cost == counts[n, LARGEST] and is_less(world, most_expensive, n)):
@@ -124,7 +129,7 @@ def _count_run(world, log, law, counts, most_expensive):
 
 @inner
 def _judged_run(job, player, budget, bound):
-    """Play and judge a run; return the first law that it breaks, or 0."""
+    """Play and judge a run; return the number of the first law that it breaks, or 0."""
     world, log, judged = job.world, job.log, job.judged
     judged.broken = judged.shown = 0
     law = play(world, player, budget, log, judged)
@@ -147,9 +152,11 @@ def _judged_run(job, player, budget, bound):
 
 
 def play(*arguments: Any) -> int:
-    """The law that ended the episode, or 0 if it has an answer; ``log`` holds the walk.
+    """Play a run; return the number of the law that ended the run, or 0 if it has an answer.
 
-    The budget is the largest legal number of traversals; checkpoints may be one more than that.
+    The arguments are a world, a player, the budget, and the arrays for the log and for the
+    judgement of the checkpoints.  The budget is the largest legal number of traversals; one
+    checkpoint more than that number is legal.
     """
     raise NotImplementedError
 
@@ -167,7 +174,7 @@ def _play(world, player, budget, log, judged):
 
 @inner
 def _meet(world, explorer, budget, log, judged):
-    """Play an episode of an explorer behind its C interface."""
+    """Play a run of an explorer behind its C interface; return as :func:`play`."""
     percept, action = explorer.percept, explorer.action
     log.cost = log.checkpoints = log.walked = 0
     dart = 0
@@ -212,9 +219,10 @@ def _sense(world, dart, percept):
 
 @inner
 def _follow(world, reader, budget, log, judged):
-    """Follow the next log through the world; note its percepts for the second play.
+    """Follow the next log through the world; return as :func:`play`.
 
-    Bytes that are not a log are counted as strange, and the result is an illegal action.
+    The percepts are noted for the second play.  A log that cannot be judged here is counted in
+    ``reader.strange``, and the returned law is illegal-action.
     """
     logs, size, published = reader.logs, reader.size, log.published
     run, noted = reader.run, reader.noted
@@ -259,7 +267,10 @@ def _follow(world, reader, budget, log, judged):
 
 @inlined
 def _note(reader, at, world, dart):
-    """Note the percept on arriving by the dart: three bytes, and a fourth that is overwritten."""
+    """Note the percept on arriving by the dart, as three bytes at this index.
+
+    A fourth byte is also written, but the next percept overwrites it.
+    """
     if at + 4 > LOG_BYTES:
         reader.strange += 1
     else:
@@ -269,7 +280,7 @@ def _note(reader, at, world, dart):
 
 @inlined
 def _find_map(reader, at, published):
-    """Whether the log holds a published map here; if so, read it."""
+    """Whether the log holds a map at this index; if so, read the map to ``published``."""
     darts = byte_of(reader.logs, at) if at + 2 <= reader.size else 0
     if darts < 1 or darts > codes.MOST_DARTS or at + 2 + 2 * darts > reader.size:
         return False

@@ -4,9 +4,10 @@ Between two passes the robot's knowledge is a pair: the explored edges, and the 
 which is v0 or the vertex that it has just added, with one explored edge.  The costs of rejected
 hypotheses add up, and depend neither on their order nor on the robot's vertex.  So the cost of the
 tests of a pass is computed once for each set and dart.  Each test is carried out on every simple
-path, because a false hypothesis must be rejected there.
+path to v0, because a false hypothesis must be rejected there.
 
-Since every choice of a dart is tried, only the rooting at v0 with the least code is searched.
+Since every choice of a dart is tried, the costs are the same for every root at v0; so of the rooted
+maps that differ only in this root, the one with the least code is searched.
 
 Source: Algorithm 1, Section IV.
 """
@@ -65,7 +66,7 @@ def search(job, prefix, viable, rooms, halt):
 
 @inner
 def _is_least(world, row, other):
-    """Whether no other rooting at v0 has a smaller code; the code is in ``row[1:]``."""
+    """Whether no other root at v0 gives a smaller code; write the world's code to ``row[1:]``."""
     row[0] = world.vertices
     encode(world, 0, row, 1)
     for root in range(1, world.degree[0]):
@@ -80,7 +81,7 @@ def _is_least(world, row, other):
 
 @inner
 def _keep(job, rooms):
-    """Add the outcome of a world to the counts."""
+    """Add the outcome of a world to the counts; keep its map if the worst cost is the largest."""
     n, counts, least, worst = job.world.vertices, rooms.counts, rooms.least, rooms.worst[0, 0]
     counts[n, TESTS] += job.tests
     counts[n, WRONG] += job.wrong
@@ -141,9 +142,10 @@ def _begin(job, reached):
 
 @inner
 def _pass(job, explored, known, worst, best):
-    """Find for each dart in U the largest and the least cost from crossing that dart to the end.
+    """Find for each dart in U the largest and the least cost from crossing that dart to the answer.
 
-    Write the costs to ``job.most`` and ``job.least``, or -1 for a dart that is not in U.
+    ``explored`` is the set of the explored edges, ``known`` that of their vertices and v0.  Write
+    the costs to ``job.most`` and ``job.least``, or -1 for a dart that is not in U.
     """
     world = job.world
     _shortest(job, 0, job.near)
@@ -182,7 +184,10 @@ def _pass(job, explored, known, worst, best):
 
 @inner
 def _ways(job, explored, known, worst, best):
-    """Find the worst and the best cost to the end from each vertex at which the robot can be."""
+    """Find the worst and the best cost up to the answer when these edges are explored.
+
+    There is one of each for every vertex at which the robot can be between two passes.
+    """
     world = job.world
     for v in range(world.vertices):
         if not known >> v & 1 or (v and job.adjacent[v] & (job.adjacent[v] - 1)):
@@ -201,10 +206,11 @@ def _ways(job, explored, known, worst, best):
 
 @inner
 def _test(job, explored, hypothesis, entered):
-    """Test a false hypothesis on every simple path in S.
+    """Test a false hypothesis on every simple path in S to v0; the robot has come by ``entered``.
 
     Write the least and the greatest number of steps up to a mismatch to ``job.shortest`` and
-    ``job.longest``; count the tests in ``job.tests``, and those that match in ``job.wrong``.
+    ``job.longest``; count the tests in ``job.tests``, and in ``job.wrong`` those without a
+    mismatch.
     """
     world = job.world
     job.shortest, job.longest = _FAR, 0
@@ -251,7 +257,7 @@ def _turned(world, dart, turn):
 
 @inner
 def _joined(job, start, avoiding):
-    """Whether a walk in S leads from start to v0 and avoids these vertices."""
+    """Whether a walk in S leads from ``start`` to v0 without a vertex of the set ``avoiding``."""
     reached = front = 1 << start
     while front:
         front = neighbours(job, front) & ~reached & ~avoiding
@@ -298,16 +304,16 @@ def _longest(job, start, length):
 
 
 class ScheduleCosts(NamedTuple):
-    """The costs over all schedules in the maps of one size.
+    """The costs over all schedules in the maps with one number of vertices.
 
     Attributes:
         vertices: n.
         rooted: the number of rooted maps.
-        worst: the largest cost of a schedule.
+        worst: the largest cost of a schedule in any of the maps.
         best: the largest, over the worlds, of the cost of the cheapest schedule.
         tests: the number of tests, on all simple paths, in the searched worlds.
         wrong: the number of tests that confirmed a false hypothesis.
-        sigma, alpha: the least code of a world with the worst cost.
+        sigma, alpha: the map with that largest cost; of several the one with the least code.
     """
 
     vertices: int
@@ -339,7 +345,7 @@ def schedule_costs_of_unit(
         transit: the paths to the next dart that are tried: ``shortest`` or ``simple``.
         halt: an array; if its entry 0 is set, the work is given up, and its result is void.
         simple: whether the maps of the class have no loops and no parallel edges.
-        planar: whether they have genus 0.
+        planar: whether the maps of the class have genus 0.
     """
     job = new(SCHEDULES)
     job.transit = TRANSITS[transit]

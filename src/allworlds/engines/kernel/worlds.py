@@ -32,7 +32,10 @@ from allworlds.engines.kernel.compiling import (
 
 
 def gluing_rule(edges: int) -> Any:
-    """The legal numbers of missing and of open darts: a dart is open while darts are missing."""
+    """A table that says which numbers of missing and of open darts are legal.
+
+    An entry is 1 if they are legal: as long as darts are missing, some dart must be open.
+    """
     viable = ones((2 * edges + 1, 4 * edges + 1), int64)
     viable[1:, 0] = 0
     return viable
@@ -75,9 +78,9 @@ def count(g, prefix, viable, counts):
 
 @inner
 def advance(g, prefix, viable):
-    """Whether there is one more map whose first decisions are ``prefix``; ``g`` holds that map.
+    """Go on to the next map whose first decisions are ``prefix``; return whether there is one.
 
-    Before the first call ``g`` is new, with the request filled in.
+    ``g`` then holds this map.  Before the first call ``g`` is new, with the request filled in.
     """
     fresh = g.darts == 0
     if fresh:
@@ -102,7 +105,7 @@ def advance(g, prefix, viable):
 
 @inlined
 def _look(g, prefix):
-    """List the decisions for the oldest open dart that are to be tried."""
+    """List in ``g`` the decisions that are to be tried for the oldest open dart."""
     depth = g.depth
     y = lowest(g.open)
     g.oldest[depth] = y
@@ -179,7 +182,8 @@ def _take_back(g):
 def rule(g):  # pragma: no cover  # compiled
     """Set ``g.possible``: whether the partial map is of the class, and can be finished.
 
-    In simple classes only a count of the remaining partners decides whether it can be finished.
+    In simple classes each vertex must have enough partners left; this alone does not prove that the
+    map can be finished.
     """
     depth = g.depth
     new = min(2 * g.edges - g.darts, g.limit - g.vertices)
@@ -197,7 +201,7 @@ def rule_address() -> int:
 
 @inner
 def _next_open(g, dart, open_):
-    """The next open dart on the boundary of the face of a dart."""
+    """The next dart of the set ``open_`` on the boundary of the face of this dart."""
     while True:
         v = g.owner[dart]
         dart += 1
@@ -210,7 +214,7 @@ def _next_open(g, dart, open_):
 
 @inner
 def _one_face(g, y, z):
-    """Whether y and z, which were just joined, were in one face; true for a new vertex."""
+    """Whether the darts y and z were in one face before they were joined; true for a new vertex."""
     if g.added[g.depth]:
         return True
     before = g.open | 1 << y | 1 << z
@@ -222,7 +226,7 @@ def _one_face(g, y, z):
 
 @inner
 def _even(g, new):
-    """Whether the new vertices suffice to make the boundaries of all faces even."""
+    """Whether this number of new vertices can make the number of open darts of each face even."""
     odd, rest = 0, g.open
     while rest:
         start = dart = lowest(rest)
@@ -237,7 +241,10 @@ def _even(g, new):
 
 @inner
 def _simple(g, new):
-    """Whether there are no loops and parallel edges, and enough partners for each vertex."""
+    """Whether there are no loops and parallel edges, and enough partners for each vertex.
+
+    ``new`` is the largest number of vertices that can still be added.
+    """
     waiting = 0
     for v in range(g.vertices):
         neighbours = own = 0
@@ -268,7 +275,7 @@ ANY, SINGLE, UNIQUE = range(3)
 
 @inner
 def settle(world, g):
-    """Write the finished map as a world without a lighthouse."""
+    """Write the finished map ``g`` to ``world``, without a lighthouse."""
     world.darts, world.vertices = g.darts, g.vertices
     world.place = world.pointed = NONE
     for v in range(g.vertices):
@@ -285,7 +292,7 @@ def settle(world, g):
 
 @inner
 def darken(world):
-    """Remove the lighthouse: only degrees are sensed, and no number is told."""
+    """Remove the lighthouse: only degrees are sensed, and the explorer is told no number."""
     world.told = NONE
     for dart in range(world.darts):
         world.marks[dart] = 0
@@ -320,18 +327,18 @@ def doubled(world):
 
 
 def none(world):  # pragma: no cover  # compiled
-    """Put no lighthouse into the world: one place."""
+    """Put no lighthouse into the world; this kind has one place."""
     world.place = 0 if world.place == NONE else NONE
 
 
 def position(world):  # pragma: no cover  # compiled
-    """Put one mark at v0: one place."""
+    """Put one mark at v0; this kind has one place."""
     world.place = 0 if world.place == NONE else NONE
     _mark(world, 0, 1)
 
 
 def directional(world):  # pragma: no cover  # compiled
-    """Put one mark at v0 that points to a dart of v0: each of these darts is a place."""
+    """Put one mark at v0 that points to the next dart of v0; each dart of v0 is a place."""
     world.place += 1
     if world.place == world.degree[0]:
         world.place = NONE
@@ -341,7 +348,7 @@ def directional(world):  # pragma: no cover  # compiled
 
 
 def door(world):  # pragma: no cover  # compiled
-    """Mark the dart of v0 that the number of the place names."""
+    """Mark the next dart of v0; each dart of v0 is a place."""
     world.place += 1
     darken(world)
     if world.place == world.degree[0]:
@@ -351,9 +358,11 @@ def door(world):  # pragma: no cover  # compiled
 
 
 def compass(world):  # pragma: no cover  # compiled
-    """Choose a reference dart at each vertex: every choice is a place, but in large maps only one.
+    """Choose the next reference darts, one at each vertex.
 
-    Vertices and their darts are in canonical order; the dart of the last vertex changes first.
+    In maps with at most ALL_CHOICES edges every choice is a place, in larger maps only the first
+    one.  Vertices and their darts are in canonical order; the dart of the last vertex changes
+    first.
     """
     place = world.place + 1
     if place and world.darts > 2 * ALL_CHOICES:
@@ -389,19 +398,22 @@ def compass(world):  # pragma: no cover  # compiled
 
 
 def cluster(world):  # pragma: no cover  # compiled
-    """Put one mark at v0, two at a neighbour v1: a place for each dart of v0 to a neighbour."""
+    """Put one mark at v0, and two marks at the next neighbour v1.
+
+    Each dart of v0 that leads to a neighbour is a place.
+    """
     if _to_neighbour(world, ANY):
         _cluster(world)
 
 
 def cluster_single(world):  # pragma: no cover  # compiled
-    """Do :func:`cluster`, but only if exactly one edge joins v0 and v1."""
+    """Do :func:`cluster`, but only for neighbours v1 that exactly one edge joins to v0."""
     if _to_neighbour(world, SINGLE):
         _cluster(world)
 
 
 def natural(world):  # pragma: no cover  # compiled
-    """Choose a neighbour v1 such that no other vertex has the degree of v0 or of v1.
+    """Choose the next neighbour v1 such that no other vertex has the degree of v0 or of v1.
 
     The explorer is told the degree of v1.
     """
@@ -411,7 +423,10 @@ def natural(world):  # pragma: no cover  # compiled
 
 @inner
 def _to_neighbour(world, which):
-    """Go to the next dart of v0 to a neighbour of this set; return False if there is none."""
+    """Let ``world.pointed`` be the next dart of v0 that leads to a neighbour of this set.
+
+    The set is ANY, SINGLE or UNIQUE.  Return False if no such dart is left.
+    """
     world.place += 1
     while True:
         world.pointed += 1
@@ -436,7 +451,10 @@ def _joined(world, vertex):
 
 @inner
 def _unique(world, dart):
-    """Whether the degrees of both ends are unique; False if an earlier dart also leads to v1."""
+    """Whether no other vertex has the degree of v0, nor that of v1, to which this dart leads.
+
+    If an earlier dart also leads to v1, the result is False.
+    """
     v1 = world.owner[world.alpha[dart]]
     for before in range(dart):
         if world.owner[world.alpha[before]] == v1:
@@ -459,7 +477,7 @@ def _cluster(world):
 
 @inner
 def _mark(world, vertex, marks):
-    """Put marks at the vertex."""
+    """Put this number of marks at the vertex."""
     first = world.root[vertex]
     for dart in range(first, first + world.degree[first]):
         world.marks[dart] = marks
