@@ -43,7 +43,8 @@ def believed_percepts(
 ) -> list[actions.Percept] | None:
     """The percepts at the start and after each step of a walk in the estimated map.
 
-    The lighthouse stands where the robot must believe it; None if the answer has no place for it.
+    In this map the lighthouse stands where the robot must believe it to be; the result is None if
+    the map has no place for the lighthouse.
     """
     world, answered = walk.world, WalkInAnswer(estimate, trail, walk.percepts)
     lighthouse = world.lighthouse.believed(world.map, world.start, answered)
@@ -87,8 +88,9 @@ def find_parting(
 ) -> Parting | None:
     """The first step at which the two walks diverge; None if they never do.
 
-    Each dart of arrival in the world is identified with the dart of arrival in the answer, and so
-    are the rotations of the two darts.  The walks diverge at the first contradiction.
+    After each step the robot's dart in the world is identified with its dart in the answer, and the
+    darts that follow the one clockwise with those that follow the other.  The walks diverge at the
+    first contradiction.
 
     Args:
         world: the true map.
@@ -139,13 +141,14 @@ class BelievedWalk(Struct, frozen=True):
 
 
 def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
-    """The walk in the answer that begins at the dart from which it agrees for longest.
+    """The walk in the answer that agrees for longest with the walk in the world.
 
-    Among equals, the walk that ends at ``here`` is chosen, because an explorer that errs only at
-    the end was right before; else the one whose degrees agree for longest, and then the one from
-    the smallest dart.
+    All darts of the answer are tried as its start.  Of several such walks, the one that ends at
+    ``here`` is chosen, because an explorer that errs only at the end was right before; else the one
+    whose degrees agree for longest, and then the one from the smallest dart.
 
-    Cost: the steps times the darts of the answer from which the degrees agree that long.
+    Cost: the steps times the number of darts of the answer from which the degrees agree for so
+    long.
     """
     best = _beside(walk, answer.map, trail_to(answer.map, answer.here, walk))
     degrees = [percept.degree for percept in walk.percepts]
@@ -166,7 +169,7 @@ def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
 
 
 def _alike(map_: CombinatorialMap, trail: Iterable[Dart], degrees: Sequence[int]) -> int:
-    """The number of steps, with the start, before a degree differs."""
+    """The number of steps, with the start, before the degree at a dart of the trail differs."""
     pairs = zip(trail, degrees, strict=True)
     return next(
         (step for step, (dart, degree) in enumerate(pairs) if map_.degree_at[dart] != degree),

@@ -20,7 +20,10 @@ SHOWN_BEFORE, SHOWN_AFTER = 8, 4
 
 
 def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = False) -> Outcome:
-    """The outcome of the first play; if the second differs, that is the violation."""
+    """The outcome of the first play; if the second play differs, the difference is the violation.
+
+    A violation that has precedence over nondeterminism stays if the second play has it, too.
+    """
     difference = difference_of(first, second, choices=choices)
     if difference is None or not _may_be_overruled(outcome.violation, second):
         return outcome
@@ -31,9 +34,10 @@ def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = Fals
 
 
 def _may_be_overruled(violation: Violation | None, second: Log) -> bool:
-    """Whether nondeterminism has precedence over this law, or the second play does not break it.
+    """Whether a difference of two plays may take the place of the first play's violation.
 
-    If only one of two plays breaks a law, this only shows that the plays differ.
+    It may if nondeterminism has precedence over the violated law, or if the second play does not
+    break that law: then the plays differ in this.
     """
     if violation is None or violation.law in LOST:
         return True
@@ -77,7 +81,7 @@ def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violatio
 
 
 def side_by_side(first: tuple[list[str], str], second: tuple[list[str], str]) -> str:
-    """Two lines, one for each play: the actions around the first difference, and the ending."""
+    """Two lines, one for each play: the actions near the first difference, and the ending."""
     pairs = zip(first[0], second[0], strict=False)
     differ = next((i for i, (a, b) in enumerate(pairs) if a != b), len(first[0]))
     begin, end = max(0, differ - SHOWN_BEFORE), differ + SHOWN_AFTER
@@ -119,7 +123,10 @@ def _meaning(log: Log) -> object:
 
 
 def after_worlds(outcome: Outcome, worlds: Sequence[World]) -> Outcome:
-    """The outcome of a run that differs after runs in these worlds, with the worlds."""
+    """The outcome of a run that has another result if runs in these worlds come before it.
+
+    The worlds are added to the outcome.
+    """
     violation = outcome.violation
     if violation is None or violation.law != "nondeterministic":
         return outcome

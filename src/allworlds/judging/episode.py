@@ -44,8 +44,8 @@ class Fault(Struct, frozen=True):
         law: ``crash``, ``timeout``, ``illegal-action``, ``no-estimate`` or ``budget``.
         expected, seen: a sentence about the expectation, and one about the observation.
         detail: a traceback, or the tail of a program's stderr; may be empty.
-        machine: whether the machine, not the explorer, may be the cause: a signal, a time-out, no
-            memory.
+        machine: whether the machine, not the explorer, may be the cause, as of a signal, a time-out
+            or a lack of memory.
     """
 
     law: str
@@ -64,7 +64,7 @@ class Episode(Struct, frozen=True):
     Attributes:
         walk: the robot's walk in the world.
         checkpoints: the checkpoints, each with the number of steps before it.
-        ending: the answer, or the fault.
+        ending: the answer, the end of a task that was done, or the fault.
     """
 
     walk: Walk
@@ -125,7 +125,8 @@ def play(
         player: the explorer.
         choices: the choices, for an explorer that takes choices.
         budget: the largest legal number of traversals; one checkpoint more is legal.
-        beat: shared numbers; ``beat[1]`` is the explorer's turn, and is 0 after the end.
+        beat: numbers that other processes can read; ``beat[1]`` counts the explorer's turns in the
+            run, and is 0 after its end.
         maps: whether the task asks for a map.
         over: the function that tells whether the task is done, or None.
 
@@ -139,7 +140,7 @@ def play(
 
 
 def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episode:
-    """The episode of a log, followed in this world.
+    """The episode of a log: the log's actions, followed in this world, and its ending.
 
     Args:
         log: the log.
@@ -175,7 +176,7 @@ def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episo
 
 
 def fault_of(log: Log, budget: int = 0, *, maps: bool = True) -> Fault | None:
-    """The fault with which a log ends; None if it ends with an answer or a done task."""
+    """The fault with which a log ends; None if the log ends with an answer, or with a done task."""
     code, *parts = log.ending
     match code:
         case entries.FAULT:

@@ -36,9 +36,9 @@ class Outcome(Struct, frozen=True):
         detail: a traceback, or a program's stderr; may be empty.
         choices: the index taken at each choice.
         bound: the largest legal number of traversals, or None.
-        hash_seed: the players' hash seed, if it makes a difference.
+        hash_seed: the players' ``PYTHONHASHSEED``, if the outcome depends on it.
         output: the explorer's prints, if they were recorded.
-        after: the worlds of earlier runs in the same process, if they make a difference.
+        after: the worlds of earlier runs in the same process, if the outcome depends on those runs.
     """
 
     episode: Episode
@@ -57,7 +57,7 @@ class Outcome(Struct, frozen=True):
 
 
 class Referee:
-    """A referee judges runs under one set of rules; of the explorer it knows only the name."""
+    """A referee judges runs by one set of rules; it knows the explorer only by its name."""
 
     def __init__(self, explorer: str, rules: Rules) -> None:
         self.explorer = explorer
@@ -142,9 +142,11 @@ DARTS = range(1 << 63)
 
 
 def _believed(episode: Episode, step: int | None) -> tuple[Believed | None, str]:
-    """The first wrong checkpoint after this number of steps, or among all, and its fault.
+    """The first wrong checkpoint, and its fault in words.
 
-    If no checkpoint is wrong, the last one is returned, and the fault is empty.
+    If ``step`` is given, only the checkpoints after exactly this number of steps are looked at,
+    else all.  If none of them is wrong, the last one is returned, and the fault is empty; if there
+    are no checkpoints, None.
     """
     at = [i for i, (steps, _) in enumerate(episode.checkpoints) if step in (None, steps)]
     given = tuple([episode.checkpoints[i] for i in at])
@@ -176,7 +178,10 @@ class Examiner(Referee):
 
 
 def name_run(rules: Rules, world: World) -> str:
-    """A name of a run, the same in any order of runs; empty unless the policy is random."""
+    """A name of a run, by which a random policy draws; empty under the other policies.
+
+    The name depends on the world, but not on the order in which runs are played.
+    """
     if not rules.policy.startswith("random"):
         return ""
     return f"{rooted_code(world.map.sigma, world.map.alpha, 0)}/{place_of(world)}"

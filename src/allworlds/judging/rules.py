@@ -204,8 +204,8 @@ class Among(NamedTuple):
     """A condition on maps: a check runs in the maps that meet it, and shrinks findings among them.
 
     Attributes:
-        name: the name that ``--where`` takes.
-        digest: the digest of the predicate's file, if it is the user's.
+        name: the condition as a text that the option ``--where`` takes.
+        digest: the SHA-256 of the file of the predicate, if the predicate is the user's.
     """
 
     name: str
@@ -213,7 +213,7 @@ class Among(NamedTuple):
 
     @classmethod
     def of(cls, where: classes.Condition | None) -> "Among | None":
-        """The condition of a request."""
+        """The condition of a request; None if the request has none."""
         if where is None:
             return None
         digests = [code.digest for code in getattr(where, "codes", ())]
@@ -223,15 +223,16 @@ class Among(NamedTuple):
 class Rules(RuleOptions, kw_only=False):
     """The rules by which a run is played and judged, in any world.
 
-    A bound, or laws, that equal their defaults are None here.
+    The bound is None here if it equals its default, and so are the laws.
 
     Attributes:
         lighthouse: the kind of lighthouse.
         promised: whether the worlds have a promised property, such as planarity, by which an
             explorer can be right although its log does not fold to the map.
         own_bound: the explorer's own bound for this lighthouse; None if it has none.
-        among: the condition on the maps, for findings; runs do not depend on it.
-        shared_file: for reports, the name of the explorer's file if it also holds code that judges.
+        among: the condition on the maps, which findings record; runs do not depend on it.
+        shared_file: the name of the explorer's file if that file also holds code that judges, which
+            reports tell; else empty.
     """
 
     lighthouse: Converted[kinds.GivenLighthouse, kinds.LighthouseKind] = Converted(
@@ -276,7 +277,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def default_bound(self) -> Bound:
-        """The bound if none is named; the known bounds are for the task map only."""
+        """The bound if the user names none; the known bounds are for the task ``map`` only."""
         if not self.task.is_map:
             return NO_BOUND
         return self.own_bound or bound_named(self.kind.default_bound)
@@ -287,7 +288,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def _met(self) -> set[str]:
-        """The conditions of laws that these rules meet."""
+        """The conditions that these rules meet, of those under which a law applies."""
         met = {MAPS} if self.task.is_map else set[str]()
         met |= {FOLDS} if met and self.kind.folds and not self.promised else set()
         return met | ({BOUNDED} if self._named_bound != NO_BOUND else set())
@@ -303,18 +304,18 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def judged(self) -> tuple[str, ...]:
-        """The laws that are checked, and ``task`` for any other task than the map."""
+        """The laws that are checked; for any task other than ``map``, after the name ``task``."""
         return self.applying if self.task.is_map else (TASK, *self.applying)
 
     def budget(self, map_: combinatorial.CombinatorialMap) -> int:
-        """The largest legal number of traversals in a world."""
+        """The largest legal number of traversals of a run in a world with this map."""
         return self.budget_by_size(map_.vertex_count, map_.edge_count)
 
     def budget_by_size(self, vertices: int, edges: int) -> int:
         """The largest legal number of traversals in a world of that size.
 
-        It is at least the explorer's own bound, and not far above the checked bound, if these
-        bounds depend only on the size.
+        If the user gives no budget, it is at least the explorer's own bound, and at most a hundred
+        times the checked bound plus 100, as far as these bounds depend on the size alone.
         """
         if self.step_budget is not None:
             return self.step_budget
@@ -328,7 +329,7 @@ class Rules(RuleOptions, kw_only=False):
     def budget_of_bound(self, vertices: int, edges: int) -> int | None:
         """A hundred times the checked bound, plus 100; None if it does not depend on size alone.
 
-        A run with this cost breaks a law in any case, so it is given up.
+        A run that costs more breaks the law ``bound`` in any case, so it is given up.
         """
         if not self.the_bound.variables <= SIZE:
             return None
@@ -353,7 +354,7 @@ class Rules(RuleOptions, kw_only=False):
         return [*given_again(RuleOptions, of_run), *choices]
 
     def keywords(self, script: Sequence[int] = ()) -> list[str]:
-        """Return these options as arguments of a call in Python, in the form ``NAME=VALUE``."""
+        """The options of :meth:`arguments`, as arguments of a call in Python: ``NAME=VALUE``."""
         words = self.arguments(script)
         options = zip(words[::2], words[1::2], strict=True)
         return [_keyword(option, text) for option, text in options]
@@ -412,7 +413,8 @@ class RecordedRules(doc.Document, forbid_unknown_fields=False):
     def rules(self, world: World, own_bound: str | None = None) -> Rules:
         """The rules in a world; the explorer of a finding may bring a bound of its own.
 
-        A bound without its law, or the law without a bound, was not checked: it is left out.
+        A bound without the law ``bound``, or this law without a bound, was not checked, and is left
+        out.
 
         Raises:
             InputError: naming the offending option.

@@ -49,14 +49,17 @@ def walks_everything(world: World, walk: Walk, _answer: object) -> str | None:
 
 
 def comes_home(world: World, walk: Walk, answer: object) -> str | None:
-    """The complaint about a vertex that was not visited, or about the end of the walk."""
+    """The complaint that a vertex was not visited, or that the walk does not end at v0.
+
+    None if neither is so.
+    """
     if world.map.vertex_of[walk.here] != world.map.vertex_of[world.start]:
         return "the walk ended at another vertex than that where it began"
     return visits_everything(world, walk, answer)
 
 
 def counts(what: str, number: Callable[[World], int]) -> Complaint:
-    """The function that complains about an answer unless it is this number of the world."""
+    """The complaint of a task whose answer must be this number, which belongs to the world."""
 
     def complaint(world: World, _walk: Walk, answer: object) -> str | None:
         right = number(world)
@@ -108,7 +111,7 @@ class Task(Struct, frozen=True):
 
     Attributes:
         name: a name in :data:`TASKS`, or the name of a user's function.
-        code: the user's function.
+        code: the user's function; None for a task of this program.
     """
 
     name: str
@@ -138,7 +141,7 @@ class Task(Struct, frozen=True):
 
     @property
     def ends_runs(self) -> bool:
-        """Whether the task ends runs."""
+        """Whether the task ends a run as soon as it is done."""
         return TASKS[self.name].ends if self.code is None else hasattr(self._complaint, "over")
 
     @property
@@ -147,7 +150,7 @@ class Task(Struct, frozen=True):
         return self.is_over if self.ends_runs else None
 
     def is_over(self, walk: Walk) -> bool:
-        """Whether the task ends a run here.
+        """Whether the task is done after this walk, so that it ends the run.
 
         Raises:
             InputError: if the user's function raises, returns no boolean, or returns different
@@ -176,7 +179,9 @@ class Task(Struct, frozen=True):
         return wrong
 
     def _asked(self, part: str, function: Callable[..., Any], world: World, *run: Any) -> Any:
-        """The value of a function for a run; a user's function is called twice.
+        """The value of a function for a run.
+
+        A user's function is called twice, so that a function with varying values is found.
 
         Raises:
             InputError: if the user's function raises, or returns two different values.

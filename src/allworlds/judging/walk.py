@@ -26,8 +26,8 @@ class Walk(Struct):
         darts: the dart that the robot faces at the start, and its dart of arrival after each step.
         visited: the vertices where the robot has been.
         steps: the pairs of an action and the percept after it.
-        crossed: for each walked edge, named by its smaller dart, the number of steps before it was
-            first walked; in the order of these numbers.
+        crossed: for each walked edge, named by its smaller dart, the number of steps before the
+            step that first walked it; the edges are in the order of these numbers.
         cost: the number of traversals.
     """
 

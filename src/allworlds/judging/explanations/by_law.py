@@ -38,10 +38,11 @@ from allworlds.world.world import World
 
 
 def _say_message(finding: Finding) -> list[str]:
-    """Tell the last line of a traceback, or of stderr, that names an error, else the last line.
+    """Tell the last line of the traceback, or of stderr, that names an error; else its last line.
 
-    If a process has ended, as by ``abort``, only its prints are known.  Without prints, or if the
-    observation already contains the line, there is no sentence.
+    If a crash has left neither, as after ``abort``, the last line that the explorer printed is
+    told.  Without any line, or if the observation already contains the last one, there is no
+    sentence.
     """
     said = finding.detail or (finding.output if finding.law == "crash" else "")
     lines = [line.strip() for line in said.splitlines() if line.strip()]
@@ -52,7 +53,10 @@ def _say_message(finding: Finding) -> list[str]:
 
 
 def ending(how: str) -> Teller:
-    """Tell by this sentence how the run ended, and then its last step and percept."""
+    """The function that explains a run by its ending.
+
+    It tells by this sentence how the run ended, and then the last step and percept.
+    """
 
     def tell(story: Story) -> Telling:
         finding = story.finding
@@ -71,7 +75,7 @@ CLOCKWISE = "Bearings, motions and ways back count darts clockwise."
 
 
 def tell_no_estimate(story: Story) -> Telling:
-    """Tell the ending, and if a map could not be built, the law of maps that it breaks."""
+    """Tell the ending, and if the answer is no map, the axiom of maps that it breaks."""
     seen = str(story.finding.seen)
     if not seen.startswith(playing.NO_MAP):
         return ending("The explorer ended without an answer that could be judged.")(story)
@@ -107,7 +111,7 @@ SHOW = (
 
 
 def tell_budget(story: Story) -> Telling:
-    """Tell the origin of the budget, and the step since which the robot found no new edge."""
+    """Tell where the budget comes from, and the step since which the robot found no new edge."""
     how = "The explorer did not end within its step budget, so the run was stopped."
     wrong = _tell_first_wrong(story)
     if wrong:  # that is the cause
@@ -123,7 +127,7 @@ def tell_budget(story: Story) -> Telling:
 
 
 def tell_whose_budget(finding: Finding) -> str:
-    """Tell the origin of the step budget, and whether a larger budget suffices."""
+    """Tell where the step budget comes from, and whether a larger budget suffices."""
     rules, map_ = finding.rules, finding.world.map
     if rules.step_budget is not None:
         return f"--step-budget sets the budget: {plural(rules.step_budget, 'traversal')}."
@@ -140,7 +144,7 @@ def tell_whose_budget(finding: Finding) -> str:
 
 
 def _say_tried(finding: Finding) -> list[str]:
-    """Tell the option that helps; no sentence if none was tried, or none helps."""
+    """Tell the option with which the explorer breaks no law; no sentence if none is known."""
     if not finding.tried:
         return []
     return [f"Tried with {finding.tried}: no law is broken in this world or any other one tried."]
@@ -354,7 +358,10 @@ def tell_ambiguity(story: Story) -> Telling:
 
 
 def checkpoint(broken: str) -> Teller:
-    """Tell by this sentence what is broken, and then the checkpoint that shows it."""
+    """The function that explains a run by a checkpoint.
+
+    It tells by this sentence what is broken, and then the checkpoint that shows this.
+    """
 
     def tell(story: Story) -> Telling:
         sentences, step = [broken], story.checkpoint
@@ -413,8 +420,9 @@ def tell_open_darts(story: Story) -> list[str]:
 def another_world(world: World, transcript: actions.Transcript) -> World | None:
     """Another world that agrees with the log; None if the log determines the world.
 
-    In the other world each open dart of the folded log leads to a new vertex.  If that is the given
-    world, the first new vertex leads to a further one.  None of the new edges is a loop.
+    The other world is the folded log with a new vertex at each open dart, to which that dart leads.
+    If this is the given world, the first new vertex leads to a further one.  None of the new edges
+    is a loop.
 
     Cost: the folding, and linear in the log.
     """
@@ -446,14 +454,14 @@ def tell_folding(story: Story) -> Telling:
 
 
 def tell_bound(story: Story) -> Telling:
-    """Tell that the answer is right, the origin of the bound, and the use of the traversals."""
+    """Tell that the answer is right, where the bound comes from, and the use of the steps."""
     made, new = plural(story.walk.cost, "traversal"), len(story.discoveries)
     used = f"The robot made {made}, of which {new} found a new edge."
     return Telling([*tell_whose_bound(story.finding), used])
 
 
 def tell_whose_bound(finding: Finding) -> list[str]:
-    """Tell that the other laws hold, the origin of the bound, and any option that helps."""
+    """Tell that the other laws hold, where the bound comes from, and an option that helps."""
     others = [law for law in finding.rules.applying if law != "bound"]
     rest = f"every other law that was checked holds: {listed(others)}" if others else ""
     if {"map", "pose"} <= {*others}:
@@ -514,5 +522,5 @@ TELLERS: dict[str, Teller] = {
 
 
 def teller_of(law: str) -> Teller:
-    """The explanation of a law; for a law without an entry, only its name."""
+    """The function that explains a violation of a law; for an unknown law, only by its name."""
     return TELLERS.get(law) or ending(f"The law '{law}' is broken.")

@@ -1,4 +1,4 @@
-"""Sentences about a run without an end: its round, unwalked edges, the code where it is silent."""
+"""Sentences about a run without an end: its round, unwalked edges, and the code that is silent."""
 
 import os
 import re
@@ -22,12 +22,12 @@ SHOWN = 8
 
 
 class Round(Struct, frozen=True):
-    """Steps that the end of a walk repeats.
+    """A round: steps that are repeated up to the end of a walk.
 
     Attributes:
-        first: the number of the first step of the first round, from 1 on.
+        first: the number of the step with which the first round begins; steps count from 1.
         steps: the number of steps of a round.
-        times: the number of whole rounds.
+        times: the number of complete rounds.
     """
 
     first: int
@@ -36,7 +36,7 @@ class Round(Struct, frozen=True):
 
 
 def round_of(walk: Sequence[Any]) -> Round | None:
-    """The longest end of a walk that repeats some steps; None if there is none.
+    """The longest end of a walk that repeats the same steps; None if no steps are repeated.
 
     Cost: linear, by the borders of the reversed walk (Knuth, Morris and Pratt).
     """
@@ -76,8 +76,9 @@ def tell_way_back(story: Story) -> list[str]:
     """Tell where a robot confuses two doors after a way back; no sentence if it does not.
 
     Back at a vertex, the robot faces the door by which it had left, but some explorers count from
-    the door by which they had first come.  This is told if, counted so, a motion along a walked
-    edge would have led along a new edge, and no motion along a new edge along a walked edge.
+    the door by which the robot had first come.  The sentence is told if two things hold when
+    motions are counted so: some motion along an edge that was walked before would have led along a
+    new edge, and no motion along a new edge would have led along an edge that was walked before.
     """
     map_, darts = story.map, story.walk.darts
     came, left, walked, remarks = dict[int, Dart](), dict[int, Dart](), set[Dart](), list[str]()
@@ -124,7 +125,7 @@ FRAME = re.compile(r'^  File "(.*)", line ([0-9]+) in (.*)$', re.MULTILINE)
 
 
 def stack_of(finding: Finding) -> list[tuple[str, str]]:
-    """The stack of a silent run: the user's lines, innermost first, with their functions."""
+    """The user's lines in the stack of a silent run, innermost first, each with its function."""
     if finding.law != "timeout":
         return []
     here = f"{os.getcwd()}{os.sep}"  # noqa: PTH109  # a text, as the files are

@@ -1,4 +1,4 @@
-"""The story of a run: the names on its walk, the walk in a wrong answer, and slips.
+"""The story of a run: names of vertices and darts, the walk in a wrong answer, and slips.
 
 A slip is the only difference between a wrong answer and the world.
 """
@@ -43,7 +43,7 @@ class Walked:
 
     @property
     def discoveries(self) -> dict[Dart, int]:
-        """The step at which each edge was first walked, by the smaller dart of the edge."""
+        """For each walked edge, named by its smaller dart, the step that first walked it."""
         return {edge: before + 1 for edge, before in self.walk.crossed.items()}
 
     def in_words(self, percept: Percept) -> str:
@@ -59,7 +59,10 @@ class Walked:
         return f"{self.vertex(dart)}, dart {dart}"
 
     def arrival(self, step: int) -> str:
-        """The robot's spot after a step; after a motion between labels ``hall -> F, dart 3``."""
+        """The robot's spot after a step, such as ``v1, dart 3``.
+
+        After a motion between two labelled vertices the text names both: ``hall -> F, dart 3``.
+        """
         spot = self.spot(self.walk.darts[step])
         moved = step and type(self.walk.actions[step - 1]) is Move
         if moved and self.world.labels.vertices:
@@ -72,10 +75,11 @@ class Story(Walked):
 
     Attributes:
         finding: the finding that is explained.
-        checkpoint: the step before the checkpoint that breaks the law; None if none does.
+        checkpoint: the number of the last step before the checkpoint that breaks the law; None if
+            no checkpoint breaks it.
 
     Raises:
-        InputError: if the transcript is impossible in the world, or has no such step.
+        InputError: if the transcript is impossible in the world, or ends before that step.
     """
 
     def __init__(self, finding: Finding) -> None:
@@ -131,7 +135,7 @@ class Telling(Struct, frozen=True):
         sentences: the sentences of the explanation.
         step: the first step at which belief and truth diverge; None if they never do.
         answer: the wrong answer; None if the law is not about the answer.
-        other: another world that agrees with the log; None if the law is not about that.
+        other: another world that agrees with the log; None if the law is not about such worlds.
         slip: the name of the slip that makes the answer wrong; empty if none is known.
     """
 
@@ -159,7 +163,8 @@ class Slip(Struct, frozen=True):
         mended: the map without the slip; None if the slip is in the reading of percepts.
         truth: the map to which the mended map is equal: the world's map, perhaps without the edge
             of the slip.
-        here: the robot's dart in the mended map; None if it is also wrong, or unknown.
+        here: the robot's dart in the mended map; None if the answer's ``here`` is also wrong, or if
+            the dart is unknown.
     """
 
     name: str
@@ -176,7 +181,7 @@ Recogniser: TypeAlias = Callable[[Belief], Slip | None]
 
 
 def the_slip(belief: Belief) -> Slip | None:
-    """The first slip that explains the whole difference; None if none does."""
+    """The first slip that alone explains the difference of answer and world; None if none does."""
     if max(belief.answer.map.edge_count, belief.story.map.edge_count) > LARGEST:
         return None
     return next((slip for recognise in SLIPS if (slip := recognise(belief))), None)
@@ -226,7 +231,10 @@ def bearings_anticlockwise(belief: Belief) -> Slip | None:
 
 
 def _fits(map_: CombinatorialMap, sensed: Iterable[tuple[Dart, Percept]], way: int) -> bool:
-    """Whether the percepts at each vertex agree on its degree, its marks and the pointed dart."""
+    """Whether the percepts at each vertex agree on its degree, its marks and the pointed dart.
+
+    ``way`` is 1 if bearings count clockwise, and -1 if they count anticlockwise.
+    """
     found: dict[int, tuple[int, Dart | None]] = {}
     for dart, percept in sensed:
         if map_.degree_at[dart] != percept.degree:
@@ -239,7 +247,7 @@ def _fits(map_: CombinatorialMap, sensed: Iterable[tuple[Dart, Percept]], way: i
 
 
 def _glued_crosswise(belief: Belief) -> Slip | None:
-    """Recognise an answer in which two edges have exchanged one end each."""
+    """Recognise an answer in which two edges have exchanged one end with each other."""
     answer, world, robot = belief.answer, belief.story.map, belief.story.walk.darts[-1]
     if isomorphism(answer.map, world):
         return None
@@ -343,7 +351,11 @@ def _without_an_edge(
     larger: CombinatorialMap,
     smaller: CombinatorialMap,
 ) -> Iterator[tuple[Dart, CombinatorialMap]]:
-    """The edges without which the larger map is the smaller one, each by its first dart."""
+    """The edges whose removal makes the larger map the smaller one.
+
+    ``taking`` removes an edge from a map.  Each edge is given by its first dart, together with the
+    map that is left.
+    """
     if larger.edge_count == smaller.edge_count + 1:
         for d, _ in larger.edges:
             less = taking(larger, d)

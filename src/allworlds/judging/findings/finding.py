@@ -207,7 +207,7 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @cached_property
     def place(self) -> int:
-        """The number of the lighthouse's place among those of the rooted map."""
+        """The number of the lighthouse's place, as the places of the rooted map are counted."""
         return place_of(self.world) if self.at is None else self.at
 
     @cached_property
@@ -224,7 +224,10 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @property
     def rank(self) -> tuple[Any, ...]:
-        """The key for sorting, also for findings of one run: those with earlier runs come first."""
+        """The key for sorting findings, of which several may be of one run.
+
+        Of those, the findings with earlier runs come first.
+        """
         return self.key, not self.after, self.hash_seed is None, self.hash_seed or 0
 
     @cached_property
@@ -259,9 +262,9 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @classmethod
     def from_json(cls, document: str | Mapping[str, Any]) -> "Finding":
-        """The finding of :meth:`to_json`'s document, or of its text.
+        """The finding in a document or its text, as :meth:`to_json` writes it.
 
-        In a report of ``check`` it is the first finding, in a report of ``run`` its finding.
+        Reports are also read: of a report of ``check`` the first finding, of ``run`` the only one.
 
         Raises:
             InputError: naming the offending value and what would be legal.
@@ -287,7 +290,7 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
 
 def findings_of(document: Any) -> Sequence[Any]:
-    """The documents of the findings of a report; another document is returned alone.
+    """The documents of all findings in a report; a document that is no report is returned alone.
 
     Raises:
         InputError: if the report holds no finding, or is of another version.
@@ -307,7 +310,7 @@ def findings_of(document: Any) -> Sequence[Any]:
 
 
 def place_of(world: World) -> int:
-    """The number of the lighthouse's place among those of the rooted map."""
+    """The number of the lighthouse's place, as the places of the rooted map are counted."""
     return world.lighthouse.number(world.map, world.start)
 
 
@@ -330,5 +333,5 @@ DIGITS = 12
 
 
 def digest_of(text: str) -> str:
-    """The digest of a file's text, as it stands in the file's name."""
+    """The digest of the text of a finding's file, as the name of the file holds it."""
     return hashlib.sha256(text.encode()).hexdigest()[:DIGITS]

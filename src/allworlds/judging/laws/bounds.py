@@ -16,7 +16,7 @@ _NAMES = (*VARIABLES, "paper")
 
 
 def default_step_budget(bound: int) -> int:
-    """The number of traversals after which a run is stopped: 8 x ((1) + (2)) + 100."""
+    """The number of traversals after which a run is stopped: 8 x the paper's bound + 100."""
     return 8 * bound + 100
 
 
@@ -26,14 +26,14 @@ def far_beyond(bound: int) -> int:
 
 
 def paper_bound(vertices: int, edges: int) -> int:
-    """The sum of (1) and (2) of Section VI, exactly."""
+    """The paper's bound: the sum of the formulas (1) and (2) of Section VI, exactly."""
     growing, closing = paper_terms(vertices, edges)
     return growing + closing
 
 
 @cache
 def paper_terms(vertices: int, edges: int) -> tuple[int, int]:
-    """The values of (1) and of (2) of Section VI.
+    """The values of the formulas (1) and (2) of Section VI of the paper.
 
     The upper limit of (2) is printed as 'n-n+1'; the text above it says m-n+1.
     """
@@ -60,7 +60,8 @@ class Bound:
 
     Attributes:
         name: the name that the user gives.
-        value: the function of n, m, d0, D, d and g; its value is None without a bound.
+        value: the function of n, m, d0, D, d and g, as :func:`bound_named` names them; None
+            stands for no bound.
         variables: the names of those variables on which the value depends.
     """
 
@@ -102,7 +103,7 @@ BOUNDS = {
 
 
 def bound_named(text: str) -> Bound:
-    """A bound of :data:`BOUNDS`, or an expression.
+    """The bound with a name in :data:`BOUNDS`, or the bound that an expression tells.
 
     An expression is built from integers, n (vertices), m (edges), d0 (degree of v0), D (the
     largest degree), d (the diameter), g (the genus), paper, ``+ - * // **``, ``min``, ``max`` and

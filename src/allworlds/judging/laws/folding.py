@@ -1,9 +1,9 @@
 """The folded log: everything that a directional log proves, without trust in any explorer.
 
 The log is walked along a tree of new nodes.  A robot that arrives at v0 knows its vertex and its
-dart, so each such node is merged with v0, aligned by the bearing.  If a dart then leads to two
-nodes, these are merged, too.  The result is a part of every world that agrees with the log; if it
-has no open dart, it *is* the world.
+dart, so each such node is merged with v0, dart with dart as the bearing says.  If a dart then leads
+to two nodes, these are merged, too.  The result is a part of every world that agrees with the log;
+if it has no open dart, it *is* the world.
 """
 
 from msgspec import Struct
@@ -19,8 +19,9 @@ class Folded(Struct, frozen=True):
     """The folded log.
 
     Attributes:
-        sigma, alpha: the map; the darts of v0 come first, from the dart faced at the start, then
-            those of each vertex in the order of discovery; ``alpha[d] == d`` marks an open dart.
+        sigma, alpha: the known part of the map; the darts of v0 come first, from the dart that the
+            robot faced at the start, then those of the other vertices in the order of discovery;
+            ``alpha[d] == d`` marks an open dart.
         here: the robot's dart at the end of the log.
     """
 
@@ -51,7 +52,7 @@ def fold(transcript: Transcript) -> Folded:
 
 
 class _Folding:
-    """Nodes in a union-find forest; a merged node keeps its turn relative to its parent.
+    """Nodes in a union-find forest; a merged node keeps its turn against its parent.
 
     Node v owns the darts ``first[v] .. first[v] + degree[v] - 1``.  If ``parent[v] = w``,
     dart i of v is dart ``i + shift[v]`` (modulo the degree) of w.
@@ -72,7 +73,10 @@ class _Folding:
         self._add(first.degree)
 
     def walk(self, dart: int, k: int, percept: Percept) -> int:
-        """Leave by ``sigma^k(dart)``, a root's dart; return the root's dart of arrival."""
+        """Leave by ``sigma^k(dart)``, which is a dart of a root node; return the dart of arrival.
+
+        The dart of arrival is a dart of a root node, too.
+        """
         _check(percept)
         v = self.node[dart]
         leaving = self.first[v] + (dart - self.first[v] + k) % self.degree[v]
@@ -95,7 +99,7 @@ class _Folding:
         return arrived
 
     def result(self, dart: int) -> Folded:
-        """The folded log: the darts of the roots, numbered anew; ``dart`` is the robot's."""
+        """The folded log, made of the root nodes; the robot is at ``dart``."""
         number: dict[int, int] = {}
         sigma: list[int] = []
         for v, (first, degree) in enumerate(zip(self.first, self.degree, strict=True)):
@@ -162,7 +166,11 @@ class _Folding:
 
 
 def _check(percept: Percept) -> None:
-    """Raise Contradiction unless the degree is positive, and v0 alone has a bearing below it."""
+    """Raise Contradiction if no directional lighthouse allows this percept.
+
+    The degree must be positive; a percept with a mark has a bearing below the degree, others have
+    none.
+    """
     degree, bearing = percept.degree, percept.bearing
     sensed = bearing is not None and 0 <= bearing < degree
     legal = sensed if percept.marks else bearing is None

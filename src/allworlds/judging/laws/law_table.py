@@ -87,8 +87,10 @@ class Violation(Struct, frozen=True):
 
     Attributes:
         law: the name of the law.
-        expected, seen: estimates for map and pose, integers for bound, else sentences.
-        step: the number of steps before the checkpoint that breaks the law; None if none does.
+        expected, seen: the expectation and the observation: estimates for the laws map and pose,
+            integers for bound, sentences for all other laws.
+        step: the number of steps before the checkpoint that breaks the law; None if the law is not
+            about checkpoints.
     """
 
     law: str
@@ -208,7 +210,7 @@ def invariant_1(case: Case) -> Violation | None:
 
 
 def _wrong_s(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
-    """The reason why S is wrong; if it is right with another ``here``, the reason says so."""
+    """The reason why S is wrong; it says so if S would be right with another ``here``."""
     broken = _wrong_part(case, steps, checkpoint)
     darts = len(checkpoint.sigma)
     if broken and darts <= len(case.map.sigma):
@@ -277,7 +279,8 @@ def variant(case: Case) -> Violation | None:
 def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | str:
     """The dart of the world for each dart of S, or the reason why there is none.
 
-    If another dart claims a dart in U as its partner (which breaks I-2), that decides its image.
+    If another dart claims a dart in U as its partner (which breaks I-2), the other end of that
+    other dart in the world is the image of the dart in U.
     Cost: O(|S|).
     """
     sigma, alpha = checkpoint.sigma, checkpoint.alpha
@@ -307,7 +310,7 @@ def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Da
 
 
 def first_wrong(case: Case) -> tuple[int, str] | None:
-    """The number of the first checkpoint that breaks an invariant, and its fault."""
+    """The number of the first checkpoint that breaks an invariant, and its fault in words."""
     for number, (steps, checkpoint) in enumerate(case.checkpoints):
         if broken := _half_entered(checkpoint) or _wrong_s(case, steps, checkpoint):
             return number, broken
