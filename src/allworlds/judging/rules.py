@@ -314,8 +314,8 @@ class Rules(RuleOptions, kw_only=False):
     def budget_by_size(self, vertices: int, edges: int) -> int:
         """The largest legal number of traversals in a world of that size.
 
-        If the user gives no budget, it is at least the explorer's own bound, and at most a hundred
-        times the checked bound plus 100, as far as these bounds depend on the size alone.
+        If the user gives no budget, it is at least the explorer's own bound, but never above a
+        hundred times the checked bound plus 100, if these bounds depend on the size alone.
         """
         if self.step_budget is not None:
             return self.step_budget
@@ -329,7 +329,7 @@ class Rules(RuleOptions, kw_only=False):
     def budget_of_bound(self, vertices: int, edges: int) -> int | None:
         """A hundred times the checked bound, plus 100; None if it does not depend on size alone.
 
-        A run that costs more breaks the law ``bound`` in any case, so it is given up.
+        A run with this cost breaks a law in any case, so the run is given up.
         """
         if not self.the_bound.variables <= SIZE:
             return None

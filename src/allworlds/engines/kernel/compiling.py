@@ -29,7 +29,7 @@ _njit = partial(njit, nogil=True, error_model="numpy", no_cfunc_wrapper=True, _n
 
 
 def inlined(function: Callable[..., Any]) -> Any:
-    """Compile a function that is called from one place only into its caller."""
+    """Compile a function into its caller; the function is called from one place only."""
     return _njit(no_cpython_wrapper=True, inline="always")(function)
 
 

@@ -81,7 +81,7 @@ def _is_least(world, row, other):
 
 @inner
 def _keep(job, rooms):
-    """Add the outcome of a world to the counts; keep its map if the worst cost is the largest."""
+    """Add the outcome of a world to the counts; keep the map with the largest worst cost so far."""
     n, counts, least, worst = job.world.vertices, rooms.counts, rooms.least, rooms.worst[0, 0]
     counts[n, TESTS] += job.tests
     counts[n, WRONG] += job.wrong

@@ -40,9 +40,9 @@ from allworlds.world.world import World
 def _say_message(finding: Finding) -> list[str]:
     """Tell the last line of the traceback, or of stderr, that names an error; else its last line.
 
-    If a crash has left neither, as after ``abort``, the last line that the explorer printed is
-    told.  Without any line, or if the observation already contains the last one, there is no
-    sentence.
+    After a crash that has left neither, as by ``abort``, the lines that the explorer printed are
+    taken instead.  Without any line, or if the observation already contains the last one, there is
+    no sentence.
     """
     said = finding.detail or (finding.output if finding.law == "crash" else "")
     lines = [line.strip() for line in said.splitlines() if line.strip()]

@@ -52,7 +52,7 @@ def fold(transcript: Transcript) -> Folded:
 
 
 class _Folding:
-    """Nodes in a union-find forest; a merged node keeps its turn against its parent.
+    """Nodes in a union-find forest; a merged node keeps its turn relative to its parent.
 
     Node v owns the darts ``first[v] .. first[v] + degree[v] - 1``.  If ``parent[v] = w``,
     dart i of v is dart ``i + shift[v]`` (modulo the degree) of w.

@@ -89,8 +89,8 @@ class Violation(Struct, frozen=True):
         law: the name of the law.
         expected, seen: the expectation and the observation: estimates for the laws map and pose,
             integers for bound, sentences for all other laws.
-        step: the number of steps before the checkpoint that breaks the law; None if the law is not
-            about checkpoints.
+        step: the number of steps before the checkpoint that breaks the law; None if no
+            checkpoint breaks it.
     """
 
     law: str
