@@ -154,7 +154,7 @@ def call(_context, address, arguments):
 
 @intrinsic
 def ask(_context, address, arguments):
-    """Call the function at the address with a tuple of arguments; return what it returns."""
+    """Call the function at the address with a tuple of arguments; return its integer."""
     return types.int32(address, arguments), _call
 
 

@@ -59,7 +59,7 @@ UNWRITTEN = (
 
 
 def advice(finding: Finding) -> list[str]:
-    """The likely cause of this fault, in a sentence; an empty list if no cause is known."""
+    """The likely causes of this fault, each in a sentence; an empty list if none is known."""
     seen = str(finding.seen)
     if finding.law == "crash" and MEMORY.search(seen):
         return [SANITIZER]
