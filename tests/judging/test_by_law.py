@@ -173,7 +173,7 @@ def test_the_bound_is_told_with_what_the_traversals_found(told):
     assert law == "bound"
     assert "The map and the pose are right" in text
     assert "The bound 'paper' is what the paper proves for its Algorithm 1" in text
-    assert "In a world with 1 edge and 1 vertex that is 0 + 1 = 1." in text
+    assert "In a world with 1 edge and 1 vertex the sum is 0 + 1 = 1." in text
     assert "Tried with --edges 3 --bound none: no law is broken" in text
     assert "The robot made 3 traversals, of which 1 found a new edge." in text
 

@@ -297,7 +297,7 @@ def test_whose_the_bound_is_and_how_its_value_comes_about(world, name, new, clos
         "what the paper proves for its Algorithm 1 in Section VI: the sum of (1), the passes that "
         "find a new vertex, and (2), the passes that close an edge between known ones"
     )
-    sums = f"In a world with {name} that is {new} + {closing}"
+    sums = f"In a world with {name} the sum is {new} + {closing}"
     assert whose(bound="paper") == f"The bound 'paper' is {what}. {sums} = {new + closing}."
     assert whose(bound="two-vertices") == (
         f"The bound 'two-vertices' is {what}; it adds two traversals for each test of a "

@@ -114,7 +114,9 @@ def test_the_explorers_own_bound_holds_under_its_own_kind_of_lighthouse_only():
 
 
 def test_the_law_folding_does_not_apply():
-    with pytest.raises(InputError, match="'folding' holds only under the directional lighthouse"):
+    with pytest.raises(
+        InputError, match="'folding' is checked only under the directional lighthouse"
+    ):
         check(CLUSTER, edges=2, laws=["folding"])
 
 

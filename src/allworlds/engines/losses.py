@@ -1,9 +1,9 @@
 """The meaning of the loss of a player.
 
     ======================================================  ====================================
-    a fresh player is also lost in this run alone           the run breaks the law of the loss
+    a fresh player that plays this run alone is also lost   the run breaks the law of the loss
     the fresh player is not lost; the machine cannot be     the run breaks that law after other runs
-    the cause, or this is the second unrepeated silence
+    the cause, or it is the second time-out not repeated
     the fresh player is not lost, in all other cases        a remark: it refutes nothing
     ======================================================  ====================================
 
@@ -45,7 +45,7 @@ def meaning(lost: Lost, *, again: bool, before: int) -> Meaning:
 
     Args:
         lost: the loss.
-        again: whether a fresh player was also lost: now in this run, or before by the same law.
+        again: whether a fresh player repeated a loss by this law, in this run or in an earlier one.
         before: the number of earlier losses by this law that no fresh player repeated.
     """
     if again:

@@ -60,27 +60,27 @@ class SingleRun(Report):
     def verdict(
         self,
     ) -> Annotated[Verdict, doc.one_of(Verdict.HOLDS, Verdict.REFUTED, Verdict.VACUOUS)]:
-        """About this run alone."""
+        """The verdict about this run alone."""
         return self.facts.verdict
 
     @doc.computed
     def options(self) -> RecordedRules:
-        """How it was played and judged."""
+        """The options by which the run was played and judged."""
         return self.rules.recorded
 
     @doc.computed
     def choices(self) -> tuple[doc.Natural, ...]:
-        """The index taken at each choice."""
+        """The index of the option taken at each choice."""
         return self.outcome.choices
 
     @doc.computed
     def cost(self) -> doc.Natural:
-        """Traversals."""
+        """The number of traversals."""
         return self.outcome.cost
 
     @doc.computed
     def bound(self) -> int | None:
-        """Of the traversals; null without one."""
+        """The bound of the traversals; null without one."""
         return self.outcome.bound
 
     @doc.computed
@@ -90,7 +90,7 @@ class SingleRun(Report):
 
     @doc.computed
     def transcript(self) -> Transcript | UnsetType:
-        """The log; not with ``--no-walk``."""
+        """The steps of the run; absent with ``--no-walk``."""
         return self.outcome.episode.transcript if self.shows_walk else UNSET
 
     @doc.computed

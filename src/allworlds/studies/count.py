@@ -106,7 +106,7 @@ class Census(SweptReport):
 
     @doc.computed
     def scope(self) -> CountedScope:
-        """All that was counted."""
+        """A description of all that was counted."""
         return as_scope(CountedScope, self.request)
 
     @doc.computed

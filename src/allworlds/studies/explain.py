@@ -58,17 +58,17 @@ class Explanation(Report):
 
     @computed
     def explorer(self) -> str:
-        """Its name."""
+        """The name of the explorer."""
         return self.finding.explorer
 
     @computed
     def law(self) -> LawName:
-        """The broken one."""
+        """The broken law."""
         return self.finding.law
 
     @computed
     def world(self) -> World:
-        """That of the finding."""
+        """The world of the finding."""
         return self.finding.world
 
 

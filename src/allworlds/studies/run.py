@@ -164,7 +164,7 @@ class Replay(Report):
 
     @doc.computed
     def law(self) -> LawName:
-        """The recorded one."""
+        """The law of the recorded finding."""
         return self.recorded.law
 
     @doc.computed

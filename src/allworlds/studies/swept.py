@@ -84,7 +84,7 @@ class SweptReport(PortionReport, RowsReport):
 
     @doc.computed
     def stopped(self) -> doc.Why:
-        """Reason why rows are missing."""
+        """The reason why rows are missing."""
         return self.ending.stopped
 
     @property

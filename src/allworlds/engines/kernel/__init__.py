@@ -5,7 +5,7 @@ interpreter's lock only at its start and its end, so that threads share the work
 
 ``engine``: the interface to Python, by plain numbers; it also lays out and judges runs of users.
 ``runs``, ``laws``, ``code``: every run of a unit, played or read from its log, judged and tallied.
-``worlds``: maps one after the other, with their lighthouses, and the numbers of maps.
+``worlds``: lists maps with the places of their lighthouses, and counts them.
 ``algorithm1``: the built-in explorers, behind the C interface of all explorers.
 ``library_player``: runs of users' explorers, played by a library.
 ``demand_driven``: the check of Algorithm 1 that decides a dart of a world once it is crossed.

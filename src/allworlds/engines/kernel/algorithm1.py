@@ -237,7 +237,7 @@ def _augment_by_vertex(robot, action):
 
 @inner
 def _add_vertex(robot, degree, marks, bearing):
-    """Add a vertex to S, and its darts to U; each of them gets this percept as its expected one."""
+    """Add a vertex to S and its darts to U; this percept is the expected one at each dart."""
     entry, v = robot.darts, robot.vertices
     for dart in range(entry, entry + degree):
         robot.sigma[dart] = dart + 1

@@ -214,7 +214,7 @@ def _next_open(g, dart, open_):
 
 @inner
 def _one_face(g, y, z):
-    """Whether the darts y and z were in one face before they were joined; true for a new vertex."""
+    """Whether the darts y and z were in one face before they were joined; True at a new vertex."""
     if g.added[g.depth]:
         return True
     before = g.open | 1 << y | 1 << z

@@ -5,7 +5,7 @@ The modules:
 ``algorithm1``
     Algorithm 1 of the paper, and its variants without a direction;
 ``scanning``
-    Algorithm 1 with one letter at v0, which depends on the bearing;
+    Algorithm 1 for a robot that senses at v0 not the bearing, but one letter computed from it;
 ``folding``
     the folded log, which is all percepts of a run as one map; explorers that only fold; the shield,
     which makes any explorer right;

@@ -480,7 +480,7 @@ def _whose(finding: Finding) -> str:
         "what the paper proves for its Algorithm 1 in Section VI: the sum of (1), the passes that "
         "find a new vertex, and (2), the passes that close an edge between known ones"
     )
-    sums = f"In a world with {world} that is {new} + {closing}"
+    sums = f"In a world with {world} the sum is {new} + {closing}"
     if name == "paper":
         return f"The bound 'paper' is {paper}. {sums} = {value}."
     if name == "two-vertices":

@@ -209,7 +209,7 @@ def bearings_anticlockwise(belief: Belief) -> Slip | None:
 
     The walk that ends at ``here`` is followed in the answer.  Only the percepts at the start and
     after the first walk of each edge must fit, because a robot on its way back need not look.  If
-    the map is right, all percepts must fit, because a wrong ``here`` alone is then likelier.
+    the map is right, all percepts must fit: then a wrong ``here`` alone is the likelier slip.
     """
     map_, walk = belief.answer.map, belief.story.walk
     trail = trail_to(map_, belief.answer.here, walk)

@@ -332,8 +332,8 @@ is a bound on the traversals."""
 
 IDLE = {
     MAPS: "is about the task map alone",
-    FOLDS: "holds only under the directional lighthouse in the classes maps and simple: a promise "
-    "can make an explorer right without it",
+    FOLDS: "is checked only under the directional lighthouse in the classes maps and simple: "
+    "elsewhere a promise can make an explorer right that breaks this law",
     BOUNDED: "has no effect where the bound is none; name a bound too",
 }
 """The reasons why a law has no meaning unless its condition is met."""

@@ -208,8 +208,8 @@ def census_content(census: census_sweep.AmbiguityCensus) -> parts.ReportContent:
     facts = [("scope", scope), ("places", census.places)]
     if not census.whole:
         text = (
-            f"{census.portion}: a shard may hold only some worlds of a class; the merge of all "
-            "shards gives the classes and the counts"
+            f"{census.portion}: a shard may hold only some of the worlds that look alike; the "
+            "merge of all shards gives the classes and the counts"
         )
         facts.append(("shard", text))
     if census.agrees:

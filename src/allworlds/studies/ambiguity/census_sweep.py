@@ -315,7 +315,7 @@ class AmbiguityCensus(SweptReport):
 
     @doc.computed
     def scope(self) -> CensusScope:
-        """All that was classified."""
+        """A description of all worlds that were classified."""
         return as_scope(CensusScope, self.request, places=self.places, shard=str(self.portion))
 
     @doc.computed

@@ -46,7 +46,7 @@ Blocks: TypeAlias = Annotated[
 
 
 class RefutedSensor(doc.Document):
-    """A coarsening that does not suffice."""
+    """A coarser sensor that does not suffice: two different worlds look alike to a robot."""
 
     letters: Blocks
     edges: Annotated[doc.Positive, doc.about("of the larger of the two worlds")]

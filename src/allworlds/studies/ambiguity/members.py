@@ -87,12 +87,12 @@ class ComparedWorlds(Report):
 
     @doc.computed
     def distinguishable(self) -> bool:
-        """Whether any motion tells them apart."""
+        """Whether a motion tells the two worlds apart."""
         return self.bisimulation is UNSET
 
     @doc.computed
     def twins(self) -> bool:
-        """Different, and not distinguishable."""
+        """Whether the two worlds are different, and not distinguishable."""
         return self.relation == "different" and not self.distinguishable
 
 
@@ -371,7 +371,7 @@ class AmbiguityClass(Report):
 
     @doc.computed
     def ambiguous(self) -> bool:
-        """Whether another world looks the same."""
+        """Whether another world looks the same to a robot."""
         return self.size > 1
 
     @doc.computed

@@ -63,11 +63,11 @@ class AlikePair(doc.Document):
 
     @classmethod
     def of(cls, worlds: Sequence[World], shown: Sequence[World] = ()) -> "AlikePair":
-        """Return two worlds with the proof that they look alike, which has been checked.
+        """Return two worlds with the proof that they look alike, after a check of the proof.
 
         Args:
             worlds: the two worlds.
-            shown: the same worlds under the coarser sensor that is compared, if it is another one.
+            shown: the same worlds under the coarser sensor, if a coarser sensor is compared.
         """
         seen = tuple(shown or worlds)
         proof = classes_of_union(*((world.map, world.percepts, world.start) for world in seen))
@@ -110,8 +110,8 @@ class SensorsScope(doc.Document):
 class AmbiguitySensors(Report, kw_only=True):
     """Report of 'ambiguity sensors'.
 
-    Sensors side by side in the same worlds; two worlds that look alike differ in the map, or in the
-    start.
+    Sensors side by side in the same worlds.  Two worlds that look alike are counted if their maps
+    differ, or if only their starts do.
     """
 
     scope: SensorsScope

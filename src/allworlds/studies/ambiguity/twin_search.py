@@ -73,7 +73,7 @@ class Searched(doc.Document):
 
     @doc.computed
     def edges(self) -> doc.Pair[doc.Positive]:
-        """Of each world."""
+        """The number of edges of each world."""
         return tuple(size.edges for size in self.sizes)
 
     @doc.computed
@@ -107,7 +107,7 @@ class SearchResult(EndedReport, kw_only=True):
 
     @doc.computed
     def lighthouse(self) -> doc.Text:
-        """Its kind."""
+        """The kind of the lighthouse."""
         return self.question.lighthouse
 
     @doc.computed
@@ -117,12 +117,12 @@ class SearchResult(EndedReport, kw_only=True):
 
     @doc.computed
     def vertices(self) -> doc.Positive:
-        """At most so many."""
+        """The largest number of vertices of a world."""
         return self.question.vertices
 
     @doc.computed
     def edges(self) -> doc.Positive:
-        """At most so many."""
+        """The largest number of edges of a world."""
         return self.question.edges
 
     @doc.computed

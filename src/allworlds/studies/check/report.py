@@ -305,12 +305,12 @@ class CheckReport(PortionReport):
 
     @doc.computed
     def verdict(self) -> Verdict:
-        """About this scope alone."""
+        """The verdict about this scope alone."""
         return self.judged
 
     @doc.computed
     def scope(self) -> CheckedScope:
-        """All that was checked."""
+        """A description of all that was checked."""
         extent, rules, coverage = self.asked.extent, self.asked.rules, self.asked.coverage
         gate: Gated = self.cells
         if count_source.source_of(extent) is None or coverage.drawn:
@@ -336,17 +336,17 @@ class CheckReport(PortionReport):
 
     @doc.computed
     def worlds(self) -> doc.Natural:
-        """Rooted maps."""
+        """The number of rooted maps."""
         return self.tally.worlds
 
     @doc.computed
     def runs(self) -> doc.Natural:
-        """Worlds x places of the lighthouse."""
+        """The number of runs: worlds x places of the lighthouse."""
         return self.tally.runs
 
     @doc.computed
     def episodes(self) -> doc.Natural:
-        """Runs x schedules."""
+        """The number of episodes: runs x schedules."""
         return sum(row.episodes for row in self.tally.rows.values())
 
     @doc.computed
@@ -356,7 +356,7 @@ class CheckReport(PortionReport):
 
     @doc.computed
     def traversals(self) -> doc.Natural:
-        """Summed over the episodes."""
+        """The traversals of all episodes."""
         return self.tally.traversals
 
     @doc.computed
@@ -366,12 +366,12 @@ class CheckReport(PortionReport):
 
     @doc.computed
     def rows(self) -> tuple[CheckRow, ...]:
-        """One for each (edges, vertices), ascending."""
+        """A row for each (edges, vertices), ascending."""
         return tuple(_rows(self.tally))
 
     @doc.computed
     def witnesses(self) -> dict[str, doc.Positive]:
-        """How often each [event](verdicts.md#witnesses) occurred."""
+        """The number of times that each [event](verdicts.md#witnesses) occurred."""
         return dict(sorted(self.tally.witnesses.items()))
 
     @doc.computed

@@ -198,32 +198,32 @@ class GrowRow(doc.Document):
 
     @doc.computed
     def worlds(self) -> doc.Positive:
-        """Different rooted maps among them."""
+        """The number of different rooted maps among the members."""
         return len(self.members)
 
     @doc.computed
     def places(self) -> doc.Positive:
-        """Places of the lighthouse in these worlds."""
+        """The number of places of the lighthouse in these worlds."""
         return sum(one.places for one in self.members)
 
     @doc.computed
     def runs(self) -> doc.Positive:
-        """Places in which it was run."""
+        """The number of runs: one for each place that was chosen."""
         return sum(len(one.costs) for one in self.members)
 
     @doc.computed
     def mean(self) -> doc.Figure:
-        """Traversals: over the worlds, in each over the places of its runs."""
+        """The mean traversals: first over the places in a world, then over the worlds."""
         return round(fsum(self.means) / len(self.members), 6)
 
     @doc.computed
     def interval(self) -> Range:
-        """Of the mean."""
+        """The interval of the mean."""
         return None if self.exact else _rounded(intervals.mean_interval(self.means))
 
     @doc.computed
     def least(self) -> doc.Natural:
-        """Traversals of a run."""
+        """The least traversals of a run."""
         return min(min(one.costs) for one in self.members)
 
     @doc.computed
@@ -233,7 +233,7 @@ class GrowRow(doc.Document):
 
     @doc.computed
     def bound(self) -> int | None:
-        """The largest of a run; null without a bound."""
+        """The largest bound of a run; null without a bound."""
         return max((m.bound for m in self.members if m.bound is not None), default=None)
 
     @property
@@ -288,12 +288,12 @@ class Growth(entrants.ContestReport, kw_only=True):
 
     @doc.computed
     def ratios(self) -> tuple[CostRatio, ...]:
-        """One for each family, size and explorer but the first."""
+        """For each family, size and further explorer, its costs divided by the first explorer's."""
         return tuple(_ratios(self))
 
     @doc.computed
     def exponents(self) -> tuple[Exponent, ...]:
-        """One for each family and explorer."""
+        """An exponent for each family and explorer."""
         keys = dict.fromkeys((row.family, row.explorer) for row in self.rows)
         return tuple(_exponent(self, *key) for key in keys)
 

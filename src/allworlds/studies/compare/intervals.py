@@ -125,9 +125,10 @@ def _has_interval(values: Sequence[float]) -> bool:
 
 
 def _interval(middle: float, deviation: float, size: int) -> Interval:
-    """The interval of the value ``middle``.
+    """The confidence interval of ``middle``, which is a geometric mean.
 
-    Its logarithm is the mean of a sample of this size, with this standard deviation.
+    The logarithm of ``middle`` is the mean of a sample of ``size`` logarithms, whose standard
+    deviation is ``deviation``.
     """
     factor = exp(_student(size - 1) * deviation / sqrt(size))
     return middle / factor, middle * factor

@@ -174,7 +174,7 @@ def placed_rootings(
 def in_chunks(
     worlds: Sequence[tuple[world.World, int]], length: int = WORLDS_PER_CHUNK
 ) -> list[GivenWorlds]:
-    """Chunks of ``length`` worlds and the numbers of their places; a worker tries one at a time."""
+    """Chunks of ``length`` worlds with the numbers of their places; a worker tries one chunk."""
     starts = range(0, len(worlds), length)
     return [GivenWorlds(tuple(worlds[start : start + length])) for start in starts]
 

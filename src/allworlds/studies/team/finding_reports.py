@@ -29,7 +29,7 @@ class TeamReplay(Report):
 
     @doc.computed
     def law(self) -> doc.Text:
-        """The recorded one."""
+        """The law of the recorded finding."""
         return self.recorded.law
 
     @doc.computed
@@ -76,7 +76,7 @@ class TeamExplanation(Report):
 
     @doc.computed
     def sentences(self) -> doc.Some[doc.Text]:
-        """In plain words."""
+        """The finding in plain words."""
         return tuple(sentences_of(self.finding))
 
 

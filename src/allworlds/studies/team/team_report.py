@@ -86,12 +86,12 @@ class TeamReport(PortionReport, kw_only=True):
 
     @doc.computed
     def verdict(self) -> outcome.Verdict:
-        """About this scope alone."""
+        """The verdict about this scope alone."""
         return self.facts.verdict
 
     @doc.computed
     def scope(self) -> TeamScopeDocument:
-        """All that was searched."""
+        """A description of all that was searched."""
         return as_scope(
             TeamScopeDocument,
             self.request,
@@ -105,7 +105,7 @@ class TeamReport(PortionReport, kw_only=True):
 
     @doc.computed
     def rows(self) -> tuple[TeamCounts, ...]:
-        """One for each (edges, vertices), ascending."""
+        """A row for each (edges, vertices), ascending."""
         names = TeamRow.__slots__
         return tuple(
             TeamCounts(edges=m, vertices=n, **{name: getattr(row, name) for name in names})

@@ -173,12 +173,12 @@ class WorstReport(SweptReport, kw_only=True):
 
     @doc.computed
     def explorer(self) -> doc.Text:
-        """Its name."""
+        """The name of the explorer."""
         return self.subject.name
 
     @doc.computed
     def scope(self) -> WorstScope:
-        """All that was searched."""
+        """A description of all that was searched."""
         return as_scope(
             WorstScope,
             self.request,

@@ -1,4 +1,4 @@
-"""The compiled search over schedules, as the engine for the most expensive worlds of a level."""
+"""The engine that finds the most expensive worlds of a level, by a compiled search of schedules."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
