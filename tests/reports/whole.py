@@ -740,11 +740,13 @@ def team_findings():
 def bounds_told():
     for name in sorted({*BOUNDS} - {"none"}):
         for world in ("theta", "star-4", "k4"):
-            answer = Estimate(named_map(world), 0)
-            for turns in (24, 600, 5000):
-                explore = mine.walking(*moves(*[0] * turns), answer=answer)
+            right = run("algorithm1", world_named(world, "directional"))
+            walked = [each for each in right.walk.actions if isinstance(each, Move)]
+            answer = right.outcome.episode.ending.answer
+            for more in (0, 20, 160):
+                explore = mine.walking(*walked, *moves(*[0] * more), answer=answer)
                 finding = found(explore, world, bound=name)
-                yield f"{name}, {world}, {turns}: {told(finding) if finding else 'no finding'}"
+                yield f"{name}, {world}, {more}: {told(finding) if finding else 'no finding'}"
 
 
 @case
