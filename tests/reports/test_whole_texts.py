@@ -9,7 +9,7 @@ import pytest
 
 from reports.whole import CASES, TEXTS, whole
 
-pytestmark = pytest.mark.usefixtures("without_workers")
+pytestmark = pytest.mark.usefixtures("compiled")
 
 
 def test_every_text_has_its_case():
