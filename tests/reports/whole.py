@@ -74,6 +74,8 @@ def shown(content):
     yield f"# rows\n{csv_rows(content)}"
     for section in content.sections:
         for block in section.blocks:
+            if isinstance(block, parts.Table):
+                yield f"# table {block.caption}, by {block.keys}"
             if isinstance(block, parts.Curve | parts.MapPictures | parts.ShownWalk):
                 yield drawn(block)
 
@@ -223,6 +225,7 @@ def endings_told():
         "edges most": found(mine.walking(*moves(0, 1, 1), answer=1), theta, task="cover:edges"),
         "budget": found(mine.walking(then=Move(1)), every),
         "budget of the user": found(mine.walking(then=Move(0)), theta, step_budget=7),
+        "budget of many lines": found(mine.goes_round, theta),
         "budget of one": found(mine.walking(then=Move(0)), theta, step_budget=1),
         "budget of a bound": found(
             mine.walking(then=Move(0)), "theta", lighthouse="compass", bound="m-2"

@@ -30,3 +30,17 @@ def first_edge(first):
 def crashes(first):
     yield Move(0)
     raise ValueError("this edge is too much")
+
+
+def goes_round(first):
+    while True:
+        yield Move(0)
+        yield Move(1)
+        yield Move(0)
+        yield Move(1)
+        yield Move(0)
+        yield Move(1)
+        yield Move(0)
+        yield Move(1)
+        yield Move(2)
+        yield Move(2)
