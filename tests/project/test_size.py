@@ -23,7 +23,7 @@ class Size(NamedTuple):
     lines: int
 
 
-MOST = 31_756
+MOST = 31_757
 """Lines of code of ``src/allworlds``."""
 
 MOST_OF_WING = {

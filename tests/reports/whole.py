@@ -415,7 +415,7 @@ def checks():
     yield check("algorithm1", edges=2, laws=("map", "pose"), engine="python")
     yield check("algorithm1", edges=2, bound="none", policy="lifo", where="cubic", engine="python")
     yield check("algorithm1", edges=3, where="eulerian", engine="python")
-    yield check(mine.stays, edges=2, laws=("invariant-1", "variant"))
+    yield check("algorithm1", edges=2, laws=("invariant-1", "variant"), engine="python")
     yield check(mine.walking(answer=1), edges=2, task="cover", max_findings=2)
     yield check("algorithm1", map_class="simple", vertices=3, engine="python")
     yield check("algorithm1", worlds=plantri("tri5.pl"), engine="python")

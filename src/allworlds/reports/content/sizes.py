@@ -134,4 +134,5 @@ def _mismatch(report: WorstReport) -> str:
             f"maps with {where}: {row.worlds} were enumerated, but "
             f"{report.source} counts {row.counted}"
         )
-    return f"with {where} the worst cost is {row.worst}, but {row.replayed} in the python engine"
+    played = "breaks a law" if row.replayed is None else f"costs {row.replayed}"
+    return f"with {where} the worst cost is {row.worst}, but its replay in Python {played}"
