@@ -114,7 +114,7 @@ AGREEMENT_EDGES = 4
 """The largest m of the worlds in which both engines are compared before a check begins."""
 
 AGREEMENT_EDGES_SIMPLE = 6
-"""The same limit for a lighthouse at two vertices in a simple class, where few worlds are small."""
+"""The largest m of these worlds, for a lighthouse at two vertices in a simple class."""
 
 
 def compare_engines(scope: Scope, subject: Subject) -> None:

@@ -237,7 +237,7 @@ The compiled engine needs some milliseconds for such a unit; keeping its result 
 """
 
 SIMPLE_DEPTHS = ((4, 1), (7, 2), (inf, 5))
-"""The same pairs for the simple classes.
+"""Pairs as in :data:`DEPTHS`, for the simple classes.
 
 There the weights of units are upper bounds.  The errors of smaller units are smaller, and the
 errors of many units compensate each other.
