@@ -28,9 +28,10 @@ from allworlds.engines.kernel.worlds import by_vertices_and_faces
 allworlds.check(edges=2, engine="kernel")
 by_vertices_and_faces(4, 5, ())
 allworlds.worst(edges=1)
+allworlds.ambiguity.census(edges=1)
 os.write(int(sys.argv[1]), b"done")
 """
-"""The compiled code of quick tests: judge and ``examine``, the count, and the search of ``worst``.
+"""The compiled code of quick tests: judge, ``examine``, the count, ``worst`` and the census.
 
 The kernel that walks on demand and the one that plays libraries are compiled by slow tests.
 """

@@ -33,7 +33,7 @@ OPTIONS = [
 
 def asked_of(param):
     """What the field of an option asks for: its callback reads a text by that."""
-    return param.callback.args[0]
+    return param.callback.asked
 
 
 def one_a_type(options):

@@ -12,7 +12,6 @@ from pkgutil import resolve_name
 from typing import Any, NoReturn, get_type_hints
 
 import rich_click as click
-from click.core import ParameterSource
 from click.exceptions import Exit as Ended, NoArgsIsHelpError
 
 from allworlds.cli.defaults import Defaults, begin, defaults_here
@@ -102,14 +101,11 @@ def _command(verb: Verb) -> _Verb:
     function, parts, help_ = _function_of(verb)
     parts["output"] = output_of(verb.name)
 
-    @click.pass_context
-    def command(context: click.Context, /, **words: Any) -> int:
+    def command(**words: Any) -> int:
         from allworlds.engines.limits import deadline_after, models_bounded
 
-        source = context.get_parameter_source
-        given = {name: words[name] for name in words if source(name) is not ParameterSource.DEFAULT}
-        with models_bounded(deadline_after(given.get("time_limit"))):
-            requests = {name: request_of(part, given) for name, part in parts.items()}
+        with models_bounded(deadline_after(words.get("time_limit"))):
+            requests = {name: request_of(part, words) for name, part in parts.items()}
         return function(**requests)
 
     params = parameters_of(parts.values())

@@ -5,11 +5,12 @@ The origin holds what may differ between documents of the same command: version,
 """
 
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextvars import ContextVar
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from functools import partial, reduce
+from itertools import chain
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -51,23 +52,23 @@ class Defaults:
         if not self.options:
             return {}
         with in_file(self.file):
-            every = {name: _command(root, name) for name in BY_NAME}
-            known = {name for command in every.values() for name in _options(command)}
-            for key, value in self.options.items():
-                if isinstance(value, dict):
-                    _ensure_known(value, every.get(key), key, every)
-                elif key not in known:
-                    raise InputError(f"{key} is no option of a verb{did_you_mean(key, known)}")
-            GIVEN_IN_FILE.set(frozenset(self._keys()))
+            every = {name: _options(_command(root, name)) for name in BY_NAME}
+            tables = {key: value for key, value in self.options.items() if isinstance(value, dict)}
+            everywhere = [key for key in self.options if key not in tables]
+            _ensure_known(everywhere, "a verb", {*chain(*every.values())})
+            for verb, table in tables.items():
+                if verb not in every:
+                    raise InputError(f"there is no verb {show(verb)}{did_you_mean(verb, every)}")
+                _ensure_known(table, verb, every[verb])
+            GIVEN_IN_FILE.set(frozenset(chain(everywhere, *tables.values())))
             plain = [word for word in words if not word.startswith("-")]
             name = next((n for n in (" ".join(plain[:2]), *plain[:1]) if n in every), "")
-            mine = _options(every[name]) if name else {}
             given = {**self.options, **self.options.get(name, {})}
             if any(word.startswith(("--exec", "--native")) for word in words):
                 given.pop("explorer", None)  # another one is named
             found: dict[str, Any] = {
                 param.name: partial(self._use, key, _value(key, given[key], param), param)
-                for key, param in mine.items()
+                for key, param in every.get(name, {}).items()
                 if key in given
             }
         for word in reversed(name.split()):
@@ -77,10 +78,6 @@ class Defaults:
     def _use(self, key: str, value: Any, param: Any) -> Any:
         self.used[key] = value
         return [value] if isinstance(value, str) and param.multiple else value
-
-    def _keys(self) -> Iterator[str]:
-        for key, value in self.options.items():
-            yield from value if isinstance(value, dict) else (key,)
 
 
 def defaults_here() -> Defaults:
@@ -141,16 +138,11 @@ def _options(command: Any) -> dict[str, Any]:
     }
 
 
-def _ensure_known(
-    table: Mapping[str, Any], command: Any, verb: str, verbs: Mapping[str, Any]
-) -> None:
-    """Refuse a table that is of no verb, or has a key that is no option of it."""
-    if command is None:
-        raise InputError(f"there is no verb {show(verb)}{did_you_mean(verb, verbs)}")
-    known = _options(command)
-    for key in table:
+def _ensure_known(keys: Iterable[str], owner: str, known: Collection[str]) -> None:
+    """Refuse a key that is none of the options of a verb, or of any verb."""
+    for key in keys:
         if key not in known:
-            raise InputError(f"{key} is no option of {verb}{did_you_mean(key, known)}")
+            raise InputError(f"{key} is no option of {owner}{did_you_mean(key, known)}")
 
 
 def _value(key: str, value: object, param: Any) -> Any:
@@ -159,7 +151,7 @@ def _value(key: str, value: object, param: Any) -> Any:
         if isinstance(value, bool):
             return value
         raise InputError(f"{key} = {show(value)} is not true or false")
-    if isinstance(value, list) and param.callback.args[0].repeated:  # what its field asks for
+    if isinstance(value, list) and param.callback.asked.repeated:
         return [_text(f"{key}[{i}]", each) for i, each in enumerate(value)]
     return _text(key, value)
 

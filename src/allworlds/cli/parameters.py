@@ -4,8 +4,7 @@ From the values of the options and arguments the request is made again.
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping
-from dataclasses import MISSING
-from functools import partial
+from dataclasses import MISSING, dataclass
 from typing import Any
 
 import rich_click as click
@@ -14,7 +13,6 @@ from click.shell_completion import CompletionItem
 from allworlds.cli.output import say
 from allworlds.inputs.checks import InputError, show
 from allworlds.inputs.requests import (
-    AS_IN_PYTHON,
     Argument,
     Field,
     Option,
@@ -45,19 +43,19 @@ def _words_of(part: type) -> Iterator[Field]:
 
 
 def request_of(part: type, given: Mapping[str, Any]) -> Any:
-    """Make the part of a request of these values, by the names of fields; others are as in Python.
+    """Make the part of a request from the values of its fields.
 
-    An option may have a default that means something else in Python.
+    Args:
+        part: the class of the part.
+        given: the values by the names of the fields; where a value is None, the field gets its
+            default in Python.
     """
     found = {}
     for field in fields_of(part):
-        asked = field.asked
-        if isinstance(asked, OptionGroup):
-            found[field.name] = request_of(asked.words, given).value()
-        elif isinstance(asked, Option) and field.name in given:
+        if isinstance(field.asked, OptionGroup):
+            found[field.name] = request_of(field.asked.words, given).value()
+        elif given.get(field.name) is not None:
             found[field.name] = given[field.name]
-        elif isinstance(asked, Option) and asked.default is not AS_IN_PYTHON:
-            found[field.name] = asked.parse(asked.default)
     return part(**found)
 
 
@@ -65,15 +63,11 @@ def _parameter(field: Field, *, rare: bool) -> click.Parameter:
     """The option or the argument of a field; rare ones may be hidden."""
     asked: Any = field.asked
     names, help_ = [field.name], asked.help
-    default = field.default if asked.default is AS_IN_PYTHON else asked.default
+    default = asked.default or field.default
     if default is not None and default is not MISSING:
         help_ += f" [default: {default}]"
-    settings: dict[str, Any] = {
-        "help": help_,
-        "metavar": asked.metavar,
-        "shell_complete": _complete,
-    }
-    settings |= {"required": default is MISSING, "callback": partial(_read, asked)}
+    settings: dict[str, Any] = {"help": help_, "metavar": asked.metavar, "callback": Reader(asked)}
+    settings |= {"required": default is MISSING, "shell_complete": _complete}
     if isinstance(asked, Argument):
         argument = click.RichArgument(names, nargs=-1 if asked.repeated else 1, **settings)
         argument.opts = [asked.metavar.replace("[", "").replace("]", "")]  # as the help has it
@@ -88,7 +82,8 @@ def _parameter(field: Field, *, rare: bool) -> click.Parameter:
     }
     if field.type is bool:
         return click.RichOption(names, help=asked.help, is_flag=True, **shown)
-    return click.RichOption(names, multiple=True, **settings, **shown)
+    missing = [asked.default] if asked.default else None
+    return click.RichOption(names, multiple=True, default=missing, **settings, **shown)
 
 
 def _complete(_context: object, _parameter: object, begun: str) -> list[CompletionItem]:
@@ -96,14 +91,27 @@ def _complete(_context: object, _parameter: object, begun: str) -> list[Completi
     return [CompletionItem(begun, type="file")]
 
 
-def _read(asked: Option, _context: click.Context, parameter: click.Parameter, given: Any) -> Any:
-    """Read the texts that an option was given; there is one, unless the field has a list."""
-    name, texts = parameter.opts[0], [given] if isinstance(given, str) else [*(given or ())]
-    if asked.repeated:
-        return [_read_one(asked, name, text) for text in texts]
-    if len(texts) > 1:
-        raise InputError(f"{name} is {show(texts[0])} and {show(texts[1])}; give it once")
-    return _read_one(asked, name, texts[0]) if texts else None
+@dataclass(frozen=True, slots=True)
+class Reader:
+    """Reads the texts that the command line gives for a field.
+
+    Attributes:
+        asked: the form of the field on the command line.
+    """
+
+    asked: Option
+
+    def __call__(self, _context: click.Context, parameter: click.Parameter, given: Any) -> Any:
+        """The value, a list of values if the option may be repeated, or None without a text.
+
+        Raises:
+            InputError: naming a text that is no value, or an option that is given twice.
+        """
+        name, texts = parameter.opts[0], [given] if isinstance(given, str) else [*(given or ())]
+        if len(texts) > 1 and not self.asked.repeated:
+            raise InputError(f"{name} is {show(texts[0])} and {show(texts[1])}; give it once")
+        values = [_read_one(self.asked, name, text) for text in texts] or None
+        return values[0] if values and not self.asked.repeated else values
 
 
 def _read_one(asked: Option, name: str, text: str) -> Any:

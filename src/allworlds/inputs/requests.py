@@ -18,7 +18,6 @@ from typing import (
     Annotated,
     Any,
     ClassVar,
-    Final,
     Generic,
     NamedTuple,
     ParamSpec,
@@ -55,8 +54,6 @@ RARE_SCOPE, RARE_RULES, RARE_EFFORT = Rare(SCOPE), Rare(RULES), Rare(EFFORT)
 EXPLORER_FIELDS = ("explore", "explorers")
 """The fields of requests that name explorers to be played."""
 
-AS_IN_PYTHON: Final = object()
-
 GIVEN_IN_FILE: ContextVar[frozenset[str]] = ContextVar("given in a file", default=frozenset())
 """The options with defaults in a user's file, which printed commands therefore name."""
 
@@ -72,7 +69,7 @@ class Option:
         name: the name of the option, without dashes; by default the name of the field.
         short: a letter as a second name.
         parse: the function from the text to the value of the field.
-        default: the text of a missing option, if Python has another default.
+        default: the text of a missing option, if Python has another default; empty: it has not.
         apart: whether it only concerns where, how long or for whom a job is done, so that results
             do not depend on it.
         repeated: whether it may be given several times; the field gets a list.
@@ -86,7 +83,7 @@ class Option:
     name: str = ""
     short: str = ""
     parse: Callable[[str], Any] = str
-    default: Any = AS_IN_PYTHON
+    default: str = ""
     apart: bool = False
     repeated: bool = False
     document_type: Any = None
