@@ -28,7 +28,7 @@ from allworlds.engines.kernel.worlds import by_vertices_and_faces
 allworlds.check(edges=2, engine="kernel")
 by_vertices_and_faces(4, 5, ())
 allworlds.worst(edges=1)
-allworlds.ambiguity.census(edges=1)
+allworlds.ambiguity.census(edges=5, map_class="simple")
 os.write(int(sys.argv[1]), b"done")
 """
 """The compiled code of quick tests: judge, ``examine``, the count, ``worst`` and the census.
