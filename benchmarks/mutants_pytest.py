@@ -7,6 +7,7 @@ place of a mutant asks ``mutated`` for its number.  (PYTEST_DONT_REWRITE)
 from __future__ import annotations
 
 import builtins
+import functools
 import json
 import os
 import signal
@@ -24,6 +25,28 @@ TRYING = "MUTANTS_TO_TRY" in os.environ
 """Whether mutants are tried; else the tests that meet them are noted."""
 
 _seen = set[int]()
+_caches = list[Any]()
+
+
+def _noted_cache(maxsize: Any = 128, typed: bool = False) -> Any:
+    """Make a cache as ``functools.lru_cache`` does, and note the functions that have one."""
+
+    def cached(function: Any) -> Any:
+        made = _lru_cache(maxsize, typed)(function)
+        if (function.__module__ or "").startswith("allworlds"):
+            _caches.append(made)
+        return made
+
+    if callable(maxsize):  # the decorator stands without parentheses
+        function, maxsize = maxsize, 128
+        return cached(function)
+    return cached
+
+
+_lru_cache = functools.lru_cache
+if not TRYING:
+    functools.lru_cache = _noted_cache  # type: ignore[assignment]
+    functools.cache = _noted_cache(maxsize=None)  # type: ignore[assignment]
 
 
 def mutated(number: int) -> bool:
@@ -45,9 +68,15 @@ def note(*words: object) -> None:
 
 
 def pytest_runtest_logstart(nodeid: str) -> None:
-    """Forget which places were met by the test before."""
+    """Forget which places the test before has met, and what the package keeps in caches.
+
+    So a test meets the places that compute what an earlier test has left in a cache.
+    """
     del nodeid
     _seen.clear()
+    if not TRYING:
+        for each in _caches:
+            each.cache_clear()
 
 
 def pytest_runtest_setup(item: Any) -> None:

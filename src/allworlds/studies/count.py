@@ -82,11 +82,22 @@ class CountRow(doc.Document, kw_only=True):
 
         In a shard: whether the enumeration counts no more than the source.
         """
+        return not self.miscounts
+
+    @property
+    def miscounts(self) -> list[tuple[int, int, int]]:
+        """The numbers of vertices for which they disagree.
+
+        Each stands with the number of maps that were enumerated, and the number of the source.
+        """
         if self.counted is None:
-            return True
-        if not self.whole:
-            return all(met <= self.counted.get(n, 0) for n, met in self.by_vertices.items())
-        return self.by_vertices == {n: count for n, count in self.counted.items() if count}
+            return []
+        found = list[tuple[int, int, int]]()
+        for vertices in sorted({*self.by_vertices, *self.counted}):
+            met, counted = self.by_vertices.get(vertices, 0), self.counted.get(vertices, 0)
+            if met > counted or (met < counted and self.whole):
+                found.append((vertices, met, counted))
+        return found
 
 
 @doc.with_options(CountRequest)

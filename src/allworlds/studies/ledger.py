@@ -223,6 +223,9 @@ Standing: TypeAlias = Literal["as-expected", "unexpected", "vacuous", "not-check
 LEDGER, CLAIMS = "ledger.toml", "claims.py"
 """The files of a ledger: the claims, and a function for each claim."""
 
+NOTHING = "nothing"
+"""The word for a figure that is not there."""
+
 FAULTS = (Unfinished, outcome.Disagreement, tally.EnginesDisagree)
 """The errors of this program that refute the claim in whose check they are raised."""
 
@@ -296,7 +299,7 @@ class CheckedClaim(Sentence):
             (self.expected_figures, self.figures),
         ):
             differ += [
-                f"{name}: {expected.get(name)} expected, {seen.get(name)} found"
+                f"{name}: {expected.get(name, NOTHING)} expected, {seen.get(name, NOTHING)} found"
                 for name in sorted({*expected, *seen})
                 if expected.get(name) != seen.get(name)
             ]

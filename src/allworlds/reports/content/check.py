@@ -15,6 +15,7 @@ from allworlds.reports.content.scope import (
     SAID,
     each_of,
     left_out,
+    miscount,
     of_the_class,
     option_facts,
     trust,
@@ -367,10 +368,7 @@ def _mismatch(cell: GateCell) -> str:
     if cell.enumerated == cell.counted:
         said = f"but their fingerprint is {cell.fingerprint}, not {cell.listed}"
         return f"maps with {size(cell.edges, cell.vertices)} have the right number, {said}"
-    return (
-        f"maps with {size(cell.edges, cell.vertices)}: {cell.enumerated} were enumerated, but "
-        f"{cell.source} counts {cell.counted}"
-    )
+    return miscount(cell.edges, cell.vertices, cell.enumerated, cell.source, cell.counted)
 
 
 def _estimate(guess: time_estimate.TimeEstimate) -> parts.ReportContent:

@@ -89,6 +89,12 @@ def option_facts(report: OfWorlds, said: Iterable[str]) -> list[tuple[str, str]]
     return [("options", " ".join(given))] if given else []
 
 
+def miscount(edges: int, vertices: int, met: int, source: str, counted: int) -> str:
+    """A sentence about maps of one size, whose enumerated number is not the one of the source."""
+    where = words.size(edges, vertices)
+    return f"maps with {where}: {met} were enumerated, but {source} counts {counted}"
+
+
 def gate_facts(report: Any, what: str, *, is_compared: bool) -> list[tuple[str, str]]:
     """A fact about the count gate of a report about worlds, if the counts agree.
 

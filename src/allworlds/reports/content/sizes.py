@@ -2,7 +2,7 @@
 
 from allworlds.reports import parts
 from allworlds.reports.content.check import most_expensive
-from allworlds.reports.content.scope import finished, gate_facts, maps_in_words
+from allworlds.reports.content.scope import finished, gate_facts, maps_in_words, miscount
 from allworlds.studies.count import Census
 from allworlds.studies.worst.all_worlds import WorstReport
 from allworlds.words import number, plural, size
@@ -44,10 +44,9 @@ def count_content(census: Census) -> parts.ReportContent:
 def _counted(census: Census) -> parts.Headline | None:
     if not census.agrees:
         wrong = [
-            f"with {plural(row.edges, 'edge')} {row.by_vertices} were enumerated, but "
-            f"{census.source} counts {row.counted}"
+            miscount(row.edges, vertices, met, census.source, counted)
             for row in census.rows
-            if not row.agrees
+            for vertices, met, counted in row.miscounts
         ]
         return parts.Headline("MISMATCH", "; ".join(wrong), "error")
     if census.complete and census.whole and census.empty:
@@ -128,11 +127,8 @@ def _mismatch(report: WorstReport) -> str:
     if report.disagreement:
         return report.disagreement
     row = next(row for row in report.rows if not row.agrees)
+    if row.counted is not None and row.counted != row.worlds:
+        return miscount(row.edges, row.vertices, row.worlds, report.source, row.counted)
     where = size(row.edges, row.vertices)
-    if row.counted not in (None, row.worlds):
-        return (
-            f"maps with {where}: {row.worlds} were enumerated, but "
-            f"{report.source} counts {row.counted}"
-        )
     played = "breaks a law" if row.replayed is None else f"costs {row.replayed}"
     return f"with {where} the worst cost is {row.worst}, but its replay in Python {played}"

@@ -12,7 +12,7 @@ from allworlds.inputs.requests import given_again
 from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Percept
 from allworlds.reports import parts
-from allworlds.reports.content.scope import SAID, each_of, of_the_class, option_facts
+from allworlds.reports.content.scope import SAID, each_of, miscount, of_the_class, option_facts
 from allworlds.robots.team import TeamRow
 from allworlds.robots.team_finding import LAWS, EventRow, TeamFinding, Turned, places_of
 from allworlds.studies.team.finding_reports import TeamExplanation, TeamReplay
@@ -140,10 +140,8 @@ def _gate(report: TeamReport) -> str:
     wrong = [cell for cell in report.cells if not cell.agrees]
     if wrong:
         cell = wrong[0]
-        return (
-            f"MISMATCH: maps with {size(cell.edges, cell.vertices)}: {cell.enumerated} were "
-            f"enumerated, but {cell.source} counts {cell.counted}"
-        )
+        said = miscount(cell.edges, cell.vertices, cell.enumerated, cell.source, cell.counted)
+        return f"MISMATCH: {said}"
     return f"no map was forgotten: {counted(report.cells[0].source)}"
 
 
