@@ -7,10 +7,12 @@ The way of a run of a user's explorer::
                                                   v  percepts, in a drawn order
               player B, another process and hash seed ---> the same log?
 
-A *unit* is some maps of a level, with places of the lighthouse; a *run* is one map and one place.
+A *job* is one call of a verb with many runs, such as a check.  A *level* of a job is all worlds
+with one number of edges.  A *unit* is some maps of a level, with places of the lighthouse; a *run*
+is one map and one place.
 A *player* is a process with the explorer and without a judge; it makes *logs*, which are bytes.  A
 *judge* walks each log anew in the true map.  A *lane* is a judge with its two players; each worker
-has one.  A run has these forms in turn: ``NumberedRun`` (in a unit), ``Due`` (in a batch), ``Log``
+has one lane.  A run has these forms in turn: ``NumberedRun`` (in a unit), ``Due`` (in a batch), ``Log``
 (played), ``Episode`` (followed), ``Outcome`` (judged); then it is counted, or is a ``Finding``.
 Compiled built-in explorers need none of this: the kernel plays and judges them in threads.
 
@@ -31,14 +33,13 @@ The modules, in this order; ``protocol.playing`` and ``log`` make and read logs:
 ``plays``
     the two players of a lane and their messages; fresh players for runs that are played anew;
 ``losses``, ``hash_seeds``
-    two tables: the meaning of the loss of a player; the meaning of plays that differ, perhaps
-    because of their hash seeds;
+    two tables: what it means for a run that a player was lost in it; what it means that two plays
+    of a run differ, perhaps because their processes have different hash seeds;
 ``settling``, ``more_seeds``
     the search for runs of a batch that break a law; runs of the largest worlds, which are played
     again under six further hash seeds;
 ``across``
-    the plays of all runs in small worlds in both orders, to find earlier runs that change a later
-    run;
+    all runs in small worlds, played in both orders, to find earlier runs that change a later run;
 ``players``, ``player``
     the owner's side of a player, which starts it, hears it and notices its loss; the program that
     a player process executes;

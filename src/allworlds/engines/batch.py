@@ -74,7 +74,7 @@ class Judged(NamedTuple):
     Attributes:
         log: the log of the run.
         outcome: the outcome of the run.
-        fits: whether the choices in the log are those that were due, if every schedule is tried.
+        fits: whether the log makes the choices that were due; True unless every schedule is tried.
     """
 
     log: Log
@@ -92,8 +92,8 @@ class Work:
         batches: the iterator over the batches that have not been made yet; None at its end.
         more: the runs that are to be played again, each with its next schedule.
         open: the number of batches that are being played or compared.
-        best: by its number, each run and the cost of its cheapest schedule so far, if every
-            schedule is tried.
+        best: for the number of each run, the run and the cost of its cheapest schedule so far;
+            empty unless every schedule is tried.
     """
 
     unit: UnitOfRuns
@@ -153,12 +153,12 @@ class RunBatch:
         known.update(zip(indices, logs, strict=True))
 
     def unplayed(self, which: int, indices: Indices) -> list[int]:
-        """Those of these indices whose runs have no log of the player ``which`` yet."""
+        """The given indices of runs that have no log of the player ``which`` yet."""
         known = self.logs[which]
         return [index for index in indices if index not in known] if isinstance(known, dict) else []
 
     def outcome(self, index: int) -> Judged:
-        """The run of this index with its first log, as the Python judge judges them."""
+        """The judgement of the Python judge on the run of this index, by the run's first log."""
         if index not in self.judged:
             self.judged[index] = self.by.judged(self.due(index), self.logs[FIRST][index])
         return self.judged[index]
@@ -170,7 +170,7 @@ class RunBatch:
     def follow_ups(self) -> list[Due]:
         """The runs that have a further schedule, each with its next schedule.
 
-        There are none unless every schedule is tried.
+        The list is empty unless every schedule is tried.
         """
         if not self.by.every:
             return []
@@ -180,7 +180,7 @@ class RunBatch:
 
 
 class Judge(Protocol):
-    """A judge makes batches of the runs of a unit, makes messages to players, and judges logs.
+    """A judge arranges the runs of a unit in batches, writes messages to players, and judges logs.
 
     Attributes:
         counter: the counter of the runs, which also holds the scope.
@@ -200,7 +200,7 @@ class Judge(Protocol):
         """
 
     def judged(self, due: Due, log: bytes) -> Judged:
-        """One run with its log, judged by the judge in Python."""
+        """The judgement of the judge in Python on one run, by this log."""
 
     def worlds(self, batch: RunBatch, indices: Indices) -> Message:
         """The message that tells a player to play these runs in their worlds."""

@@ -73,7 +73,7 @@ class PythonJudge:
         """Judge a run by its log.
 
         Raises:
-            InputError: if a user's task is no function of the run.
+            InputError: if a user's task has ended the run, and now says that the run goes on.
         """
         read, rules, world = Log(log), self.rules, due.world
         episode = self.episode(world, read)
@@ -93,7 +93,8 @@ class PythonJudge:
         """The episode that follows from a log, whose actions are walked in this world.
 
         Raises:
-            InputError: if an action is illegal now, because of a user's lighthouse.
+            InputError: if an action that was legal in the play is illegal now, because a user's
+                lighthouse has changed its answer.
         """
         rules = self.rules
         try:
@@ -164,8 +165,11 @@ class PythonJudge:
 def table_of(world: World) -> bytes | tuple[int, ...]:
     """The table from which a player makes a :class:`allworlds.protocol.playing.TableWorld`.
 
+    It has five numbers for each dart: the first dart of the vertex, the other dart of the edge, and
+    the percept on arriving by the dart, with the bearing plus 1, or 0 without a bearing.
+
     Args:
-        world: a world with a static lighthouse.
+        world: a world with a static lighthouse: no action changes a percept.
     """
     map_, numbers = world.map, list[int]()
     first = _vertex_by_vertex(map_, world.start)

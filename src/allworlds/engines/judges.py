@@ -1,4 +1,4 @@
-"""The choice of the judge of a unit: in Python, or in compiled code if that pays."""
+"""The choice of the judge of a unit: in Python; or in compiled code, which pays in large levels."""
 
 from functools import partial
 from random import Random
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from allworlds.engines.compiled_judge import CompiledJudge
 
 SMALL = 3
-"""The largest m of the worlds whose logs are all judged by both judges."""
+"""The largest m of the worlds of which both judges judge every log."""
 
 
 class Judges:

@@ -40,7 +40,7 @@ class Lane:
             the scope determines the choices.
         seeds: the hash seeds of both players.
         first_lane: whether this is the one lane that starts the compiler and tries six more seeds.
-        deadline: the time after which the lane waits for no play, or None.
+        deadline: the time, on the monotonic clock, after which the lane waits for no play; or None.
 
     Attributes:
         given_up: the reason why the lane has given up after too much silence; else empty.
@@ -110,8 +110,8 @@ class Lane:
 
         Raises:
             InputError: if the explorer cannot be loaded, or if a user's model raises it.
-            Unsettled: if processes are lost again and again, or too much is silent.
-            HarnessError: if a player fails by our mistake.
+            Unsettled: if processes are lost again and again, or the explorer is silent too often.
+            HarnessError: if a player fails because of an error in this package.
         """
         if self.given_up:
             raise Unsettled(self.given_up)
@@ -200,7 +200,7 @@ class Lane:
             self._size = max(1, self._size // 2) if slow else min(MOST, 2 * self._size)
 
     def _played(self, which: int, batch: RunBatch) -> None:
-        """Go on with a batch if this play of it is complete."""
+        """Go on with a batch if the player ``which`` has now played all its runs."""
         if len(batch.logs[which]) < len(batch):
             return
         if which == SECOND:
@@ -249,7 +249,7 @@ class Lane:
     # ---------------------------------------------------------------- across units
 
     def _hear_across(self, across: Across) -> None:
-        """Hear the plays of all runs in both orders; settle them once they are complete.
+        """Hear the players that play all runs in both orders; at the end look for differences.
 
         If a fresh player has repeated a loss, the explorer is refuted; then these plays are given
         up, because their players would be lost, too.

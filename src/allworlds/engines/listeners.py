@@ -11,19 +11,19 @@ class Listener:
         """
 
     def stage(self, name: str, total: int, of: str) -> None:
-        """Hear that a stage of the job begins that is no level.
+        """Hear that a stage of the job begins, if the stage is not a level of worlds.
 
-        The stage has ``total`` items; ``of`` says what an item is.
+        The stage has ``total`` items; ``of`` says what the items are, such as ``claims``.
         """
 
     def progress(self, count: int) -> None:
         """Hear that ``count`` further worlds, or items of the stage, are done.
 
-        A negative number takes back worlds whose unit is begun anew.
+        A negative number is for a unit that is begun anew: its worlds are no longer done.
         """
 
     def walk(self, turns: int, budget: int) -> None:
-        """Hear that a run goes on: the explorer's turns in it so far, and its step budget."""
+        """Hear that a run goes on, with the explorer's turns so far and the run's step budget."""
 
     def notice(self, text: str) -> None:
         """Hear a message to the user."""

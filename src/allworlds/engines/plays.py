@@ -30,8 +30,10 @@ So the player can play one batch while the judge judges the other.
 """
 
 Attempt: TypeAlias = tuple[Sequence[bytes], Lost | None]
-"""Logs and a loss: the logs of a fresh player and None; or, if the player was lost, the log of the
-run in which it was lost, and the loss."""
+"""A pair: the logs that a fresh player has made, and None.
+
+If the player was lost, the pair is the log of the run in which the player was lost, and the loss.
+"""
 
 
 class RunsToPlay(NamedTuple):
@@ -137,7 +139,8 @@ class BothPlays:
     def lost_in(self, which: int) -> tuple[RunBatch | None, int | None]:
         """The batch and the index of the run in which a player was lost.
 
-        Both are None if the player had no batch, and the index is None if it was in no run.
+        If the player had no batch, batch and index are None.  If the player was lost outside a run,
+        the index is None.
         """
         player = self._players[which]
         if not player.jobs or player.description is None:
@@ -147,7 +150,7 @@ class BothPlays:
         return batch, indices[number] if 0 <= number < len(indices) else None
 
     def go_on(self, which: int) -> None:
-        """Replace a player that was lost; the new one plays the runs that have no log yet."""
+        """Replace a player that was lost; the new player plays the runs that have no log yet."""
         player = self._players[which]
         if player.jobs:
             (batch, indices), _ = player.jobs.popleft()
@@ -167,7 +170,7 @@ class BothPlays:
         return self.anew(self.seeds[which], message(batch, [index]))
 
     def again(self, which: int, seed: int, batch: RunBatch, indices: Indices) -> dict[int, Log]:
-        """The logs, by index, of these runs, which a fresh player with this hash seed plays.
+        """Let a fresh player with this hash seed play these runs; return their logs by index.
 
         The fresh player plays as the player ``which`` does: in worlds or by percepts.
         """
@@ -175,10 +178,10 @@ class BothPlays:
         return self.fresh(seed, partial(message, batch), indices)
 
     def fresh(self, seed: int, make: Callable[[Indices], Message], runs: Indices) -> dict[int, Log]:
-        """The logs, by index, of these runs, which a fresh player with this hash seed plays.
+        """Let a fresh player with this hash seed play these runs; return their logs by index.
 
-        If that player is lost, another fresh player plays each run alone.  ``make`` returns the
-        message for some of these indices.
+        If that player is lost, a further fresh player for each run plays this run alone.  ``make``
+        is the function that makes the message for some of the indices.
         """
         logs, lost = self.anew(seed, make(runs))
         if lost and len(runs) > 1:

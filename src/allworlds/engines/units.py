@@ -1,7 +1,8 @@
 """The scope of a check, and the units into which its levels are cut.
 
-A scope holds every option on which the counts and the verdict depend.  A shard is one of several
-parts of the units of a job.
+A scope holds every option on which the counts and the verdict depend.  A level is all worlds with
+one number of edges.  A unit is a piece of a level.  A shard is some of the units of every level, so
+that several machines can share a job.  An extent is a class of maps with bounds on their size.
 """
 
 import re
@@ -32,7 +33,7 @@ from allworlds.world.world import World
 
 
 class Unit(Protocol):
-    """A piece of work, which one worker does; it does not depend on the number of workers."""
+    """A piece of work for one worker; the number of workers does not change its content."""
 
     @property
     def key(self) -> str:
@@ -40,9 +41,9 @@ class Unit(Protocol):
 
 
 class Sum(Protocol):
-    """A result whose parts can be added up in any order.
+    """The result of some units; such results can be added up in any order.
 
-    Its class is a dataclass, whose fields a run directory keeps.
+    The class of a result is a dataclass, because a run directory keeps its fields.
     """
 
     @property
@@ -50,7 +51,7 @@ class Sum(Protocol):
         """The number of worlds that the result is about."""
 
     def add(self, other: Any, /) -> None:
-        """Add another part of the result."""
+        """Add the result of other units, or of another part of a unit, to this result."""
 
 
 class PartialResult(Struct, frozen=True):
@@ -58,10 +59,11 @@ class PartialResult(Struct, frozen=True):
 
     Attributes:
         unit: the unit.
-        result: the result, which is added to the earlier parts.
-        last: whether the part completes the unit.
-        anew: whether the unit is begun anew, so that its earlier parts are dropped.
-        walk: the explorer's turns in the longest run in progress, and its step budget; or None.
+        result: the part, which the receiver adds to the earlier parts of this unit.
+        last: whether the unit is finished with this part.
+        anew: whether the unit is begun anew, so that the receiver must drop its earlier parts.
+        walk: the number of the explorer's turns in the longest run in progress, and the step budget
+            of that run; None if no run is in progress.
     """
 
     unit: Any
@@ -79,7 +81,7 @@ class UnitEngine(Protocol):
 
 
 class Transport(Protocol):
-    """A transport brings units to engines; all work ends when the transport's context ends."""
+    """A transport brings units to engines; all work ends at the end of its ``with`` block."""
 
     def __enter__(self) -> Self: ...
 
@@ -96,11 +98,12 @@ class Transport(Protocol):
 class Shard(Struct, frozen=True):
     """One of ``count`` parts, to which the units of every level are dealt; the first has index 0.
 
-    A shard may be the coverage of a scope.  So it has the attributes of :class:`Sample`: whether
-    worlds are drawn, the words of reports for the finished part, and the least number of edges.
+    A scope says by a shard or by a :class:`Sample` which worlds are tried.  So both classes have
+    the attributes ``drawn``: whether worlds are drawn at random; ``finished``: the words of reports
+    for what is finished; and ``min_edges``: the least number of edges of a world.
 
     Raises:
-        InputError: naming what is out of range.
+        InputError: if the index or the count is no integer, or is out of range.
     """
 
     index: int
@@ -126,11 +129,15 @@ class Shard(Struct, frozen=True):
 
 
 WHOLE = Shard(0, 1)
-"""All units of a job, as its only part."""
+"""The shard with all units of a job."""
 
 
 def shard_numbers(text: str) -> tuple[int, int]:
-    """The two numbers of ``K/N``."""
+    """The numbers K and N of a text of the form ``K/N``.
+
+    Raises:
+        InputError: for any other text.
+    """
     match = re.fullmatch(r"([0-9]{1,9})/([0-9]{1,9})", text)
     if match is None:
         legal = f"counted from 0; N is at most {10**9 - 1}"
@@ -139,7 +146,7 @@ def shard_numbers(text: str) -> tuple[int, int]:
 
 
 def a_shard(pair: object) -> Shard:
-    """The shard that a pair ``(K, N)`` names; None names the whole, and a shard itself.
+    """The shard that a value names: a pair ``(K, N)``, None for :data:`WHOLE`, or a shard.
 
     Raises:
         InputError: for any other value.
@@ -175,7 +182,7 @@ class ShardOptions(Request):
 
 
 def dealt(weights: Sequence[int], shard: Shard) -> Iterator[int]:
-    """The indices, in ascending order, of the units that fall to a shard.
+    """The indices, in ascending order, of the units that belong to a shard.
 
     Item i of ``weights`` is the weight of unit i.  The heaviest unit that is left goes to the shard
     with the smallest weight so far; among equal units and among equal shards, the first is taken.
@@ -196,7 +203,7 @@ MANY_WORLDS = 10_000_000
 """The number of worlds above which the user is told the size before the first level."""
 
 COUNTABLE_WORLDS = 10**12
-"""The number of worlds above which the counting of a level takes long, too."""
+"""The number of worlds of a level above which even counting them takes long."""
 
 _LONG = "this takes long, or does not end; an interrupt ends it with what is finished"
 
@@ -232,8 +239,9 @@ class LevelUnit(Struct, frozen=True):
 DEPTHS = ((6, 1), (9, 2), (inf, 3))
 """Pairs of a number of edges and a number of decisions.
 
-With fewer edges than the first number, the prefix of a unit has the second number of decisions.
-The compiled engine needs some milliseconds for such a unit; keeping its result costs less.
+The first pair whose first number is larger than m holds for a level: the prefix of each unit of the
+level has the second number of decisions.  The compiled engine needs some milliseconds for such a
+unit; to keep the result of the unit takes less time.
 """
 
 SIMPLE_DEPTHS = ((4, 1), (7, 2), (inf, 5))
@@ -261,7 +269,11 @@ class GivenUnit(Struct, frozen=True):
         return (map_ for map_, _ in self.placed(extent, Nothing))
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
-        """The maps of the extent, each with its given place, or with all places without one."""
+        """The maps of the unit that are in the extent, each with its places.
+
+        A map whose lighthouse was given has only the place of that lighthouse; any other map has
+        all places of a lighthouse of this kind.
+        """
         for each in self.given:
             if extent.include(each.map):
                 yield from each.placed(kind)
@@ -270,11 +282,11 @@ class GivenUnit(Struct, frozen=True):
 def units_of_level(
     extent: Extent, edges: int, portion: Shard = WHOLE, finer: int = 0
 ) -> Iterator[LevelUnit | GivenUnit]:
-    """The units of a level, or those of a shard; they do not depend on the number of workers.
+    """The units of a level that belong to a shard; the number of workers does not change them.
 
-    All shards get about the same number of worlds: the weights of the units are counted first.  The
-    prefix of each unit is longer by ``finer`` decisions than usual: if one world takes long, a unit
-    must have fewer worlds.
+    If there are several shards, the weights of all units are computed first, so that each shard
+    gets about the same number of worlds.  The prefix of each unit is longer by ``finer`` decisions
+    than usual: if one world takes long, a unit must have fewer worlds.
     """
     given = extent.given
     if isinstance(given, GivenMaps):
@@ -295,7 +307,7 @@ def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator
     """Yield without end random units of a level, each of which has at most ``most`` maps.
 
     The probability of a unit is proportional to its weight, which is its number of maps or an upper
-    bound; units of weight 0 are left out.
+    bound of this number.  Units of weight 0 are left out.
     """
     while True:
         gluing, prefix = Gluing(edges, extent.map_class, extent.vertices, extent.where), list[int]()
@@ -313,8 +325,8 @@ def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator
 def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:
     """The number of rooted maps of a level by number of vertices, computed without making maps.
 
-    Under a condition for which this cannot be done, the numbers are those of the whole class, which
-    are upper bounds.
+    If the extent has a condition, and the maps that meet it cannot be counted in this way, the
+    numbers are those of the whole class.  They are then upper bounds.
     """
     cells = (count_source.source_of(extent) or counting.SOURCES[extent.map_class]).cells(edges)
     return {n: cells.get(n, 0) for n in range(1, extent.vertex_limit(edges) + 1)}
@@ -339,10 +351,10 @@ class SweptLevel(Struct, frozen=True):
     """Units that are reported together, once all of them are finished.
 
     Attributes:
-        edges: the number of edges of its largest worlds.
+        edges: the number of edges of the level's largest worlds.
         worlds: the number of worlds of the whole level, even if only a shard is done.
-        units: the units of this shard, made on demand.
-        of: further data by which the study identifies the level.
+        units: the units of the level that this job does; each is made when it is needed.
+        of: further data by which the study identifies the level; None if it needs none.
     """
 
     edges: int
@@ -354,7 +366,9 @@ class SweptLevel(Struct, frozen=True):
 def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
     """Tell the user, before the first level begins, if the number of worlds is large.
 
-    Cost: some milliseconds; the counting ends at a level whose class has very many worlds.
+    ``shards`` is the number of shards of the job.
+
+    Cost: some milliseconds; the counting ends at the first level whose class has very many worlds.
     """
     if extent.given is not None:
         return  # the user knows
@@ -395,8 +409,11 @@ class GivenWorlds(Struct, frozen=True):
 
 
 ACROSS, TWICE = 4, 3
-"""The largest m of the levels whose runs are played in both orders; the largest m of the levels
-whose runs the second process plays twice, so that each run also follows itself."""
+"""Two numbers of edges.
+
+Runs with at most :data:`ACROSS` edges are played in both orders.  If there are at most
+:data:`TWICE` edges, the second process plays each run twice, so that each run also follows itself.
+"""
 
 
 class AcrossUnit(Struct, frozen=True):
@@ -423,8 +440,9 @@ class AcrossUnit(Struct, frozen=True):
 def across_level(extent: Extent, edges: int, portion: Shard) -> Iterator[AcrossUnit]:
     """Yield the unit of all runs up to a level, or yield no unit.
 
-    There is a unit for each level from :data:`TWICE` to :data:`ACROSS`, or for the last level if
-    that level is smaller.  If the job is cut into shards, only shard 0 has these units.
+    There is a unit for each level from :data:`TWICE` to :data:`ACROSS`; if the last of all levels
+    is below :data:`TWICE`, there is a unit for that level alone.  If the job is cut into shards,
+    only shard 0 has these units.
     """
     small = [each for each in extent.levels[:ACROSS] if each <= ACROSS]
     if portion.index == 0 and edges in small and (edges >= TWICE or edges == small[-1]):
@@ -435,11 +453,11 @@ class NumberedRun(Struct, frozen=True):
     """A run of a unit, with its number in the unit.
 
     Attributes:
-        number: the number, from 0 on; a world without a place counts as one run.
+        number: the number of the run, from 0 on; a world without a place counts as one run.
         map: the map, rooted at dart 0.
         place: the number of the lighthouse's place.
         lighthouse: the lighthouse; None if the world has no place for it.
-        first: whether it is the first run of its world.
+        first: whether it is the first run in its rooted map.
     """
 
     number: int
@@ -464,10 +482,10 @@ MOST_RUNS = 10**12
 
 
 class Sample(Struct, frozen=True):
-    """Random worlds as the coverage of a scope: their number, their seed and their least m.
+    """Random worlds that are tried in place of all worlds: their number, their seed, their least m.
 
-    ``mix`` names the parts of the mixture; a part is a way of drawing a map.  The parts take turns.
-    If there are no names, the class determines the parts.  ``portion`` names a range of the worlds.
+    ``mix`` names ways of drawing a map, which take turns; if it is empty, the class of maps
+    determines the ways.  ``portion`` is the shard of the drawn worlds that is done.
 
     Raises:
         InputError: for numbers out of range.
@@ -495,7 +513,7 @@ class Sample(Struct, frozen=True):
 
 
 Coverage: TypeAlias = Shard | Sample
-"""The part of the worlds of an extent that is tried."""
+"""What says which worlds of an extent are tried: the units of a shard, or random worlds."""
 
 
 class Scope(Struct, frozen=True):
@@ -504,8 +522,9 @@ class Scope(Struct, frozen=True):
     Attributes:
         extent: the class and its bounds.
         rules: the rules by which each run is played and judged.
-        schedules: ``one`` if only the policy makes choices; ``all`` if every sequence is tried.
-        coverage: the part of the worlds that is tried.
+        schedules: ``one`` if the policy makes all choices; ``all`` if every sequence of choices is
+            tried.
+        coverage: the shard or the sample that says which worlds of the extent are tried.
     """
 
     extent: Extent
@@ -515,15 +534,18 @@ class Scope(Struct, frozen=True):
 
     @property
     def whole(self) -> bool:
-        """Whether every world of a class is tried, so that their number can be compared."""
+        """Whether every world of a class is tried, so that the count gate can compare the number."""
         return self.coverage == WHOLE and self.extent.given is None
 
     def like(self, world: World) -> Iterable[World]:
-        """The given worlds that equal this world up to the numbering of darts."""
+        """The worlds given by the user that equal this world up to the numbering of darts.
+
+        There are none if the user has given no worlds.
+        """
         return () if self.extent.given is None else self.extent.given.like(world)
 
     def labelled(self, finding: Finding) -> Finding:
-        """The finding with the labels of the given world that is equal to its world, if any."""
+        """The finding; if the user has given its world, the world has the user's labels."""
         world = finding.world
         return replace(finding, world=labelled(world, self.like(world)))
 
