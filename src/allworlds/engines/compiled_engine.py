@@ -2,11 +2,12 @@
 
 The kernel is the compiled code.  In small worlds the kernel plays and judges every run.  With
 :data:`allworlds.engines.engine_table.WALKED_FROM` edges or more, Algorithm 1 with its directional
-lighthouse walks each rooted map once.  This walk counts for every bearing, because the marker's
-direction only distinguishes the darts of v0.  Before the first level the Python engine plays all
-small worlds, while another process compiles the kernel.  Then the kernel must agree with the Python
-engine, both if it plays each run and if it walks each map once.  The report names a broken law only
-if the Python engine finds that it is broken, too.
+lighthouse walks each rooted map once.  This walk counts for every bearing: Algorithm 1 uses the
+marker's direction only to tell the darts of v0 apart, so its walk does not depend on the direction.
+Before the first level the Python engine plays all small worlds, while another process compiles the
+kernel.  Then the counts of the kernel must equal those of the Python engine, for runs that the
+kernel plays one by one, and for maps that it walks once.  The report names a broken law only if the
+Python engine finds that the law is broken, too.
 """
 
 from collections.abc import Iterator
@@ -40,7 +41,7 @@ UNBOUNDED = 1 << 40
 
 @cache
 def level_of(explorer: str, rules: Rules, extent: classes.Extent, edges: int) -> arrays.Level:
-    """The data of a level by which the kernel plays and judges: bounds, rules, step budgets."""
+    """The data by which the kernel plays and judges a level: bounds, rules, step budgets."""
     return arrays.Level(
         edges,
         extent.vertex_limit(edges),
@@ -79,7 +80,7 @@ def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
 def tally_of(sums: arrays.Sums, unit: LevelUnit, scope: Scope, tally: Tally) -> Tally:
     """Add the kernel's counts to the empty tally, and return it.
 
-    Of the events only loops and parallel edges are counted.  Findings are not added.
+    The only events that are added are loops and parallel edges.  Findings are not added.
     """
     most_expensive = {
         n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in sums.most_expensive
@@ -114,17 +115,18 @@ AGREEMENT_EDGES = 4
 """The largest m of the worlds in which both engines are compared before a check begins."""
 
 AGREEMENT_EDGES_SIMPLE = 6
-"""The largest m of these worlds, for a lighthouse at two vertices in a simple class."""
+"""The largest m of the worlds in which both engines are compared before a check begins, if the
+class is simple and the lighthouse has marks at two vertices."""
 
 
 def compare_engines(scope: Scope, subject: Subject) -> None:
-    """Raise EnginesDisagree unless both engines agree on each small world.
+    """Raise EnginesDisagree unless both engines have equal results in each small world.
 
     If in a level of the scope one walk counts for all bearings, the kernel also walks each small
-    map once, and the counts must equal those of the kernel's runs at every bearing.
+    map once.  The counts of this walk must equal those of the kernel's runs at every bearing.
 
     Raises:
-        EnginesDisagree: naming the first world in which they differ.
+        EnginesDisagree: naming the first world in which the results differ.
     """
     extent = scope.extent
     levels = [m for m in extent.levels if m <= compared_to(scope)]
@@ -193,7 +195,7 @@ def compare(kernels: Tally, sums: arrays.Sums, pythons: Tally, unit: LevelUnit) 
 
 
 def _counts_of(tally: Tally) -> object:
-    """All counts of a tally that both engines must have equal."""
+    """All counts of a tally that must be equal in both engines."""
     sizes = sorted(tally.rows.items())
     most = [(size, row.most_expensive and row.most_expensive[:3]) for size, row in sizes]
     return [row for _, row in sizes], most, tally.left_out, tally.checkpoints, +tally.witnesses
@@ -207,11 +209,11 @@ def compared_to(scope: Scope) -> int:
 
 
 AGREED: set[object] = set()
-"""The comparisons that have already succeeded in this process."""
+"""The comparisons that have already succeeded in this process: explorer, rules, extent, walked."""
 
 
 BATCH = 8
-"""The number of units that a thread gets at a time, so that the transport costs little."""
+"""The number of units that a thread gets at a time; with fewer, the transport takes more time."""
 
 SYMMETRY = (
     f"from m = {WALKED_FROM} on each rooted map is walked once, at bearing 0, and counted for "
@@ -225,7 +227,7 @@ class CompiledEngine(Struct, frozen=True):
 
     Attributes:
         scope, subject, keep: the scope, the explorer, and the number of findings to be kept.
-        flag: an array; if its entry 0 is set, the kernel gives up.
+        flag: an array of one number; once this number is not 0, the kernel gives up its work.
     """
 
     scope: Scope
@@ -238,7 +240,7 @@ class CompiledEngine(Struct, frozen=True):
         """The compiled engine, after it has been compared with the Python engine.
 
         Raises:
-            EnginesDisagree: naming the first world in which they differ.
+            EnginesDisagree: naming the first world in which the engines differ.
         """
         if not is_compiled(examine):
             job.notice(capabilities.COMPILING)
@@ -268,7 +270,9 @@ class CompiledEngine(Struct, frozen=True):
         yield tally
 
     def _blame(self, broken: arrays.BrokenRun, tally: Tally) -> None:
-        """Add the Python engine's findings of the runs in which the kernel finds a broken law.
+        """Add the Python engine's findings of runs in which the kernel finds a broken law.
+
+        ``broken`` is one run, or all runs of a map.
 
         Raises:
             EnginesDisagree: if the Python engine finds that another law is broken, or that none is.
@@ -308,11 +312,11 @@ def load_native() -> None:
 
 
 def is_kept() -> bool:
-    """Whether the code that :func:`load_native` loads is kept on disk, already compiled."""
+    """Whether the code that :func:`load_native` loads is already compiled, and kept on disk."""
     return all(map(is_compiled, (library_player.play, examine)))
 
 
 def compile_apart() -> None:
-    """Start a process of low priority that does :func:`load_native`; do not wait for its end."""
+    """Start a process of low priority that calls :func:`load_native`; do not wait for its end."""
     code = f"import os; os.nice(19); from {__name__} import load_native; load_native()"
     kernel.in_another_process(code)

@@ -2,8 +2,8 @@
 
 Both judges read the same logs.  A lane keeps all logs of the smallest worlds.  When the lane loads
 the compiled judge, it compares both judges on these logs, and then on the first batch.  If the
-compiled judge finds a broken law, the judge in Python judges the same log again, and only this twin
-makes the finding.
+compiled judge finds a broken law, the judge in Python judges the same log again, and only the judge
+in Python makes the finding.
 """
 
 from array import array
@@ -23,14 +23,14 @@ from allworlds.maps.combinatorial import Code, CombinatorialMap, rooted_code
 from allworlds.world.world import World
 
 LIBRARIES = 8
-"""The factor by which batches have more runs if a shared library plays them."""
+"""The factor by which a batch is larger if a shared library plays it."""
 
 
 class CompiledBatch(RunBatch):
     """Runs that compiled code has written into arrays; a run becomes a value of Python on demand.
 
     Attributes:
-        laid: the number of the runs, and their range among all runs of the unit.
+        laid: the number of the runs in the batch, and their range among all runs of the unit.
         heads: for each run some numbers, such as its number, its place and its step budget.
         tables: for each run the table of its world, with a row of numbers for each dart.
     """
@@ -63,7 +63,7 @@ class CompiledJudge:
     """The judge in compiled code, for units of the class :class:`LevelUnit`.
 
     Args:
-        python: the judge in Python, which is the twin.
+        python: the judge in Python, with which this judge is compared.
         seed: the function that draws a seed for the order in which a library plays.
         native: whether the explorer is a shared library; then compiled code also plays it.
     """
@@ -129,7 +129,7 @@ class CompiledJudge:
         return True
 
     def _sums(self, batch: CompiledBatch) -> tuple[arrays.Sums, bool]:
-        """The kernel's sums over a batch, and whether the kernel could judge all its logs."""
+        """The kernel's counts of a batch, and whether the kernel could judge all of its logs."""
         stretch, replay = self._memories[batch.unit.edges]
         given = batch.logs[0]
         in_order = [given[i] for i in sorted(given)] if isinstance(given, dict) else given
@@ -153,7 +153,7 @@ class CompiledJudge:
         batch.plain, batch.percepts = True, b""
 
     def _python_tally(self, batch: CompiledBatch) -> Tally:
-        """Return the tally that the Python judge makes of the logs of this batch."""
+        """The tally that the Python judge makes of the logs of this batch."""
         tally, laid, index = self.counter.tally(), batch.laid, 0
         runs = islice(self.counter.runs(batch.unit, laid.first), laid.until - laid.first)
         for run in runs:

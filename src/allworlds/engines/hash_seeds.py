@@ -28,23 +28,27 @@ SIX_MORE = (OTHER_SEED, 3, 4, 5, 6, 7)
 """Further seeds under which some runs of larger worlds are played again."""
 
 GOES_BY_HASHES = "the explorer goes by hashes: where PYTHONHASHSEED is another one, so is its walk"
-"""The remark on an explorer whose plays with one seed are always the same."""
+"""The remark on an explorer whose plays are equal under one seed, but differ between two seeds."""
 
 Play = TypeVar("Play")
 
 
 def seeds_of(subject: Subject, wanted: Seeds = (FIRST, SECOND)) -> Seeds:
-    """The hash seeds of both players: the wanted seeds for a user's explorer in Python.
+    """The hash seeds of both players.
 
-    The explorer must be importable by other processes.  For any other explorer both seeds are the
-    first wanted seed.
+    A user's explorer gets the wanted seeds if other processes can load it, and if it is no shared
+    library.  For any other explorer both seeds are the first wanted seed.
     """
     apart = subject.from_user and subject.importable and not subject.compiled
     return wanted if apart else (wanted[FIRST], wanted[FIRST])
 
 
 def are_more_tried(subject: Subject, seeds: Seeds) -> bool:
-    """Whether some runs are played under six further seeds; never those of a program."""
+    """Whether some runs are played under six further seeds.
+
+    This needs a user's explorer in Python, and players with the seeds :data:`FIRST` and
+    :data:`SECOND`.
+    """
     return subject.from_user and seeds == (FIRST, SECOND) and not is_program(subject.name)
 
 
@@ -58,7 +62,7 @@ def explain(
     plays: Iterable[tuple[Play, Iterable[Play]]],
     differ: Callable[[Play, Play], bool],
 ) -> bool:
-    """Whether the seeds explain that plays differ.
+    """Whether two different hash seeds are the reason why the two plays of runs differ.
 
     This is so if the seeds are different, and fresh players repeat each play under its seed.
 
@@ -72,7 +76,7 @@ def explain(
 
 
 def by_seed(seeds: Seeds, first: Outcome, second: Outcome) -> Outcome | None:
-    """The outcome that refutes the explorer, with its seed; None if both outcomes are right."""
+    """The first of the two outcomes that breaks a law, with its seed; None if no outcome does."""
     for seed, outcome in zip(seeds, (first, second), strict=True):
         if outcome.violation is not None:
             return replace(outcome, hash_seed=seed)

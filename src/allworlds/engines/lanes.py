@@ -1,10 +1,10 @@
 """The transport into lanes, which are in this process or in forked processes.
 
 A lane is a judge with its two players.  One lane is in this process, unless a lighthouse, task or
-condition of the user takes part, because such a model could end the process.  With more workers,
+condition of the user takes part, because the user's code could end the process.  With more workers,
 this lane begins first, because a small job ends before forked lanes are ready.  Lanes are forked
-after everything is loaded.  If a lane is lost, its units are done again, so that no verdict is
-lost.  A lane gets one unit at a time, as soon as the lane can begin that unit.
+after everything is loaded.  If a forked lane ends too early, other lanes do its units again, so
+that no verdict is lost.  A lane gets one unit at a time, as soon as the lane can begin that unit.
 """
 
 from __future__ import annotations
@@ -42,13 +42,13 @@ if TYPE_CHECKING:
     from multiprocessing.connection import Connection  # loaded where there are processes
 
 AT_A_TIME = 4096
-"""The number of units that are shuffled together, before the next units are shuffled."""
+"""The number of units that are put into a random order at a time."""
 
 MOST_ATTEMPTS = 2
-"""The number of lanes lost over one unit after which the job is given up."""
+"""The job is given up once this number of lanes has ended too early while they had one unit."""
 
 AHEAD = 2
-"""The largest number of units that a lane in a process has at a time."""
+"""The largest number of units that a forked lane has at a time."""
 
 ALONE = 1.5
 """Seconds from the beginning during which the lane of this process is the only lane."""
@@ -56,14 +56,14 @@ ALONE = 1.5
 FIRST_LEVELS = 0.8
 """Seconds from the beginning during which the lane of this process may begin a level.
 
-Later levels go to forked lanes.
+Forked lanes do the levels that begin later.
 """
 
 _KNOWN = (InputError, players.Unsettled, tally.EnginesDisagree, players.HarnessError)
 
 
 class _Process:
-    """A lane in a process of its own, which was forked from this one."""
+    """A lane in a process of its own, which was forked from this process."""
 
     def __init__(self, lanes: Lanes, others: Sequence[_Process]) -> None:
         from multiprocessing.connection import Pipe
@@ -104,7 +104,7 @@ class _Process:
 
 
 def _heard(processes: Sequence[_Process], seconds: float) -> list[_Process]:
-    """Wait until some of these processes have sent a message; return those."""
+    """Wait for messages for at most these seconds; return the processes that have sent one."""
     if not processes:
         return []
     from multiprocessing.connection import wait
@@ -120,9 +120,9 @@ class Lanes(Struct):
         subject: the explorer.
         limits: the number of lanes, and the limits of each.
         deadline: the end of the time limit, on the monotonic clock; or None.
-        here: whether one lane is in this process; it begins before the others.
-        apart: whether there may be lanes in processes of their own.
-        models: whether the user's models judge the runs, or choose the worlds.
+        here: whether one lane is in this process; this lane begins before the forked lanes.
+        apart: whether there may be forked lanes.
+        models: whether a lighthouse, task or condition of the user judges runs or chooses worlds.
         make: the function that makes a lane.
     """
 
@@ -150,11 +150,12 @@ class Lanes(Struct):
     def map(
         self, counter: tally.RunCounter, units: Iterable[UnitOfRuns]
     ) -> Iterator[PartialResult]:
-        """Yield the parts of all units, in the order in which they come.
+        """Yield the parts of all units, in the order in which the parts are ready.
 
         Raises:
             TimeIsUp: when the time limit has been reached.
-            InputError: if the explorer cannot be loaded, or if a user's model raises it.
+            InputError: if the explorer cannot be loaded, or if a lighthouse, task or condition of
+                the user raises it.
             Unsettled: if processes are lost again and again.
         """
         waiting = in_any_order(units) if self.subject.from_user else iter(units)
@@ -195,7 +196,10 @@ class Lanes(Struct):
             yield PartialResult(last, first.end(), last=False)
 
     def _lane_here(self, counter: tally.RunCounter) -> Lane | None:
-        """The lane of this process for this counter; None if forked lanes do the work."""
+        """The lane of this process, for the runs of this counter; None if forked lanes do the work.
+
+        A lane for another counter is closed first.
+        """
         self._began = self._began or time.monotonic()
         late = self.apart and time.monotonic() > self._began + FIRST_LEVELS
         apart = not self.here or late or bool(self._processes)
@@ -224,11 +228,12 @@ class Lanes(Struct):
         return least if len(least.units) < AHEAD else None
 
     def _replace(self, process: _Process) -> list[UnitOfRuns]:
-        """Remove a lane that was lost; return its units.
+        """Remove a forked lane whose process has ended too early; return its units.
 
         Raises:
-            InputError: if a unit has lost too many lanes, and models of the user take part.
-            Unsettled: if a unit has lost too many lanes, and no such models take part.
+            InputError: if too many lanes have ended over one of these units, and a lighthouse, task
+                or condition of the user takes part.
+            Unsettled: if too many lanes have ended over one of these units, in all other cases.
         """
         self._processes.remove(process)
         how, left = process.end(), process.units
@@ -286,8 +291,8 @@ def _lane_of(link: Connection, lanes: Lanes, *, first_lane: bool) -> None:
 def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:
     """The units in a random order, which is drawn for :data:`AT_A_TIME` units at a time.
 
-    Among them an :class:`AcrossUnit` comes last, since a lane has then judged most of the runs
-    that this unit plays again.
+    Among :data:`AT_A_TIME` units an :class:`AcrossUnit` comes last, since a lane has then judged
+    most of the runs that this unit plays again.
     """
     every, order = iter(units), Random()  # noqa: S311  # from the system; no verdict depends on it
     while some := list(islice(every, AT_A_TIME)):
@@ -304,13 +309,15 @@ def workers_for(
     models: bool = False,
     make: Callable[..., Any] = Lane,
 ) -> Transport:
-    """The transport into lanes for an explorer, which are here or in other processes as needed.
+    """The transport into lanes for an explorer.
+
+    The explorer, the limits and the models decide whether the lanes are in this process, or forked.
 
     Args:
         subject: the explorer.
         limits: the number of lanes, and the limits of each.
         deadline: the end of the time limit, on the monotonic clock; or None.
-        models: whether the user's models judge the runs.
+        models: whether a lighthouse, task or condition of the user judges runs or chooses worlds.
         make: the function that makes a lane.
     """
     players.child_path()  # raises for a missing current directory, before any process starts

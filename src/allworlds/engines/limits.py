@@ -1,4 +1,4 @@
-"""The limits of a job's effort, which do not change its meaning."""
+"""The limits of the time, the workers and the memory of a job; they do not change its meaning."""
 
 import os
 import re
@@ -46,7 +46,11 @@ MOST = {
 
 
 def worker_count(text: str) -> int:
-    """The number of workers that a text names; for ``auto`` the number of usable cores."""
+    """The number of workers that a text names; for ``auto`` the number of usable cores.
+
+    Raises:
+        InputError: for any other text.
+    """
     if text == "auto":
         return len(os.sched_getaffinity(0))
     if re.fullmatch(r"[0-9]{1,9}", text) and int(text) > 0:
@@ -55,10 +59,10 @@ def worker_count(text: str) -> int:
 
 
 def positive(name: str) -> Callable[[Any], Any]:
-    """Return the function that checks a value of the limit of this name, and returns the value.
+    """Return the function that checks a value for the limit of this name, and returns the value.
 
-    The value must be a positive number up to :data:`MOST`; for ``time-limit`` and ``memory`` it may
-    be None.  For any other value that function raises InputError, naming the value.
+    The value must be positive, and at most the number in :data:`MOST`; for ``time-limit`` and
+    ``memory`` it may be None.  For any other value the returned function raises InputError.
     """
 
     def limit(value: Any) -> Any:
@@ -82,7 +86,7 @@ def positive(name: str) -> Callable[[Any], Any]:
 
 
 def _seconds(about: str, panel: str = RARE_EFFORT) -> Option:
-    """An option whose value is a number of seconds; the value does not change what a job means."""
+    """An option for a number of seconds, which does not belong to the identity of a job."""
     return Option(panel, "S", about, parse=seconds_of, apart=True)
 
 
@@ -102,7 +106,7 @@ class TimeoutOptions(Request):
 
     @property
     def limits(self) -> "Limits":
-        """The limits among the fields of this request, without its other fields."""
+        """The fields of this request that are limits; the limits that it lacks have defaults."""
         shared = {each.name for each in fields(Limits)} & {each.name for each in fields(self)}
         return Limits(**{name: getattr(self, name) for name in shared})
 
@@ -133,10 +137,10 @@ class TimeLimitOptions(Request):
 
 
 class Limits(TimeLimitOptions, WorkerOptions, TimeoutOptions):
-    """The limits of the effort of many runs.
+    """The limits of time-outs, workers, time and memory for many runs.
 
     Raises:
-        InputError: for values that are not positive or not finite, and for too short a time-out.
+        InputError: for a value that is not positive or not finite, or for too short a time-out.
     """
 
     memory: Annotated[
@@ -166,7 +170,10 @@ class ClusterLost(outcome.NoResult):
 
 
 def deadline_after(time_limit: float | None) -> float | None:
-    """The end, on the monotonic clock, of a time limit that begins now; None without a limit."""
+    """The time on the monotonic clock at which this time limit ends; None without a limit.
+
+    The limit, in seconds, begins now.
+    """
     return None if time_limit is None else time.monotonic() + time_limit
 
 
@@ -182,10 +189,10 @@ def check_deadline(deadline: float | None) -> None:
 
 @contextmanager
 def models_bounded(deadline: float | None) -> Iterator[None]:
-    """A context in which TimeIsUp interrupts the user's models when the deadline passes.
+    """A context in which TimeIsUp interrupts the user's models after the deadline.
 
-    A model is a user's lighthouse, task or condition.  Outside the main thread, or if SIGALRM
-    already has a handler, models are not interrupted.
+    A model is a user's lighthouse, task or condition.  In any thread but the main thread, or if
+    SIGALRM already has a handler, nothing interrupts models.
     """
     here = threading.current_thread() is threading.main_thread()
     if deadline is None or not here or signal.getsignal(signal.SIGALRM) != signal.SIG_DFL:

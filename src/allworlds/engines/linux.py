@@ -1,6 +1,6 @@
 """System calls that only Linux has; on other systems these functions do nothing.
 
-The program also works there, because no verdict needs these calls.
+The package also works on other systems, because no verdict needs these calls.
 
 Source: prctl(2), PR_SET_PDEATHSIG and PR_SET_CHILD_SUBREAPER; proc(5); getrlimit(2), RLIMIT_AS.
 """
@@ -16,7 +16,7 @@ from contextlib import contextmanager, suppress
 from allworlds.inputs.checks import InputError
 
 HERE = sys.platform == "linux"
-"""Whether the system is Linux.  A test switches it off."""
+"""Whether the system is Linux.  A test sets it to False."""
 
 DEATH_SIGNAL, SUBREAPER = 1, 36
 
@@ -25,9 +25,10 @@ COMPILER = "ALLWORLDS_COMPILER"
 
 
 def end_with_parent(parent: int, number: int = signal.SIGKILL) -> None:
-    """Let the system send this process a signal when the thread that has started it ends.
+    """Let the system send this process the signal ``number`` when the thread that started it ends.
 
-    ``parent`` is the number of the process with that thread; if it has ended, exit.
+    ``parent`` is the number of the process with that thread.  If that process has already ended,
+    this process exits at once.
     """
     if HERE:
         _control(DEATH_SIGNAL, number)
@@ -36,7 +37,7 @@ def end_with_parent(parent: int, number: int = signal.SIGKILL) -> None:
 
 
 def adopt() -> None:
-    """Become the parent of all descendants whose own parent ends."""
+    """Let this process become the parent of each of its descendants whose own parent ends."""
     if HERE:
         _control(SUBREAPER, 1)
 

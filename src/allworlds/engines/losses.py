@@ -3,7 +3,8 @@
     ======================================================  ====================================
     a fresh player that plays this run alone is also lost   the run breaks the law of the loss
     the fresh player is not lost; the machine cannot be     the run breaks that law after other runs
-    the cause, or it is the second time-out not repeated
+    the cause, or it is at least the second time-out that
+    no fresh player repeats
     the fresh player is not lost, in all other cases        a remark: it refutes nothing
     ======================================================  ====================================
 
@@ -20,7 +21,7 @@ from allworlds.engines.players import Lost, Unsettled, lost_log
 from allworlds.engines.plays import Attempt
 
 MOST_LOSSES = 20
-"""The largest number of losses that become remarks; with more there is no verdict."""
+"""The largest number of losses that become remarks; with more remarks there is no verdict."""
 
 SILENT_RUNS, MOST_WAITED = 4, 60.0
 """A number of runs and a number of seconds.
@@ -71,7 +72,7 @@ class Losses:
 
     Attributes:
         silences: the number of runs in which a player was silent.
-        repeated: the laws by which a fresh player was also lost.
+        repeated: the laws (``timeout``, ``crash``) by which a fresh player was lost once more.
     """
 
     def __init__(self) -> None:

@@ -14,7 +14,7 @@ KEPT = 64
 
 
 class MoreSeeds:
-    """Some runs of the largest worlds, which are kept to be played under further seeds.
+    """Some runs of the largest worlds, which are kept until they are played under further seeds.
 
     Args:
         settler: the finder of runs that break a law, with the players of the lane.

@@ -2,12 +2,13 @@
 
     python -P -c "...; main(PARENT)" PATH...       (descriptor 3: the link; 4: the beat)
 
-The link is the socket to the owner.  The beat is memory that the owner can read: the number of the
-run in progress, and that of the explorer's turn in this run.  The program gets an explorer and then
-batches of runs, until the link is closed.  A message consists of its length and of bytes that
-marshal has written.  An answer consists of its length, a letter and bytes; verdicts use no answers
-but logs, which a judge walks anew.  The program loads only those modules of the package that it
-needs: an explorer in Python without choices costs some 50 ms.
+The owner is the process that has started this program.  The link is the socket to the owner.  The
+beat is memory that the owner can read: the number of the run in progress, and the number of the
+explorer's turn in this run.  The program gets the name of an explorer and then batches of runs,
+until the link is closed.  A message consists of its length and of bytes that marshal has written.
+An answer consists of its length, a letter and bytes.  Verdicts use only those answers that are
+logs, and a judge walks each log anew.  The program loads only the modules of the package that it
+needs, so that it starts in some 50 ms if the explorer is in Python and makes no choices.
 """
 
 from __future__ import annotations
@@ -42,11 +43,14 @@ LINK, BEAT = 3, 4
 """The descriptors of the link and of the beat in a player process."""
 
 READY, LOGS, PART, REFUSAL, FAILURE, NO_ROOM = b"RLPEFN"
-"""The letters of the answers: the explorer is loaded; the logs of a batch; the log so far; bad
-input; an error of our code; the second logs of a library do not fit into memory."""
+"""The letters of the answers: the explorer is loaded; the logs of a batch; a further part of a log;
+bad input; an error of our code; the second logs of a library do not fit into memory."""
 
 TURNS = "turns", "histories"
-"""The kinds of messages that ask a robot's program turn by turn."""
+"""The kinds of messages that ask an explorer for single turns, or for the turns of whole histories.
+
+A history is the list of all that the explorer has sensed since its start.
+"""
 
 PICKLED = ("model", "maps", "walk")
 """The kinds of messages with pickled worlds, whose code the player loads."""
@@ -55,10 +59,10 @@ NO_RUN = -1
 """The number that stands for no run in progress."""
 
 STACK = signal.SIGUSR1
-"""The signal upon which a silent player prints its stack, if its prints are kept."""
+"""The signal upon which a silent player prints its stack, if its prints are recorded."""
 
 TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
-"""The timers that are cleared after a batch, so that none goes off outside the explorer's turn."""
+"""The timers that are cleared after a batch, so that no timer of an explorer goes off later."""
 
 
 def main(parent: int) -> None:
@@ -127,7 +131,7 @@ def _loaded(setup: dict[str, Any]) -> Subject:
 
 
 class _Server:
-    """The answers to the owner's messages, by the loaded explorer; the beat tells its turns."""
+    """The part of the program that answers the owner's messages with the loaded explorer."""
 
     def __init__(self, subject: Subject, beat: Any) -> None:
         self._subject, self._beat, self._pid = subject, beat, os.getpid()
@@ -205,10 +209,10 @@ def played(
     beat: Any,
     hear: Callable[[bytearray], None] | None = None,
 ) -> list[bytes]:
-    """Play the runs of a batch in Python; return their logs, by the numbers of the runs.
+    """Play the runs of a batch in Python; return the log of run i as item i.
 
-    If the batch asks for lines of code, the last entry is these lines instead of a log.  Before
-    each turn ``hear`` is called with the log so far.
+    If the batch asks for lines of code, the last item is not a log: it holds the lines of the
+    explorer that were executed.  ``hear`` is called before each turn, with the log so far.
     """
     own, explorer = os.getpid(), player
     logs: list[bytes] = [b""] * batch["runs"]
@@ -250,9 +254,9 @@ def turns_taken(turns: Turns, batch: dict[str, Any]) -> list[bytes]:
 
 
 def maps_made(batch: dict[str, Any]) -> list[bytes]:
-    """A digest for each unit of a batch: of the maps of the unit that are in the extent.
+    """The digest of each unit of a batch, made of the unit's maps that meet the user's condition.
 
-    Equal maps have equal digests.
+    If two processes make the same maps of a unit, their digests are equal.
     """
     import hashlib
 
@@ -268,9 +272,9 @@ def maps_made(batch: dict[str, Any]) -> list[bytes]:
 
 
 def senses(world: World, made: Sequence[actions.Action]) -> bytes:
-    """Make a world anew; return as bytes what it tells the robot, and the percepts of a walk.
+    """Make a world anew; return as bytes what its lighthouse tells, and the percepts of a walk.
 
-    The walk consists of the actions ``made``; if one is illegal, return the error instead.
+    The walk consists of the actions ``made``.  If an action is illegal, return the error instead.
     """
     from allworlds.judging.walk import Walk
 
@@ -287,7 +291,7 @@ def in_bytes(told: actions.Told, transcript: actions.Transcript) -> bytes:
 
 
 def _around(kind: str, world: Any, told: Any, over: bool) -> Any:
-    """The surroundings of a run in a batch of this kind: a table, a record, or a world."""
+    """What answers the explorer's actions in a run: a table of a world, percepts, or a world."""
     if kind == "table":
         return playing.TableWorld(world, told)
     if kind == "record":

@@ -1,9 +1,10 @@
 """The owner's side of a player: it starts the player, gives batches, hears logs, notices a loss.
 
-A player is a process with an explorer (:mod:`allworlds.engines.player`).  An explorer that no other
-process can import plays in :class:`PlayerHere`.  Owner and player share sixteen bytes of memory,
-which hold the number of the run in progress and the number of the explorer's turn in that run.  So
-the owner notices silence, although the player sends all logs of a batch in one message.
+A player is a process with an explorer (:mod:`allworlds.engines.player`); its owner is the process
+that has started it.  An explorer that no other process can import plays in :class:`PlayerHere`.
+Owner and player share sixteen bytes of memory, which hold the number of the run in progress and the
+number of the explorer's turn in that run.  So the owner notices silence, although the player sends
+all logs of a batch in one message.
 """
 
 import marshal
@@ -41,8 +42,8 @@ from allworlds.protocol.playing import AN_ACTION
 GRACE = 2.0
 """Seconds that the owner waits longer for a player whose explorer is a user's program.
 
-The player itself notices the silence of such a program.  The owner also waits this number of
-seconds for the end of a process, and for the last prints of a silent player.
+The player itself notices that such a program is silent, and needs time to say so.  The owner also
+waits this number of seconds for the end of a process, and for the last prints of a silent player.
 """
 
 NATIVE_MEMORY = 2048
@@ -50,7 +51,7 @@ NATIVE_MEMORY = 2048
 library, if the user sets no limit."""
 
 RELAYED = 1 << 16
-"""The largest number of bytes of an explorer's prints that are shown before it has been loaded."""
+"""The number of printed bytes after which the user sees no more prints of an explorer's loading."""
 
 _BOOT = (
     "import gc, sys; gc.disable(); sys.path[:] = sys.argv[1:]; del sys.argv[1:]; "
@@ -63,7 +64,7 @@ class HarnessError(RuntimeError):
 
 
 class Unsettled(outcome.NoResult):
-    """Raised if so many processes are lost that there is no verdict on the explorer."""
+    """Raised if so many players or lanes are lost that there is no verdict on the explorer."""
 
 
 class Lost(Exception):
@@ -81,9 +82,11 @@ class Lost(Exception):
 
 
 class Description(NamedTuple):
-    """The description of an explorer: its keywords, and whether it has a shield.
+    """What a player says of the explorer that it has loaded.
 
-    A shield is a wrapper, as in ``shield:NAME``.
+    Attributes:
+        keywords: the keyword arguments that the explorer takes, such as ``told``.
+        has_shield: whether the explorer is in a shield, which is a wrapper as in ``shield:NAME``.
     """
 
     keywords: frozenset[str]
@@ -128,7 +131,8 @@ class Logs(Sequence[bytes]):
 Answer: TypeAlias = tuple[Any, Sequence[bytes] | None]
 """A job, and the logs that a player has made for it.
 
-In place of the logs there is None if the second logs of a library do not fit into memory.
+A job is any value by which the owner knows its message to the player.  In place of the logs there
+is None if the second logs of a library do not fit into memory.
 """
 
 
@@ -137,7 +141,7 @@ class Setup(Struct, frozen=True):
 
     Attributes:
         subject: the explorer.
-        limits: the limits of the effort of its players.
+        limits: the time-outs and the memory of its players.
         prints: whether the explorer's prints are recorded.
         deadline: the time on the monotonic clock after which nobody waits for a player; or None.
     """
@@ -173,8 +177,10 @@ class PlayerProcess:
         seed: the hash seed of the process.
 
     Attributes:
-        jobs: the jobs without an answer so far, each with its message.
-        part: the log so far of a run whose turns are sent one by one.
+        jobs: pairs of a job and its message, if there is no answer to the message yet.
+        beat: two numbers in shared memory: the number of the run in progress, or
+            :data:`player.NO_RUN`; and the number of the explorer's turn in this run.
+        part: the log so far of a run, if the player sends it turn by turn.
         prints: the prints of the explorer, if they are recorded.
         description: the description of the explorer; None before the explorer is loaded.
     """
@@ -262,7 +268,7 @@ class PlayerProcess:
         return answers
 
     def _hear_stack(self) -> None:
-        """Let a silent player print its stack, if its prints are kept; no verdict depends on it."""
+        """Let a silent player print its stack if prints are recorded; no verdict uses the stack."""
         name, deadline = self.setup.subject.name, time.monotonic() + GRACE
         if not self.setup.prints or is_program(name) or is_library(name):
             return
@@ -373,7 +379,7 @@ class PlayerProcess:
         return Lost("crash", how, machine=code is not None and code < 0)
 
     def _code(self) -> int | None:
-        """The exit code of the process; None while it goes on."""
+        """The exit code of the process; None if the process has not ended."""
         if self._status is None:
             pid, status = os.waitpid(self.pid, os.WNOHANG)
             if pid:
@@ -382,7 +388,7 @@ class PlayerProcess:
 
     @property
     def lives(self) -> bool:
-        """Whether the process goes on."""
+        """Whether the process has not ended."""
         return self._code() is None
 
     def again(self) -> None:
@@ -434,12 +440,12 @@ class PlayerProcess:
 
 
 class PlayerHere:
-    """An explorer that plays in this process, where it cannot be stopped if it is silent.
+    """An explorer that plays in this process, where nobody can stop it if it is silent.
 
     Args:
         explorer: the explorer.
         of_user: whether it is a user's explorer, whose prints are dropped.
-        subject: the explorer with its name; only messages that ask a program turn by turn need it.
+        subject: the explorer with its name; None suffices if no message asks turn by turn.
 
     Attributes:
         beat, description, files, part: as in :class:`PlayerProcess`.
@@ -489,10 +495,10 @@ class PlayerHere:
         return player.turns_taken(self._turns, message)
 
     def again(self) -> None:
-        """Go on in this process, which cannot be replaced."""
+        """Do nothing, because this process cannot be replaced."""
 
     def close(self) -> None:
-        """Do nothing, because this process goes on."""
+        """Do nothing, because this process must not end."""
 
 
 _spare: list[PlayerProcess] = []
@@ -500,9 +506,9 @@ _spare: list[PlayerProcess] = []
 
 
 def keep(player: PlayerProcess, subject: Subject) -> None:
-    """Keep a player that has not played, until :func:`fresh` needs an equal one.
+    """Keep a player that has not played yet, until :func:`fresh` needs such a player.
 
-    A player that is never needed ends when its subject is deleted.
+    A player that is never needed ends when the object ``subject``, its explorer, is deleted.
     """
     _spare.append(player)
     finalize(subject, _let_go, player)
@@ -529,9 +535,9 @@ def _let_go(player: PlayerProcess) -> None:
 def wait(
     players: Sequence[PlayerProcess | PlayerHere], seconds: float, others: Sequence[int] = ()
 ) -> bool:
-    """Wait until a player or another descriptor can be read, or until these seconds are over.
+    """Wait until a player or a descriptor of ``others`` can be read, or these seconds are over.
 
-    Return whether one of the other descriptors, which are ``others``, can be read.
+    Return whether a descriptor of ``others`` can be read.
     """
     poll = select.poll()
     for one in players:
@@ -548,10 +554,11 @@ def wait(
 
 
 def started(setup: Setup, seed: int, notice: Any = None) -> PlayerProcess | PlayerHere:
-    """A player of an explorer.
+    """A player of an explorer, with this hash seed if the player is another process.
 
-    A user's explorer plays in a process of its own, if another process can load it.  Any other
-    explorer plays in this process.  A built-in explorer calls ``notice`` at its events.
+    A user's explorer plays in a process of its own, if another process can load the explorer.  Any
+    other explorer plays in this process.  A built-in explorer calls ``notice`` with the name of
+    each event, such as a case of Algorithm 1.
     """
     subject = setup.subject
     if subject.from_user and subject.importable:
@@ -591,7 +598,7 @@ def logs_from(player: PlayerProcess | PlayerHere) -> Sequence[bytes]:
 
 
 def lost_log(part: bytes, lost: Lost) -> bytes:
-    """The log of a run in which a player was lost: its known part, followed by the loss."""
+    """The log of a run in which a player was lost: the known part of the log, then the loss."""
     return part + fault(lost.law, AN_ACTION, lost.seen, machine=lost.machine)
 
 
@@ -616,14 +623,14 @@ def _shared(size: int) -> tuple[mmap.mmap, int]:
 
 
 _spawners: list[tuple[int, ThreadPoolExecutor]] = []
-"""At most one pair: the number of this process, and its thread that starts all players.
+"""At most one pair: the number of this process, and the thread of it that starts all players.
 
-The players end with that thread.
+The system ends the players when that thread ends.
 """
 
 
 def _in_thread(act: Callable[[], int]) -> int:
-    """The result of the function, called in the thread that starts players."""
+    """Call the function in the thread that starts players; return its result."""
     if not _spawners or _spawners[0][0] != os.getpid():
         _spawners[:] = [(os.getpid(), ThreadPoolExecutor(1, initializer=linux.adopt))]
     try:
@@ -659,7 +666,7 @@ def _spawned(seed: int, token: str, link: int, beat: int, printing: int) -> int:
 
 
 def child_path() -> list[str]:
-    """The import path of a player, in which the user's folders come last.
+    """The import path of a player, in which the folders of the user's files come last.
 
     So no file of the user hides a module of this package or of a library.
     """

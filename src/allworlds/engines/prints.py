@@ -8,10 +8,10 @@ from itertools import accumulate
 from typing import Any, TextIO
 
 KEPT = 4096
-"""The largest number of bytes of a text; of longer prints the middle is left out."""
+"""The largest number of bytes of a text; if prints are longer, their middle is left out."""
 
 SIGN = "\n[... {} bytes more ...]\n"
-"""The line in place of the middle that is left out; its number has at most 15 digits."""
+"""The line in place of a middle that is left out, with the number of bytes, of up to 15 digits."""
 
 
 class Prints:
@@ -59,7 +59,7 @@ def _letters(printed: bytes | bytearray) -> list[tuple[int, str]]:
 def _fitting(letters: Sequence[tuple[int, str]], room: int) -> tuple[list[str], int]:
     """The first letters that fit into ``room`` bytes, and the number of printed bytes they show.
 
-    Escaped letters need more room than they had bytes.
+    An escaped letter needs more room than the printed bytes that it shows.
     """
     sizes = accumulate(len(shown.encode()) for _, shown in letters)
     fitting = letters[: sum(size <= room for size in sizes)]
@@ -67,7 +67,7 @@ def _fitting(letters: Sequence[tuple[int, str]], room: int) -> tuple[list[str], 
 
 
 class _PrintStream(io.BytesIO):
-    """A stream whose bytes go to a sink."""
+    """A stream whose bytes are added to :class:`Prints`."""
 
     name = "<the explorer's prints>"
 
@@ -75,7 +75,7 @@ class _PrintStream(io.BytesIO):
         self._sink = sink
 
     def write(self, printed: Any, /) -> int:
-        """Give the bytes to the sink."""
+        """Add the bytes to the prints; return their number."""
         taken = bytes(printed)
         self._sink.add(taken)
         return len(taken)

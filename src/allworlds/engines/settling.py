@@ -113,10 +113,10 @@ class Settler:
         return one.outcome
 
     def _in_words(self, batch: RunBatch, index: int) -> Outcome:
-        """The outcome of a run that compiled code has played, by a new play in Python.
+        """The outcome of a run that compiled code has played; Python plays the run once more.
 
-        The log of the new play holds texts for a finding.  If the two logs differ in anything
-        else, the explorer is nondeterministic.
+        The log of the new play also holds the texts that a finding shows.  If the two logs differ
+        in anything else, the explorer is nondeterministic.
         """
         before, batch.plain = batch.outcome(index), True
         (log,), _ = self.plays.alone(FIRST, batch, index)
@@ -141,8 +141,8 @@ class Settler:
     def _of_plays(self, batch: RunBatch, index: int, other: Log, seeds: Seeds) -> Outcome:
         """The outcome of a run whose two plays differ; ``other`` is the log of the second play.
 
-        The difference refutes the explorer.  But if the machine may have ended one of the plays,
-        and two later plays agree, the outcome follows from the later plays.
+        The difference refutes the explorer, with one exception: if the machine may have ended one
+        of the plays, and two later plays agree, the outcome follows from the later plays.
         """
         one, anew = batch.outcome(index), None
         faults = fault_of(one.log), fault_of(other)
@@ -153,9 +153,9 @@ class Settler:
     def _alike(self, batch: RunBatch, index: int, other: Log, seeds: Seeds) -> Outcome | None:
         """The outcome of a run by two later plays; None if the logs of these two plays differ.
 
-        In each of them a fresh player plays this run alone.  A loss that no fresh process repeats
-        refutes nothing.  The second later play gets the percepts of the first later play, because
-        the log of a lost run may end too early.
+        In each later play a fresh player plays this run alone.  A loss that no fresh process
+        repeats refutes nothing.  The second later play uses the percepts of the first later play,
+        because the percepts of a play in which a player was lost may end too early.
         """
         due, one = batch.due(index), batch.outcome(index).log
         log = self.plays.again(FIRST, seeds[FIRST], batch, [index])[index]
@@ -189,7 +189,10 @@ class Settler:
 
 
 def _is_refused(without_words: Log, in_words: Log) -> bool:
-    """Whether both logs end with one illegal action, which the log without texts does not hold."""
+    """Whether both plays end with the same illegal action.
+
+    The log without texts does not contain this action; the log with texts does, as its last one.
+    """
     known = without_words.actions
     faults = fault_of(without_words), fault_of(in_words)
     illegal = all(fault and fault.law == "illegal-action" for fault in faults)

@@ -80,12 +80,12 @@ class SingleRun(Report):
 
     @doc.computed
     def bound(self) -> int | None:
-        """The bound of the traversals; null without one."""
+        """The bound of the traversals; null without a bound."""
         return self.outcome.bound
 
     @doc.computed
     def estimate(self) -> Estimate | None:
-        """The answer; null where there is none."""
+        """The answer, if it is an estimate; else null."""
         return self.answer if isinstance(self.answer, Estimate) else None
 
     @doc.computed
@@ -95,17 +95,17 @@ class SingleRun(Report):
 
     @doc.computed
     def ambiguous(self) -> Ambiguous | UnsetType:
-        """The answer that names no map, where there is one."""
+        """The answer, if it names no map; else absent."""
         return self.answer if isinstance(self.answer, Ambiguous) else UNSET
 
     @doc.computed
     def output(self) -> doc.Text | UnsetType:
-        """Output of the explorer, if it printed anything."""
+        """The prints of the explorer; absent if it printed nothing."""
         return self.outcome.output or UNSET
 
     @property
     def facts(self) -> Facts:
-        """Whether a law is broken, or none was checked."""
+        """The facts behind the verdict: whether a law is broken, and whether no law was checked."""
         return Facts(refuted=self.finding is not None, vacuous=not self.checked_laws)
 
     @property
@@ -126,7 +126,7 @@ class SingleRun(Report):
 
 
 def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
-    """The first given choice that a run has not taken, and the reason; empty if it took all."""
+    """A clause about the first given choice that a run has not taken; empty if it took all."""
     for i, index in enumerate(choices):
         if run.outcome.choices[i : i + 1] != (index,):
             asked = len(run.outcome.choices)
@@ -175,7 +175,7 @@ REPEATED = 5
 
 
 class OutcomeCounter(RunCounter, frozen=True):
-    """The counter of a single run, which keeps the outcomes of the run; the last one is final."""
+    """The counter of a single run, which keeps all outcomes of the run; the last outcome counts."""
 
     outcomes: list[Outcome] = field(default_factory=list)
 
@@ -225,9 +225,9 @@ def single_run(
 ) -> SingleRun:
     """Play one run, and return its report.
 
-    The script holds the first choices of the run, which are made as long as they are legal.  If a
-    hash seed is given, both players of a user's explorer have this seed.  If ``after`` holds
-    worlds, the run is also played after runs in these worlds.
+    The script holds the first choices of the run; each is made if it is legal.  If a hash seed is
+    given, both players of a user's explorer have this seed.  If ``after`` holds worlds, the run is
+    also played after runs in these worlds.
     """
     if subject.from_user:
         canonical = canonical_world(world)
@@ -278,7 +278,7 @@ class Plays:
         self.judge = PythonJudge(counter, subject.name)
 
     def in_world(self, script: tuple[int, ...], seed: int) -> tuple[Log, str]:
-        """The log of the run in its world, and the prints.
+        """Let a player play the run in its world; return the log and the prints.
 
         If the player is lost, the log ends with the loss.
         """
@@ -289,9 +289,9 @@ class Plays:
     def again(
         self, actions: Iterable[Action], script: tuple[int, ...], seed: int, times: int = 1
     ) -> tuple[list[Log], str]:
-        """The logs of ``times`` plays by one player, and its prints.
+        """Let one player play the run ``times`` times by percepts; return the logs and its prints.
 
-        The player gets the percepts of a walk that consists of these actions.
+        The percepts are those of a walk that consists of these actions.
         """
         walk = Walk.of(self._world, actions)
         record = Recorded(walk.percepts, self._world, script, self._rules.task.is_over(walk))
@@ -320,11 +320,12 @@ class Plays:
 
 
 def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limits) -> Finding:
-    """The finding after further plays, with their prints, and with ``confirmed``.
+    """Play a finding again; return it with the prints of these plays, and with ``confirmed``.
 
     ``confirmed`` says whether fresh processes repeat the run.  A run in which the player was lost
-    is played once more in its world, because its walk is not known yet.  An explorer that no other
-    process can import is not confirmed; it plays once more in this process, for its prints.
+    is played once more in its world, because its walk is not known yet.  If no other process can
+    import the explorer, its finding is not confirmed; the explorer plays once more in this process,
+    for its prints.
 
     Raises:
         InputError: if a user's lighthouse gives another answer when it is asked again.
@@ -369,9 +370,9 @@ def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
 def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: int) -> Finding:
     """The finding with ``confirmed``: whether fresh processes repeat the run by its percepts alone.
 
-    If a process plays differently, the finding becomes one of a nondeterministic explorer, which is
-    confirmed by plays that differ.  The players of ``later`` first play runs in other worlds.
-    ``first`` is the log of a play that has been made already.
+    If a process plays the run differently, the returned finding says that the explorer is
+    nondeterministic.  Such a finding is confirmed by plays that differ.  The players of ``later``
+    first play runs in other worlds.  ``first`` is the log of a play that has been made already.
     """
     record = finding.transcript.actions, finding.choices
     if finding.after:
@@ -393,9 +394,10 @@ def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: in
 
 
 def _unlike(finding: Finding, again: Log) -> Finding:
-    """The finding of a nondeterministic explorer, made because a later play differs from a finding.
+    """The finding that an explorer is nondeterministic: a later play differs from a finding.
 
-    ``again`` is the log of the later play.  A finding of a loss is returned as it is, unconfirmed.
+    ``again`` is the log of the later play.  If the given finding is about the loss of a player, it
+    is returned as not confirmed.
     """
     if finding.law in LOST:
         return doc.replace(finding, confirmed=False)
@@ -419,7 +421,10 @@ def _same_walk(finding: Finding, log: Log) -> bool:
 
 
 def _ends_alike(finding: Finding, log: Log) -> bool:
-    """Whether a play ends as the finding says; a log does not contain a refused action."""
+    """Whether a play ends as the finding says.
+
+    The log of the play does not contain an action that was refused.
+    """
     end = ending_of(log)
     if isinstance(end, Fault):
         return end.law == finding.law

@@ -25,7 +25,7 @@ from allworlds.world.world import World
 def finding_to_record(finding: Finding) -> dict[str, Any]:
     """The JSON document of a finding without its rules.
 
-    A key ``machine`` is added, which says whether the machine may be the cause.
+    The added key ``machine`` says whether the machine, and not the explorer, may be the cause.
     """
     return {**finding.to_json(), "machine": finding.machine}
 
@@ -36,9 +36,10 @@ def finding_from_record(document: Mapping[str, Any]) -> Finding:
 
 
 class AtRun(NamedTuple):
-    """A run whose map is in canonical numbering, and the choices of one episode of this run.
+    """A run whose map is in canonical numbering, and the choices that were made in it.
 
-    ``choices`` may be empty if the policy makes the choices.
+    ``place`` is the number of the lighthouse's place.  ``choices`` may be empty if the policy makes
+    the choices.
     """
 
     sigma: tuple[int, ...]
@@ -62,8 +63,8 @@ class Row:
         best_cost: the largest, over the runs, of the cost of the cheapest schedule; None unless
             every schedule is tried.
         fingerprint: the sum of the worlds' fingerprints modulo 2^62.
-        most_expensive: the least run that attains the largest cost; None without a run.  The
-            comparison of rows ignores it.
+        most_expensive: of the runs with the largest cost, the first in the order of
+            :class:`AtRun`; None without a run.  The comparison of rows ignores this field.
     """
 
     worlds: int = 0
@@ -92,36 +93,37 @@ class Row:
         self.best_of(other.best_cost)
 
     def cost_of(self, cost: int, where: AtRun) -> None:
-        """Update the largest cost, and the run that attains it, by a run of this cost."""
+        """Update the largest cost, and the run with this cost, by a further run ``where``."""
         if cost > self.max_cost or self.most_expensive is None:
             self.max_cost, self.most_expensive = cost, where
         elif cost == self.max_cost:
             self.most_expensive = min(self.most_expensive, where)
 
     def bound_of(self, run: int | None) -> None:
-        """Update the largest bound by the bound of a run, which may be negative, or None."""
+        """Update the largest bound by the bound of a run; the bound may be negative, or None."""
         if run is not None:
             self.bound = run if self.bound is None else max(self.bound, run)
 
     def best_of(self, run: int | None) -> None:
-        """Update the best cost by the cost of a run's cheapest schedule, or by None if unknown."""
+        """Update the best cost by the cost of a run's cheapest schedule; None changes nothing."""
         if run is not None:
             self.best_cost = max(run, self.best_cost or 0)
 
 
 @dataclass(slots=True)
 class Tally:
-    """The sum of all results of a part of a check.
+    """The results of a part of a check, added up.
 
     Attributes:
-        keep: the number of findings that are kept, each the smallest of its law and map.
+        keep: the largest number of findings that are kept, each the smallest of its law and map.
         rows: the counts by (edges, vertices).
         witnesses: the number of occurrences of each event.
         left_out: the number of worlds without a place for the lighthouse.
-        checkpoints: the number of published checkpoints.
+        checkpoints: the number of checkpoints that the explorer has shown.
         findings: the smallest findings, ascending.
-        remarks: the events that refute nothing, each with its number of occurrences.
-        covered: for a sample, the number of its worlds with each value of each feature.
+        remarks: texts about events that refute nothing, each with its number of occurrences.
+        covered: by (feature, value), the number of worlds of a sample that have this value of the
+            feature.
     """
 
     keep: int
@@ -146,7 +148,10 @@ class Tally:
         return (edges, vertices) <= self.findings[-1].key[:2]
 
     def find(self, finding: Finding) -> None:
-        """Keep the finding if it is the smallest of its law and map, and among the smallest."""
+        """Keep the finding if it is the smallest of its law and map, and among all the smallest.
+
+        At most ``keep`` findings are kept.
+        """
         if len(self.findings) >= self.keep and finding.rank >= self.findings[-1].rank:
             return
         for at, kept in enumerate(self.findings):
@@ -159,7 +164,7 @@ class Tally:
         del self.findings[self.keep :]
 
     def remark(self, text: str) -> None:
-        """Note an event that refutes nothing."""
+        """Count an event that refutes nothing, by the text about it."""
         self.remarks[text] += 1
 
     def add(self, other: "Tally") -> None:
@@ -175,7 +180,7 @@ class Tally:
             self.find(finding)
 
     def under(self, rules: Rules) -> Self:
-        """Set the rules of the job in all findings, which were kept without rules; return self."""
+        """Put the rules of the job into all findings, which were kept without them; return self."""
         self.findings = [replace(found, under=rules) for found in self.findings]
         return self
 
@@ -202,7 +207,7 @@ class Tally:
 
 
 REPORT_EVERY = 0.25
-"""Seconds after which a partial result is returned."""
+"""Seconds after which a lane returns the counts of units that are not finished."""
 
 
 class EnginesDisagree(Exception):
@@ -215,8 +220,8 @@ class RunCounter(Struct, frozen=True):
     Attributes:
         scope: the worlds and the rules of the check.
         keep: the number of findings that are kept.
-        compiled_from: the least number of worlds of a level in which compiled code judges the runs
-            of a user's explorer; None if it judges none.
+        compiled_from: the number of worlds from which on compiled code judges the runs of a level,
+            if the explorer is a user's; None if compiled code judges no run.
     """
 
     scope: units.Scope
@@ -233,7 +238,10 @@ class RunCounter(Struct, frozen=True):
         return Tally(self.keep)
 
     def count_run(self, run: units.NumberedRun, tally: Tally) -> World | None:
-        """Count a run; return its world, or None if the map has no place for the lighthouse."""
+        """Count a run in the tally; return its world, or None if the lighthouse has no place in it.
+
+        The first run of a world also counts the world.
+        """
         edges, vertices = run.map.edge_count, run.map.vertex_count
         if run.first:
             tally.row(edges, vertices).add(Row(1, fingerprint=fingerprint(run.map)))
@@ -264,7 +272,7 @@ class RunCounter(Struct, frozen=True):
     def settle(
         self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
     ) -> None:
-        """Keep the finding of a run that breaks a law, once its two plays have been compared."""
+        """Keep the finding of a run if the run breaks a law; its two plays have been compared."""
         if outcome.violation and tally.wants(world.map.edge_count, world.map.vertex_count):
             tally.find(referee.finding(world, place, outcome))
 

@@ -88,7 +88,7 @@ class Transport(Protocol):
     def __exit__(self, *_: object) -> None: ...
 
     def map(self, engine: Any, units: Iterable[Any], /) -> Iterator[PartialResult]:
-        """Yield the parts of all units, in the order in which they come.
+        """Yield the parts of all units, in the order in which the parts are ready.
 
         Raises:
             TimeIsUp: when the time limit has been reached.
@@ -534,7 +534,7 @@ class Scope(Struct, frozen=True):
 
     @property
     def whole(self) -> bool:
-        """Whether every world of a class is tried, so that the count gate can compare the number."""
+        """Whether every world of a class is tried, so that their number can be checked."""
         return self.coverage == WHOLE and self.extent.given is None
 
     def like(self, world: World) -> Iterable[World]:

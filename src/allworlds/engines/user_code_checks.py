@@ -18,19 +18,20 @@ from allworlds.world.lighthouses.kinds import kind_of
 PROCESSES = 8
 """The number of fresh processes, each with a hash seed of its own.
 
-A condition that tosses one coin in each process has the same value in all of them with probability
-1/128.
+A condition that tosses one coin in each process gives the same answer in all processes with
+probability 1/128.
 """
 
 SMALL, DRAWN = 4, 16
-"""The largest m of the levels whose units are all checked; the number of units that are drawn and
-checked of each larger level."""
+"""The largest m of the levels of which all units are checked; the number of units of each larger
+level that are drawn at random and checked."""
 
 
 def ensure_same_worlds(extent: Extent | None, units: Sequence[Any], deadline: float | None) -> None:
     """Raise InputError unless the condition of the extent selects the same maps in all processes.
 
-    Only the maps of these units are compared.
+    Only the maps of these units are compared.  Without an extent, or without a condition of the
+    user, nothing is checked.
 
     Raises:
         TimeIsUp: when the time limit has been reached.
@@ -49,10 +50,10 @@ def ensure_same_worlds(extent: Extent | None, units: Sequence[Any], deadline: fl
 
 
 def ensure_same_senses(finding: Finding) -> None:
-    """Raise InputError unless a user's lighthouse is the same in fresh processes as in a finding.
+    """Raise InputError unless a user's lighthouse acts in fresh processes as in a finding.
 
-    Each process makes the world of the finding anew, and follows the finding's walk there.  What
-    the lighthouse tells the robot, and each percept, must be as in the finding.
+    Each process makes the world of the finding anew, and follows the walk of the finding in it.
+    What the lighthouse tells the robot, and each percept, must be as in the finding.
     """
     world, transcript = finding.world, finding.transcript
     kind = kind_of(world.lighthouse)
@@ -71,7 +72,7 @@ def ensure_same_senses(finding: Finding) -> None:
 def _answers_of_processes(
     kind: str, content: Any, number: int, said: str, deadline: float | None
 ) -> list[Any]:
-    """The answers of :data:`PROCESSES` fresh processes to one message; each is a list of bytes.
+    """The answers of :data:`PROCESSES` fresh processes to one message; each answer lists bytes.
 
     Args:
         kind: the kind of the message.
