@@ -1,11 +1,11 @@
-"""All runs of small levels, one after the other in both orders: does one run change a later one?
+"""All runs of small levels, one after the other in both orders: does a run change a later run?
 
     one process:      run 1, run 2, ..., run N
     another process:  run N, ..., run 2, run 1; with few edges run 1, run 2, ..., run N once more
 
-So of any two runs, in the same unit or not, each is once played before the other run.  The two
-processes play nothing but these runs.  If a run has a different log in the two processes,
-a bisection finds the fewest earlier runs that cause the difference.  These plays are not counted,
+So of any two runs, also of different units, each is once played before the other run.  The two
+processes play nothing but these runs.  If a run has different logs in the two processes, a
+bisection finds the fewest earlier runs that cause the difference.  These plays are not counted,
 because each run is counted in another unit.
 """
 
@@ -35,14 +35,20 @@ MOST_EARLIER = 4
 """The largest number of earlier runs that a finding names."""
 
 FEW = 3
-"""The largest number of runs for each of which a search is made for earlier runs that change it."""
+"""The largest number of runs with different logs of which the causes are searched.
+
+The causes of a difference are earlier runs.
+"""
 
 At: TypeAlias = tuple[CombinatorialMap, int]
 """A map, and the number of the lighthouse's place."""
 
 
 class FirstLog(NamedTuple):
-    """A run, its log from the unit that counts the run, and whether the run breaks no law."""
+    """A run as the unit that counts it has played it: the run, its log, and whether it is right.
+
+    A run is right if it breaks no law.
+    """
 
     due: Due
     log: bytes
@@ -65,8 +71,8 @@ class _Play:
 
     Attributes:
         seed: the hash seed.
-        order: the indices of the runs, as they are played; an index may occur twice.
-        logs: the logs of the runs as they are played; None until all are known.
+        order: the indices of the runs in the order of the play; an index may occur twice.
+        logs: the logs of the runs in this order; None until all logs are known.
         player: the player at work; None if the logs are known.
     """
 
@@ -94,9 +100,9 @@ class Across:
     Attributes:
         batch: the batch of all runs.
         begun: whether the plays have begun.
-        found: the outcomes of the runs that refute the explorer, by their indices.
-        odd: the indices of runs whose two logs differ although no earlier run is the cause, each
-            with the second log.
+        found: for the index of each run that refutes the explorer, the outcome of the run.
+        odd: pairs of the index of a run and its second log, if the two logs of the run differ and
+            no earlier run is the cause.
     """
 
     def __init__(
@@ -115,7 +121,7 @@ class Across:
 
         Args:
             known: the logs of one process that has played nothing else, in the order of its plays;
-                if it has played all runs, these logs serve as the first play.
+                if that process has played all runs, these logs serve as the first play.
         """
         assert isinstance(self.work.unit, AcrossUnit)
         self.begun = True
@@ -142,7 +148,7 @@ class Across:
                 play.player.give(None, self._in_order(play.order))
 
     def _in_order(self, order: Sequence[int]) -> dict[str, Any]:
-        """The message that tells a player to play these runs in this order."""
+        """The message that tells a player to play the runs of these indices in this order."""
         content = self._message["content"]
         return self._judge.message(self._message["kind"], [content[index] for index in order])
 
@@ -157,8 +163,8 @@ class Across:
         """Hear the players; return whether all plays have ended.
 
         Args:
-            note: the function that notes a loss which no fresh player repeats; then the play of the
-                lost player begins anew.
+            note: the function that is called for a loss that no fresh player repeats; after such a
+                loss a new player plays all runs in the same order.
         """
         for play in self._plays:
             if play.player:
@@ -176,14 +182,15 @@ class Across:
         return not self.players
 
     def close(self) -> None:
-        """End the players; runs that they have not played are not compared."""
+        """End the players; if a play is not finished, no run is compared."""
         for play in self._plays:
             play.end()
 
     def _is_repeated(self, play: _Play, player: Any, lost: Lost) -> bool:
-        """Whether a fresh player is lost, too, in the same run, played alone or after earlier runs.
+        """Whether a fresh player is also lost in the run in which the player of ``play`` was lost.
 
-        If earlier runs cause the loss, the outcome that names them is added to :attr:`found`.
+        The fresh player plays the run alone, or after runs that came before it in ``play``.  If
+        earlier runs cause the loss, the outcome that names these runs is added to :attr:`found`.
         """
         position = player.beat[0]
         if player.description is None or not 0 <= position < len(play.order):
@@ -205,7 +212,8 @@ class Across:
     def _fresh(self, seed: int, order: Sequence[int]) -> list[bytes]:
         """The logs of a fresh player that plays the runs of these indices in this order.
 
-        If the player is lost, all logs before that of the lost run are empty, and none follows.
+        If the player is lost in a run, the list ends with the log of this run, and all earlier logs
+        are empty.
         """
         player = started(self._setup, seed)
         try:
@@ -216,7 +224,7 @@ class Across:
             player.close()
 
     def _differ(self, one: bytes, other: bytes) -> bool:
-        """Whether two logs differ; an empty log is unknown, and differs from none."""
+        """Whether two logs differ; False if a log is empty, which stands for an unknown log."""
         if one == other or not (one and other):
             return False
         return difference_of(Log(one), Log(other), choices=self._judge.every) is not None
@@ -224,7 +232,10 @@ class Across:
     # ---------------------------------------------------------------- differences
 
     def settle(self) -> None:
-        """Find the smallest run that earlier runs change, or that breaks a law by itself."""
+        """Find the smallest run that earlier runs change, or that breaks a law when played alone.
+
+        Its outcome is put into :attr:`found`.
+        """
         first, second = self._plays
         if not (first.logs and second.logs):
             return
@@ -266,16 +277,17 @@ class Across:
         ]
 
     def _size(self, index: int) -> tuple[Any, ...]:
-        """The key by which findings are ordered, for a finding in the run of this index."""
+        """The key by which runs are ordered as findings are, for the run of this index."""
         _, place, world, _ = self.batch.runs[index]
         map_ = world.map
         code = rooted_code(map_.sigma, map_.alpha, world.start)
         return map_.edge_count, map_.vertex_count, code, place
 
     def _named(self, index: int, earlier: Sequence[int]) -> Outcome | None:
-        """The outcome that names the earlier runs which change the run ``index``.
+        """The outcome that names those of the ``earlier`` runs that change the log of a run.
 
-        Return None if no runs among ``earlier`` change it, or if the change is not repeated.
+        ``index`` is the index of the run.  Return None if no earlier runs change its log, or if
+        a second play after the same runs does not show the change again.
         """
         alone = self._after(self._seed, [], index)
         needed = self._needed(alone, index, earlier)

@@ -1,9 +1,9 @@
 """Units on the workers of a Dask cluster.
 
 A task consists of some units, an engine, and a function with which a worker makes a transport.
-Here this transport is called a *lane*.  It outlives the tasks, so that each thread of a worker
-starts a user's explorer only once.  A task returns the whole results of its units; if a worker is
-lost, another worker does the units of its tasks again.
+In this module that transport is called a *lane*.  A lane outlives the tasks, so that each thread of
+a worker starts a user's explorer only once.  A task returns the whole results of its units.  If a
+worker is lost, another worker does the units of the lost tasks again.
 """
 
 import asyncio
@@ -29,12 +29,12 @@ from allworlds.inputs.checks import InputError, ensure_installed, show
 from allworlds.version import __version__
 
 PATIENCE, SILENCE, IDLE = 10.0, 60.0, 120.0
-"""Seconds in which a scheduler must first answer; seconds after which a silent part of a cluster is
-given up; seconds after which unused lanes are closed."""
+"""Seconds in which a scheduler must first answer; seconds after which a silent scheduler or worker
+is given up; seconds after which unused lanes are closed."""
 
 
 class Dask:
-    """The transport to a Dask scheduler; leaving the context cancels the unfinished tasks.
+    """The transport to a Dask scheduler; the end of its ``with`` block cancels unfinished tasks.
 
     Args:
         address: the address of the scheduler, or :data:`LOCAL`.
@@ -87,7 +87,7 @@ class Dask:
         self._stack.__exit__(*error)
 
     def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult]:
-        """Yield the whole result of each unit, in the order in which the results come.
+        """Yield the whole result of each unit, in the order in which the results are ready.
 
         Raises:
             TimeIsUp: when the time limit has been reached.
@@ -143,9 +143,13 @@ class Dask:
         self._client = await distributed.Client(address, asynchronous=True, set_as_default=False)
 
     async def _watch(self) -> NoReturn:
-        """Count the threads, and give up the workers that are silent for too long.
+        """Count the threads of the workers, and give up workers that are silent for too long.
 
-        A stopped worker keeps its connection, so the times of its heartbeats are read.
+        A worker that hangs keeps its connection; so its silence is seen by its latest heartbeat.
+
+        Raises:
+            ClusterLost: if the scheduler or all workers are silent for too long, or if the
+                scheduler is gone.
         """
         scheduler, limit = self._client.scheduler, SILENCE
         silence = f"for {limit:g} s"
@@ -263,9 +267,9 @@ def end_job(job: str) -> None:
 
 @contextmanager
 def local_cluster(workers: int) -> Iterator[str]:
-    """A context with the address of a local cluster, whose processes are killed at its end.
+    """A context with the address of a new cluster on this machine; its end kills the processes.
 
-    All processes have one parent, so that they can be killed without waiting for answers.
+    All processes of the cluster have one parent, so that they can be killed without asking them.
     """
     start = f"import sys; sys.path[:] = {sys.path}; from {__name__} import serve; serve({workers})"
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:

@@ -1,7 +1,7 @@
-"""**The** table of the engines, the job of an engine, and two transports in this process.
+"""**The** table of the engines, the data of a job for an engine, and two transports.
 
-This module knows the checks that the compiled engine cannot do, and loads no compiled code.  A new
-engine is a new entry of the table.
+Both transports are in this process.  This module knows the checks that the compiled engine cannot
+do, and loads no compiled code.  A new engine is a new entry of the table.
 """
 
 import os
@@ -28,7 +28,7 @@ from allworlds.world.lighthouses import base, marked
 
 
 def _parts(engine: UnitEngine, unit: Any) -> Iterator[PartialResult]:
-    """The parts of a unit's result; the last part is marked by ``last``."""
+    """The parts of a unit's result; the last part has ``last`` set."""
     parts = iter(engine.parts(unit))
     result = next(parts)
     for following in parts:
@@ -38,7 +38,7 @@ def _parts(engine: UnitEngine, unit: Any) -> Iterator[PartialResult]:
 
 
 class ThisThread:
-    """The transport to an engine that works in this thread; a part that is begun is finished."""
+    """The transport to an engine in this thread; after each part the time limit is checked."""
 
     def __init__(self, deadline: float | None = None) -> None:
         self._deadline = deadline
@@ -50,7 +50,11 @@ class ThisThread:
         """Leave the context; no work goes on."""
 
     def map(self, engine: UnitEngine, units: Iterable[Any]) -> Iterator[PartialResult]:
-        """Yield the parts of all units, in their order."""
+        """Yield the parts of all units, in the order of the units.
+
+        Raises:
+            TimeIsUp: when the time limit has been reached.
+        """
         for unit in units:
             for part in _parts(engine, unit):
                 yield part
@@ -65,8 +69,8 @@ def local_or_dask(
     Args:
         cluster: the address of the scheduler; None for no cluster.
         deadline: the end of the time limit, on the monotonic clock; or None.
-        workers: the number of processes or threads; 0 stands for one process for each core in a
-            cluster, and else for this thread.
+        workers: the number of processes of a local cluster, or of threads without a cluster; 0
+            stands for one process for each core, or without a cluster for this thread.
         batch: the number of units that a thread gets at a time.
     """
     if cluster is None:
@@ -77,7 +81,9 @@ def local_or_dask(
 
 
 class Threads:
-    """The transport to a pool of threads; when its context ends, ``engine.halt()`` stops the work.
+    """The transport to a pool of threads; at the end of the ``with`` block their work is stopped.
+
+    The call ``engine.halt()`` stops the work.
 
     Args:
         workers: the number of threads.
@@ -105,10 +111,11 @@ class Threads:
         self._pool.shutdown(wait=patient, cancel_futures=True)
 
     def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult]:
-        """Yield the parts of all units, in the order in which their batches are done.
+        """Yield the parts of all units, in the order in which the batches of units are done.
 
         Raises:
-            Exception: if the engine raises it; of several exceptions, that of the first unit.
+            TimeIsUp: when the time limit has been reached.
+            Exception: if the engine raises it; of several exceptions, that of the first batch.
         """
         self._engine = engine
         waiting = iter(units)
@@ -137,15 +144,15 @@ def _done(engine: UnitEngine, batch: Iterable[Any], ended: Event) -> list[Partia
 
 
 COMPILED_FROM = 5
-"""The least m for which compiling pays; a smaller check ends before the compiler does."""
+"""The least m for which compiling pays: a check up to fewer edges ends before the compiler ends."""
 
 WORTH_LOADING = 2000
 """The least number of worlds of a level for which it pays to load the compiled judge.  Such a
 level has some 10,000 runs."""
 
 WALKED_FROM = 6
-"""The least m for which one walk in a map is counted for every bearing, if that is possible.  With
-fewer edges every bearing is walked."""
+"""The least m for which one walk in a map may count for every bearing, see :func:`walks`.  With
+fewer edges the explorer walks once for every bearing."""
 
 COMPILER = "numba", "fast"
 """The package that the compiled engine needs, and the extra that installs it."""
@@ -156,8 +163,8 @@ class Job(Struct, frozen=True):
 
     Attributes:
         scope, subject: the scope of the check, and the explorer.
-        limits: the limits of workers and of time.
-        keep: the number of findings that are kept.
+        limits: the number of workers, the time-outs and the memory.
+        keep: the largest number of findings that are kept.
         deadline: the end of the time limit, on the monotonic clock; or None.
         notice: the function that shows the user a text while the job goes on.
         cluster: the address of the Dask scheduler that does the work; None without Dask.
@@ -173,16 +180,16 @@ class Job(Struct, frozen=True):
 
 
 class ReadyEngine(Struct, frozen=True):
-    """An engine that is ready, and the transport that brings it units and returns its results."""
+    """An engine that is ready, and the transport between this engine and the loop of the study."""
 
     transport: Transport
     engine: Any  # of the kind that the transport takes; None if every unit is kept
 
 
 def obstacle(scope: Scope, subject: Subject) -> str:
-    """The reason why the kernel cannot do a check; empty if it can.
+    """The reason why the kernel cannot do a check; empty if the kernel can do the check.
 
-    The reason is a clause whose subject is the kernel.
+    The reason is a clause whose subject is the kernel, such as "has room for 12 edges, not for 13".
     """
     rules, extent = scope.rules, scope.extent
     if not subject.from_user and subject.name not in capabilities.EXPLORERS:
@@ -239,7 +246,7 @@ def walks(scope: Scope, subject: Subject, edges: int) -> bool:
 class EngineKind:
     """The Python engine, which knows every explorer and every option.
 
-    It is also the base class of the other engines.
+    This class is also the base class of the other engines.
     """
 
     name = "python"
@@ -249,7 +256,7 @@ class EngineKind:
         return ""
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # none
-        """Return the reason why this engine cannot do a check; empty if it can."""
+        """Return the reason why this engine cannot do a check; empty if the engine can do it."""
         return ""
 
     def ready(self, job: Job) -> ReadyEngine:
@@ -267,7 +274,10 @@ class Compiled(EngineKind):
     name = "kernel"
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:
-        """The reason why in large maps one walk counts for all bearings; empty if it does not."""
+        """The reason why one walk in a large map counts for every bearing; empty if it does not.
+
+        Then every run is played.
+        """
         if not walks(scope, subject, scope.extent.levels[-1]):
             return ""
         from allworlds.engines.compiled_engine import SYMMETRY
@@ -286,8 +296,8 @@ class Compiled(EngineKind):
     def ready(self, job: Job) -> ReadyEngine:
         """Return the engine with a transport to threads, or to lanes for a user's explorer.
 
-        Before threads begin, both engines have agreed on every small world.  In lanes, the judges
-        of both engines are compared during the check.
+        For threads, the results of both engines are compared in every small world before the check.
+        In lanes, the judges of both engines are compared during the check.
         """
         if job.subject.from_user:
             # An engine that is asked for by its name is used in small worlds, too.
@@ -301,7 +311,11 @@ class Compiled(EngineKind):
 
 
 def players_for(job: Job) -> Transport:
-    """The transport to lanes that play the explorer: here, or on the workers of a cluster."""
+    """The transport to lanes that play the explorer: on this machine, or on workers of a cluster.
+
+    Raises:
+        InputError: if the explorer cannot be sent to the workers of a cluster.
+    """
     if job.cluster is None:
         # Code of the user's may judge the runs, or choose the worlds.
         models = bool(job.scope.rules.files or getattr(job.scope.extent.where, "codes", ()))
@@ -331,10 +345,11 @@ EngineName: TypeAlias = Annotated[str, one_of(*ENGINES)]
 
 
 def why_not_compiled(scope: Scope, subject: Subject, memory: int | None = None) -> str:
-    """The reason why a large check does not use the compiled engine, if the user expects it to.
+    """The reason why a large check does not use the compiled engine, although the user expects it.
 
-    The user expects this for native explorers; and for all explorers, if only the compiler is
-    missing.  The reason is empty if the check is small, or if the engine is used or not expected.
+    The user expects this engine if the explorer is a shared library; with more than
+    :data:`COMPILED_FROM` edges also if only the compiler is missing.  In all other cases, and if
+    the engine is used, the reason is empty.
     """
     most = scope.extent.levels[-1]
     if most < COMPILED_FROM or _is_kept_out(subject, memory):
@@ -346,14 +361,18 @@ def why_not_compiled(scope: Scope, subject: Subject, memory: int | None = None) 
 
 
 def _is_kept_out(subject: Subject, memory: int | None) -> bool:
-    """Whether a limit of memory forbids compiled code, which needs hundreds of MB of addresses."""
+    """Whether a limit of memory forbids compiled code, which needs hundreds of MB of address space.
+
+    ``memory`` is this limit in MB; None without a limit.
+    """
     return memory is not None and subject.from_user and not subject.compiled
 
 
 def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = None) -> EngineKind:
-    """The engine of that name; for ``auto`` the engine that suits the check.
+    """The engine of this name; for ``auto`` the engine that suits the check.
 
-    A limit of ``memory``, in MB, holds for the compiled code, too.
+    ``memory`` is the limit of the address space in MB, which compiled code also needs; None without
+    a limit.
 
     Raises:
         InputError: for an unknown name, or for an engine that cannot do the check.

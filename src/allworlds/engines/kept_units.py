@@ -2,7 +2,8 @@
 
 The form of a result follows from the types of its fields.  A struct or a dataclass is kept by its
 fields.  A counter, or a dictionary whose keys are not texts, is kept as a list of pairs.  A type
-with a ``from_json`` is kept as this function reads it.  Every other type is left to msgspec.
+with a function ``from_json`` is kept as this function reads it.  msgspec determines the form of any
+other type.
 """
 
 import hashlib
@@ -43,7 +44,7 @@ class Identity(doc.Document):
 
     @property
     def text(self) -> str:
-        """Canonical JSON, the same for equal identities."""
+        """The identity as canonical JSON; equal identities have equal texts."""
         return canonical(self.to_json())
 
     @property
@@ -53,17 +54,17 @@ class Identity(doc.Document):
 
     @classmethod
     def of_text(cls, text: str) -> Self:
-        """The identity whose :attr:`text` this is."""
+        """The identity with this :attr:`text`."""
         return parse({"format": 1} | json.loads(text), cls, "identity")
 
     @property
     def portion(self) -> Shard:
-        """The part of the units that is done: the whole, or a shard."""
+        """The shard of the units that is done."""
         return a_shard(shard_numbers(self.shard))
 
     @property
     def code(self) -> dict[str, str]:
-        """The user's code that the job needs, by name: text of a file, or digest of a module."""
+        """The user's code that the job needs: by name, the text of a file or a module's digest."""
         code: dict[str, str] = self.parameters.get("code", {})
         return code
 
@@ -73,9 +74,9 @@ class Identity(doc.Document):
         return self.portion.count
 
     def difference(self, other: "Identity") -> str:
-        """The first difference, as a clause about the other identity; empty if there is none.
+        """A clause about the first value in which another identity differs; empty if none differs.
 
-        The index of a shard makes no difference here, but the number of shards does.
+        The index of a shard is not compared, but the number of shards is.
         """
         if other.format != self.format:
             return f"is of format {other.format}, not {self.format}"
@@ -103,7 +104,7 @@ class Identity(doc.Document):
 
 
 def _in_words(value: Any) -> str:
-    """A parameter as on the command line: None as the default, a list with commas."""
+    """A parameter as on the command line: ``the default`` for None, a list with commas."""
     if value is None:
         return "the default"
     return ",".join(map(str, value)) if isinstance(value, list | tuple) else show(value)
@@ -132,7 +133,7 @@ class KeptUnits:
         """Add a finished unit: its key, and its whole result."""
 
     def recall(self, name: str) -> Any:
-        """Return the value that was noted under a name; None if no value was."""
+        """Return the value that was noted under a name; None if no value was noted."""
 
     def note(self, name: str, value: Any) -> None:
         """Note a JSON value under a name."""
@@ -171,7 +172,7 @@ def from_kept(kept: object, kind: type[T]) -> T:
     """The result of this class that :func:`to_kept` has written.
 
     Raises:
-        InputError: if the JSON value is of no such result.
+        InputError: if no result of this class has this JSON value.
     """
     made: Any = kind
     found: T = _form(made).read(kept)
@@ -184,7 +185,7 @@ def _form(kind: Any) -> Form:
 
 
 def _own_form(kind: Any) -> Form | None:
-    """The form of a type that msgspec cannot read and write by itself; None if it can."""
+    """The form of a type that msgspec cannot read and write by itself; None if msgspec can."""
     origin, parts = get_origin(kind), get_args(kind)
     if origin is Annotated:
         return next((note for note in parts if isinstance(note, Form)), None) or _own_form(parts[0])

@@ -1,8 +1,9 @@
 """Run directories: the finished units of a job in an SQLite file, each with a checksum.
 
-Results are merged only if the identities of their jobs are equal.  The file holds JSON texts and no
-code.  Each unit is written in one transaction, so that a killed process loses only the unit that it
-was doing.  The checksum of a row is checked when the row is read.
+The identity of a job is all that its report depends on.  Results are merged only if the identities
+of their jobs are equal.  The file holds JSON texts and no code.  Each unit is written in one
+transaction, so that a killed process loses only the units that it was doing.  The checksum of a row
+is checked when the row is read.
 """
 
 import fcntl
@@ -28,16 +29,16 @@ from allworlds.inputs.checks import InputError, a_path, show
 from allworlds.version import __version__
 
 in_order = json.JSONEncoder(separators=(",", ":")).encode
-"""The function from a JSON value to a text that keeps the order of keys, which reports show."""
+"""The function from a JSON value to its text; the keys keep their order, which reports show."""
 
 
 FILE, DRAFT = "units.sqlite", "draft.sqlite"
 
 APPLICATION = 0x616C6C77
-"""The number in the header of the file that marks it as a run directory's."""
+"""The number in the header of an SQLite file by which the file belongs to a run directory."""
 
 SCHEMA = 2
-"""The version of the tables below and of their content; other versions are refused."""
+"""The version of the tables below and of their content; files of other versions are refused."""
 
 TABLES = """
 CREATE TABLE meta (name TEXT PRIMARY KEY, value TEXT NOT NULL, checksum TEXT NOT NULL) STRICT;
@@ -53,7 +54,7 @@ BUSY = 10.0
 
 
 def named(path: Path) -> str:
-    """The name of a run directory in messages."""
+    """The words for a run directory in messages: ``run directory`` and the path."""
     return f"run directory {show(str(path))}"
 
 
@@ -85,7 +86,7 @@ class Database:
 
     @property
     def is_there(self) -> bool:
-        """Whether the opened file is still there, neither removed nor replaced."""
+        """Whether the opened file is still in the directory, neither removed nor replaced."""
         try:
             return os.path.samestat((self.path / FILE).stat(), self._file)
         except OSError:
@@ -123,12 +124,16 @@ class Database:
         self._connection.execute("INSERT OR REPLACE INTO units VALUES (?, ?, ?, ?, ?)", row)
 
     def recall(self, name: str) -> Any:
-        """The value that was noted under a name; None if no value was."""
+        """The value that was noted under a name; None if no value was noted.
+
+        Raises:
+            InputError: if the value has changed since it was written.
+        """
         row = self._first("SELECT * FROM meta WHERE name = ?", name)
         return None if row is None else json.loads(self._sound(f"its {name}", *row)[1])
 
     def note(self, name: str, value: Any) -> None:
-        """Note a JSON value under a name, in place of an earlier one.
+        """Note a JSON value under a name; it replaces an earlier value.
 
         Raises:
             sqlite3.OperationalError: if there is no room for the value.
@@ -165,7 +170,7 @@ def checksum(seal: str, *row: Any) -> str:
 
 
 def created(path: Path, identity: Identity) -> Database:
-    """Create the file of a directory that has none, and open it.
+    """Create the SQLite file of a new run directory, and open it.
 
     The file appears complete or not at all.
     """
@@ -189,10 +194,10 @@ def created(path: Path, identity: Identity) -> Database:
 
 
 def opened(path: Path) -> Database:
-    """Open the file of a directory to add units.
+    """Open the SQLite file of a run directory to add units.
 
     Raises:
-        InputError: if the file is of no run directory, of another version, or damaged.
+        InputError: if the file belongs to no run directory, has another version, or is damaged.
     """
     with saying_where(path):
         connection = _connected(path / FILE, "rw")
@@ -207,10 +212,13 @@ def opened(path: Path) -> Database:
 
 @contextmanager
 def reading(path: Path) -> Iterator[Database]:
-    """A context with the file of a directory, open for reading, also while a process adds units.
+    """A context with the SQLite file of a run directory, open for reading.
+
+    Meanwhile another process may add units.
 
     Raises:
-        InputError: if there is no file, or if :func:`opened` would raise it.
+        InputError: if there is no file, if the file belongs to no run directory, if it has another
+            version, or if it is damaged.
     """
     if not (path / FILE).is_file():
         raise InputError(f"{show(str(path))} is no run directory: it holds no {FILE}")
@@ -245,10 +253,10 @@ def _write_ahead(connection: sqlite3.Connection) -> None:
 
 
 def _looked_through(path: Path, connection: sqlite3.Connection) -> Identity:
-    """Check the whole file of a directory; return the identity of its job.
+    """Check the whole SQLite file of a run directory; return the identity of its job.
 
     Raises:
-        InputError: if the file is of no run directory, of another version, or damaged.
+        InputError: if the file belongs to no run directory, has another version, or is damaged.
     """
     (application,) = connection.execute("PRAGMA application_id").fetchone()
     if application != APPLICATION:
@@ -272,28 +280,29 @@ def _looked_through(path: Path, connection: sqlite3.Connection) -> Identity:
 
 
 LOCK = "lock"
-"""The name of the file that is locked; it is made if it is missing."""
+"""The name of the file that a command locks while it adds units; it is made if it is missing."""
 
 PATIENCE = 3.0
-"""Seconds to wait for another command that is ending, before this command is refused."""
+"""Seconds to wait for another command that uses the directory, before this command is refused."""
 
 
 class Gap(outcome.NoResult):
-    """Raised if merged run directories lack a unit, or a note, of the whole job."""
+    """Raised if merged run directories lack a unit, or a noted value, of the whole job."""
 
     exit = outcome.Exit.INCOMPLETE
 
 
 @dataclass(slots=True)
 class RunDirectory(KeptUnits):
-    """The finished units of a job that goes on after an interruption.
+    """The finished units of a job, in a directory, so that an interrupted job can go on later.
 
-    If there is no room for a unit, or the directory was removed, the unit is lost with a notice,
-    and the job goes on.
+    If there is no room for a unit, or if the directory was removed, the user gets a message, the
+    job goes on, and no further unit is kept.
 
     Attributes:
-        database: the open file.
+        database: the open file of the directory.
         notice: the function that shows the user a message.
+        added: the number of units that this process has added.
     """
 
     database: Database
@@ -344,7 +353,7 @@ class Merged(KeptUnits):
     directories: Sequence[Database]
 
     def result(self, key: str) -> Any:
-        """The JSON value of a unit.
+        """The JSON value of a finished unit.
 
         Raises:
             Gap: if the unit is in no directory.
@@ -444,7 +453,7 @@ def _locked(path: Path) -> Iterator[None]:
 def _is_taken(lock: int, how: int) -> bool:
     """Whether another process has the lock; if no process has it, take it.
 
-    ``how`` is ``LOCK_EX``, to be the only one that has the lock, or ``LOCK_SH``.
+    ``how`` is ``LOCK_EX`` for an exclusive lock, or ``LOCK_SH`` for a shared lock.
     """
     try:
         fcntl.flock(lock, how | fcntl.LOCK_NB)

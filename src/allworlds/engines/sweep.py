@@ -1,8 +1,8 @@
 """The sweep: **the** loop of the studies, through all units of a job, level by level.
 
-A study is a :class:`Sweep`: it defines its levels, the engine and the result of a unit, and the use
-of a finished level.  This module does the rest: it keeps units, tells listeners, ends early, and
-reports all finished parts.
+A study is a :class:`Sweep`: its class defines the levels, the engine and the result of a unit, and
+the use of a finished level.  This module does the rest: it keeps finished units, tells listeners of
+the progress, ends the job at a time limit, and reports all finished parts.
 """
 
 import time
@@ -54,8 +54,9 @@ def gather(
     The listener hears of each part of a result.  A finished unit is added to ``kept``.
 
     Raises:
-        TimeIsUp: when the time limit has been reached; ``total`` holds the results so far.  If no
-            unit could be kept, the message says so, and how long a unit takes.
+        TimeIsUp: when the time limit has been reached; ``total`` holds the results so far.  If
+            finished units are kept in a directory, and no unit was finished, the message says so,
+            and how long a unit takes.
     """
     begun: dict[str, units.Sum] = {}
     started, unit = time.monotonic(), None
@@ -92,15 +93,15 @@ class Sweep(ABC, Generic[Total, Answer]):
     Args:
         request: the request of the study; the fields ``listener``, ``time_limit`` and ``shard``
             have the same meaning in every study.
-        extent: the extent of the worlds, if they are all worlds of a class.
+        extent: the class and the bounds of the worlds; None if the worlds are no whole class.
 
     Attributes:
         verb: the study's name on the command line.
-        request_type: the class of its requests.
-        result: the class of its results, if its constructor needs no arguments.
+        request_type: the class of the study's requests.
+        result: the class of the results of units, if its constructor needs no arguments.
         finer: the number of decisions by which prefixes of units are longer than usual.
-        narrowed: the extent whose condition is checked in fresh processes.
-        portion: the part of the units that is done.
+        narrowed: the extent whose condition is checked in fresh processes; None for no check.
+        portion: the shard of the units that is done.
         seconds: the seconds that each finished level took.
         deadline: the end of the time limit, on the monotonic clock; or None.
         kept: the finished units of the job, while it goes on.
@@ -124,17 +125,17 @@ class Sweep(ABC, Generic[Total, Answer]):
     def known(
         cls, identity: Identity, portion: units.Shard, listener: Listener
     ) -> "Sweep[Any, Any]":
-        """Return the sweep of the job with this identity, for a portion; load no explorer."""
+        """Return the sweep of the job with this identity, for this shard; load no explorer."""
         return cls(cls.request_of(identity, portion, listener))
 
     @classmethod
     def request_of(cls, identity: Identity, portion: units.Shard, listener: Listener) -> Any:
-        """Return the request of the job with this identity, for a portion."""
+        """Return the request of the job with this identity, for this shard."""
         options = requests.remembered(cls.request_type, identity.parameters)
         return cls.request_type(**options, shard=portion, listener=listener)
 
     def list_by(self, by: By) -> None:
-        """Choose the rows for programs: one for each size, world, or run.
+        """Choose the rows of the output for programs: one row for each size, world, or run.
 
         Raises:
             InputError: if the study offers no choice.
@@ -153,7 +154,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         )
 
     def parameters(self) -> dict[str, Any]:
-        """Return all that the report depends on, except the explorer; by default all options."""
+        """Return all on which the report depends, except the explorer; by default all options."""
         return requests.meant(self.request)
 
     def explorer(self) -> dict[str, Any]:
@@ -185,7 +186,7 @@ class Sweep(ABC, Generic[Total, Answer]):
     def finish(self, level: units.SweptLevel, total: Total) -> outcome.Ending | None:
         """Use the result ``total`` of a finished level.
 
-        If an ending is returned, the job ends with this level.
+        Return None if the job shall go on, or the ending with which it ends after this level.
         """
 
     @abstractmethod
@@ -193,15 +194,15 @@ class Sweep(ABC, Generic[Total, Answer]):
         """Return the report of all finished levels."""
 
     def ended(self, ending: outcome.Ending, extent: classes.Extent | None = None) -> dict[str, Any]:
-        """Return the arguments that every report gets: its ending, its request and its extent.
+        """Return the arguments that every report gets: the ending, the request and the extent.
 
-        ``extent`` is given if the sweep itself holds no extent.
+        ``extent`` is needed only if the sweep itself holds no extent.
         """
         asked = doc.replace(requests.without_effort(self.request), listener=NOBODY)
         return {"ending": ending, "request": asked, "extent": extent or self.extent}
 
     def begin(self) -> outcome.Ending | None:
-        """Prepare the first level; if an ending is returned, the job ends before this level."""
+        """Prepare the first level; return None, or the ending if the job ends before this level."""
         return None
 
     def leave(self, level: units.SweptLevel, total: Total) -> None:
@@ -213,7 +214,7 @@ class Sweep(ABC, Generic[Total, Answer]):
     def costs(self, total: Total) -> Iterable[tuple[int, int, int]]:  # noqa: ARG002  # none
         """Return triples: edges, vertices, and the largest cost in worlds of this size.
 
-        By default there are none.
+        By default there are no triples.
         """
         return ()
 
@@ -237,10 +238,10 @@ class Sweep(ABC, Generic[Total, Answer]):
             return self._answered(kept, self._from_the_beginning)
 
     def merged(self, kept: KeptUnits) -> Answer:
-        """Return the report of a job all of whose units are kept; no unit is done anew.
+        """Return the report of a job whose units are all kept; no unit is done again.
 
         Raises:
-            Gap: if a unit is missing.
+            Gap: if ``kept`` lacks a unit.
         """
         no_engine = ReadyEngine(ThisThread(), None)
         return self._answered(kept, lambda: self._swept(lambda: no_engine))
@@ -259,7 +260,10 @@ class Sweep(ABC, Generic[Total, Answer]):
         return self._guarded(lambda: self.conclude(ending)) or ending
 
     def _guarded(self, job: Callable[[], outcome.Ending | None]) -> outcome.Ending | None:
-        """Do a part of the job; return its ending, or the ending that an exception of it means."""
+        """Call ``job``, which does a part of the work; return its ending.
+
+        If it raises an exception that ends the job early, return the ending for this exception.
+        """
         try:
             with limits.models_bounded(self.deadline):
                 return job()
@@ -306,8 +310,8 @@ class Sweep(ABC, Generic[Total, Answer]):
     ) -> Iterable[units.Unit]:
         """Yield the units of a level that were not finished before.
 
-        The results of other units are added to the total.  A random sample of all units of the
-        level is put into ``drawn``.
+        The results of the units that were finished before are added to the total.  A random sample
+        of all units of the level is put into ``drawn``; of a small level, all units.
         """
         for number, unit in enumerate(level.units):
             if level.edges <= SMALL or number < DRAWN:

@@ -1,10 +1,10 @@
 """Algorithm 1, compiled: an explorer behind the C interface, one call for each percept.
 
 If a test has matched to its end, a lighthouse with a direction has proved the hypothesis.  Without
-a direction the robot can recognise only v0 and one neighbour v1: before its first pass it searches
-the dart of v0 that leads to v1, and after a test that has come to v0 it makes the query: it goes
-out by that dart, and back.  Hypotheses are tried in the order in which their darts came into S;
-each test walks home on the first of the shortest paths.
+a direction the robot can recognise only v0 and one neighbour v1.  So before its first pass it
+searches the dart of v0 that leads to v1; and after a test that has come to v0 it makes the *query*:
+it goes out by that dart, and back.  Hypotheses are tried in the order in which their darts came
+into S; each test walks to v0 on the first of the shortest paths.
 
 The twin is :mod:`allworlds.explorers.builtin.algorithm1`.
 
@@ -49,7 +49,7 @@ def answer(robot, published):  # pragma: no cover  # compiled
 
 @cache
 def explorer_addresses(explorer: str) -> tuple[int, int, int]:
-    """The addresses of start, step and answer of a compiled explorer, one of ``EXPLORERS``."""
+    """The addresses of the functions start, step and answer of an explorer of ``EXPLORERS``."""
     robot, percept, action = RECORD(ROBOT), RECORD(PERCEPT), RECORD(ACTION)
     directed = explorer == "algorithm1"
     begins, goes_on = (start, step) if directed else (start_undirected, step_undirected)
@@ -62,7 +62,7 @@ def explorer_addresses(explorer: str) -> tuple[int, int, int]:
 
 @inner
 def begin(robot, degree, marks, bearing):
-    """Begin with S = v0."""
+    """Begin a run: S is v0 alone, and this percept is the first one."""
     robot.darts = robot.vertices = robot.known = robot.here = robot.turned = 0
     _add_vertex(robot, degree, marks, bearing)
     if bearing != NONE:
@@ -181,7 +181,7 @@ def _test(robot, action):
 
 @inner
 def reject(robot, action):
-    """Count case (1) or (2), in which a test fails, and take the first step of line 15."""
+    """Count the case, (1) or (2), in which a test fails, and take the first step of line 15."""
     robot.events[names.CASE_2 if robot.owner[robot.here] == 0 else names.CASE_1] += 1
     robot.turned = -robot.turned
     retrace(robot, action)
@@ -206,7 +206,7 @@ def retrace(robot, action):
 
 @inner
 def confirm(robot, here, action):
-    """Do case (3), lines 18-19: join the dart e and the tested dart to one edge of S.
+    """Do case (3), lines 18-19: make an edge of S from the dart e and the tested dart.
 
     ``here`` is the robot's dart in S; it is a dart of v0.
     """
@@ -237,7 +237,7 @@ def _augment_by_vertex(robot, action):
 
 @inner
 def _add_vertex(robot, degree, marks, bearing):
-    """Add a vertex to S and its darts to U; this percept is the expected one at each dart."""
+    """Add a vertex to S and its darts to U; this percept is expected on arriving by any of them."""
     entry, v = robot.darts, robot.vertices
     for dart in range(entry, entry + degree):
         robot.sigma[dart] = dart + 1
@@ -266,7 +266,7 @@ def _explore(robot, dart, partner):
 
 @inner
 def _measure(robot, goal):
-    """Measure for each vertex of S the length of a shortest walk to the vertex ``goal``."""
+    """Find for each vertex of S the length of a shortest walk to the vertex ``goal``."""
     for v in range(robot.vertices):
         robot.length[v] = NONE
     robot.length[goal] = 0
@@ -285,7 +285,10 @@ def _measure(robot, goal):
 
 @inner
 def _plan(robot, start, goal):
-    """Write a shortest path between two vertices of S, with the first darts, to ``robot.path``."""
+    """Write a shortest path between two vertices of S to ``robot.path``, as a list of darts.
+
+    At each vertex the path takes the first dart that leads nearer to ``goal``.
+    """
     robot.steps = 0
     if start == goal:
         return
@@ -318,12 +321,12 @@ def _ways_home(robot):
 # Without a direction.
 
 SEARCHING, SEARCHED, ASKING, ASKED = range(MATCHED + 1, MATCHED + 5)
-"""The further phases: in the search at the other end of a dart of v0, and back at v0; in the query
-at the other end of the dart to v1, and back."""
+"""The further phases: in the search, at the other end of a dart of v0, and then back at v0; in the
+query, at the other end of the dart to v1, and then back at v0."""
 
 
 def start_undirected(robot, percept, told, action):  # pragma: no cover  # compiled
-    """Begin with S = v0, and take the first step of the search for v1."""
+    """Begin a run: S is v0 alone; take the first step of the search for v1."""
     robot.degree_of_v0, robot.degree_of_v1 = percept.degree, told
     marks = _is(robot, percept.degree, percept.marks, percept.degree, 1)
     begin(robot, int64(percept.degree), marks, NONE)
@@ -359,7 +362,10 @@ def step_undirected(robot, percept, action):  # pragma: no cover  # compiled
 
 @inlined
 def _is(robot, degree, marks, own_degree, own_marks):
-    """Return 1 if a percept has a vertex's own degree (natural) or own marks (else); 0 if not."""
+    """Return 1 if a percept is that of a vertex with this degree or these marks; else return 0.
+
+    The degrees are compared if ``robot.natural`` is set; else the marks are compared.
+    """
     if robot.natural:
         return 1 if degree == own_degree else 0
     return 1 if marks == own_marks else 0

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 class Level(Struct, frozen=True, eq=False):
     """The request that all units of a level share.
 
-    A level is all worlds with one number of edges; a unit is the maps of a level whose gluing
-    begins with one list of decisions.
+    A level is all worlds with one number of edges.  A map is made by decisions, its *gluing*; a
+    unit is the maps of a level whose gluing begins with one list of decisions.
 
     Attributes:
         edges: m, at most MOST_EDGES.
@@ -33,7 +33,8 @@ class Level(Struct, frozen=True, eq=False):
         explorer: a name in :data:`allworlds.engines.kernel.capabilities.EXPLORERS`.
         lighthouse: a name in :data:`allworlds.engines.kernel.capabilities.LIGHTHOUSES`.
         policy: ``fifo``, ``lifo`` or ``nearest``.
-        laws: the checked laws; those before ``map`` in the order of precedence are always checked.
+        laws: the checked laws; the laws before ``map`` in the order of precedence are always
+            checked.
         bounds: the largest legal cost, indexed by the number of vertices, the degree of v0 and the
             largest degree; if the bound does not depend on a degree, that index is always 0.
         budgets: the largest number of traversals of a run, indexed by the number of vertices; at
@@ -62,9 +63,9 @@ class Counts(Struct, frozen=True):
         traversals: the traversals, summed over the runs.
         traversals_rooted: the traversals, summed over the first place of each rooted map only.
         largest: the largest cost of a run.
-        checkpoints: the number of published checkpoints.
+        checkpoints: the number of checkpoints that explorers have shown.
         left_out: the number of worlds without a place for the lighthouse.
-        loops, parallels: the numbers of worlds with a loop, and with parallel edges.
+        loops, parallels: the number of worlds with a loop, and of worlds with parallel edges.
         fingerprint: the sum of the worlds' fingerprints modulo 2^62.
     """
 
@@ -118,11 +119,12 @@ class Sums(Struct, frozen=True):
     Attributes:
         counts: the counts for each number of vertices that occurs.
         events: the number of occurrences of each event of Algorithm 1.
-        met: the triples (n, d0, D) that occur, with 0 for a degree that the bound does not use.
-        most_expensive: for each number of vertices the run with the largest cost; of several runs
-            the one with the least canonical code.
-        broken: runs that break a law, ascending by vertices, code, place and law; of many runs only
-            the least.
+        met: the triples (n, d0, D) that occur: the number of vertices, the degree of v0 and the
+            largest degree, with 0 for a degree that the bound does not use.
+        most_expensive: for each number of vertices the run with the largest cost; of several such
+            runs the run with the least canonical code.
+        broken: runs that break a law, ascending by vertices, code, place and law; of many such runs
+            only the first ones.
     """
 
     counts: tuple[Counts, ...]
@@ -133,20 +135,26 @@ class Sums(Struct, frozen=True):
 
 
 DARTS = 32
-"""The largest number of darts of a world, and of its vertices."""
+"""The length of arrays by darts or by vertices of a world; a world never has more of them."""
 
 DEPTHS = 16
 """The largest number of decisions of a gluing: one for each edge, and the root's degree."""
 
 FOLDED = LONG // 16
-"""The largest number of nodes of an unfolded log; budgets allow fewer traversals than this."""
+"""The largest number of nodes of a log before it is folded.
+
+This number is larger than the number of traversals that any budget allows.
+"""
 
 NONE = -1
 """The entry that stands for no dart, for no bearing, or for no number told to the explorer."""
 
 
 def _record(*fields: tuple[Any, ...]) -> Any:
-    """The type of a structured array; a group of fields has a type, names, and maybe a shape."""
+    """The type of a structured array.
+
+    Each argument describes some fields: their type, their names in one text, and perhaps a shape.
+    """
     every = ((names.split(), kind, shape) for kind, names, *shape in fields)
     return dtype([(name, kind, *of) for names, kind, of in every for name in names], align=True)
 
@@ -163,7 +171,7 @@ GLUING = _record(
     # For the rule, by vertices: the set of neighbours, and the number of open darts.
     (int64, "neighbours unmatched", DARTS),
 )
-"""The enumeration: a partial map that grows by decisions and takes them back."""
+"""The state of the enumeration: a partial map, which decisions extend and which shrinks again."""
 
 WORLD = _record(
     # The lighthouse: the number of its place, its dart at v0, what it tells.
@@ -232,7 +240,7 @@ LOG = _record(
     # The answer, or the S of a checkpoint.
     (ANSWER, "published"),
 )
-"""A transcript."""
+"""What a run has done: the darts of arrival, and what the explorer has shown or answered last."""
 
 FOLD = _record(
     # The number of darts that lead nowhere so far, the robot's node, and the number of nodes.
@@ -278,7 +286,7 @@ LIBRARY = _record(
     # The policy of choices, and whether a choice was illegal.
     (int64, "policy wrong"),
 )
-"""A native explorer with the values that a player exchanges with it."""
+"""An explorer in a shared library, with the values that a player exchanges with it."""
 
 READER = _record(
     # The address of the logs, their size, and the beginnings of the runs' logs; the same for the
@@ -316,7 +324,7 @@ NOW = _record(
 """The state to which a walk goes back when it decides a dart in another way."""
 
 CHOICE = _record((int64, "untried degree"), (NOW, "now"))
-"""A dart that must be decided: the partners and degrees that are left, and the walk so far."""
+"""A dart that must be decided: the partners and degrees not tried yet, and the walk so far."""
 
 WALK = _record(
     (NOW, "now"),
@@ -362,7 +370,7 @@ class Kept(NamedTuple):
     """Runs that are kept, each as a row of numbers.
 
     A row holds n, the canonical code of the rooted map, the place, the law's number, and the code
-    of the map without a root, which is the least of its codes from all roots.
+    of the map without a root.  The last code is the least of the map's codes from all roots.
     """
 
     # By n, the least of the most expensive runs, without unrooted codes.
@@ -373,7 +381,7 @@ class Kept(NamedTuple):
 
 
 def new(kind: Any) -> Any:
-    """A structured array of this kind, all zero; only the pages that are written to take memory."""
+    """A structured array of this type, all zero; a page of it takes memory once it is written."""
     memory = mmap(-1, kind.itemsize, MAP_PRIVATE)
     return frombuffer(memory, kind).view(recarray)[0]
 
@@ -398,7 +406,7 @@ MOST_RUNS = LONGEST_STRETCH + MOST_PLACES
 """The largest number of runs in a batch, with the runs of its last world."""
 
 LOG_BYTES = 1 << 20
-"""The size of the memory for a batch's logs, and of that for its percepts: 512 bytes a run."""
+"""The number of bytes for the logs of a batch, and for its percepts: some 512 bytes a run."""
 
 
 class Stretch(NamedTuple):
@@ -424,7 +432,10 @@ class Stretch(NamedTuple):
         return cls(heads, worlds, percepts, starts, logs, begins)
 
     def put(self, logs: Logs) -> int:
-        """Write logs, one behind the other, to memory; return their size, or -1 without room."""
+        """Write logs, one behind the other, to memory; return their size in bytes.
+
+        If there is no room for them, write nothing, and return -1.
+        """
         runs, begin = len(logs), logs.starts[0]
         size = len(logs.message) - begin
         if size > LOG_BYTES:

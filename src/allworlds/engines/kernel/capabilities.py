@@ -1,6 +1,6 @@
 """The names and numbers that the kernel knows, and the largest sizes for which it has room.
 
-This module loads no compiled code, so that a process can read the names without the kernel.
+This module loads no compiled code, so that a process can read the names without loading the kernel.
 """
 
 EXPLORERS = ("algorithm1", "algorithm1-cluster", "algorithm1-natural")
@@ -30,11 +30,11 @@ MOST_EDGES = 12
 """The largest number of edges for which all packed numbers fit into their bits."""
 
 LONG = 1 << 18
-"""The length of each array that grows with a walk: the darts of an explorer's map, the darts of an
-unfolded log, and so the darts of a world times the traversals of its budget."""
+"""The length of each array that grows with a walk: of the darts of an explorer's map, or of a log
+before it is folded.  So the number of a world's darts, times its budget, must be smaller."""
 
 MOST_BUDGET = LONG // (2 * MOST_EDGES) - 2
 """The largest number of traversals for which a run has room."""
 
 COMPILING = "compiling the kernel; this is done once and takes some seconds"
-"""The notice for a first use."""
+"""The notice to the user before the kernel is compiled for the first time."""

@@ -1,4 +1,4 @@
-"""Canonical codes and fingerprints of rooted maps, and sorted rows that keep the least runs."""
+"""Canonical codes and fingerprints of rooted maps, and sorted rows with the least runs."""
 
 from allworlds.engines.kernel.arrays import NONE
 from allworlds.engines.kernel.compiling import inlined, inner
@@ -9,7 +9,7 @@ FACTOR, LESS = 0x1E3779B97F4A7C15, (1 << 62) - 1
 
 @inlined
 def mixed(code, decision):
-    """The fingerprint of a gluing after one more decision; ``code`` is the one before it."""
+    """The fingerprint of a gluing after one more decision; ``code`` is the fingerprint before."""
     code = (code ^ decision) * FACTOR & LESS
     return code ^ code >> 31
 
@@ -44,7 +44,10 @@ def fingerprint(world, alpha):
 
 @inner
 def number(world, root):
-    """Write the darts in canonical order from the root to ``world.order``, and number them so."""
+    """Write the darts in canonical order from the root to ``world.order``.
+
+    The position of each dart in this order is written to ``world.number``.
+    """
     for dart in range(world.darts):
         world.number[dart] = NONE
     world.number[root] = 0
@@ -89,7 +92,7 @@ def _encode_unrooted(world, row, start):
 
 @inner
 def note(world, law, row):
-    """Write a run to ``row``, without the last part, which is the unrooted code of its map."""
+    """Write a run to ``row``, without the last part, the code of its map without a root."""
     row[0] = world.vertices
     encode(world, 0, row, 1)
     row[1 + 2 * world.darts] = world.place
@@ -100,8 +103,8 @@ def note(world, law, row):
 def blame(world, law, least, row):
     """Keep a run that breaks this law if it is among the least.
 
-    The kept runs are the rows of ``least``.  Of all runs that break the same law in the same map,
-    whatever its root, only the least is kept.  The run is written to ``row``.
+    The kept runs are the rows of ``least``.  Of all runs that break one law in one map, whatever
+    the root of the map, only the least is kept.  ``row`` is room for the run.
     """
     note(world, law, row)
     if not _before(row, least, least.shape[0] - 1):
@@ -120,10 +123,10 @@ def blame(world, law, least, row):
 
 @inner
 def is_less(world, kept, spot):
-    """Whether the world's canonical code is less than that in row ``spot`` of ``kept``.
+    """Whether the world's canonical code is less than the code in row ``spot`` of ``kept``.
 
-    It is less than any code if that row is empty.  The code is not written first, because the first
-    difference decides, and is early in most cases.
+    If that row is empty, the result is True.  The code is compared while it is computed, because in
+    most cases an early difference decides.
     """
     if kept[spot, 0] == 0:
         return True
@@ -151,7 +154,7 @@ def is_less(world, kept, spot):
 def keep_least(least, row):
     """Insert a row into the ascending rows of ``least``; the greatest row is dropped.
 
-    A row begins with the number of vertices of its map; 0 there marks an empty row.
+    A row begins with the number of vertices of its map; this number is 0 in an empty row.
     """
     spot = least.shape[0]
     while spot > 0 and _before(row, least, spot - 1):

@@ -29,7 +29,7 @@ _njit = partial(njit, nogil=True, error_model="numpy", no_cfunc_wrapper=True, _n
 
 
 def inlined(function: Callable[..., Any]) -> Any:
-    """Compile a function into its caller; the function is called from one place only."""
+    """Compile a function into its caller; only one place of the code may call the function."""
     return _njit(no_cpython_wrapper=True, inline="always")(function)
 
 
@@ -79,8 +79,8 @@ def uncollected() -> Iterator[None]:
 def is_compiled(function: Any) -> bool:
     """Whether valid compiled code of ``function`` is kept from an earlier use.
 
-    Kept code holds a hash of its sources, and is valid if the present sources have that hash, so
-    that a later installation of equal sources uses the code, too.
+    Kept code holds a hash of its sources, and is valid if the present sources have the same hash.
+    So a later installation of equal sources also uses the kept code.
     """
     file = _file_of(function)
     return file is not None and bool(file._load_index())  # noqa: SLF001  # there is no public way
@@ -90,11 +90,11 @@ RECORD = from_dtype
 """The type of a C function's argument that points to a structured array."""
 
 _ALIVE: list[CFunc] = []
-"""The functions whose addresses are in use, and which must not be freed."""
+"""The functions that must not be freed, because their addresses are in use."""
 
 
 def _stamped(function: Any) -> Any:
-    """Return the function; its kept code is valid from now on only for the present sources."""
+    """Return the function, after making its kept code valid for the present sources only."""
     file = _file_of(function)
     if file is not None:
         file._source_stamp = _stamp()  # noqa: SLF001  # there is no public way
@@ -104,7 +104,7 @@ def _stamped(function: Any) -> Any:
 
 
 def _file_of(function: Any) -> Any:
-    """The index file of a function's kept code; None if there is none."""
+    """The index file of a function's kept code; None if its code is not kept."""
     return getattr(getattr(function, "_cache", None), "_cache_file", None)
 
 
@@ -124,7 +124,7 @@ _NOT_EMPTY = ir.Constant(ir.IntType(1), 0)
 
 
 def _lowered(builder: Any, kind: Any, value: Any) -> Any:
-    """The value of an argument of this kind in the form that C takes: pointer or 32-bit integer."""
+    """The value of an argument of type ``kind`` as C takes it: a pointer or a 32-bit integer."""
     if isinstance(kind, types.Record):
         return builder.bitcast(value, _POINTER)
     if kind == types.int64:
@@ -134,7 +134,7 @@ def _lowered(builder: Any, kind: Any, value: Any) -> Any:
 
 
 def _call(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> Any:
-    """Build a call of a function; ``values`` are its address and the tuple of its arguments."""
+    """Build a call of a function; ``values`` are the function's address and its arguments."""
     address, arguments = values
     lowered = [
         _lowered(builder, kind, value)
@@ -161,7 +161,7 @@ def ask(_context, address, arguments):
 def expression(function: Callable[..., Any]) -> Any:
     """Make a function for compiled code, which takes and returns 64-bit integers.
 
-    The given function builds the instructions of the new one.
+    The given function builds the instructions of the function that is made.
     """
 
     @wraps(function)
@@ -181,19 +181,22 @@ def number(value: int) -> Any:
 
 @expression
 def lowest(builder, mask):
-    """The least number in a nonempty set; bit i of the mask says whether i < 63 is in the set."""
+    """The least number in a nonempty set of numbers below 63.
+
+    Bit i of the mask says whether the number i is in the set.
+    """
     return builder.cttz(mask, _NOT_EMPTY)
 
 
 @expression
 def highest(builder, mask):
-    """The greatest number in a nonempty set, which is given as a mask."""
+    """The greatest number in a nonempty set, which is given as a mask as in :func:`lowest`."""
     return builder.sub(number(63), builder.ctlz(mask, _NOT_EMPTY))
 
 
 @expression
 def size(builder, mask):
-    """The number of elements of a set, which is given as a mask."""
+    """The number of elements of a set, which is given as a mask as in :func:`lowest`."""
     return builder.ctpop(mask)
 
 
@@ -211,7 +214,7 @@ def neighbours(graph, front):
 
 
 def _at(builder: Any, address: Any, index: Any, kind: Any) -> Any:
-    """The pointer to entry ``index`` of an array of this kind at the address."""
+    """The pointer to entry ``index`` of an array at the address, whose entries are of this type."""
     return builder.gep(builder.inttoptr(address, kind.as_pointer()), [index])
 
 
@@ -223,14 +226,14 @@ def entry_of(builder, address, index):
 
 @expression
 def put_entry(builder, address, index, value):
-    """Write entry ``index`` of the array of 32-bit integers at the address; return it."""
+    """Write entry ``index`` of the array of 32-bit integers at the address; return the value."""
     builder.store(builder.trunc(value, _INT), _at(builder, address, index, _INT), align=1)
     return value
 
 
 @expression
 def byte_of(builder, address, index):
-    """Byte ``index`` of the array at the address."""
+    """Byte ``index`` of the array at the address, as a number from 0 to 255."""
     return builder.zext(builder.load(_at(builder, address, index, _BYTE)), _LONG)
 
 

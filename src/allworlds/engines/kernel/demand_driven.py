@@ -1,20 +1,22 @@
 """The demand-driven check of Algorithm 1 in all rooted maps: crossing a dart decides that dart.
 
-Two partial maps grow side by side: the world W, with decided and open darts, and the robot's S and
-U.  ``image`` maps each dart of S to the dart of W for which it stands.
-The robot walks until it is about to cross an open dart of W.  Then each decision for that dart is
-tried in turn: it is glued to another open dart, or to the first dart of a new vertex.  Only
-decisions after which W can be finished are tried.  Each finished walk belongs to one world, and
-each world to one finished walk.
+Two partial maps grow side by side: the world W, with decided and open darts, and the robot's S with
+its open darts U.  ``image`` maps each dart of S to the dart of W for which it stands.  The robot
+walks until it is about to cross an open dart of W.  Then each decision for that dart is tried in
+turn: the dart is joined to another open dart, or to the first dart of a new vertex.  Only decisions
+after which W can be finished are tried.  Each finished walk belongs to one world, and each world to
+one finished walk.
 
-Each pass checks two conditions: a new vertex of S stands for a vertex of W for which no other
-vertex of S stands, and a dart that is closed to a loop leads in W to the same dart as in S.  From
-these the laws invariant-1, invariant-2 and variant follow.  The robot closes a loop only on an
-arrival at v0 by the last dart of the tested path.  That arrival also merges the present node of the
-folded log with v0, so the folded log holds every edge of S.  At the end S must be all of W.
+In each pass of Algorithm 1 two conditions are checked: a new vertex of S stands for a vertex of W
+for which no other vertex of S stands; and a dart that is closed to a loop leads in W to the same
+dart as in S.  From these conditions the laws invariant-1, invariant-2 and variant follow.  The
+robot closes a loop only on an arrival at v0 by the last dart of the tested path.  That arrival also
+merges the present node of the folded log with v0, so the folded log holds every edge of S.  At the
+end S must be all of W.
 
-``w`` is the state of the check, an array ``WALK``, and ``s`` is its part to which a walk can go
-back.
+``w`` is the state of the check, an array ``WALK``.  ``s`` is the part of ``w`` that is copied at
+each decision, so that the walk can go back to the decision.  Numbers of lines, e, H and the cases
+(1) to (3) are those of Algorithm 1 in the paper.
 
 Source: Algorithm 1, Sections IV and V.
 """
@@ -38,8 +40,9 @@ ONE_CASE_1, ONE_CASE_2, ONE_AT_V0, ONE_EMPTY_H = (1 << bit for bit in (20, 28, 3
 ONE_LOOP, ONE_PARALLEL = 1 << 52, 1 << 53
 
 EDGE, PATH, PICK, NEXT, ENDED, FAILED = range(6)
-"""The phases of a walk: before crossing e; before a step of a path; before the choice of e; before
-the choice of a hypothesis; ended; failed, so that all further worlds of the walk have failed."""
+"""The phases of a walk: before crossing the dart e; before a step of a path; before the choice of
+e; before the choice of a hypothesis; ended; failed, and so failed in each world in which the walk
+begins in this way."""
 
 # The columns of the tally, by vertices: worlds, the cost summed and the largest, events summed,
 # worlds with a loop and with parallel edges, their fingerprints, and walks that failed.
@@ -50,10 +53,10 @@ _FEW = 0xFF
 
 @entry
 def explore(w, prefix, kept, halt):
-    """Walk and tally every world whose gluing begins with ``prefix``, once each.
+    """Walk once in every world whose gluing begins with ``prefix``, and count the world.
 
-    A world in which a law is broken is kept as a run with place 0 and law 0, which stands for all
-    its places and laws.  The work is given up once ``halt[0]`` is not 0.
+    If a law is broken in a world, a run with place 0 and law 0 is kept, which stands for all places
+    in the world and for all laws.  The work is given up once ``halt[0]`` is not 0.
     """
     s = w.now
     _begin(w, s, prefix)
@@ -124,7 +127,7 @@ def _add_vertex(w, s, degree):
 
 @inlined
 def _glue(w, s, z):
-    """Join the darts ``s.y`` and z of W to an edge."""
+    """Join the darts ``s.y`` and z of W; together they become an edge."""
     w.partner[s.y], w.partner[z] = z, s.y
     s.open &= ~(1 << s.y | 1 << z)
 
@@ -184,7 +187,7 @@ def _tally(w, s, kept):
 
 @inlined
 def _fingerprint(w, s):
-    """The fingerprint of W, which a walk under fifo has already computed, unless it has failed."""
+    """The fingerprint of W; a walk under the policy fifo has computed it, unless it has failed."""
     if w.policy == FIFO and s.stage != FAILED:
         return s.code
     return fingerprint(w, w.partner)
@@ -274,7 +277,7 @@ def _pick(w, s):
 
 @inlined
 def _arrive(w, s):
-    """Do line 6: the robot has crossed e; collect the hypotheses about the other end of e."""
+    """Do line 6: the robot has crossed the dart e; collect the hypotheses about its other end."""
     z = w.partner[s.y]
     if z < w.end[0]:
         # The direction tells the dart of v0, so this test needs no step.
@@ -293,7 +296,7 @@ def _arrive(w, s):
 def _test_all(w, s):
     """Do lines 7-17 and 20-21; return whether the pass is done.
 
-    If the pass is not done, the walk has failed, or a dart of W must be decided.
+    The pass is not done if the walk has failed, or if a dart of W must be decided first.
     """
     while s.stage != FAILED:
         if s.stage == NEXT:
@@ -390,9 +393,9 @@ def _augment_by_vertex(w, s):
 
 @inlined
 def _augment_by_loop(w, s):
-    """Do lines 18-19: join the dart e and the tested dart to an edge of S.
+    """Do lines 18-19: make an edge of S from the dart e and the tested dart.
 
-    The walk fails if these darts are no edge in W.
+    The walk fails if these two darts are not an edge in W.
     """
     e, dart = s.e, s.candidate
     if not s.unexplored >> dart & 1 or w.partner[w.image[e]] != w.image[dart]:
@@ -442,9 +445,10 @@ def _distance(w, start, goal):
 
 @inner
 def _ways_home(w, s):
-    """Pack for each vertex of S its distance to v0, and its first dart that leads nearer.
+    """Find for each vertex of S its distance to v0, and its first dart that leads nearer to v0.
 
-    The distances are written to ``s.level``, the darts to ``s.parent``.
+    The distances are packed into the number ``s.level``, 4 bits for each vertex; the darts into
+    ``s.parent``, 5 bits for each vertex but v0.
     """
     level = parent = 0
     reached = front = 1
@@ -469,7 +473,7 @@ def _ways_home(w, s):
 
 @inner
 def _nearest(w, s):
-    """The dart in U to whose vertex the walk through S is shortest; of several darts the first."""
+    """The dart in U whose vertex is nearest to the robot in S; of several such darts the first."""
     reached = front = 1 << s.position
     while front:
         after = darts = 0

@@ -1,4 +1,4 @@
-"""The compiled engines for a unit of a level; requests are plain numbers, results plain sums.
+"""The compiled engines for a unit of a level; requests and results are plain numbers.
 
 :func:`judge` plays and judges every run; :func:`walk` walks Algorithm 1 once in each rooted map
 and counts the walk once for each direction of the lighthouse.
@@ -55,9 +55,10 @@ def judge(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = Non
     Args:
         level: the request.
         prefix: the first decisions, at least one (:func:`allworlds.maps.enumeration.prefixes`).
-        keep: the largest number of runs that break a law and are kept; of the runs that break the
-            same law in the same map only the least is kept.
-        halt: an array; if its entry 0 is set, the work is given up, and its result is void.
+        keep: the largest number of kept runs that break a law; of all runs that break one law in
+            one map only the least is kept.
+        halt: an array of one number; once this number is not 0, the work is given up, and its
+            result is void.  None if the work is never given up.
 
     Cost: some microseconds for a run; constant memory.
     """
@@ -69,7 +70,7 @@ def judge(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = Non
 
 
 def sums_of(unit: runs.UnitArrays, job: Any, robot: Any) -> Sums:
-    """The results that the judge has written to the arrays of a unit, as sums."""
+    """The results that the judge has written to the arrays of a unit, as :class:`Sums`."""
     darts, kept = 2 * int(job.gluing.edges), unit.kept
     table = enumerate(unit.counts.tolist())
     return Sums(
@@ -100,7 +101,7 @@ def unit_of(level: Level, prefix: Sequence[int], keep: int = 1) -> runs.UnitArra
 
 
 def _rooms(edges: int, keep: int) -> Kept:
-    """Empty rows for runs: the most expensive of each size, and ``keep`` runs that break a law."""
+    """Empty rows: for the most expensive run of each n, and for ``keep`` runs that break a law."""
     width = 3 + 8 * edges
     most_expensive, least = (zeros((many, width), int64) for many in (edges + 2, keep))
     return Kept(most_expensive, least, zeros(width, int64))
@@ -123,7 +124,7 @@ def in_another_process(code: str) -> subprocess.Popen[bytes]:
 
 
 def set_up(job: Any, robot: Any, level: Level) -> None:
-    """Fill a new job and a new robot with the request of the level."""
+    """Write the request of the level into a new array ``JOB`` and a new array ``ROBOT``."""
     job.lighthouse = lighthouse_address(level.lighthouse)
     job.laws = sum(1 << LAWS.index(law) for law in level.laws)
     job.until = 1 << 62
@@ -139,7 +140,7 @@ def set_up(job: Any, robot: Any, level: Level) -> None:
 
 
 def _at(row: list[int], darts: int) -> At:
-    """The run that a row holds."""
+    """The run that a row of :class:`Kept` holds, in maps with this number of darts."""
     n, *code = row
     return At(n, tuple(code[:darts]), tuple(code[darts : 2 * darts]), code[2 * darts])
 
@@ -148,8 +149,8 @@ def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None
     """Walk Algorithm 1 once in every map whose gluing begins with ``prefix``.
 
     The class is ``maps``, the lighthouse is directional, all laws are checked together, and the
-    bound depends on n alone.  A walk that costs more than the largest budget has failed.  If
-    some law is broken at some place of a world, that world is one broken run, for all its places.
+    bound depends on n alone.  A walk that costs more than the largest budget has failed.  If a law
+    is broken at any place of a rooted map, one broken run stands for all places of this map.
 
     The arguments are those of :func:`judge`.
 
@@ -189,7 +190,7 @@ def _walked_events(table: list[list[int]], edges: int, places: int) -> dict[str,
 
 
 def flag() -> Any:
-    """An array with one entry, 0; setting the entry makes threads give up their work."""
+    """An array with the one number 0; threads give up their work once the number is not 0."""
     return zeros(1, int64)
 
 
@@ -198,9 +199,9 @@ class LaidOutRuns(Struct, frozen=True):
 
     Attributes:
         runs: the number of runs.
-        first, until: the numbers, in the unit, of the batch's first run, and of the run after the
+        first, until: the number in the unit of the batch's first run, and of the run after the
             batch's last run.
-        last: whether this batch is the last one of its unit.
+        last: whether this batch is the last batch of its unit.
     """
 
     runs: int
@@ -210,13 +211,13 @@ class LaidOutRuns(Struct, frozen=True):
 
 
 class UnitJudge:
-    """The maps of a unit, laid out and judged batch by batch.
+    """The compiled judge of the runs of a unit, which other processes play batch by batch.
 
     Args:
-        level, prefix: the request, and the first decisions of the maps.
-        keep: the largest number of runs that break a law and are kept, for each batch.
+        level, prefix: the request, and the first decisions of the gluing of each map.
+        keep: the largest number of kept runs that break a law, for each batch.
         stretch: the memory of the first play of a batch, in worlds.
-        replay: the memory of the second play, by the percepts of the first.
+        replay: the memory of the second play, by the percepts of the first play.
     """
 
     def __init__(
@@ -241,13 +242,13 @@ class UnitJudge:
         return LaidOutRuns(placed, first, int(ahead.number), int(ahead.until) == 0)
 
     def judge(self, batch: LaidOutRuns, size: int) -> tuple[Sums, bool]:
-        """Judge the logs in memory; return the sums, and whether all logs could be judged.
+        """Judge the logs in memory; return the results, and whether all logs could be judged.
 
         The percepts of these runs are written to the memory of the second play.
 
         Args:
-            batch: the batch of the logs.
-            size: the size of the logs in bytes.
+            batch: the batch whose logs are in memory.
+            size: the size of these logs in bytes.
         """
         reader, job, unit, count = self._reader, self._job, self._unit, batch.runs
         reader.size = max(0, min(size, LOG_BYTES))
@@ -269,11 +270,12 @@ class UnitJudge:
 
 @entry
 def lay_out(job, unit, heads, worlds):
-    """Lay out runs up to ``job.until``, or until there is no more room; return their number.
+    """Write runs to memory up to number ``job.until``, or until there is no more room.
 
-    ``job`` and ``unit`` are as in :func:`allworlds.engines.kernel.runs.examine`.  ``job.number``
-    becomes the number of the next run, and ``job.until`` becomes 0 after the last run.  Each run is
-    written to a row of ``heads`` and of ``worlds``.
+    Return the number of written runs.  ``job`` and ``unit`` are as in
+    :func:`allworlds.engines.kernel.runs.examine`.  ``job.number`` becomes the number of the next
+    run, and ``job.until`` becomes 0 after the last run.  Each run is written to a row of ``heads``
+    and a row of ``worlds``.
     """
     g, world, placed = job.gluing, job.world, 0
     while job.number < job.until and placed <= len(heads) - 2 * layout.MOST_PLACES:

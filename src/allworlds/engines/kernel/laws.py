@@ -1,12 +1,14 @@
 """The laws, each with a number: they compare checkpoints, answers and folded logs with the world.
 
-A published S is embedded into the world: its ``here`` is mapped to the robot's true dart, and the
-images of all other darts follow along sigma and the explored edges.
+S is the explored part that a checkpoint shows, or the map of an answer.  S is embedded into the
+world: its ``here`` is mapped to the robot's true dart, and the images of all other darts follow
+along sigma and the explored edges.
 
-A folded log begins as a tree of new nodes, walked as the log says.  On each arrival at v0 the node
-is merged with v0, dart with dart as the bearing says; if a dart then leads to two nodes, these are
-merged, too.  Each node is a copy of a vertex of the true map, and its darts have the numbers of
-that vertex's darts.  Dart d of node v is the number ``v << NODE | d``.
+To fold a log, the walk of the log is first made in a tree, where each step leads to a new node.  On
+each arrival at v0 the present node is merged with v0, dart with dart as the bearing says; if a dart
+then leads to two nodes, these two nodes are merged, too.  Each node is a copy of a vertex of the
+true map, and its darts have the numbers of that vertex's darts.  Dart d of node v is the number
+``v << NODE | d``.
 
 The twins are :mod:`allworlds.judging.laws` and
 :class:`allworlds.maps.combinatorial.CombinatorialMap`.
@@ -41,8 +43,8 @@ NODE = DARTS.bit_length() - 1
 def look_at(judged, published, world, dart, walked):
     """Note in ``judged`` the laws that the checkpoint ``published`` breaks.
 
-    ``alpha[d] == d`` marks an open dart of S.  ``dart`` is the robot's true dart, ``walked`` the
-    set of the darts of all edges walked so far.
+    ``alpha[d] == d`` marks an open dart of S.  ``dart`` is the robot's true dart, and ``walked`` is
+    the set of the darts of all edges that the robot has walked so far.
     """
     darts, alpha, explored = published.darts, published.alpha, 0
     for d in range(darts):
@@ -81,9 +83,10 @@ def answer_law(published, world, dart, judged):
 
 @inner
 def _is_part(judged, published, world, dart, walked):
-    """Whether S is a part of the world with the same cyclic orders, and all edges of S were walked.
+    """Whether S, with its cyclic orders, is a part of the world, and all edges of S were walked.
 
-    The dart of the world for which ``here`` stands is ``dart``.
+    S is ``published``, and its ``here`` must stand for ``dart``, a dart of the world.  ``walked``
+    is the set of the darts of walked edges; -1 is the set of all darts.
     """
     size, here = published.darts, published.here
     if here < 0 or here >= size or size > world.darts:
@@ -131,7 +134,10 @@ def _is_part(judged, published, world, dart, walked):
 
 @inner
 def _is_map(published, judged):
-    """Whether these permutations are a connected map: alpha pairs all darts, none with itself."""
+    """Whether the published sigma and alpha are a connected map.
+
+    Both must be permutations, and alpha must pair each dart with another dart.
+    """
     size, sigma, alpha = published.darts, published.sigma, published.alpha
     if size <= 0 or size % 2 or size > LONG:
         return False
@@ -214,7 +220,7 @@ def _lead(fold, v, leaving, w, entered):
 
 @inlined
 def _root(fold, v):
-    """The node into which node v has been merged, perhaps in several steps; v itself if in none."""
+    """The node into which node v has been merged, perhaps in several steps; v if not merged."""
     while fold.parent[v] != v:
         v = fold.parent[v]
     return v
@@ -222,7 +228,11 @@ def _root(fold, v):
 
 @inner
 def _merge(world, fold, v, w):
-    """Merge two nodes, and then the nodes to which the darts of one number lead from both."""
+    """Merge two nodes, and then all pairs of nodes that must be merged because of them.
+
+    If darts with the same number lead from both merged nodes, the two nodes behind these darts must
+    be merged, too.
+    """
     waiting = 0
     while True:
         v, w = _root(fold, v), _root(fold, w)

@@ -1,8 +1,8 @@
-"""Batches of runs that a shared library plays; only players use this.
+"""Batches of runs that a shared library plays; only player processes use this module.
 
 A batch is played in its worlds, and then again by the percepts of this first play.  A run yields a
 log (:mod:`allworlds.log`), which another process judges.  The twin is
-:mod:`allworlds.explorers.shared_library`.
+:mod:`allworlds.explorers.shared_library`, which plays a library in Python.
 """
 
 from collections.abc import MutableSequence, Sequence
@@ -31,15 +31,15 @@ from allworlds.engines.kernel.compiling import (
 from allworlds.explorers.shared_library import NativeExplorer, threads_left, threads_now
 
 LONGEST_ENTRY = 4 + 2 * codes.MOST_DARTS
-"""The largest number of bytes that one step writes."""
+"""The largest number of bytes that one step of a run writes to the log."""
 
 
 class Handed(NamedTuple):
-    """A native explorer, as compiled code takes it.
+    """An explorer in a shared library, in the form that compiled code takes.
 
-    ``library`` is a structured array ``LIBRARY``; percept, action and ``here`` are the memory of
-    the exchanged values; ``beat`` holds the numbers of the run and of the explorer's turn in the
-    run.
+    ``library`` is a structured array ``LIBRARY``.  ``percept``, ``action`` and ``here`` are the
+    memory of the values that are exchanged with the explorer.  ``beat`` holds the number of the run
+    and the number of the explorer's turn in the run.
     """
 
     library: Any
@@ -50,11 +50,12 @@ class Handed(NamedTuple):
 
 
 class LibraryPlayer:
-    """A library that plays batches which compiled code has laid out.
+    """A library that plays batches whose worlds compiled code has written into arrays.
 
     Args:
         explorer: the explorer, loaded in this process.
-        beat: two shared numbers: that of the run, and that of the explorer's turn in the run.
+        beat: two shared numbers: the number of the run, and the number of the explorer's turn in
+            the run.
     """
 
     def __init__(self, explorer: NativeExplorer, beat: MutableSequence[int]) -> None:
@@ -103,10 +104,11 @@ class LibraryPlayer:
 
 
 def _handed(functions: Sequence[int], memory: Sequence[Any], beat: Any) -> Handed:
-    """A native explorer in the form that compiled code takes.
+    """An explorer in a shared library, in the form that compiled code takes.
 
-    The functions are the addresses of start, step, answer and choose, and of the state; choose is 0
-    if the explorer has none.  The memory consists of percept, action, here, sigma and alpha.
+    ``functions`` holds the addresses of the functions start, step, answer and choose, and of the
+    state; the address of choose is 0 if the explorer has no such function.  ``memory`` consists of
+    percept, action, here, sigma and alpha.
     """
     library = new(LIBRARY)
     percept, action, here, sigma, alpha = (frombuffer(part, c_int) for part in memory)
@@ -128,7 +130,7 @@ def load_player() -> None:
 
 @entry
 def move(begins, lengths, logs, moved):
-    """Copy the logs with these beginnings and lengths, one behind the other, to ``moved``."""
+    """Copy the parts of ``logs`` with these beginnings and lengths to ``moved``, without gaps."""
     to = 0
     for run in range(len(lengths)):
         for at in range(begins[run], begins[run] + lengths[run]):
@@ -138,7 +140,7 @@ def move(begins, lengths, logs, moved):
 
 @entry
 def play(handed, shared, order, again):
-    """Play runs in this order; return the size of their logs in bytes, or -1 without room.
+    """Play runs in this order; return the size of all logs in bytes, or -1 if they have no room.
 
     ``order`` holds the numbers of the runs.  If ``again`` is set, the runs are played by the
     percepts of the first play, without a world.
@@ -155,7 +157,10 @@ def play(handed, shared, order, again):
 
 @inlined
 def _episode(handed, shared, run, again, at):
-    """Play an episode; return the index after its log, or -1 if there is no room for its log."""
+    """Play a run; return the index after its log, or -1 if there is no room for its log.
+
+    ``at`` is the index at which the log begins.
+    """
     explorer, action, head, logs = handed.library, handed.action, shared.heads[run], shared.logs
     cost, shown, turn = 0, 0, 1
     # The address of the percepts of three bytes, and the offset of the present one.
@@ -218,7 +223,10 @@ def _sense(address, percept):
 
 @inlined
 def _arrival(sensed, offset, motion, degree):
-    """The offset, in a laid-out world, of the percept at the end of this motion."""
+    """The offset, in the table of a world, of the percept at the end of this motion.
+
+    ``offset`` is the offset of the percept before the motion.
+    """
     leaving = offset + layout.WIDE * motion
     if leaving >= layout.WIDE * (byte_of(sensed, offset + layout.FIRST - layout.DEGREE) + degree):
         leaving -= layout.WIDE * degree
@@ -227,7 +235,7 @@ def _arrival(sensed, offset, motion, degree):
 
 @inlined
 def _begin(explorer, action, head):
-    """Let the explorer take the first step of an episode."""
+    """Let the explorer take the first step of a run."""
     explorer.wrong = 0
     if explorer.choose:
         call(explorer.choose, (explorer.state, explorer.pick, explorer))
@@ -279,7 +287,11 @@ def _publish(handed, logs, at, what):
 
 
 def pick(library, of, options, cost):  # pragma: no cover  # compiled
-    """Answer the explorer's question ``allworlds_pick``: the index that the policy chooses."""
+    """Return the index that the policy chooses, to an explorer that calls ``allworlds_pick``.
+
+    ``of`` is the number of the kind of choice, from 0 to 3.  A wrong call is noted in
+    ``library.wrong``.
+    """
     taken = 0
     if options < 1 or of < 0 or of > 3:
         library.wrong = 1

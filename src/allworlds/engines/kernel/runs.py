@@ -1,10 +1,10 @@
-"""Every run of a unit, played, judged and tallied: the loop of the compiled judge.
+"""Every run of a unit, played, judged and counted: the loop of the compiled judge.
 
 A run is a world with a place of the lighthouse.  Runs have the same numbers in their unit as in the
 Python engine; a world without a place counts as one run.
 
-A player is an explorer behind its C interface, or a reader of logs; the judge is compiled once
-for each of the two.
+In this module a player is an explorer behind its C interface, or a reader of logs.  The judge is
+compiled twice: once for explorers, and once for readers.
 """
 
 from typing import Any, NamedTuple
@@ -63,9 +63,9 @@ class UnitArrays(NamedTuple):
 def examine(job, player, unit, halt):
     """Play and judge the runs of a unit; return True after the last run.
 
-    Return False if the work was given up, or the runs before number ``job.until`` are done.  Return
-    True also at a run for which the bound has no value; ``job.undefined`` is then 1.  The player is
-    an explorer or a reader; the work is given up once ``halt[0]`` is not 0.
+    Return False if the work was given up, or if all runs before the run number ``job.until`` are
+    done.  Return True also at a run for which the bound has no value; ``job.undefined`` is then 1.
+    The player is an explorer or a reader.  The work is given up once ``halt[0]`` is not 0.
     """
     g, world, counts = job.gluing, job.world, unit.counts
     while halt[0] == 0 and job.number < job.until:
@@ -101,7 +101,8 @@ def examine(job, player, unit, halt):
 def _bound_of(world, bounds, met):
     """The largest legal cost of this run, or UNDEFINED if the bound has no value.
 
-    Note in ``met`` the sizes on which the bound depends.
+    Note in ``met`` that a run of this size has occurred.  The size is n and those of the two
+    degrees on which the bound depends.
     """
     n, d0, largest = world.vertices, 0, 0
     if bounds.shape[1] > 1:
@@ -115,7 +116,10 @@ def _bound_of(world, bounds, met):
 
 @inlined
 def _count_run(world, log, law, counts, most_expensive):
-    """Add a run to the tally, and note the run if its cost is the largest so far."""
+    """Add a run to the counts; if its cost is the largest so far, write it to ``most_expensive``.
+
+    Of several runs with the largest cost the run with the least code is written.
+    """
     n, cost = world.vertices, log.cost
     more_expensive = cost > counts[n, LARGEST]
     if more_expensive or (cost == counts[n, LARGEST] and is_less(world, most_expensive, n)):
@@ -155,8 +159,8 @@ def play(*arguments: Any) -> int:
     """Play a run; return the number of the law that ended the run, or 0 if it has an answer.
 
     The arguments are a world, a player, the budget, and the arrays for the log and for the
-    judgement of the checkpoints.  The budget is the largest legal number of traversals; one
-    checkpoint more than that number is legal.
+    judgement of the checkpoints.  The budget is the largest legal number of traversals; the largest
+    legal number of checkpoints is the budget plus 1.
     """
     raise NotImplementedError
 
@@ -174,7 +178,7 @@ def _play(world, player, budget, log, judged):
 
 @inner
 def _meet(world, explorer, budget, log, judged):
-    """Play a run of an explorer behind its C interface; return as :func:`play`."""
+    """Play a run of an explorer behind its C interface; return what :func:`play` returns."""
     percept, action = explorer.percept, explorer.action
     log.cost = log.checkpoints = log.walked = 0
     dart = 0
@@ -211,7 +215,7 @@ def _meet(world, explorer, budget, log, judged):
 
 @inlined
 def _sense(world, dart, percept):
-    """Write the percept on arriving by the dart."""
+    """Write the percept on arriving by the dart to ``percept``."""
     percept.degree = world.degree[dart]
     percept.marks = world.marks[dart]
     percept.bearing = world.bearing[dart]
@@ -219,10 +223,10 @@ def _sense(world, dart, percept):
 
 @inner
 def _follow(world, reader, budget, log, judged):
-    """Follow the next log through the world; return as :func:`play`.
+    """Follow the next log through the world; return what :func:`play` returns.
 
-    The percepts are noted for the second play.  A log that cannot be judged here is counted in
-    ``reader.strange``, and the returned law is illegal-action.
+    The percepts are noted for the second play.  A log that only the Python judge can judge is
+    counted in ``reader.strange``, and the returned law is illegal-action.
     """
     logs, size, published = reader.logs, reader.size, log.published
     run, noted = reader.run, reader.noted
@@ -267,9 +271,10 @@ def _follow(world, reader, budget, log, judged):
 
 @inlined
 def _note(reader, at, world, dart):
-    """Note the percept on arriving by the dart, as three bytes at this index.
+    """Write the percept on arriving by the dart as three bytes, from byte ``at`` of the percepts.
 
-    A fourth byte is also written, but the next percept overwrites it.
+    A fourth byte is also written, but the next percept overwrites it.  If there is no room for the
+    percept, the log is counted in ``reader.strange``.
     """
     if at + 4 > LOG_BYTES:
         reader.strange += 1
@@ -280,7 +285,7 @@ def _note(reader, at, world, dart):
 
 @inlined
 def _find_map(reader, at, published):
-    """Whether the log holds a map at this index; if so, read the map to ``published``."""
+    """Whether the log holds a map at this index; if it does, write the map to ``published``."""
     darts = byte_of(reader.logs, at) if at + 2 <= reader.size else 0
     if darts < 1 or darts > codes.MOST_DARTS or at + 2 + 2 * darts > reader.size:
         return False

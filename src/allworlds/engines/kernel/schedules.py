@@ -1,13 +1,14 @@
 """The worst and the best cost of Algorithm 1 in each world, over every schedule.
 
-Between two passes the robot's knowledge is a pair: the explored edges, and the robot's vertex,
-which is v0 or the vertex that it has just added, with one explored edge.  The costs of rejected
-hypotheses add up, and depend neither on their order nor on the robot's vertex.  So the cost of the
-tests of a pass is computed once for each set and dart.  Each test is carried out on every simple
-path to v0, because a false hypothesis must be rejected there.
+Between two passes the robot's knowledge is a pair: the set of the explored edges, and the robot's
+vertex.  This vertex is v0, or it has just been added and has one explored edge.  The costs of
+rejected hypotheses add up, and depend neither on their order nor on the robot's vertex.  So the
+cost of the tests of a pass is computed once for each set of explored edges and each dart to cross.
+Each test is carried out on every simple path to v0, because a false hypothesis must be rejected on
+each of these paths.
 
-Since every choice of a dart is tried, the costs are the same for every root at v0; so of the rooted
-maps that differ only in this root, the one with the least code is searched.
+Since every choice of a dart is tried, the costs are equal for all roots at v0.  So of all rooted
+maps that differ only in the root at v0, only the rooted map with the least code is searched.
 
 Source: Algorithm 1, Section IV.
 """
@@ -27,8 +28,8 @@ TRANSITS = {"shortest": SHORTEST, "simple": SIMPLE}
 
 ROOTED, WORST, BEST, TESTS, WRONG = range(5)
 COLUMNS = 5
-"""The number of columns of outcomes: rooted maps, worst and best cost, tests in the searched
-maps, and false hypotheses that were confirmed."""
+"""The number of columns of results: rooted maps, worst and best cost, tests in the searched maps,
+and tests that confirmed a false hypothesis."""
 
 _FAR = 1 << 30
 
@@ -81,7 +82,7 @@ def _is_least(world, row, other):
 
 @inner
 def _keep(job, rooms):
-    """Add the outcome of a world to the counts; keep the map with the largest worst cost so far."""
+    """Add the results of a world to the counts; keep the map with the largest worst cost so far."""
     n, counts, least, worst = job.world.vertices, rooms.counts, rooms.least, rooms.worst[0, 0]
     counts[n, TESTS] += job.tests
     counts[n, WRONG] += job.wrong
@@ -119,7 +120,10 @@ def _solve(job, worst, best, reached):
 
 @inner
 def _begin(job, reached):
-    """Number the edges, and find the sets of edges that a sequence of passes can explore."""
+    """Number the edges, and find the sets of edges that a sequence of passes can explore.
+
+    For such a set, an entry of ``reached`` is the set of its vertices and v0; else it is 0.
+    """
     world = job.world
     job.tests = job.wrong = 0
     edge = 0
@@ -144,8 +148,9 @@ def _begin(job, reached):
 def _pass(job, explored, known, worst, best):
     """Find for each dart in U the largest and the least cost from crossing that dart to the answer.
 
-    ``explored`` is the set of the explored edges, ``known`` that of their vertices and v0.  Write
-    the costs to ``job.most`` and ``job.least``, or -1 for a dart that is not in U.
+    ``explored`` is the set of the explored edges, and ``known`` is the set of their vertices and
+    v0.  The costs are written to ``job.most`` and ``job.least``; for a dart that is not in U, -1 is
+    written to ``job.most``.
     """
     world = job.world
     _shortest(job, 0, job.near)
@@ -186,7 +191,8 @@ def _pass(job, explored, known, worst, best):
 def _ways(job, explored, known, worst, best):
     """Find the worst and the best cost up to the answer when these edges are explored.
 
-    There is one of each for every vertex at which the robot can be between two passes.
+    For each vertex v at which the robot can be between two passes, the costs are written to
+    ``worst[explored, v]`` and ``best[explored, v]``.
     """
     world = job.world
     for v in range(world.vertices):
@@ -208,9 +214,9 @@ def _ways(job, explored, known, worst, best):
 def _test(job, explored, hypothesis, entered):
     """Test a false hypothesis on every simple path in S to v0; the robot has come by ``entered``.
 
-    Write the least and the greatest number of steps up to a mismatch to ``job.shortest`` and
-    ``job.longest``; count the tests in ``job.tests``, and in ``job.wrong`` those without a
-    mismatch.
+    The least and the greatest number of steps up to a mismatch are written to ``job.shortest`` and
+    ``job.longest``.  All tests are counted in ``job.tests``, and the tests without a mismatch in
+    ``job.wrong``.
     """
     world = job.world
     job.shortest, job.longest = _FAR, 0
@@ -248,7 +254,7 @@ def _test(job, explored, hypothesis, entered):
 
 @inner
 def _turned(world, dart, turn):
-    """The dart ``sigma^turn(dart)``, for less than a whole turn."""
+    """The dart ``sigma^turn(dart)``; ``turn`` is less than the degree of the vertex."""
     dart += turn
     if dart >= world.first[dart - turn] + world.degree[dart - turn]:
         dart -= world.degree[dart - turn]
@@ -267,7 +273,10 @@ def _joined(job, start, avoiding):
 
 @inner
 def _shortest(job, start, length):
-    """Find for each vertex of S the length of a shortest path from start."""
+    """Find for each vertex of S the length of a shortest path from the vertex ``start``.
+
+    The lengths are written to ``length``.
+    """
     reached = front = 1 << start
     length[start] = steps = 0
     while front:
@@ -282,7 +291,10 @@ def _shortest(job, start, length):
 
 @inner
 def _longest(job, start, length):
-    """Find for each vertex of S the length of a longest simple path from start."""
+    """Find for each vertex of S the length of a longest simple path from the vertex ``start``.
+
+    The lengths are written to ``length``.
+    """
     for v in range(job.world.vertices):
         length[v] = 0
     visited = 1 << start
@@ -313,7 +325,8 @@ class ScheduleCosts(NamedTuple):
         best: the largest, over the worlds, of the cost of the cheapest schedule.
         tests: the number of tests, on all simple paths, in the searched worlds.
         wrong: the number of tests that confirmed a false hypothesis.
-        sigma, alpha: the map with that largest cost; of several the one with the least code.
+        sigma, alpha: the map with the cost ``worst``; of several such maps the map with the least
+            code.
     """
 
     vertices: int
@@ -343,7 +356,8 @@ def schedule_costs_of_unit(
         limit: the largest number of vertices.
         prefix: the first decisions, at least one.
         transit: the paths to the next dart that are tried: ``shortest`` or ``simple``.
-        halt: an array; if its entry 0 is set, the work is given up, and its result is void.
+        halt: an array of one number; once this number is not 0, the work is given up, and its
+            result is void.
         simple: whether the maps of the class have no loops and no parallel edges.
         planar: whether the maps of the class have genus 0.
     """

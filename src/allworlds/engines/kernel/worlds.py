@@ -1,13 +1,14 @@
 """All rooted maps of a class, one after the other, and the lighthouses in them.
 
-The order of the maps is that of the Python twin, :mod:`allworlds.maps.enumeration`.  The oldest
-open dart is glued to another open dart, with ascending partners, or to the first dart of a new
-vertex, with ascending degrees.  A decision is taken only if the map can then be finished.  In
-classes smaller than ``maps`` a rule decides whether the latest decision is legal.
+The order of the maps is that of the Python twin, :mod:`allworlds.maps.enumeration`.  A *gluing*
+makes a map by decisions: each decision joins the oldest open dart to another open dart, or to the
+first dart of a new vertex.  Partners are tried in ascending order, and then the degrees of a new
+vertex.  A decision is taken only if the map can then be finished.  In classes smaller than ``maps``
+a rule decides whether the latest decision is legal.
 
 The darts of a vertex are consecutive and clockwise, and the start is dart 0.  Each kind of
-lighthouse is a function that puts it at its next place.  ``world.place`` is NONE before the first
-place and after the last one.  The twin is :mod:`allworlds.world.lighthouses`.
+lighthouse is a function that moves the lighthouse to its next place.  ``world.place`` is NONE
+before the first place and after the last place.  The twin is :mod:`allworlds.world.lighthouses`.
 """
 
 from collections.abc import Sequence
@@ -32,9 +33,10 @@ from allworlds.engines.kernel.compiling import (
 
 
 def gluing_rule(edges: int) -> Any:
-    """A table that says which numbers of missing and of open darts are legal.
+    """A table by the number of missing and the number of open darts of a partial map.
 
-    An entry is 1 if they are legal: as long as darts are missing, some dart must be open.
+    An entry is 1 if these numbers are legal, else 0: while darts are missing, some dart must be
+    open.
     """
     viable = ones((2 * edges + 1, 4 * edges + 1), int64)
     viable[1:, 0] = 0
@@ -80,7 +82,8 @@ def count(g, prefix, viable, counts):
 def advance(g, prefix, viable):
     """Go on to the next map whose first decisions are ``prefix``; return whether there is one.
 
-    ``g`` then holds this map.  Before the first call ``g`` is new, with the request filled in.
+    ``g`` then holds this map.  Before the first call ``g`` is a new array ``GLUING`` in which the
+    request has been filled in.
     """
     fresh = g.darts == 0
     if fresh:
@@ -122,7 +125,7 @@ def _look(g, prefix):
 
 @inlined
 def _decide(g, viable):
-    """Take the next decision at this depth; return whether there was one."""
+    """Take the next legal decision at this depth; return False if no such decision is left."""
     depth = g.depth
     y = g.oldest[depth]
     while True:
@@ -180,7 +183,7 @@ def _take_back(g):
 
 
 def rule(g):  # pragma: no cover  # compiled
-    """Set ``g.possible``: whether the partial map is of the class, and can be finished.
+    """Set ``g.possible`` to 0 if the partial map is not of the class, or cannot be finished.
 
     In simple classes each vertex must have enough partners left; this alone does not prove that the
     map can be finished.
@@ -201,7 +204,7 @@ def rule_address() -> int:
 
 @inner
 def _next_open(g, dart, open_):
-    """The next dart of the set ``open_`` on the boundary of the face of this dart."""
+    """The first dart of the set ``open_`` that follows this dart on the boundary of its face."""
     while True:
         v = g.owner[dart]
         dart += 1
@@ -241,7 +244,7 @@ def _even(g, new):
 
 @inner
 def _simple(g, new):
-    """Whether there are no loops and parallel edges, and enough partners for each vertex.
+    """Whether there are no loops and no parallel edges, and enough partners left for each vertex.
 
     ``new`` is the largest number of vertices that can still be added.
     """
@@ -270,7 +273,8 @@ ALL_CHOICES = 3
 """The largest number of edges for which every choice of a compass's darts is a place."""
 
 ANY, SINGLE, UNIQUE = range(3)
-"""Sets of neighbours of v0: all, those with a single edge to v0, those with a unique degree."""
+"""Three sets of neighbours of v0: all neighbours; the neighbours that exactly one edge joins to v0;
+the neighbours for which no other vertex has the degree of v0 or of the neighbour."""
 
 
 @inner
@@ -301,7 +305,7 @@ def darken(world):
 
 @inlined
 def arrival(world, dart, motion):
-    """The dart of arrival after leaving by the dart ``motion`` darts clockwise of this dart."""
+    """The dart at which a robot arrives if it makes the motion ``motion`` at this dart."""
     degree, leaving = world.degree[dart], dart + motion
     if leaving >= world.first[dart] + degree:
         leaving -= degree
@@ -361,7 +365,7 @@ def compass(world):  # pragma: no cover  # compiled
     """Choose the next reference darts, one at each vertex.
 
     In maps with at most ALL_CHOICES edges every choice is a place, in larger maps only the first
-    one.  Vertices and their darts are in canonical order; the dart of the last vertex changes
+    choice.  Vertices and their darts are in canonical order; the dart of the last vertex changes
     first.
     """
     place = world.place + 1
@@ -415,7 +419,7 @@ def cluster_single(world):  # pragma: no cover  # compiled
 def natural(world):  # pragma: no cover  # compiled
     """Choose the next neighbour v1 such that no other vertex has the degree of v0 or of v1.
 
-    The explorer is told the degree of v1.
+    Each such neighbour is a place.  The explorer is told the degree of v1.
     """
     if _to_neighbour(world, UNIQUE):
         world.told = world.degree[world.alpha[world.pointed]]
@@ -451,9 +455,9 @@ def _joined(world, vertex):
 
 @inner
 def _unique(world, dart):
-    """Whether no other vertex has the degree of v0, nor that of v1, to which this dart leads.
+    """Whether no other vertex has the degree of v0 or of v1, the vertex to which this dart leads.
 
-    If an earlier dart also leads to v1, the result is False.
+    If an earlier dart of v0 also leads to v1, the result is False.
     """
     v1 = world.owner[world.alpha[dart]]
     for before in range(dart):
@@ -485,7 +489,7 @@ def _mark(world, vertex, marks):
 
 @inner
 def _point(world, dart):
-    """Make the dart the reference dart of its vertex."""
+    """Let the bearings at all darts of this dart's vertex point to this dart."""
     first, degree = world.first[dart], world.degree[dart]
     for other in range(first, first + degree):
         world.bearing[other] = dart - other
