@@ -1,9 +1,25 @@
 """Several robots in worlds that change: every schedule, and every choice of the adversary.
 
-``model`` is the base of every model, ``models`` has those that are built in, ``schedulers`` says
-which robots are activated, ``minds`` which action a program does next, ``configurations`` searches
-one world, ``graph`` holds the transitions, ``cycles`` finds runs that never end, ``events`` lists
-the events of a run, and ``single_search`` searches one world in this process.
+A *model* says how a world changes.  An *activation* of a robot is Look (it gets a percept), Compute
+(its program chooses an action) and Move (the action is done).  The *adversary* makes all choices
+that the model and the scheduler leave open.  The modules:
+
+``model``, ``models``, ``model_checks``
+    the base of every model; the built-in models; checks that a model gives the same answers twice;
+``schedulers``
+    which robots are activated at once;
+``minds``
+    the action that a program does next;
+``configurations``, ``graph``
+    the search of one world; the transitions of the search;
+``cycles``, ``events``
+    runs that never end; the events of a run;
+``team``, ``team_finding``
+    the programs of a team, the scope and the counts of its searches; the finding of a search;
+``search_lane``, ``program_player``
+    the searches of a unit; programs that other processes play, and their second play;
+``single_search``
+    the search of one world in this process.
 """
 
 from typing import TYPE_CHECKING

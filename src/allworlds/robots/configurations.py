@@ -1,9 +1,9 @@
 """Every schedule and every choice of the adversary in one world, as a graph of configurations.
 
-A configuration is the state of the world with one mind for each robot: all that the robot's program
-remembers, and the action that is due.  The search is breadth first, so the first finding is a
-shortest one.  A layer holds the new configurations that one more step reaches.  Schedules that
-differ only by the order of independent steps lead to the same configuration.
+A configuration is the state of the world with one *mind* for each robot: all that the robot's
+program remembers, and the action that is due.  The search is breadth first, so the first run that
+breaks a law is a shortest such run.  A *layer* holds the new configurations that one more step
+reaches.  Schedules that differ only by the order of independent steps lead to one configuration.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from allworlds.robots.model import Assumption, ModelInMap, joined
 from allworlds.robots.schedulers import Timing, bits_of
 
 NO_ACTION = Wait, Watch, Ended, ProgramFault
-"""The types of the values of minds that are no action in the world."""
+"""The types of values that a mind may have in place of an action in the world."""
 
 
 class Ends(Struct):
@@ -36,8 +36,8 @@ class Ends(Struct):
         count: the number of configurations in which a run ends.
         longest: the largest number of activations of a robot in a run that ends.
         cut_off: the number of configurations in which the budget cuts a run off.
-        shortest: the number of the first configuration in which the budget cuts a run off; -1:
-            there is none.
+        shortest: the number of the first configuration in which the budget cuts a run off; -1 if
+            there is no such configuration.
     """
 
     count: int = 0
@@ -47,8 +47,8 @@ class Ends(Struct):
 
 
 PlannedTurn: TypeAlias = tuple[Any, int, bool]
-"""The turn of a robot in a configuration: the action (or end) of its program, the mind after that,
-and whether the action is done in a later event."""
+"""The turn of a robot in a configuration: the action, the end or the fault of its program; the mind
+after the turn; and whether the action is done in a later event."""
 
 
 class Search:
@@ -62,9 +62,10 @@ class Search:
         timing: the schedules that are tried.
 
     Attributes:
-        broken: the broken law, once one is found; None: none so far.
+        broken: the broken law; None if no broken law has been found so far.
         ends: the ends of runs.
         full: whether the search has reached more configurations than are allowed.
+        states: the states of the world that the search has reached, by their numbers.
     """
 
     def __init__(
@@ -94,7 +95,8 @@ class Search:
         """Make the first configurations, one for each state at the start and each delay of robot 1.
 
         Raises:
-            InputError: for too many robots, or a bound on activations if all programs are automata.
+            InputError: if there are too many robots, or if a bound on activations is given and all
+                programs are automata.
         """
         if len(self.program_of) > MOST_ROBOTS:
             most = f"more than {MOST_ROBOTS}, the most of a search"
@@ -122,13 +124,16 @@ class Search:
 
     @property
     def going(self) -> bool:
-        """Whether the last layer has configurations, and no law is broken and no limit reached."""
+        """Whether the search goes on.
+
+        It goes on if the last layer is not empty, no law is broken, and no limit is reached.
+        """
         return bool(self._layer) and self.broken is None and not self.full
 
     def plan(self) -> None:
         """Plan the transitions from the last layer.
 
-        The robots' turns in these transitions are added to the next messages to the programs.
+        The percepts that robots get in these transitions go into the next messages to the programs.
         """
         for number in self._layer:
             state = self.states[self._keys[number][0]]
@@ -169,10 +174,12 @@ class Search:
         self._layers += 1
 
     def configuration(self, number: int) -> tuple[Any, tuple[int, ...], tuple[int, ...]]:
-        """The state and the minds in a configuration, and the scheduler's counts.
+        """The state of the world, the minds and the scheduler's counts in a configuration.
 
-        The counts are the number of rounds before robot 1 begins, if it may begin later; then, if
-        ``lead`` is given, by how many activations each robot is ahead of the last one.
+        The mind of a robot between Look and Move is given as ``~mind``, which is below 0.  The
+        counts are the number of rounds before robot 1 begins, if robot 1 may begin later; then, if
+        ``lead`` is given, the number of activations by which each robot is ahead of the robot that
+        is furthest behind.
         """
         key = self._keys[number]
         robots = len(self.program_of)
@@ -183,15 +190,18 @@ class Search:
         return self._keys[number][0]  # type: ignore[no-any-return]
 
     def percept(self, number: int, robot: int) -> Sensed | None:
-        """The percept of a robot that looks in a configuration."""
+        """The percept of a robot that looks in a configuration; None if the robot is gone."""
         return self._sensed_in(self._keys[number][0])[robot]  # type: ignore[no-any-return]
 
     def sensed_first(self, state: int, robot: int) -> Sensed | None:
-        """The percept of a robot in a state, by its number; None if the model was not asked yet."""
+        """The percept of a robot in the state of this number; None if the robot is gone.
+
+        The result is also None if the model has not been asked for this state yet.
+        """
         return self._sensed[state][robot] if self._sensed[state] else None
 
     def able(self, number: int) -> tuple[list[int], list[int]]:
-        """The robots that can be activated, and those that the budget alone stops."""
+        """The robots that can be activated, and the robots that the budget alone stops."""
         key, able, cut = self._keys[number], [], []
         sensed = self._sensed_in(key[0])
         value, watches = self.minds.value, self.minds.watches
@@ -214,9 +224,9 @@ class Search:
         return able, cut
 
     def _allowed(self, able: list[int], minds: Sequence[int], counts: tuple[int, ...]) -> list[int]:
-        """The robots that the scheduler allows: they have begun, and are not too far ahead.
+        """The able robots that the scheduler allows: they have begun, and are not too far ahead.
 
-        The activation of a robot between Look and Move is counted already, and may be finished.
+        A robot between Look and Move may always move, because its activation is counted already.
         """
         if self.timing.start_delay:
             able = [robot for robot in able if robot != 1 or not counts[0]]
@@ -229,7 +239,8 @@ class Search:
     def _goes_on(self, number: int) -> bool:
         """Whether a run goes on although no robot can be activated.
 
-        It does if robot 1 begins later, or if the world makes a step in each round.
+        It goes on if robot 1 begins later; or if there are rounds, in each of which the world makes
+        a step, and not all programs have ended.
         """
         _, _, counts = self.configuration(number)
         if self.timing.start_delay and counts[0]:
@@ -237,7 +248,7 @@ class Search:
         return self.timing.has_rounds and not self._all_ended(number)
 
     def _cut_off(self, able: Sequence[int], cut: Sequence[int], number: int) -> bool:
-        """Whether the budget cuts a run off in a configuration; note it if so."""
+        """Whether the budget cuts a run off in a configuration; if it does, note this."""
         if not cut or (able and self.timing.scheduler != "fsync"):
             return False
         self._unfinished(number)
@@ -258,7 +269,7 @@ class Search:
     def _groups(self, number: int, able: Sequence[int]) -> Iterable[tuple[tuple[int, ...], int]]:
         """The sets of robots that may be activated, each also as a bit set.
 
-        If a schedule is given, only the set of its next event.
+        If a schedule is given, the only set is that of the schedule's next event.
 
         Raises:
             InputError: if the schedule names a robot that cannot be activated.
@@ -276,7 +287,9 @@ class Search:
         return ((event.group, bits_of(event.group)),)
 
     def _chosen(self, following: Sequence[Any]) -> Iterable[tuple[int, Any]]:
-        """The states that follow, with their indices; if a schedule is given, only its choice.
+        """The states that follow, with their indices.
+
+        If a schedule is given, the only state is the one that the schedule's next event chooses.
 
         Raises:
             InputError: if the schedule chooses an index that does not exist.
@@ -292,7 +305,10 @@ class Search:
         return ((index, following[index]),)
 
     def _looks(self, number: int, able: Iterable[int]) -> list[int]:
-        """The mind of each able robot after its look; for a robot that moves, its present mind."""
+        """The mind of each able robot after its look, or a promise of it as in :meth:`Minds.look`.
+
+        For a robot that moves now, the result is its present mind, which is below 0.
+        """
         key = self._keys[number]
         sensed, look = self._sensed_in(key[0]), self.minds.look
         minds = [(robot, key[robot + 1]) for robot in able]
@@ -301,7 +317,7 @@ class Search:
     def _turns(
         self, number: int, able: Iterable[int], looks: Iterable[int]
     ) -> dict[int, PlannedTurn]:
-        """The turn of each able robot, which does not depend on the others."""
+        """The turn of each able robot; it does not depend on the turns of the other robots."""
         key, minds, turns = self._keys[number], self.minds, dict[int, PlannedTurn]()
         for robot, look in zip(able, looks, strict=True):
             moves = key[robot + 1] < 0
@@ -422,7 +438,7 @@ class Search:
         return number
 
     def _sensed_in(self, state_id: int) -> list[Any]:
-        """The percepts of all robots in a state, for which the model is asked once."""
+        """The percepts of all robots in the state of this number; the model is asked only once."""
         found = self._sensed[state_id]
         if not found:
             state = self.states[state_id]
@@ -439,7 +455,7 @@ class Search:
         self.ends.longest = max(self.ends.longest, *depths)
 
     def _stop(self, number: int) -> None:
-        """Note the end of a run in a configuration that never changes, and the law it breaks."""
+        """Note that a run ends in a configuration that never changes, and a law that it breaks."""
         if broken := self.stopped(number):
             self.broken = self.broken or broken
         self._end(number)
@@ -452,7 +468,7 @@ class Search:
         )
 
     def stopped(self, number: int) -> Broken | None:
-        """The law that a run breaks if it stays in a configuration for ever."""
+        """The law that a run breaks if it stays in a configuration for ever; None for no law."""
         state, minds, _ = self.configuration(number)
         values = [self.minds.value[max(mind, ~mind)] for mind in minds]
         here = [self.percept(number, robot) is not None for robot in self._robots]
@@ -481,12 +497,12 @@ class Search:
             self._unfinished(endless)
 
     def unable(self, number: int) -> int:
-        """The robots that cannot be activated under any budget, as a bit set."""
+        """The robots that cannot be activated in a configuration under any budget, as a bit set."""
         able, cut = self.able(number)
         return bits_of(self._robots) & ~bits_of(able) & ~bits_of(cut)
 
     def unable_or_cut(self, number: int) -> int:
-        """The robots that cannot be activated under this budget, as a bit set."""
+        """The robots that cannot be activated in a configuration with this budget, as a bit set."""
         return bits_of(self._robots) & ~bits_of(self.able(number)[0])
 
     # ---------------------------------------------------------------- what was searched
@@ -495,7 +511,10 @@ class Search:
         return len(self._keys)
 
     def way(self, number: int) -> list[int]:
-        """The numbers of the configurations on a shortest way to the given one, which ends it."""
+        """The numbers of the configurations on a shortest way to a configuration.
+
+        The list begins with a configuration at the start, and ends with ``number``.
+        """
         way = []
         while number >= 0:
             way.append(number)
@@ -503,14 +522,20 @@ class Search:
         return way[::-1]
 
     def assumed(self, assumption: Assumption, before: int, index: int) -> bool:
-        """Whether a transition is one that the adversary is assumed to make again and again."""
+        """Whether an assumption says that the adversary makes such a transition again and again.
+
+        The transition has the index ``index`` and leads from the configuration ``before``.
+        """
         state, after = self.states[self.state_number(before)], self.graph.target(index)
         following = self.states[self.state_number(after)]
         words = event_of(self, self.graph.transition(before, index)).world
         return bool(assumption.holds(state, following, words))
 
     def schedules(self) -> int | None:
-        """The number of maximal runs; None if a cycle makes them infinitely many."""
+        """The number of runs that cannot be continued; None if there are cycles.
+
+        With a cycle there are infinitely many runs.
+        """
         count, graph = len(self._keys), self.graph
         entering = [0] * count
         for index in range(len(graph)):
@@ -533,7 +558,7 @@ class Search:
 def in_lockstep(searches: Sequence[Search], minds: Minds) -> None:
     """Run several searches together, layer by layer.
 
-    Each program gets one message for a layer of all these searches.
+    For each layer a program gets one message with the turns of all these searches.
     """
     for search in searches:
         search.begin()

@@ -1,9 +1,9 @@
 """Runs that never end, found as fair cycles that break a condition on infinite runs.
 
-Weak fairness: each robot is activated on the cycle, or cannot be activated somewhere on it.  Both
-fairness and the assumptions on the adversary are criteria: for each of them, a cycle must have a
-transition that meets it.  A strongly connected component has such a cycle if each criterion is met
-by a transition in the component.
+A cycle is fair (weak fairness) if each robot is activated on the cycle, or cannot be activated in
+one of its configurations.  Fairness for each robot, and each assumption on the adversary, is a
+*criterion*: the cycle must have a transition that meets it.  A strongly connected component has a
+cycle that meets all criteria if each criterion is met by some transition in the component.
 """
 
 from __future__ import annotations
@@ -19,19 +19,22 @@ if TYPE_CHECKING:
     from allworlds.robots.configurations import Search
 
 Outgoing: TypeAlias = Callable[[int], Iterable[int]]
-"""The indices of the transitions from a configuration that a cycle may use."""
+"""The function from a configuration to the indices of its transitions that a cycle may use."""
 
 Unable: TypeAlias = Callable[[int], int]
-"""The robots that cannot be activated in a configuration, as a bit set."""
+"""The function from a configuration to the robots that cannot be activated in it, as a bit set."""
 
 Criterion: TypeAlias = Callable[[int, int], bool]
-"""Whether a transition meets it, by the number of the configuration before it and its index."""
+"""The function that says whether a transition meets the criterion.
+
+Its arguments are the number of the configuration before the transition, and the transition's index.
+"""
 
 
 def broken_for_ever(search: Search) -> Broken | None:
-    """The first condition on infinite runs that a fair cycle breaks, with a run into the cycle.
+    """The first condition on infinite runs that a fair cycle breaks, with this cycle.
 
-    None if no cycle breaks a condition.
+    Return None if no fair cycle breaks a condition.
     """
     graph = search.graph
     if search.minds.histories and all(map(graph.bits, range(len(graph)))):
@@ -54,9 +57,9 @@ def broken_for_ever(search: Search) -> Broken | None:
 
 
 def cut_for_ever(search: Search) -> int | None:
-    """The number of a configuration on a cycle on which the budget alone stops some robot.
+    """The number of a configuration on a cycle on which the budget alone stops a robot.
 
-    The other robots go on for ever on this cycle.  None if there is no such cycle.
+    The other robots go on for ever on this cycle.  Return None if there is no such cycle.
     """
 
     def cut(before: int, _index: int) -> bool:
@@ -76,10 +79,10 @@ def _broken_in_component(
     criteria: list[Criterion],
     outgoing: Outgoing,
 ) -> Broken | None:
-    """The law that a cycle in a component breaks, or None.
+    """The law that a cycle in a component breaks; None if no law is broken.
 
-    If no robot is activated on the first cycle, and that cycle breaks no law, a cycle with an
-    activation is tried.
+    If no robot is activated on the first cycle that is found, and this cycle breaks no law, a cycle
+    with an activation is tried.
     """
     cycle = _cycle(search, component, criteria, outgoing)
     if not cycle:
@@ -99,7 +102,7 @@ def _broken(search: Search, condition: Liveness, at: int, cycle: tuple[int, ...]
 
 
 def _activated(search: Search) -> Criterion:
-    """The criterion of transitions in which a robot is activated."""
+    """The criterion that transitions meet in which a robot is activated."""
     return lambda _before, index: bool(search.graph.bits(index))
 
 
@@ -108,7 +111,11 @@ def _holds(search: Search, condition: Liveness, number: int) -> bool:
 
 
 def _criteria_of(search: Search, condition: Liveness) -> Iterator[Criterion]:
-    """The criteria of a cycle that breaks the condition; none if every cycle breaks it."""
+    """The criteria for a cycle that breaks the condition.
+
+    There are none for a condition that must hold again and again: it holds nowhere in the subgraph
+    in which cycles are then searched, so that every cycle breaks it.
+    """
     if condition.holds is None:
         yield lambda _before, index: bool(search.graph.has_action(index))
     elif condition.forever:
@@ -137,12 +144,14 @@ def _assumptions(search: Search) -> Iterator[Criterion]:
 
 
 def components(search: Search, inside: Sequence[int], outgoing: Outgoing) -> Iterator[list[int]]:
-    """The strongly connected components with a transition, ascending by least configuration.
+    """The strongly connected components that have a transition, ascending by least configuration.
+
+    The algorithm is Tarjan's.
 
     Args:
-        search: the search, whose graph is gone through by Tarjan's algorithm.
+        search: the search with the graph.
         inside: the numbers of the configurations of the subgraph, ascending.
-        outgoing: the transitions of the subgraph, from each configuration.
+        outgoing: the function that returns the transitions of the subgraph from a configuration.
     """
     following_of = search.graph.targets
     order = dict.fromkeys(inside, -1)
@@ -186,9 +195,9 @@ def components(search: Search, inside: Sequence[int], outgoing: Outgoing) -> Ite
 def _cycle(
     search: Search, component: Sequence[int], criteria: list[Criterion], outgoing: Outgoing
 ) -> tuple[int, ...]:
-    """The transitions of a cycle through a component's least configuration that meets all criteria.
+    """The transitions of a cycle that meets all criteria; empty if the component has no such cycle.
 
-    Empty if the component has no such cycle.
+    The cycle begins at the component's least configuration.
     """
     inside, start = {*component}, component[0]
     if not _meets(search, inside, criteria, outgoing):
@@ -207,7 +216,7 @@ def _cycle(
 
 
 def _meets(search: Search, inside: set[int], criteria: list[Criterion], outgoing: Outgoing) -> bool:
-    """Whether the subgraph of the configurations inside has a transition for each criterion."""
+    """Whether for each criterion a transition between configurations of ``inside`` meets it."""
     to = search.graph.target
     within = [(at, index) for at in inside for index in outgoing(at) if to(index) in inside]
     return all(any(criterion(at, index) for at, index in within) for criterion in criteria)
@@ -216,10 +225,10 @@ def _meets(search: Search, inside: set[int], criteria: list[Criterion], outgoing
 def _shortest(
     search: Search, inside: set[int], at: int, criterion: Criterion, outgoing: Outgoing
 ) -> list[tuple[int, int]]:
-    """A shortest way from ``at`` through configurations inside, ending with the criterion met.
+    """A shortest way from ``at`` through ``inside`` whose last transition meets the criterion.
 
-    Each item is the number of a configuration, and the index of the transition from it; the last
-    transition meets the criterion.
+    Each item is the number of a configuration, and the index of the transition from this
+    configuration.
     """
     to = search.graph.target
     reached_by: dict[int, tuple[int, int]] = {at: (-1, -1)}

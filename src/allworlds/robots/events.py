@@ -15,12 +15,12 @@ if TYPE_CHECKING:
 
 
 class Turn(NamedTuple):
-    """A robot's turn in an event, or the part of the turn that is done there.
+    """A robot's turn in an event; or the Look or the Move of a turn that takes two events.
 
     Attributes:
         robot: the number of the robot.
-        sensed: its percept; None if it looked in an earlier event and moves in this one.
-        did: its action, the end of its program, or the fault of its program.
+        sensed: the robot's percept; None if it looked in an earlier event and moves in this event.
+        did: the robot's action, the end of its program, or the fault of its program.
         later: whether the action is done in a later event.
     """
 
@@ -41,9 +41,10 @@ class Event(NamedTuple):
     Attributes:
         turns: the turns of the robots that are activated.
         adversary: the index of the adversary's choice, among the states that the model yields.
-        world: the adversary's choice in words, or empty.
-        choices: the number of the adversary's choices.
-        state: the state after the event; the state before it, if an action is illegal.
+        world: the adversary's choice in words; may be empty.
+        choices: the number of choices among which the adversary chooses.
+        state: the state after the event; the state before the event, if an action is illegal or a
+            program has a fault.
     """
 
     turns: tuple[Turn, ...]
@@ -60,7 +61,7 @@ class Event(NamedTuple):
 
 
 def event_of(search: Search, transition: Transition) -> Event:
-    """The event of a transition; no program is asked again."""
+    """The event of a transition, which is made from stored replies without asking a program."""
     state, minds, _ = search.configuration(transition.before)
     group = [robot for robot in range(len(search.program_of)) if transition.bits >> robot & 1]
     turns, acts, due = [], dict[int, Any](), dict[int, Any]()
@@ -87,7 +88,7 @@ def event_of(search: Search, transition: Transition) -> Event:
 
 
 def events_of(search: Search, broken: Broken) -> Iterator[Event]:
-    """The events of the run that breaks a law; the events of its cycle come once, at the end."""
+    """The events of a run that breaks a law; if it ends in a cycle, this cycle comes once."""
     for number in search.way(broken.at)[1:]:
         yield event_of(search, search.graph.discovery(number))
     if broken.group:

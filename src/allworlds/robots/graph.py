@@ -1,4 +1,4 @@
-"""The graph of a search: transitions between configurations, and a law that a run breaks."""
+"""The graph of a search: transitions between configurations; and the run that breaks a law."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ class Transition(NamedTuple):
     """A step of some robots at once, with a choice of the adversary.
 
     Attributes:
-        before: the number of the configuration before the step; -1: the step is the choice of a
+        before: the number of the configuration before the step; -1 if the step is the choice of a
             state at the start.
         bits: the robots that are activated, as a bit set.
         adversary: the index of the adversary's choice, among the states that the model yields.
@@ -30,10 +30,12 @@ class Broken(NamedTuple):
     Attributes:
         law: the name of the law.
         seen: how it is broken, in words.
-        at: the number of the last configuration of the run, or of the first one of its cycle.
-        group: the robots whose step from ``at`` breaks the law; empty if no step does.
-        cycle: the indices of the transitions from ``at`` that repeat for ever.
-        robot: the robot whose program breaks the law; None: no single one.
+        at: the number of the last configuration of the run, or of the first configuration of its
+            cycle.
+        group: the robots whose step from ``at`` breaks the law; empty if no step breaks it.
+        cycle: the indices of the transitions from ``at`` that repeat for ever; empty if the run
+            ends.
+        robot: the robot whose program breaks the law; None if no single program breaks it.
     """
 
     law: str
@@ -48,7 +50,7 @@ INDEX, BITS = 20, 12
 """The numbers of bits for the adversary's choice, and for a set of robots."""
 
 MOST_ROBOTS = BITS
-"""The largest number of robots."""
+"""The largest number of robots in a search."""
 
 
 class Graph:
@@ -63,21 +65,22 @@ class Graph:
     def begin(self, number: int) -> None:
         """Begin the list of transitions from a configuration.
 
-        Configurations are begun in ascending order; a configuration that is skipped has none.
+        Configurations are begun in ascending order; a configuration that is skipped has no
+        transitions.
         """
         while len(self._first) <= number:
             self._first.append(len(self._packed))
 
     def add(self, target: int, bits: int, *, has_action: bool) -> None:
-        """Add a transition to the configuration ``target`` from the one that was begun last.
+        """Add a transition to the configuration ``target``, from the configuration begun last.
 
-        ``bits`` are the robots that are activated; ``has_action`` says whether one of them acts in
-        the world.
+        ``bits`` is the bit set of the activated robots; ``has_action`` says whether any of these
+        robots acts in the world.
         """
         self._packed.append(target << BITS + 1 | bits << 1 | has_action)
 
     def discover(self, before: int, bits: int, adversary: int) -> None:
-        """Add a configuration, with the transition by which it was reached first.
+        """Add a new configuration, with the transition that has reached it.
 
         Raises:
             InputError: if the adversary has more choices than a search can store.
@@ -122,7 +125,7 @@ class Graph:
         return Transition(packed >> BITS + INDEX, bits, packed & (1 << INDEX) - 1)
 
     def transition(self, number: int, index: int) -> Transition:
-        """The transition of that index, from the configuration of that number."""
+        """The transition with this index, from the configuration with this number."""
         bits = self.bits(index)
         alike = [each for each in self.transitions(number) if self.bits(each) == bits]
         return Transition(number, bits, alike.index(index))

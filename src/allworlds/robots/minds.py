@@ -1,9 +1,9 @@
 """The next action of a robot: a function of its percepts, never of a world.
 
-A *mind* is a number.  The mind of a generator stands for a history of percepts; these histories are
-the nodes of a trie, a tree in which each percept leads to a child.  The mind of an automaton stands
-for its memory, with the action that is due.  A search needs three answers: the mind after one more
-percept, the action of a mind, and the mind after that action.
+A *mind* is a number.  The mind of a generator stands for a *history*, all its percepts so far; the
+histories are the nodes of a trie, a tree in which each percept leads to a child.  The mind of an
+automaton stands for its memory, with the action that is due.  A search needs three answers: the
+mind after one more percept, the action of a mind, and the mind after that action.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from allworlds.protocol.turns import (
 
 
 class Ended(NamedTuple):
-    """The program has ended with an answer; its robot stays where it is."""
+    """The value of a mind whose program has ended with an answer; its robot stays where it is."""
 
     answer: Any
 
@@ -37,7 +37,13 @@ class Ended(NamedTuple):
 
 
 class ProgramFault(NamedTuple):
-    """The program has raised an error, was silent too long, or has said something illegal."""
+    """The value of a mind whose program has failed: by an error, silence, or an illegal reply.
+
+    Attributes:
+        law: the law that the program breaks.
+        seen: what the program has done, in words.
+        detail: a traceback, or the end of its stderr; or empty.
+    """
 
     law: str
     seen: str
@@ -51,7 +57,7 @@ class RobotProgram(Protocol):
     """A program of robots that can be asked turn by turn."""
 
     def replies(self, turns: Sequence[NumberedTurn]) -> Sequence[bytes]:
-        """The program's reply in each turn, as :class:`allworlds.protocol.turns.Turns` has it."""
+        """The program's reply in each turn, as :class:`allworlds.protocol.turns.Turns` gives it."""
 
 
 class Dialogue(Struct):
@@ -59,11 +65,11 @@ class Dialogue(Struct):
 
     Attributes:
         program: the program.
-        roots: the mind before the first percept, by the value that a robot is told.
+        roots: by the value that a robot is told, the mind before the first percept.
         turns: all turns so far, in their order.
-        replies: the program's reply in each turn.
-        waiting: the turns of the next message, each with its mind; -1 for a turn of an automaton.
-        automaton: whether the program is an automaton; None: it has not been asked yet.
+        replies: the program's reply in each of these turns.
+        waiting: the turns of the next message, each with its mind; an automaton's turn has -1.
+        automaton: whether the program is an automaton; None if it has not been asked yet.
     """
 
     program: RobotProgram
@@ -81,14 +87,14 @@ class Minds:
         programs: the programs of the team, each once.
 
     Attributes:
-        value: for each mind the action that is due, or the end or the fault of its program; None:
+        value: for each mind the action that is due, or the end or the fault of its program; None if
             no action is due.
-        sensed: for each mind its last percept, if the mind is a history, or its action is Watch;
+        sensed: for each mind the last percept, if the mind is a history, or if its action is Watch;
             else None.
         depth: for each mind the number of activations; 0 for automata.
         watches: for each mind whether its action is Watch.
 
-        dialogues: the dialogue with each program.
+        dialogues: for each program its turns and replies.
     """
 
     def __init__(self, programs: Sequence[RobotProgram]) -> None:
@@ -106,7 +112,7 @@ class Minds:
         self._promised: list[Any] = []
 
     def root(self, program: int, told: bytes | None) -> int:
-        """The mind of a robot before its first percept; robots that are told the same share it.
+        """The mind before the first percept of a robot that is told this value.
 
         Raises:
             Lost: if the player of the program is lost.
@@ -140,10 +146,10 @@ class Minds:
         return not any(each.automaton for each in self.dialogues)
 
     def look(self, mind: int, sensed: Sensed) -> int:
-        """The mind after one more percept, or a promise of it, which is a number below 0.
+        """The mind after one more percept; or a promise of this mind, which is a number below 0.
 
-        The mind that is promised depends on the program's reply.  After :meth:`ask`,
-        :meth:`resolved` returns it.
+        A promise stands for a mind that depends on the program's reply.  After :meth:`ask`,
+        :meth:`resolved` returns the promised mind.
         """
         key = mind, sensed
         found = self._after.get(key)
@@ -184,7 +190,7 @@ class Minds:
             dialogue.waiting = []
 
     def resolved(self, mind: int) -> int:
-        """The mind that a promise of :meth:`look` stands for; a mind that is no promise, unchanged.
+        """The mind for which a promise of :meth:`look` stands; for any other mind the mind itself.
 
         The promise must have been made after the last call of :meth:`forget`.
         """
@@ -204,7 +210,10 @@ class Minds:
         self._promised.clear()
 
     def after(self, mind: int) -> int:
-        """The mind after its action is done: of an automaton, the memory without an action."""
+        """The mind after its action is done.
+
+        For an automaton this is the mind with the same memory, and without an action.
+        """
         program = self._program_of[mind]
         stays = self.watches[mind] or type(self.value[mind]) is Ended
         if stays or not self.dialogues[program].automaton:
@@ -212,9 +221,10 @@ class Minds:
         return self._automaton(program, self._memory[mind], None, None)
 
     def precedes(self, mind: int, before: int) -> bool:
-        """Whether a turn starts from a mind.
+        """Whether a turn can be the next turn after a mind.
 
-        ``before`` is the number of the turn before that turn, or, of an automaton, its memory.
+        ``before`` is the second item of the turn: the number of the turn before it; for an
+        automaton, the memory before it.
         """
         automaton = self.dialogues[self._program_of[mind]].automaton
         first = self.depth[mind] == 0 and self.sensed[mind] is None

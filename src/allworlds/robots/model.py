@@ -18,19 +18,26 @@ State: TypeAlias = Hashable
 """The state of a world: any hashable value of its model."""
 
 Scheduler: TypeAlias = Literal["fsync", "ssync", "central", "async"]
-"""The robots that are activated at once: all, any set, one; or any set, of which each robot makes
-its next step: Look with Compute, or Move."""
+"""The rule that says which robots are activated at once.
+
+``fsync``: all robots; ``ssync``: any set of robots; ``central``: one robot; ``async``: any set of
+robots, each of which makes its next step, which is Look with Compute, or Move.
+"""
 
 SCHEDULERS: tuple[Scheduler, ...] = "fsync", "ssync", "central", "async"
 
 
 class Liveness(NamedTuple):
-    """A condition on every infinite fair run of automata.
+    """A condition on every infinite run of automata that is fair.
+
+    A run is fair if no robot that can always be activated is left out for ever.
 
     Attributes:
         name: the condition in words, as ``robot 0 at vertex 3``.
-        forever: whether it must hold from some time on (FG); else again and again (GF).
-        holds: whether it holds in a state; None: the condition is that no robot acts.
+        forever: whether the condition must hold at all times from some time on (FG); else it must
+            hold again and again (GF).
+        holds: the function that says whether the condition holds in a state; None for the condition
+            that no robot acts.
     """
 
     name: str
@@ -39,7 +46,7 @@ class Liveness(NamedTuple):
 
 
 QUIET = Liveness("quiet", forever=True, holds=None)
-"""From some time on no robot acts."""
+"""The condition that from some time on no robot acts."""
 
 
 class Assumption(NamedTuple):
@@ -47,7 +54,8 @@ class Assumption(NamedTuple):
 
     Attributes:
         name: the choices in words, as ``the edge 3 is there``.
-        holds: whether a step is such a choice, by the states before and after it and its words.
+        holds: the function that says whether a step is such a choice, from the state before the
+            step, the state after it, and the adversary's choice in words.
     """
 
     name: str
@@ -58,9 +66,8 @@ class Model:
     """A world that changes.  A model of your own is a frozen dataclass with this base.
 
     A state is any hashable value that never changes.  The methods are called in any order, and more
-    than once with the same arguments; they must return the same each time.  A field that is an
-    integer, a boolean or a text with a default is an option, as in
-    ``--model FILE.py:Class:faults=1``.
+    than once with equal arguments; then they must return equal values.  A field that is an integer,
+    a boolean or a text with a default is an option, as in ``--model FILE.py:Class:faults=1``.
 
     Attributes:
         schedulers: the schedulers that make sense in this world; the first is the default.
@@ -69,7 +76,10 @@ class Model:
     schedulers: ClassVar[tuple[Scheduler, ...]] = SCHEDULERS
 
     def starts(self, map_: CombinatorialMap, robots: int) -> Iterable[tuple[Dart, ...]]:
-        """The starts to try, a dart for each robot: by default all with robot 0 at dart 0."""
+        """The starts to try, each with a dart for each robot; by default robot 0 is at dart 0.
+
+        The other robots are by default at any darts.
+        """
         return every_start(map_, robots)
 
     def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterable[State]:
@@ -86,7 +96,7 @@ class Model:
     def sensed(self, map_: CombinatorialMap, state: Any, robot: int) -> Any:
         """The percept of a robot that looks now: a Percept, or a JSON value.
 
-        None: the robot is gone, and is never activated again.
+        None stands for a robot that is gone, and is never activated again.
         """
         raise NotImplementedError
 
@@ -98,14 +108,14 @@ class Model:
         Args:
             map_: the map.
             state: the state before.
-            acts: the actions by robot, without robots that wait, watch or have ended.  In
-                ``fsync`` and ``ssync`` the world makes a step in each round, even without actions.
+            acts: the actions by robot, without robots that wait, watch or have ended.  In ``fsync``
+                and ``ssync`` the world makes a step in each round, even if no robot acts.
 
         Returns:
             Pairs of a state and the adversary's choice in words, which may be empty.
 
         Raises:
-            IllegalAction: for an action without a meaning here; this is a finding.
+            IllegalAction: for an action that has no meaning in this model; this makes a finding.
         """
         raise NotImplementedError
 
@@ -116,10 +126,11 @@ class Model:
         robot: int,  # noqa: ARG002  # nothing
         action: Any,  # noqa: ARG002  # nothing
     ) -> Iterable[tuple[State, str]]:
-        """Each state after a look whose action is done later, which happens in ``async`` alone.
+        """Each state after the look of a robot that acts later, with the adversary's choice.
 
-        By default the world does not change.  A model stores here what the look decides: for
-        example the dart that the action means, if the steps of others can change that meaning.
+        Only in ``async`` an action is done later than its look.  By default the look does not
+        change the world.  A model can store in the state what the look decides: for example the
+        dart that the action means, if steps of other robots can change this meaning.
 
         Raises:
             IllegalAction: as for ``step``.
@@ -135,9 +146,9 @@ class Model:
         return False
 
     def flaw(self, map_: CombinatorialMap, state: Any, answers: Sequence[Any]) -> str:  # noqa: ARG002
-        """The flaw of a run in which all robots have ended, or wait for ever, in words.
+        """The flaw, in words, of a run in which each robot has ended or waits for ever.
 
-        Empty if the run has no flaw.
+        The text is empty if the run has no flaw.
 
         Args:
             map_: the map.
@@ -149,12 +160,12 @@ class Model:
         return f"{lacking[0]} was not reached" if lacking else ""
 
     def progress(self, map_: CombinatorialMap) -> Iterable[Liveness]:
-        """The conditions on every infinite fair run: by default, that the goal is reached."""
+        """The conditions on every infinite fair run; by default that the goal is reached."""
         yield Liveness("the goal", forever=False, holds=lambda state: self.over(map_, state))
 
     @property
     def says_progress(self) -> bool:
-        """Whether the model overrides :meth:`progress` by its own conditions on infinite runs."""
+        """Whether the model has its own conditions on infinite runs, in its :meth:`progress`."""
         return type(self).progress is not Model.progress
 
     def assumes(self, map_: CombinatorialMap) -> Iterable[Assumption]:  # noqa: ARG002  # nothing
@@ -181,15 +192,16 @@ class Places(NamedTuple):
 
 
 def every_start(map_: CombinatorialMap, robots: int) -> Iterator[tuple[Dart, ...]]:
-    """Every start with robot 0 at the root of the map, and the others anywhere.
+    """Every start with robot 0 at dart 0, the root of the map, and the other robots at any darts.
 
-    Each map is searched with every root, so each map with ordered starts comes once.
+    A search goes through each map with every root, so that each map with the darts of all robots
+    comes once.
     """
     return ((0, *others) for others in product(map_.darts, repeat=robots - 1))
 
 
 def joined(words: str, more: str) -> str:
-    """The words for two simultaneous choices of the adversary."""
+    """The words for two choices of the adversary at once; a text may be empty."""
     return f"{words}; {more}" if words and more else words or more
 
 
@@ -198,7 +210,7 @@ class ModelError(InputError):
 
 
 class ModelInMap:
-    """A model in one map, whose values are checked.
+    """A model in one map; every value that the model returns is checked.
 
     Args:
         model: the model.
@@ -210,7 +222,7 @@ class ModelInMap:
             ``progress``.
         decides_at_looks: whether the model overrides ``looked``.
 
-    Each method raises ModelError for an error or an illegal value of the model's method.
+    Each method raises ModelError if the model's method raises an error or returns an illegal value.
     """
 
     def __init__(self, model: Model, map_: CombinatorialMap, name: str) -> None:
@@ -221,7 +233,7 @@ class ModelInMap:
         self.decides_at_looks = kind.looked is not Model.looked
 
     def starts(self, robots: int) -> list[tuple[Dart, ...]]:
-        """The starts to try."""
+        """The starts to try, each with a dart for each robot."""
         made = self._list("starts", robots)
         for start in made:
             darts = isinstance(start, tuple) and len(start) == robots
@@ -232,19 +244,19 @@ class ModelInMap:
         return made
 
     def initial(self, starts: Sequence[Dart]) -> list[State]:
-        """The states at the start."""
+        """The states at the start, of which the adversary chooses one."""
         made = self._list("initial", starts)
         for state in made:
             self._ensure_hashable("initial", state)
         return made
 
     def told(self, robot: int) -> bytes | None:
-        """The value that a robot is told, as canonical JSON; None: nothing."""
+        """The value that a robot is told, as canonical JSON; None if it is told nothing."""
         value = self._ask("told", robot)
         return None if value is None else self._json("told", value)
 
     def sensed(self, state: Any, robot: int) -> Sensed | None:
-        """The percept of a robot, as a message to its program has it; None: the robot is gone."""
+        """The percept of a robot in the form of messages to programs; None if the robot is gone."""
         value = self._ask("sensed", state, robot)
         if value is None:
             return None
@@ -259,7 +271,7 @@ class ModelInMap:
         return self._following("step", dict(acts), self._list("step", state, acts))
 
     def looked(self, state: Any, acts: Mapping[int, Any]) -> list[tuple[State, str]]:
-        """Each state after looks whose actions are done later.
+        """Each state after looks whose actions are done later, with the adversary's choice.
 
         Raises:
             IllegalAction: if the model refuses an action.
@@ -289,15 +301,15 @@ class ModelInMap:
         return self._text("bad", state)
 
     def over(self, state: Any) -> bool:
-        """Whether the goal is reached."""
+        """Whether the goal is reached, and the run ends."""
         return bool(self._ask("over", state))
 
     def flaw(self, state: Any, answers: Sequence[Any]) -> str:
-        """The flaw of a run, in its last state; empty if the run has none."""
+        """The flaw, in words, of a run with this last state; empty if the run has no flaw."""
         return self._text("flaw", state, answers)
 
     def progress(self) -> list[Liveness]:
-        """The conditions on infinite runs."""
+        """The conditions on every infinite fair run."""
         return [Liveness(*each) for each in self._list("progress")]
 
     def assumes(self) -> list[Assumption]:
@@ -339,7 +351,10 @@ class ModelInMap:
         return found
 
     def _numbers(self, percept: Percept) -> tuple[int, ...]:
-        """The numbers of a percept; a boolean raises ModelError, since True is equal to 1."""
+        """The degree, the marks and the bearing of a percept; the bearing may be None.
+
+        A boolean raises ModelError: it would be taken for an integer, since True is equal to 1.
+        """
         parts = percept.degree, percept.marks, percept.bearing
         try:
             return tuple([None if part is None else integer(part) for part in parts])  # type: ignore[misc]  # a bearing may be None

@@ -10,11 +10,11 @@ from allworlds.robots.model import ModelError, ModelInMap
 
 
 def ensure_same_model(search: Search) -> None:
-    """Ask the model again about every state of a search, in reverse order and with other darts.
+    """Ask the model again about every state of a search, in reverse order; then renumber the darts.
 
     Raises:
-        ModelError: if the model answers differently, or if another law is broken when the same
-            darts have other numbers.
+        ModelError: if the model answers differently; or if a search in the map with renumbered
+            darts finds another broken law, or differs in size.
     """
     _ensure_same_answers(search)
     if search.full:
@@ -45,7 +45,7 @@ def _ensure_same_answers(search: Search) -> None:
 
 
 def _other_names(darts: int) -> list[list[int]]:
-    """Some permutations of the darts."""
+    """Two permutations of this number of darts, as lists of the new numbers."""
     turned = [(dart + 1) % darts for dart in range(darts)]
     return [turned, [darts - 1 - dart for dart in range(darts)]]
 
@@ -66,10 +66,10 @@ def _ensure_same_verdict(search: Search, names: Sequence[int]) -> None:
 
 
 def _verdict(search: Search) -> tuple[str, int]:
-    """The law that a search has broken, and the length of a shortest run that breaks it.
+    """The law that a search has broken, and the length of a shortest run that breaks this law.
 
-    The length is 0 if the run never ends.  If no law is broken: an empty text, and the number of
-    configurations.
+    The length is 0 if the run never ends.  If no law is broken, the pair is an empty text and the
+    number of configurations.
     """
     found = search.broken
     if found is None:

@@ -1,7 +1,7 @@
-"""A program that a player in another process plays turn by turn, and its play a second time.
+"""A program that a player in another process plays turn by turn, and the second play of a program.
 
-A lost player is started anew, and hears all earlier turns again.  If it is lost a second time in
-the same turn, the reply in that turn is a fault.
+In place of a lost player a new player is started, which hears all earlier turns again.  If the new
+player is lost in the same turn, the reply in that turn is a fault.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from allworlds.protocol.turns import BEGIN, FAULT, NumberedTurn, Sensed, marshal
 from allworlds.robots.minds import Dialogue, value_of
 
 MOST_LOST = 8
-"""The number of turns in which a player may be lost before its program is given up."""
+"""The number of turns in which a player may be lost twice; with more the job is given up."""
 
 AT_ONCE = 1000
 """The number of histories in one message to the second player."""
@@ -31,9 +31,9 @@ class ProgramPlayer:
     Args:
         subject: the program.
         limits: the limits of the time for an answer, and of memory.
-        deadline: the end of all waiting on the monotonic clock, or None.
+        deadline: the time, on the monotonic clock, after which nobody waits for a reply; or None.
         seed: the hash seed of the player.
-        remark: a function that takes a text about a process that was lost once.
+        remark: the function that is called with a text about a player that was lost only once.
     """
 
     def __init__(
@@ -76,7 +76,7 @@ class ProgramPlayer:
     def plays(self, histories: Sequence[tuple[Any, Sequence[Sensed]]]) -> Iterator[list[bytes]]:
         """Yield the program's replies in each history, which is played from its beginning.
 
-        A history is the value that the robot is told, and its percepts.
+        A history is a pair: the value that the robot is told, and all its percepts in their order.
         """
         every = iter(histories)
         while some := [*islice(every, AT_ONCE)]:
@@ -127,7 +127,7 @@ class ProgramPlayer:
         return [*answered(self._player, message)]
 
     def _ensure_player(self) -> None:
-        """Start a player if there is none, and let it hear all earlier turns."""
+        """Start a player if there is none; let a new player hear all earlier turns of the unit."""
         if self._player is None:
             self._start()
         if self._anew:
@@ -161,11 +161,11 @@ def said_of(answer: bytes) -> list[bytes]:
 
 
 class History(NamedTuple):
-    """A history that the second player plays.
+    """A history that the second player plays: the turns of one robot from the start on.
 
     Attributes:
         told: the value that the robot is told before its first percept.
-        indices: the indices of its turns in the dialogue, in their order.
+        indices: the indices of the history's turns among all turns of the dialogue, in their order.
     """
 
     told: Any
@@ -177,7 +177,7 @@ class Difference(NamedTuple):
 
     Attributes:
         turn: the turn.
-        first, second: the program's actions in the two plays, in words.
+        first, second: the program's action, end or fault in each of the two plays, in words.
     """
 
     turn: NumberedTurn
@@ -186,7 +186,10 @@ class Difference(NamedTuple):
 
 
 def histories_of(dialogue: Dialogue) -> list[History]:
-    """Histories that cover every turn of a dialogue: the paths to the leaves of its trie."""
+    """Histories that together contain every turn of a dialogue.
+
+    Each history is a path from the start to a turn after which no further turn was asked.
+    """
     turns = dialogue.turns
     reached_by: dict[int, int] = {}  # the turn that first led to a number, or to a memory
     inner = set[int]()
@@ -206,7 +209,10 @@ def histories_of(dialogue: Dialogue) -> list[History]:
 
 
 def difference(dialogue: Dialogue, again: ProgramPlayer) -> Difference | None:
-    """The first turn that differs when all histories are played again, in the reverse order."""
+    """The first turn whose reply differs when all histories are played again; None if none differs.
+
+    The histories are played in the reverse order.
+    """
     histories = [history for history in histories_of(dialogue) if history.indices][::-1]
     turns, numbers = dialogue.turns, dict[int, int]()
     sensed = [(told, [turns[index][2] for index in indices]) for told, indices in histories]
@@ -234,7 +240,11 @@ def _beginning(dialogue: Dialogue, told: Any) -> Iterator[int]:
 
 
 def _alike(first: bytes, second: bytes, numbers: dict[int, int]) -> bool:
-    """Whether two replies are equal, up to a consistent renumbering of the memories."""
+    """Whether two replies are equal, if each memory of the first play has one number in the second.
+
+    ``numbers`` maps the numbers of the memories in the first play to those in the second play; a
+    new number is added.
+    """
     if not first or not second:
         return first == second
     (one, *words), (other, *others) = said(first), said(second)

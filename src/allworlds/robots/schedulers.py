@@ -14,16 +14,16 @@ from allworlds.inputs.checks import InputError, show
 from allworlds.robots.model import Scheduler
 
 ROUNDS = "fsync", "ssync"
-"""The schedulers with rounds, in each of which the world makes a step."""
+"""The schedulers with rounds; in each round the world makes a step, even if no robot acts."""
 
 
 class ScheduledEvent(NamedTuple):
     """An event of a schedule that the user gives.
 
     Attributes:
-        phases: for each robot of the event ``L`` (it looks, and moves later), ``M`` (it makes that
-            move), or an empty text (both at once).
-        adversary: the index of the adversary's choice.
+        phases: for each robot of the event ``L`` (the robot looks, and moves later), ``M`` (it
+            makes the move of an earlier look), or an empty text (it looks and moves at once).
+        adversary: the index of the adversary's choice among the states that can follow.
     """
 
     phases: Mapping[int, str]
@@ -39,7 +39,7 @@ def schedule_of(text: str) -> tuple[ScheduledEvent, ...]:
     """The events of a text such as ``0L 1L 0M 0+1:2``; ``-`` stands for an event without robots.
 
     Raises:
-        InputError: naming the word that is no event.
+        InputError: if a word of the text is no event; the error names the word.
     """
     events = []
     for word in text.split():
@@ -60,13 +60,13 @@ class Timing(Struct, frozen=True):
     Attributes:
         scheduler: the rule that says which robots are activated at once: ``fsync``, ``ssync``,
             ``central`` or ``async``.
-        budget: the most activations of a robot whose program is a generator.
-        lead: the largest number of activations by which a robot may be ahead of another one that
-            could be activated; None: no limit.
+        budget: the largest number of activations of a robot whose program is a generator.
+        lead: the largest number of activations by which a robot may be ahead of another robot that
+            can be activated; None for no limit.
         start_delay: the largest number of rounds by which robot 1 may begin later.
         within: whether a run that exceeds the budget is a finding.
         configurations: the largest number of configurations of a search.
-        schedule: the only schedule that is tried; None: every schedule.
+        schedule: the only schedule that is tried; None if every schedule is tried.
     """
 
     scheduler: Scheduler

@@ -1,4 +1,6 @@
-"""A lane for searches: it takes a unit, searches its worlds, and asks the programs' players.
+"""A lane for searches: it takes a unit, searches the worlds of the unit, and asks players.
+
+A player is a process with a program of the team.
 
 unit --> searches, in lockstep --> first players, a message a layer --> findings
                                    second players, at the end of the unit: the same replies?
@@ -25,24 +27,25 @@ from allworlds.robots.team import Team, TeamScope, TeamTally
 from allworlds.robots.team_finding import finding_of
 
 AT_ONCE = 2000
-"""The number of searches in lockstep."""
+"""The number of searches that are run together, layer by layer."""
 
 SAME_TO = 2
-"""The most edges of the maps in which the model is checked, see ``model_checks``."""
+"""The largest number of edges of the maps in which the model is checked, see ``model_checks``."""
 
 
 class SearchLane:
-    """A lane for searches: it works on one unit at a time, a portion of the worlds of a level.
+    """A lane for searches, which works on one unit at a time.
 
     The programs are played twice.  The first players take part in the searches; at the end of the
     unit the second players play the same turns again, and must give the same replies.
 
     Args:
         team: the programs.
-        counter: the scope of the searches, which makes and counts them.
+        counter: the scope of the searches, which makes the searches of a unit.
         limits: the limits of the time for an answer, and of memory.
-        first_lane: whether it is the first of all lanes; it has no effect here.
-        deadline: the end of all waiting on the monotonic clock, or None.
+        first_lane: whether this is the first of all lanes; this has no effect here.
+        deadline: the time, on the monotonic clock, after which the lane waits for no reply; or
+            None.
     """
 
     keeps = False
@@ -81,7 +84,7 @@ class SearchLane:
         return bool(self._units)
 
     def turn(self, others: Sequence[int] = ()) -> list[PartialResult]:  # noqa: ARG002  # they wait
-        """Do some more searches of the unit, and return the part of its result that they make.
+        """Do some more searches of the first unit; return their results as a part of its result.
 
         Raises:
             InputError: if a program cannot be loaded, or the model has an error.
@@ -96,7 +99,7 @@ class SearchLane:
         return [PartialResult(unit, self.counter.tally(), last=True)]
 
     def end(self) -> TeamTally:
-        """The part that is left at the end, which is empty."""
+        """An empty tally, because no results are left at the end."""
         return self.counter.tally()
 
     def close(self) -> None:
@@ -153,7 +156,10 @@ class SearchLane:
         return finding_of(search, broken, scope.model.name, scope.model.digest, scope.team.names)
 
     def _blame(self, unit: Any, minds: Minds, program: int, found: Difference) -> None:
-        """Add a finding for a difference: in the first world in which the program has its turn."""
+        """Add a finding for a difference between two plays of a program.
+
+        The finding is in the first world of the unit in which a robot has the turn that differs.
+        """
         for _, search in self.counter.searches(unit, minds):
             if not isinstance(search, Search):
                 continue
@@ -169,10 +175,10 @@ class SearchLane:
 def _where_sensed(
     search: Search, program: int, found: Difference, minds: Minds
 ) -> tuple[int, tuple[int, ...], int] | None:
-    """The number of the first configuration in which a robot has the turn of a difference.
+    """The first configuration in which a robot has the turn of a difference.
 
-    With it come a group of robots that can be activated there, and the robot, which is one of
-    them; None if there is no such configuration.
+    Return the number of the configuration, a group of robots that can be activated there together,
+    and the robot, which belongs to the group.  Return None if there is no such configuration.
     """
     _, before, sensed = found.turn
     for number in range(len(search)):

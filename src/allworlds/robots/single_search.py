@@ -24,11 +24,12 @@ class SearchOutcome(Struct, frozen=True):
     Attributes:
         law: the broken law; empty if no law is broken.
         seen: how the law is broken, in words.
-        events: the events of a shortest run that breaks it; the last ``loop`` repeat for ever.
-        loop: the number of events that repeat for ever; 0 if the run ends.
+        events: the events of a shortest run that breaks the law; empty if no law is broken.
+        loop: the number of last events of this run that repeat for ever; 0 if the run ends.
         unfinished: the number of configurations in which the budget cuts a run off.
         configurations: the number of configurations that the search reached.
-        schedules: the number of maximal runs; None if a run never ends or is cut off.
+        schedules: the number of runs that cannot be continued; None if a law is broken, if a run
+            never ends or is cut off, or if the search is ``full``.
         longest: the largest number of activations of a robot in a run that ends.
         full: whether the search stopped because it reached too many configurations.
         search: the search itself.
@@ -47,7 +48,7 @@ class SearchOutcome(Struct, frozen=True):
 
     @property
     def holds(self) -> bool:
-        """Whether no law is broken in any schedule."""
+        """Whether no law is broken in any schedule, and every run was searched to its end."""
         return not (self.law or self.unfinished or self.full)
 
 
@@ -72,14 +73,17 @@ def search(
         model: the model of the world.
         team: a program for each robot: a generator function, or an automaton.
         scheduler: ``fsync``, ``ssync``, ``central`` or ``async``; by default the model's first.
-        budget: the most activations of a robot whose program is a generator, in a run.
-        within: a budget that is a bound: a run that exceeds it is a finding.
-        lead: the largest number of activations by which a robot may be ahead of another one.
+        budget: the largest number of activations, in a run, of a robot whose program is a
+            generator.
+        within: a budget in place of ``budget``; a run that exceeds this budget breaks the law
+            ``budget``.
+        lead: the largest number of activations by which a robot may be ahead of another robot; None
+            for no limit.
         start_delay: the largest number of rounds by which robot 1 may begin later.
         configurations: the largest number of configurations.
 
     Raises:
-        InputError: naming the illegal value.
+        InputError: for an illegal value; the error names the value.
     """
     scheduler = scheduler or model.schedulers[0]
     if scheduler not in model.schedulers:
@@ -122,10 +126,10 @@ def outcome_of(search: Search) -> SearchOutcome:
 
 
 def turns_of(program: Callable[..., Any]) -> Turns:
-    """Return a program of this process, to be asked turn by turn.
+    """Return a program of this process in the form that can be asked turn by turn.
 
     Raises:
-        InputError: if it is neither a generator function nor an automaton.
+        InputError: if the program is neither a generator function nor an automaton.
     """
     keywords = keywords_of(getattr(program, "__name__", show(program)), program)
 

@@ -1,4 +1,4 @@
-"""A team under test: its programs, and the scope and the tally of its searches."""
+"""A team of robots under test: its programs, and the scope and the counts of its searches."""
 
 from __future__ import annotations
 
@@ -41,17 +41,17 @@ class Team(Struct, frozen=True, weakref=True):
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The program of each robot."""
+        """The name of each robot's program."""
         return tuple(self.subjects[program].name for program in self.program_of)
 
     @property
     def name(self) -> str:
-        """The names of the programs, in a text."""
+        """The names of the programs, each once, in one text with commas."""
         return ", ".join(self.subjects[program].name for program in dict.fromkeys(self.program_of))
 
     @property
     def digests(self) -> tuple[str, ...]:
-        """The digest of each program's text."""
+        """The digest of each program's source, which other machines must have, too."""
         return tuple(map(content_digest, self.subjects))
 
     @property
@@ -70,31 +70,35 @@ class Team(Struct, frozen=True, weakref=True):
         return Team(tuple(map(with_content, self.subjects)), self.program_of)
 
     def not_alike(self, digests: tuple[str, ...], answer_timeout: float) -> str:
-        """The reason why a program on this machine does not have its digest; empty if all have."""
+        """The reason why a program on this machine does not have the expected digest.
+
+        It is empty if all programs have their digests.
+        """
         pairs = zip(self.subjects, digests, strict=True)
         found = (not_alike(subject, digest, answer_timeout) for subject, digest in pairs)
         return next(filter(None, found), "")
 
     @property
     def importable(self) -> bool:
-        """Whether all programs can be played in other processes."""
+        """Whether other processes can play all programs."""
         return all(subject.importable or not subject.from_user for subject in self.subjects)
 
 
 @dataclass(slots=True)
 class TeamRow:
-    """The counts of the worlds with one number of edges and of vertices.
+    """The counts of the worlds with one number of edges and one number of vertices.
 
     Attributes:
         maps: the number of rooted maps.
-        worlds: the number of maps with starts of all robots, which are the searches.
+        worlds: the number of searches; each search is of a map with the starts of all robots.
         configurations: the number of configurations of all searches.
         most: the largest number of configurations of a search.
         ends: the number of configurations in which a run ends.
         cut_off: the number of configurations in which the budget cuts a run off.
         full: the number of searches that stopped because they reached too many configurations.
         longest: the largest number of activations of a robot in a run that ends.
-        schedules: the number of maximal runs; None: infinitely many, or not known.
+        schedules: the number of runs that cannot be continued; None if the number is infinite or
+            not known.
     """
 
     maps: int = 0
@@ -108,7 +112,7 @@ class TeamRow:
     schedules: int | None = 0
 
     def add(self, other: TeamRow) -> None:
-        """Add the counts of another part."""
+        """Add the counts of other searches."""
         self.maps += other.maps
         self.worlds += other.worlds
         self.configurations += other.configurations
@@ -147,14 +151,15 @@ KeptFinding = Annotated[TeamFinding, Form(to_record, TeamFinding.from_json)]
 
 @dataclass(slots=True)
 class TeamTally:
-    """The sum of all searches of a part of a job.
+    """The results of all searches of a part of a job, added up.
 
     Attributes:
-        keep: the number of findings to keep, each the smallest of its law and map.
+        keep: the largest number of kept findings, each the smallest of its law and map.
         rows: the counts by (edges, vertices).
         findings: the smallest findings, ascending.
-        unfinished: the smallest run that the budget cuts off, if there is one.
-        remarks: texts about processes, which refute nothing, with their numbers of occurrences.
+        unfinished: a list with the smallest run that the budget cuts off, or an empty list.
+        remarks: texts about processes that were lost, each with its number of occurrences; they
+            refute nothing.
     """
 
     keep: int = 1
@@ -169,11 +174,14 @@ class TeamTally:
         return sum(row.maps for row in self.rows.values())
 
     def row(self, map_: CombinatorialMap) -> TeamRow:
-        """The row of the size of a map."""
+        """The row with the counts of worlds of the size of this map; it is added if missing."""
         return self.rows.setdefault((map_.edge_count, map_.vertex_count), TeamRow())
 
     def find(self, finding: TeamFinding, *, unfinished: bool = False) -> None:
-        """Keep a finding if it is among the smallest; for each law and map the smallest alone."""
+        """Keep a finding if it is among the smallest; for each law and map only one is kept.
+
+        If ``unfinished`` is set, the finding is a run that the budget cuts off.
+        """
         held, most = (self.unfinished, 1) if unfinished else (self.findings, self.keep)
         for index, kept in enumerate(held):
             if kept.kind == finding.kind:
@@ -185,13 +193,16 @@ class TeamTally:
         del held[most:]
 
     def wants(self, map_: CombinatorialMap, *, unfinished: bool = False) -> bool:
-        """Whether a finding in a map of this size could be among the smallest findings."""
+        """Whether a finding in a map of this size could be among the smallest findings.
+
+        If ``unfinished`` is set, the finding is a run that the budget cuts off.
+        """
         held, most = (self.unfinished, 1) if unfinished else (self.findings, self.keep)
         size = map_.edge_count, map_.vertex_count
         return len(held) < most or size <= held[-1].key[:2]
 
     def add(self, other: TeamTally) -> None:
-        """Add the tally of another part."""
+        """Add the tally of another part of the job."""
         for size, row in other.rows.items():
             self.rows.setdefault(size, TeamRow()).add(row)
         for finding in other.findings:
@@ -205,12 +216,13 @@ class TeamScope(Struct, frozen=True):
     """The scope of the searches: it makes the searches of a unit, and an empty tally for them.
 
     Attributes:
-        extent: the extent of the maps.
+        extent: the class of the maps, with bounds on their size.
         model: the model of the worlds.
         team: the programs.
         timing: the schedules that are tried.
-        keep: the number of findings to keep.
-        starts: the only starts that are tried; None: the starts of the model.
+        keep: the largest number of findings to keep.
+        starts: a dart for each robot, as the only start that is tried; None if all starts of the
+            model are tried.
     """
 
     extent: Extent
@@ -225,13 +237,14 @@ class TeamScope(Struct, frozen=True):
         return TeamTally(self.keep)
 
     def starts_in(self, world: ModelInMap) -> Iterable[tuple[int, ...]]:
-        """The starts that are tried in a map."""
+        """The starts that are tried in a map, each with a dart for each robot."""
         return [self.starts] if self.starts else world.starts(len(self.team.program_of))
 
     def searches(self, unit: LevelUnit, minds: Minds) -> Iterator[tuple[bool, Search | ModelInMap]]:
-        """The searches of a unit, in a fixed order; for a map without a start, its world alone.
+        """The searches of a unit, in a fixed order.
 
-        The first value of each pair tells whether the map is new.
+        Each item is a pair.  Its first value says whether the map is another one than before; its
+        second value is the search, or for a map without a start the model in this map.
         """
         for map_ in unit.maps(self.extent):
             world, first = ModelInMap(self.model.model, map_, self.model.name), True

@@ -1,4 +1,4 @@
-"""The finding of a search: a shortest run that breaks a law, with all that replays it."""
+"""The finding of a search: a shortest run that breaks a law, with all data to play it again."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ LAWS: dict[str, str] = {
     "progress": "What must happen again and again happens in every fair run that never ends.",
     "budget": "The goal is reached within the activations that were asked for.",
 }
-"""Every law, with its sentence."""
+"""Every law of teams by its name, with a sentence that says what it demands."""
 
 
 class Turned(doc.Document, forbid_unknown_fields=False):
@@ -83,7 +83,7 @@ class TimeDocument(doc.Document, forbid_unknown_fields=False):
 
     @classmethod
     def of(cls, timing: Timing) -> TimeDocument:
-        """The document of these schedules."""
+        """The document about the schedules of a search."""
         return cls(
             scheduler=timing.scheduler,
             budget=timing.budget,
@@ -135,7 +135,7 @@ class TeamFinding(doc.Document, forbid_unknown_fields=False, kw_only=True):
 
     @doc.computed
     def schedule(self) -> str:
-        """The schedule of its events, as `run` takes it."""
+        """The schedule of the events, as the option `--schedule` takes it."""
         return " ".join(event.written for event in self.events)
 
     @doc.computed
@@ -155,18 +155,18 @@ class TeamFinding(doc.Document, forbid_unknown_fields=False, kw_only=True):
 
     @cached_property
     def map(self) -> CombinatorialMap:
-        """The map."""
+        """The map of the finding."""
         return CombinatorialMap(self.sigma, self.alpha)
 
     @cached_property
     def key(self) -> tuple[int, int, Code, tuple[int, ...]]:
-        """The order of findings: edges, vertices, canonical code, starts."""
+        """The key by which findings are ordered: edges, vertices, canonical code, starts."""
         map_ = self.map
         return map_.edge_count, map_.vertex_count, rooted_code(*self._code, 0), self.starts
 
     @property
     def rank(self) -> tuple[Any, ...]:
-        """The order of findings, with the law for findings in one world."""
+        """The key by which findings are ordered, and then, for findings in one world, the law."""
         return self.key, [*LAWS].index(self.law)
 
     @cached_property
@@ -180,21 +180,21 @@ class TeamFinding(doc.Document, forbid_unknown_fields=False, kw_only=True):
 
     @property
     def text(self) -> str:
-        """The text of its file."""
+        """The text of the finding's file, which is JSON."""
         return json.dumps(self.to_json(), indent=1) + "\n"
 
     @property
     def file_name(self) -> str:
-        """The name of its file: ``LAW-mMnN-DIGEST.json``."""
+        """The name of the finding's file: ``LAW-mMnN-DIGEST.json``."""
         size = f"m{self.map.edge_count}n{self.map.vertex_count}"
         return f"{self.law}-{size}-{digest_of(self.text)}.json"
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> TeamFinding:
-        """The finding of :meth:`to_json`'s document.
+        """The finding with this document, which :meth:`to_json` has written.
 
         Raises:
-            InputError: naming the offending value and what would be legal.
+            InputError: for an illegal value; the error names the value and what would be legal.
         """
         if (law := document.get("law")) not in LAWS:
             raise InputError(f"law {show(law)} is not one of {', '.join(LAWS)}")
@@ -212,7 +212,11 @@ def is_of_team(document: object) -> bool:
 def finding_of(
     search: Search, broken: Broken, model: str, digest: str, programs: tuple[str, ...]
 ) -> TeamFinding:
-    """The finding of a search that has broken a law."""
+    """The finding of a search in which a law is broken.
+
+    ``model`` and ``digest`` are the model's name and the digest of its file; ``programs`` has the
+    name of each robot's program.
+    """
     map_, first = search.world.map, search.way(broken.at)[0]
     fault = None
     events = [*events_of(search, broken)]
@@ -237,7 +241,7 @@ def finding_of(
 
 
 def event_row(search: Search, event: Event) -> EventRow:
-    """An event, as a finding stores it."""
+    """The document of an event, which a finding contains."""
     shown = search.world.places(event.state)
     return EventRow(
         robots=tuple(map(_turned, event.turns)),
@@ -251,7 +255,7 @@ def event_row(search: Search, event: Event) -> EventRow:
 
 
 PHASES = {"L": "look", "M": "move", "": "whole"}
-"""The phase of a turn, by its letter in a schedule."""
+"""The phase of a turn in a finding, by the letter of the phase in a schedule."""
 
 
 def _turned(turn: Turn) -> Turned:

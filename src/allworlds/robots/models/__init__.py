@@ -1,1 +1,1 @@
-"""The models that are built in, each in a module of its own; ``table`` has their names."""
+"""The built-in models of worlds that change, each in a module; ``table`` has their names."""

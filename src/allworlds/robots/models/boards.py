@@ -21,8 +21,8 @@ class BoardsState(NamedTuple):
 
     Attributes:
         darts: the dart of each robot.
-        boards: the value at each vertex, as canonical JSON, which tells 1 from true.
-        wrote: the robots that have written at a look, and move later.
+        boards: the value at each vertex, as canonical JSON, in which 1 and true differ.
+        wrote: the robots that have already written, at their look, and whose move comes later.
         home: the dart at which all robots have started, in a world with a black hole.
         hole: the vertex that destroys robots, if there is one.
     """
@@ -38,19 +38,19 @@ class BoardsState(NamedTuple):
 class WhiteboardModel(Model):
     """The base of models with whiteboards; at first each whiteboard has the value null.
 
-    ``Do({"write": value, "move": k})`` writes, then moves; one part may be missing, and ``Move(k)``
-    and ``Write(k)`` are short for one part alone.  If several robots write on one board at once,
-    the adversary chooses which of them writes last.
+    ``Do({"write": value, "move": k})`` writes, then moves; one of the two keys may be missing.
+    ``Move(k)`` and ``Write(k)`` are short for an action with one key.  If several robots write on
+    one board at once, the adversary chooses which robot writes last.
 
     Attributes:
         at_once: whether a robot reads and writes a board in one step, as asynchronous agents do;
-            else it writes when it moves, and others may have written since its look.
+            else a robot writes when it moves, and other robots may have written since its look.
     """
 
     at_once: bool = False
 
     def board(self, map_: CombinatorialMap, state: BoardsState, robot: int) -> tuple[int, int, Any]:
-        """The degree of a robot's vertex, the number of other robots there, and its board."""
+        """For a robot's vertex: the degree, the number of other robots, and the board's value."""
         dart = state.darts[robot]
         board = decode(state.boards[map_.vertex_of[dart]])
         return map_.degree_at[dart], others_with(map_, state.darts, robot), board
@@ -86,7 +86,11 @@ class WhiteboardModel(Model):
 
 
 def _parts(action: Any) -> dict[str, Any]:
-    """The parts of an action: the value that it writes, and the number for its move."""
+    """The value that an action writes and the number of its motion, by the keys write and move.
+
+    Raises:
+        IllegalAction: for any other action.
+    """
     match action:
         case Move(k):
             return {"move": k}
@@ -101,7 +105,10 @@ def _parts(action: Any) -> dict[str, Any]:
 def _written(
     map_: CombinatorialMap, state: BoardsState, acts: Mapping[int, Any]
 ) -> Iterator[tuple[BoardsState, str]]:
-    """The states after these robots have written, one for each choice of the last writers."""
+    """The states after these robots have written, each with the adversary's choice in words.
+
+    There is one state for each choice of the robots that write last.
+    """
     writers: dict[Vertex, list[int]] = {}
     for robot, action in acts.items():
         if "write" in _parts(action) and robot not in state.wrote:

@@ -20,7 +20,7 @@ class FaceToFaceState(NamedTuple):
 
     Attributes:
         darts: the dart of each robot.
-        words: the value that each robot says, as canonical JSON.
+        words: the value that each robot says, as canonical JSON; null if it says nothing.
     """
 
     darts: tuple[Dart, ...]
@@ -33,9 +33,10 @@ class FaceToFace(Model):
 
     Each robot is told its number.
 
-    A percept is ``[degree, others]``.  ``others`` has a pair ``[k, value]`` for each other robot
-    here, sorted: its dart is k darts clockwise from one's own, and it says the value, at first
-    null.  ``Do(value)`` says a value until the next motion; ``Move(k)`` moves.
+    A percept is ``[degree, others]``.  ``others`` is a sorted list with a pair ``[k, value]`` for
+    each other robot here: the dart of that robot is k darts clockwise from the dart of the robot
+    that looks, and that robot says the value, at first null.  After ``Do(value)`` a robot says the
+    value until its next motion; ``Move(k)`` moves.
 
     Attributes:
         together: whether all robots start at one dart.

@@ -19,10 +19,10 @@ class FaultsState(NamedTuple):
     """A state of a model that wraps another model.
 
     Attributes:
-        inside: the state of the model inside, which is the one that is wrapped.
+        inside: the state of the wrapped model.
         living: the robots that have not stopped.
         left: the number of faults that may still happen.
-        blind: the robots from which the markers at their vertices are hidden.
+        blind: the robots from which the adversary hides the markers at their vertices.
     """
 
     inside: Any
@@ -33,11 +33,11 @@ class FaultsState(NamedTuple):
 
 @dataclass(frozen=True)
 class Wrapper(Model):
-    """The base of models that wrap another model; by default their methods call its methods.
+    """The base of models that wrap another model; by default each method calls the wrapped model.
 
     Attributes:
-        inside: the model inside, which is the one that is wrapped.
-        faults: the largest number of faults.
+        inside: the wrapped model.
+        faults: the largest number of faults in a run.
     """
 
     inside: Model
@@ -45,7 +45,7 @@ class Wrapper(Model):
 
     @property
     def schedulers(self) -> tuple[Scheduler, ...]:  # type: ignore[override]  # of this instance
-        """The schedulers of the model inside."""
+        """The schedulers of the wrapped model."""
         return self.inside.schedulers
 
     @property
@@ -112,13 +112,13 @@ class Wrapper(Model):
 
 
 def _inside(holds: Callable[..., bool]) -> Callable[..., bool]:
-    """Return a condition on states of the wrapper, made from a condition on the states inside."""
+    """Return the condition on states of the wrapper that follows from one on the states inside."""
     return lambda *values: holds(*(v.inside if isinstance(v, FaultsState) else v for v in values))
 
 
 @dataclass(frozen=True)
 class Crash(Wrapper):
-    """Robots that stop for ever at any moment; the adversary chooses which."""
+    """Robots that stop for ever at any moment; the adversary chooses the robots and the moments."""
 
     @override
     def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterator[FaultsState]:
@@ -145,9 +145,9 @@ class Crash(Wrapper):
 
 
 def _stopping(state: FaultsState) -> Iterator[tuple[FaultsState, str]]:
-    """Yield each state after some of the living robots have stopped, or none of them.
+    """Yield each state after any set of living robots has stopped, with the choice in words.
 
-    No more robots stop than faults are left.
+    The set may be empty; it has at most as many robots as faults are left.
     """
     for count in range(min(state.left, len(state.living)) + 1):
         for robots in combinations(sorted(state.living), count):
@@ -158,9 +158,9 @@ def _stopping(state: FaultsState) -> Iterator[tuple[FaultsState, str]]:
 
 @dataclass(frozen=True)
 class Hidden(Wrapper):
-    """Markers that the adversary hides from robots that have just acted, until they act again.
+    """Markers that the adversary hides from a robot that has just acted, until it acts again.
 
-    The percepts of the model inside must have marks.
+    The wrapped model must have percepts with marks.
     """
 
     @override

@@ -62,7 +62,8 @@ def gathered(map_: CombinatorialMap) -> Liveness:
 def each_everywhere(map_: CombinatorialMap) -> Iterator[Liveness]:
     """The conditions that each robot is at each vertex again and again.
 
-    A model does not know the number of robots, so the conditions of missing robots always hold.
+    A model does not know the number of robots.  So there are conditions for :data:`MOST_ROBOTS`
+    robots, and the condition of a robot that does not exist always holds.
     """
     for robot, vertex in product(range(MOST_ROBOTS), range(map_.vertex_count)):
 
@@ -74,15 +75,15 @@ def each_everywhere(map_: CombinatorialMap) -> Iterator[Liveness]:
 
 
 def ensure_few(robots: int) -> None:
-    """Raise InputError for more robots than :func:`each_everywhere` has conditions for."""
+    """Raise InputError for more than :data:`MOST_ROBOTS` robots."""
     if robots > MOST_ROBOTS:
         raise InputError(f"robots = {robots} are more than {MOST_ROBOTS}, the most of this goal")
 
 
 def map_flaw(map_: CombinatorialMap, dart: Dart, answer: Any) -> str:
-    """The flaw of an answer that should be the map, with the robot at this dart, in words.
+    """The flaw, in words, of an answer that should be this map with the robot at this dart.
 
-    Empty if the answer is right.
+    The text is empty if the answer is right.
     """
     if not isinstance(answer, Estimate):
         return f"the answer is {'nothing' if answer is None else answer}, not an Estimate"
@@ -94,5 +95,5 @@ def map_flaw(map_: CombinatorialMap, dart: Dart, answer: Any) -> str:
 
 
 def replaced(values: tuple[Part, ...], index: int, value: Part) -> tuple[Part, ...]:
-    """The tuple with another value at an index."""
+    """A tuple like ``values``, but with this value at the index."""
     return (*values[:index], value, *values[index + 1 :])

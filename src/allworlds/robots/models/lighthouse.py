@@ -1,4 +1,4 @@
-"""The worlds of one robot, with their lighthouses, as a model."""
+"""The worlds that ``check`` tries, with one robot and a lighthouse, as a model."""
 
 from __future__ import annotations
 
@@ -40,10 +40,12 @@ class LighthouseState(NamedTuple):
 
 @dataclass(frozen=True)
 class LighthouseModel(Model):
-    """A robot in a world with a lighthouse, at any of its places; the robot must answer the map.
+    """A robot in a world with a lighthouse at any of its places; the robot must answer the map.
+
+    The adversary chooses the place of the lighthouse.
 
     Attributes:
-        kind: the kind of the lighthouse, with its options.
+        kind: the name of the kind of lighthouse, with its options, as ``--lighthouse`` takes it.
     """
 
     kind: str = "directional"

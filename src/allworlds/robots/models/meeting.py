@@ -1,4 +1,4 @@
-"""Gathering, and rendezvous of two."""
+"""Gathering of any number of robots at one vertex; with two robots this is rendezvous."""
 
 from __future__ import annotations
 
@@ -14,19 +14,21 @@ from allworlds.robots.models.goals import Apart, are_together, others_with
 
 
 class MeetingState(NamedTuple):
-    """A state, which is the dart of each robot."""
+    """A state of a world in which robots must meet: the dart of each robot."""
 
     darts: tuple[Dart, ...]
 
 
 @dataclass(frozen=True)
 class Meeting(Apart):
-    """Robots that must meet at one vertex; a robot senses the degree, and others there as marks.
+    """Robots that must meet at one vertex.
+
+    A robot senses the degree of its vertex; the marks tell it about the other robots there.
 
     Attributes:
-        multiplicity: how exactly a robot senses the others at its vertex: not at all (none),
-            whether there are some (weak), or their number (strong).
-        labels: whether each robot is told its number; else all are anonymous.
+        multiplicity: the meaning of the marks: always 0 (none), 1 if another robot is there (weak),
+            or the number of other robots there (strong).
+        labels: whether each robot is told its number; else all robots are anonymous.
     """
 
     multiplicity: Literal["none", "weak", "strong"] = "strong"

@@ -23,7 +23,7 @@ class RoundState(NamedTuple):
         darts: the dart of each robot.
         moved: for each robot whether its last motion succeeded.
         held: for each robot whether it is on a port whose edge was missing.
-        visited: the vertices that a robot has visited.
+        visited: the vertices that any robot has visited.
     """
 
     darts: tuple[Dart, ...]
@@ -36,8 +36,8 @@ class RoundState(NamedTuple):
 class OneInterval(Apart):
     """Robots that must visit all vertices, in a world in which one edge may be missing each round.
 
-    A robot that moves goes to the port of the edge, a point at its vertex.  From there it
-    crosses the edge; if the edge is missing, it is held on the port.
+    A robot that moves first goes to the port of the edge, a point at its vertex.  From the port it
+    crosses the edge; if the edge is missing, the robot is held on the port.
 
     A robot is told the number of vertices.  Its percept is ``[degree, moved, held, others]``: the
     degree; whether its last motion succeeded; whether it is on a port whose edge was missing; and
@@ -46,9 +46,10 @@ class OneInterval(Apart):
 
     Attributes:
         ends: whether the run ends when all vertices are visited; else the programs must end.
-        exclusive: whether at most one robot can be on a port; of several robots that want to be on
-            one port, the adversary chooses which goes there.
-        one_face: whether all robots start at darts of one face: on a ring, with one orientation.
+        exclusive: whether at most one robot can be on a port; if several robots want to go to one
+            port, the adversary chooses the robot that goes there.
+        one_face: whether all robots start at darts of one face; on a ring all robots then have one
+            orientation.
     """
 
     ends: bool = False

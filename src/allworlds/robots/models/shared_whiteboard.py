@@ -19,11 +19,12 @@ from allworlds.robots.models.goals import Apart, are_together
 class SharedWhiteboard(WhiteboardModel, Apart):
     """Robots with a whiteboard at each vertex.
 
-    A percept is ``[degree, others, board]``: the number of other robots here, and the value on the
-    board.
+    A percept is ``[degree, others, board]``: the degree, the number of other robots here, and the
+    value on the board.
 
     Attributes:
-        goal: ``meet``: all robots at one vertex; ``agree``: equal answers that are not null.
+        goal: ``meet``: all robots must come to one vertex; ``agree``: all robots must give equal
+            answers that are not null.
         labels: whether each robot is told its number.
     """
 

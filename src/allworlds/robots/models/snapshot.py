@@ -24,16 +24,17 @@ from allworlds.robots.models.goals import (
 from allworlds.robots.models.views import Eyes, darts_of_view, least
 
 INDEX_OF_NAME = {"first": 0, "second": 1}
-"""The indices of the two views that have names, in the sorted list."""
+"""The indices, in the sorted list of views, of the two views that have names."""
 
 
 class SnapshotState(NamedTuple):
     """A state of a world whose robots see the whole map.
 
     Attributes:
-        darts: the dart that each robot heads for; without chirality the least one at its vertex.
-        due: the dart by which each robot will leave, if its look has decided that; else None.
-        crossed: whether two robots have just crossed on an edge, if that is forbidden.
+        darts: the dart that each robot heads for; without chirality the least dart at its vertex.
+        due: for each robot the dart by which it will leave, if its look has decided the dart; else
+            None.
+        crossed: whether two robots have just crossed on an edge; always False if crossing is legal.
     """
 
     darts: tuple[Dart, ...]
@@ -45,25 +46,27 @@ class SnapshotState(NamedTuple):
 class Snapshot(Apart):
     """Robots that see the whole map from their own darts, with all robots in it.
 
-    A view is ``[robots, degrees, alpha]``: the number of robots at each vertex, its degree, and the
-    other end of each dart, see :class:`allworlds.robots.models.views.ViewOrder`.  The robot's own
-    vertex is the first one, and the robot itself is counted there.  On a ring ``robots`` has the
-    numbers at successive vertices in one direction.
+    A view is ``[robots, degrees, alpha]``: the number of robots at each vertex, the degree of each
+    vertex, and the other end of each dart, see
+    :class:`allworlds.robots.models.views.ViewOrder`.  The robot's own vertex comes first, and the
+    robot itself is counted there.  On a ring ``robots`` has the numbers at successive vertices in
+    one direction.
 
-    **Without chirality** the percept is the sorted list of the views from the darts of the vertex,
-    each the lesser of the clockwise and the anticlockwise view.  ``Do("first")``, ``Do("second")``
-    or ``Do(k)``, from 0 on, leaves by the dart of that view, ``Do("either")`` by any.  Of darts
-    with equal views the adversary chooses one, at each look.
+    **Without chirality** the percept is a sorted list with a view from each dart of the vertex: the
+    lesser of the clockwise and the anticlockwise view.  ``Do(k)`` leaves by the dart of the view
+    with index k, from 0 on; ``Do("first")`` is ``Do(0)``, and ``Do("second")`` is ``Do(1)``.  If
+    several darts have this view, the adversary chooses one of these darts at each look.
+    ``Do("either")`` leaves by any dart that the adversary chooses.
 
-    With chirality the percept is the one view from the dart that the robot heads for; ``Do(k)``
-    leaves by the k-th dart clockwise from it.  The robot then heads for the dart 1 - k darts
-    clockwise from the dart of arrival: on a ring it keeps its direction.
+    With chirality the percept is the view from the dart that the robot heads for; ``Do(k)`` leaves
+    by the k-th dart clockwise from this dart.  The robot then heads for the dart 1 - k darts
+    clockwise from the dart of arrival: on a ring the robot keeps its direction.
 
     Attributes:
-        goal: ``gather``: all robots at one vertex for ever; ``explore``: each robot at every vertex
-            again and again.
+        goal: ``gather``: all robots must come to one vertex, and stay there; ``explore``: each
+            robot must visit every vertex again and again.
         chirality: whether all robots have the same clockwise direction.
-        exclusive: whether two robots at one vertex are forbidden.
+        exclusive: whether two robots must never be at one vertex.
         crossing: whether two robots may cross on an edge.
         multiplicity: ``none``: any number of robots is seen as 1; ``weak``: two or more are seen as
             2; ``strong``: the number is seen.
@@ -105,7 +108,11 @@ class Snapshot(Apart):
     def _choices(
         self, map_: CombinatorialMap, state: SnapshotState, robot: int, action: Any
     ) -> list[Dart]:
-        """The darts by which an action may leave."""
+        """The darts by which a robot may leave with this action; the adversary chooses one.
+
+        Raises:
+            IllegalAction: for an action that is no legal ``Do``.
+        """
         if (due := state.due[robot]) is not None:
             return [due]
         dart = state.darts[robot]
@@ -143,7 +150,7 @@ class Snapshot(Apart):
             yield SnapshotState(darts, due, crossed), "; ".join(filter(None, words))
 
     def _heading(self, map_: CombinatorialMap, before: Dart, leave: Dart) -> Dart:
-        """The dart that a robot heads for after leaving by a dart."""
+        """The dart that a robot heads for after it has left by the dart ``leave``."""
         arrival = map_.alpha[leave]
         if not self.chirality:
             return least(map_, arrival)

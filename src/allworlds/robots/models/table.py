@@ -33,13 +33,13 @@ MODELS: dict[str, type[Model]] = {
     "tokens": Tokens,
     "black-hole": BlackHole,
 }
-"""The models that are built in, by their names."""
+"""The built-in models by their names."""
 
 WRAPPERS: dict[str, type[Wrapper]] = {"crash": Crash, "hidden": Hidden}
-"""The models that wrap another model, by their names: ``crash:1+black-hole``."""
+"""The models that wrap another model, by their names, as in ``crash:1+black-hole``."""
 
 LIGHTHOUSE = "lighthouse"
-"""The name of the model with the worlds of one robot: ``lighthouse:KIND``."""
+"""The name of the model with one robot and a lighthouse, as in ``lighthouse:KIND``."""
 
 KNOWN = (*MODELS, f"{LIGHTHOUSE}:KIND", *(f"{name}:F+MODEL" for name in WRAPPERS))
 
@@ -49,13 +49,13 @@ SHAPE = "a frozen dataclass with the base allworlds.Model"
 
 
 class NamedModel(Struct, frozen=True):
-    """A model with the name by which this process and others can load it.
+    """A model with the name by which this and other processes can load the model.
 
     Attributes:
         name: the name of the model, with its options.
         model: the model.
-        codes: the user's code that it needs.
-        here: whether it exists in this process alone, and cannot be loaded by its name.
+        codes: the user's code that the model needs.
+        here: whether the model exists in this process alone, and cannot be loaded by its name.
     """
 
     name: str
@@ -64,23 +64,26 @@ class NamedModel(Struct, frozen=True):
     here: bool = False
 
     def __str__(self) -> str:
-        """The name."""
+        """The name of the model, with its options."""
         return self.name
 
     @property
     def digest(self) -> str:
-        """The digest of the user's code; empty without any."""
+        """The digest of the user's code; empty if the model needs no code of the user."""
         return "".join(code.digest for code in self.codes)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """The name and the text of the code, from which another process makes the model."""
+        """What pickle stores: the name and the texts of the user's code, to make the model again.
+
+        A model that exists in this process alone is stored itself.
+        """
         if self.here:
             return NamedModel, (self.name, self.model, (), True)
         return _named_again, (self.name, {code.plain: code.record for code in self.codes})
 
 
 def named_model(text: object) -> NamedModel:
-    """Load the model of a name, as :func:`model_of` does, and return it with its full name."""
+    """Load the model with this name, which may be any name that :func:`model_of` takes."""
     model, name = model_of(text)
     return NamedModel(name, model, codes_of(name))
 
@@ -91,14 +94,14 @@ def _named_again(name: str, texts: dict[str, str]) -> NamedModel:
 
 
 def model_of(text: object) -> tuple[Model, str]:
-    """The model of a name, and its canonical name.
+    """The model with this name, and its canonical name.
 
     A name is ``NAME[:key=value,...]``, ``path/to/file.py:Class[:key=value,...]``,
-    ``lighthouse:KIND``, or ``crash:F+`` or ``hidden:F+`` before one of these; F is the largest
-    number of faults.
+    ``lighthouse:KIND``, or ``crash:F+`` or ``hidden:F+`` before one of these names; F is the
+    largest number of faults.
 
     Raises:
-        InputError: naming the unknown model or option, or the illegal value.
+        InputError: for an unknown model or option, or an illegal value; the error names it.
     """
     name = a_text("model", text)
     plain, _, rest = name.partition(":")
@@ -114,7 +117,7 @@ def model_of(text: object) -> tuple[Model, str]:
 
 
 def codes_of(text: str) -> tuple[user_code.UserCode, ...]:
-    """The user's code that the model of a name needs."""
+    """The user's code that the model with this name needs."""
     while text.partition(":")[0] in WRAPPERS:
         text = text.partition(PLUS)[2]
     plain, _, rest = text.partition(":")
@@ -132,7 +135,7 @@ def _wrapped(plain: str, rest: str, name: str) -> tuple[Model, str]:
 
 
 def _own(name: str) -> tuple[user_code.UserCode, str]:
-    """The user's code in a name, and the text of its options."""
+    """The user's code that a name begins with, and the text of the model's options."""
     parts = re.fullmatch(r"(.+)[:?]([^:?=]+=.*)", name)
     plain, options = (parts[1], parts[2]) if parts else (name, "")
     return MODEL.find(plain), options
@@ -164,7 +167,7 @@ def _made(kind: Any, plain: str, text: str, name: str) -> tuple[Model, str]:
 
 
 def options_of(kind: Any) -> dict[str, FieldOption]:
-    """The options of a class of models, in the order of its fields."""
+    """The options of a class of models by their names, in the order of the fields of the class."""
     hints = get_type_hints(kind, include_extras=True) if kind in MODELS.values() else {}
     found = {}
     for each in fields(kind):

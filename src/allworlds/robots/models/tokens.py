@@ -34,10 +34,10 @@ class TokensState(NamedTuple):
 class Tokens(Apart):
     """Anonymous robots with indistinguishable tokens, which must meet at one vertex.
 
-    A percept is ``[degree, tokens, others, hand]``: the numbers of tokens here, of other robots
-    here, and in one's hand.  Actions are ``Move``, ``Drop`` and ``Pick``, which takes nothing if no
-    token lies here.  If more robots pick at once than tokens lie here, the adversary chooses which
-    of them get one.
+    A percept is ``[degree, tokens, others, hand]``: the degree, the number of tokens that lie here,
+    the number of other robots here, and the number of tokens in the robot's hand.  Actions are
+    ``Move``, ``Drop`` and ``Pick``.  ``Pick`` takes nothing if no token lies here.  If more robots
+    pick at once than tokens lie here, the adversary chooses the robots that get a token.
 
     Attributes:
         tokens: the number of tokens in each hand at the start.

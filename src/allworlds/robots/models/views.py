@@ -1,4 +1,4 @@
-"""The view of a map with robots from a dart, independent of the numbers of the darts."""
+"""The view from a dart, of a map with robots; it does not depend on the numbers of the darts."""
 
 from __future__ import annotations
 
@@ -15,9 +15,11 @@ class ViewOrder(NamedTuple):
 
     Attributes:
         vertices: the vertices, in the order of a depth-first walk that begins with the dart, and
-            tries the darts of each vertex in the order round it, from the dart of arrival.
+            tries the darts of each vertex in their order round the vertex, from the dart of
+            arrival on.
         degrees: the degrees of these vertices.
-        alpha: the other end of each dart; darts are numbered vertex by vertex in that order.
+        alpha: the other end of each dart; the darts are numbered vertex by vertex, in the order in
+            which the walk tries them.
     """
 
     vertices: tuple[Vertex, ...]
@@ -26,12 +28,13 @@ class ViewOrder(NamedTuple):
 
 
 View: TypeAlias = list[list[int]]
-"""The number of robots at each vertex, its degree, the other end of each dart: see `ViewOrder`."""
+"""Three lists: the number of robots at each vertex, the degree of each vertex, and the other end of
+each dart; see :class:`ViewOrder`."""
 
 
 @lru_cache(maxsize=1 << 12)
 def view_order(map_: CombinatorialMap, dart: Dart, clockwise: int) -> ViewOrder:
-    """The order in the view from a dart; anticlockwise if ``clockwise`` is -1."""
+    """The order in the view from a dart: clockwise if ``clockwise`` is 1, anticlockwise if -1."""
     darts_at: dict[Vertex, list[Dart]] = {}
     stack = [dart]
     while stack:
@@ -51,8 +54,9 @@ class Eyes(NamedTuple):
     """The limits of a robot's sight.
 
     Attributes:
-        here: the largest number of robots that is seen exactly at one's own vertex.
-        elsewhere: the largest number of robots that is seen exactly at any other vertex.
+        here: the largest number of robots that the robot can see at its own vertex; a larger number
+            is seen as this number.
+        elsewhere: the largest number of robots that the robot can see at any other vertex.
     """
 
     here: int
@@ -61,7 +65,7 @@ class Eyes(NamedTuple):
     def view(
         self, map_: CombinatorialMap, darts: Sequence[Dart], dart: Dart, clockwise: int = 1
     ) -> View:
-        """The view from a dart, with robots at some darts."""
+        """The view from ``dart``, with a robot at each of ``darts``."""
         at = Counter(map_.vertex_of[each] for each in darts)
         vertices, degrees, alpha = view_order(map_, dart, clockwise)
         robots = [min(at[vertex], self.elsewhere) for vertex in vertices]
@@ -69,7 +73,10 @@ class Eyes(NamedTuple):
         return [robots, [*degrees], [*alpha]]
 
     def views(self, map_: CombinatorialMap, darts: Sequence[Dart], dart: Dart) -> dict[Dart, View]:
-        """The lesser of the clockwise and the anticlockwise view, from each dart of a vertex."""
+        """For each dart of the vertex of ``dart`` the lesser of its two views.
+
+        The two views of a dart are the clockwise and the anticlockwise view.
+        """
         found = {}
         for each in map_.vertices[map_.vertex_of[dart]]:
             found[each] = min(self.view(map_, darts, each, way) for way in (1, -1))
@@ -77,11 +84,11 @@ class Eyes(NamedTuple):
 
 
 def least(map_: CombinatorialMap, dart: Dart) -> Dart:
-    """The least dart at the vertex of a dart, which stands for robots without a direction."""
+    """The least dart at the vertex of a dart; it stands for a robot that heads for no dart."""
     return map_.vertices[map_.vertex_of[dart]][0]
 
 
 def darts_of_view(views: dict[Dart, Any], index: int) -> list[Dart]:
-    """The darts whose view is the one at an index of the sorted list."""
+    """The darts whose view equals the view with this index in the sorted list of all views."""
     wanted = sorted(views.values())[index]
     return [dart for dart, view in views.items() if view == wanted]
