@@ -1,7 +1,7 @@
 """Batches, and the protocol of judges; a batch holds some runs of a unit, with their logs.
 
-A batch is data, and other modules act on it.  A judge makes the batch and judges its logs.  A lane
-gives its runs to players, and adds its counts to the counts of the unit.
+A batch is data, and other modules act on it.  A judge makes the batch, and judges the logs of its
+runs.  A lane gives the runs to players, and adds the counts of the batch to those of the unit.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -53,7 +53,7 @@ class Recorded(NamedTuple):
         percepts: the percept at the start and after each action.
         world: the world; the player gets only some data of it, such as what its lighthouse tells.
         script: the first choices.
-        over: whether the task ended the run, because all was done.
+        over: whether the task ended the run, because the robot had done all that the task demands.
     """
 
     percepts: Iterable[Percept]

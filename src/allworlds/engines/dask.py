@@ -223,7 +223,7 @@ _JOBS: dict[str, _Job] = {}
 
 
 def done(job: str, version: str, packed: bytes, batch: list[Any]) -> tuple[list[Any], float]:
-    """Do some units on a worker; return their results and the seconds that they took.
+    """Do some units on a worker; return their results, and the seconds that the work took.
 
     Raises:
         InputError: if this worker cannot do the job.

@@ -1,7 +1,8 @@
 """The judge in Python, which knows every law, lighthouse and task.
 
-It lays out the runs of a unit in batches, and walks each log anew in the true map.  The second
-player gets the percepts of this walk.  The judge imports users' models, but never an explorer.
+It puts the runs of a unit into batches, and walks each log anew in the true map.  The second player
+gets the percepts of this walk.  The judge imports lighthouses and tasks of users, but never an
+explorer.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -28,7 +29,7 @@ class PythonJudge:
     Args:
         counter: the counter of the runs, which also holds the scope.
         explorer: the explorer's name.
-        given: the choices of each run; None if the scope determines them.
+        given: the choices of each run; None if the scope determines the choices.
     """
 
     name = "python"
@@ -146,8 +147,8 @@ class PythonJudge:
     def message(self, kind: str, content: Any, order: Sequence[int] = ()) -> Message:
         """A message to a player, whose content has an entry for each run.
 
-        ``order`` holds the positions of the entries in the order in which the runs are played;
-        without it they are played in the order of the entries.
+        ``order`` holds the positions of the entries in the order in which the runs are played; if
+        it is empty, the runs are played in the order of the entries.
         """
         return {
             "kind": kind,

@@ -118,7 +118,7 @@ ENDED = "complete"
 
 
 class KeptUnits:
-    """The finished units and the notes of a job; this base class keeps nothing.
+    """The finished units and the noted values of a job; this base class keeps nothing.
 
     Attributes:
         added: the number of units that were added.

@@ -157,7 +157,7 @@ class Lane:
     # ---------------------------------------------------------------- batches
 
     def _give(self) -> None:
-        """Give each player batches until it has no more room."""
+        """Give each player batches until the player has no room for another batch."""
         while self._plays.has_room(FIRST) and (batch := self._next()):
             self._due += len(batch)
             self._plays.give(FIRST, batch, range(len(batch)))
@@ -219,7 +219,7 @@ class Lane:
                 self._settle(batch)
 
     def _settle(self, batch: RunBatch) -> None:
-        """Find the runs of a batch that break a law, and add its counts to those of the unit."""
+        """Find the runs of a batch that break a law; add the counts of the batch to the unit's."""
         self._settler.settle(batch, twice=self._twice)
         self._settled += len(batch)
         batch.work.tally.add(batch.tally)

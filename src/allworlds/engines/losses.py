@@ -26,15 +26,15 @@ MOST_LOSSES = 20
 SILENT_RUNS, MOST_WAITED = 4, 60.0
 """A number of runs and a number of seconds.
 
-A lane gives up after at least this number of silent runs, if it has waited for them for at least
-this number of seconds in all.
+A lane gives up after at least this number of silent runs, if it has waited in these runs for at
+least this number of seconds in all.
 """
 
 AFTER = " when it was played after others; by itself it was not"
 
 
 class Meaning(Enum):
-    """The meaning of a loss."""
+    """What the loss of a player means for the run in which the player was lost."""
 
     BROKEN = "the run breaks the law"
     BROKEN_AFTER_OTHERS = "it does when it is played after others"

@@ -66,7 +66,7 @@ TIMERS = (signal.ITIMER_REAL, signal.ITIMER_VIRTUAL, signal.ITIMER_PROF)
 
 
 def main(parent: int) -> None:
-    """Serve the owner, which is the process ``parent``, until it closes the link."""
+    """Serve the owner, which is the process ``parent``, until the owner closes the link."""
     end_with_parent(parent)
     leave_interrupts_to_owner()
     setup = _read()
@@ -286,7 +286,7 @@ def senses(world: World, made: Sequence[actions.Action]) -> bytes:
 
 
 def in_bytes(told: actions.Told, transcript: actions.Transcript) -> bytes:
-    """The two values as bytes; equal values have equal bytes."""
+    """What a robot is told, and its transcript, as bytes; equal pairs have equal bytes."""
     return repr((told, transcript.to_json())).encode()
 
 

@@ -472,11 +472,11 @@ class PlayerHere:
         self.prints = Prints()
 
     def give(self, job: Any, message: dict[str, Any]) -> None:
-        """Give the explorer a batch."""
+        """Give the explorer a message, which the next call of :meth:`heard` answers."""
         self.jobs.append((job, message))
 
     def heard(self) -> list[Answer]:
-        """Play the next job; return it with its logs, or an empty list if there is no job."""
+        """Answer the next message; return its job with the logs, or an empty list without a job."""
         if not self.jobs:
             return []
         job, message = self.jobs[0]

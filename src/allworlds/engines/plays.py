@@ -26,7 +26,7 @@ from allworlds.log import Log
 DEPTH = 2
 """The largest number of batches that a player has at a time.
 
-So the player can play one batch while the judge judges the other.
+So the player can play one batch while the judge judges another batch.
 """
 
 Attempt: TypeAlias = tuple[Sequence[bytes], Lost | None]

@@ -186,7 +186,7 @@ class Tally:
 
     @property
     def costs_by_size(self) -> Iterator[tuple[int, int, int]]:
-        """A triple for each size: edges, vertices, and the largest cost of an episode."""
+        """A triple for each size: edges, vertices, and the largest cost of a run of this size."""
         for (edges, vertices), row in self.rows.items():
             yield edges, vertices, row.max_cost
 
@@ -211,7 +211,7 @@ REPORT_EVERY = 0.25
 
 
 class EnginesDisagree(Exception):
-    """Raised if two engines differ about one world."""
+    """Raised if two engines have different results in a world, or different counts of a unit."""
 
 
 class RunCounter(Struct, frozen=True):
@@ -256,7 +256,7 @@ class RunCounter(Struct, frozen=True):
         return World(run.map, run.lighthouse, 0)
 
     def count_outcome(self, world: World, place: int, outcome: Outcome, tally: Tally) -> None:
-        """Add one episode of a run to the tally."""
+        """Add the outcome of a run under one schedule to the tally."""
         edges, vertices = world.map.edge_count, world.map.vertex_count
         row, cost = tally.row(edges, vertices), outcome.cost
         row.episodes += 1

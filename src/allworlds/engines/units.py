@@ -247,13 +247,13 @@ unit; to keep the result of the unit takes less time.
 SIMPLE_DEPTHS = ((4, 1), (7, 2), (inf, 5))
 """Pairs as in :data:`DEPTHS`, for the simple classes.
 
-There the weights of units are upper bounds.  The errors of smaller units are smaller, and the
+In these classes the weights of units are upper bounds.  Smaller units have smaller errors, and the
 errors of many units compensate each other.
 """
 
 
 class GivenUnit(Struct, frozen=True):
-    """Some of the given maps of a level, as piece ``number`` of these maps."""
+    """Some of the maps of a level that the user has given: the piece with this ``number``."""
 
     edges: int
     number: int
@@ -333,7 +333,7 @@ def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:
 
 
 def is_counted(extent: Extent | None) -> bool:
-    """Whether :func:`cells_of_level` returns the numbers of the extent, and no upper bounds."""
+    """Whether :func:`cells_of_level` returns the exact numbers of the extent, and no bounds."""
     return extent is None or count_source.source_of(extent) is not None
 
 

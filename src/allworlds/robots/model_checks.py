@@ -14,7 +14,8 @@ def ensure_same_model(search: Search) -> None:
 
     Raises:
         ModelError: if the model answers differently; or if a search in the map with renumbered
-            darts finds another broken law, or differs in size.
+            darts finds another broken law, a shortest run of another length, or another number of
+            configurations.
     """
     _ensure_same_answers(search)
     if search.full:

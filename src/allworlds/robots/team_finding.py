@@ -39,7 +39,7 @@ LAWS: dict[str, str] = {
 
 
 class Turned(doc.Document, forbid_unknown_fields=False):
-    """The part of a robot in an event."""
+    """What one robot does in an event."""
 
     robot: Annotated[doc.Natural, doc.about("its number")]
     phase: Annotated[
@@ -105,7 +105,7 @@ class TimeDocument(doc.Document, forbid_unknown_fields=False):
 class TeamFinding(doc.Document, forbid_unknown_fields=False, kw_only=True):
     """Finding of a team.
 
-    A shortest run that breaks a law, in the smallest world in which one does.
+    A shortest run that breaks a law, in the smallest world that has such a run.
     """
 
     version: Annotated[Literal[1], doc.about("the version of findings of teams")] = 1

@@ -160,7 +160,7 @@ def _record(*fields: tuple[Any, ...]) -> Any:
 
 
 GLUING = _record(
-    # The request; the address of the class's rule, or 0; the rule's word on the latest decision.
+    # The request; the address of the class's rule, or 0; whether the latest decision is possible.
     (int64, "edges limit simple planar rule possible"),
     # The partial map: partner (NONE: open) and vertex of each dart, first darts and degrees.
     (int64, "alpha owner first degree", DARTS),
@@ -176,11 +176,11 @@ GLUING = _record(
 WORLD = _record(
     # The lighthouse: the number of its place, its dart at v0, what it tells.
     (int64, "darts vertices place pointed told"),
-    # By darts: the first dart of the vertex, the dart after its last one, the vertex, its degree,
-    # and the percept on arriving.  By vertices (root): the first dart.
+    # By darts: the first dart of the vertex, the dart after the vertex's last dart, the vertex, its
+    # degree, sigma, alpha, and the percept on arriving.  By vertices (root): the first dart.
     (int64, "first end owner degree sigma alpha marks bearing root", DARTS),
     # The canonical order of the darts, and the position of each dart in it.  For the compass: the
-    # vertices in that order, and the number of each one's dart.
+    # vertices in canonical order, and for each vertex the number of its chosen dart.
     (int64, "order number met choice", DARTS),
 )
 """A map with a lighthouse in it."""
@@ -254,8 +254,8 @@ FOLD = _record(
 """The state of a log that is being folded."""
 
 JUDGED = _record(
-    # For the checkpoints so far: the set of the laws that they break, whether there was one, and t
-    # at the latest.
+    # For the checkpoints so far: the set of the laws that they break, whether there was any, and
+    # t, the number of unexplored edges, at the latest checkpoint.
     (int64, "broken shown t"),
     # Room for images, for a queue of darts, and for claims.
     (int64, "to queue", LONG),
@@ -311,8 +311,8 @@ NOW = _record(
     (uint8, "s_darts s_vertices"),
     (int64, "unexplored in_s level parent"),
     (uint8, "position passes"),
-    # The pass: the dart e, the dart of W to which it led, the hypotheses that are left, the one
-    # under test, the steps of the test, and the dart in which the next step should end.
+    # The pass: the dart e, the dart of W to which e led, the hypotheses that are left, the
+    # hypothesis under test, the steps of the test, and the dart in which the next step should end.
     (uint8, "e x"),
     (int64, "hypotheses"),
     (uint8, "candidate steps t"),
@@ -333,8 +333,7 @@ WALK = _record(
     (uint8, "viable", (DARTS, 2 * DARTS)),
     # The counts, by vertices.
     (int64, "counts", (DARTS, DEPTHS)),
-    # W, by darts: the partner, the vertex, its degree, and the dart after the last one of the
-    # vertex.
+    # W, by darts: the partner, the vertex, its degree, and the dart after the vertex's last dart.
     (uint8, "partner owner degree end", WALKED),
     # The canonical order of its darts, and the position of each in it.
     (uint8, "order number", WALKED),
@@ -375,7 +374,7 @@ class Kept(NamedTuple):
 
     # By n, the least of the most expensive runs, without unrooted codes.
     most_expensive: Any
-    # The least runs that break a law, ascending; a row for one more.
+    # The least runs that break a law, ascending; and room for one more row.
     least: Any
     row: Any
 
@@ -416,10 +415,10 @@ class Stretch(NamedTuple):
     heads: Any
     # The world of each run, dart by dart; unused in plays by percepts.
     worlds: Any
-    # The percepts, three bytes each, and the first byte of each run's.
+    # The percepts, three bytes each, and the index of the first byte of each run's percepts.
     percepts: Any
     starts: Any
-    # The logs, and the first byte of each run's.
+    # The logs, and the index of the first byte of each run's log.
     logs: Any
     begins: Any
 

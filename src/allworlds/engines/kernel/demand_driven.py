@@ -246,7 +246,7 @@ def _walk(w, s):
 
 @inlined
 def _pick(w, s):
-    """Do lines 2-5: choose the dart e, and add the steps of the way; or end the walk."""
+    """Do lines 2-5: choose the dart e, and add the way to e to the cost; or end the walk."""
     if s.total & COST > w.fuel:
         s.stage = FAILED
         return

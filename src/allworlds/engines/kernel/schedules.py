@@ -97,7 +97,10 @@ def _keep(job, rooms):
 
 @inner
 def _solve(job, worst, best, reached):
-    """Write the worst and the best cost from vertex 0 to ``worst[0, 0]`` and ``best[0, 0]``."""
+    """Write the worst and the best cost of a run to ``worst[0, 0]`` and ``best[0, 0]``.
+
+    Entry ``[explored, v]`` is the cost from vertex v on, when these edges are explored.
+    """
     world = job.world
     _begin(job, reached)
     every = (1 << (world.darts // 2)) - 1

@@ -62,7 +62,7 @@ def by_vertices_and_faces(
 
 @entry
 def count(g, prefix, viable, counts):
-    """Add to ``counts[vertices, faces]`` the maps whose gluing begins with ``prefix``."""
+    """Count each map whose gluing begins with ``prefix``, in ``counts[vertices, faces]``."""
     while advance(g, prefix, viable):
         faces, left = 0, (1 << g.darts) - 1
         while left:
@@ -499,5 +499,5 @@ def _point(world, dart):
 
 @cache
 def lighthouse_address(kind: str) -> int:
-    """The address of the compiled lighthouse, one of :data:`capabilities.LIGHTHOUSES`."""
+    """The address of the compiled lighthouse; :data:`capabilities.LIGHTHOUSES` lists the kinds."""
     return callback(globals()[kind.replace("-", "_")], types.void(RECORD(WORLD)))
