@@ -9,24 +9,24 @@ The way of a run of a user's explorer::
 
 A *job* is one call of a verb with many runs, such as a check.  A *level* of a job is all worlds
 with one number of edges.  A *unit* is some maps of a level, with places of the lighthouse; a *run*
-is one map and one place.
-A *player* is a process with the explorer and without a judge; it makes *logs*, which are bytes.  A
-*judge* walks each log anew in the true map.  A *lane* is a judge with its two players; each worker
-has one lane.  A run has these forms in turn: ``NumberedRun`` (in a unit), ``Due`` (in a batch),
-``Log`` (played), ``Episode`` (the log, followed in the world), ``Outcome`` (judged); then it is
-counted, and becomes a ``Finding`` if it breaks a law.  For compiled built-in explorers there are no
-players and no logs: the kernel plays and judges their runs in threads.
+is one map and one place.  A *player* is a process with the explorer and without a judge; it makes
+*logs*, which are bytes.  A *judge* walks each log anew in the true map.  A *lane* is a judge with
+its two players; each worker has one lane.  A run has these forms in turn: ``NumberedRun`` (in a
+unit), ``Due`` (in a batch), ``Log`` (played), ``Episode`` (the log, followed in the world),
+``Outcome`` (judged); then it is counted, and becomes a ``Finding`` if it breaks a law.  For
+compiled built-in explorers there are no players and no logs: the kernel plays and judges their runs
+in threads.
 
 The modules, in this order; ``protocol.playing`` and ``log`` make and read logs:
 
 ``units``
-    the scope of a check; the units of a level, and the shards to which they fall;
+    the scope of a check; the units of a level, and the shards to which the units are dealt;
 ``limits``
     the limits of a job: workers, time-outs, time, memory;
 ``listeners``
     listeners to the progress of a job;
 ``lanes``, ``dask``
-    transports, which bring units to lanes, in this process or forked; or to a Dask cluster;
+    transports, which bring units to lanes in this or in forked processes; or to a Dask cluster;
 ``lane``
     the loop over the batches of some units, for a judge and its two players;
 ``batch``

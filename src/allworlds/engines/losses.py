@@ -34,7 +34,7 @@ AFTER = " when it was played after others; by itself it was not"
 
 
 class Meaning(Enum):
-    """What the loss of a player means for the run in which the player was lost."""
+    """The meaning of the loss of a player, for the run in which the player was lost."""
 
     BROKEN = "the run breaks the law"
     BROKEN_AFTER_OTHERS = "it does when it is played after others"

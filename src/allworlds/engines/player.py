@@ -286,12 +286,15 @@ def senses(world: World, made: Sequence[actions.Action]) -> bytes:
 
 
 def in_bytes(told: actions.Told, transcript: actions.Transcript) -> bytes:
-    """What a robot is told, and its transcript, as bytes; equal pairs have equal bytes."""
+    """The value that a robot is told, and its transcript, as bytes; equal pairs, equal bytes."""
     return repr((told, transcript.to_json())).encode()
 
 
 def _around(kind: str, world: Any, told: Any, over: bool) -> Any:
-    """What answers the explorer's actions in a run: a table of a world, percepts, or a world."""
+    """The object that answers the explorer's actions, made from ``world``.
+
+    The kind of the batch says whether ``world`` is a table of a world, percepts, or a world.
+    """
     if kind == "table":
         return playing.TableWorld(world, told)
     if kind == "record":

@@ -82,7 +82,7 @@ class Lost(Exception):
 
 
 class Description(NamedTuple):
-    """What a player says of the explorer that it has loaded.
+    """A player's description of the explorer that it has loaded.
 
     Attributes:
         keywords: the keyword arguments that the explorer takes, such as ``told``.

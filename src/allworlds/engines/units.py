@@ -513,7 +513,7 @@ class Sample(Struct, frozen=True):
 
 
 Coverage: TypeAlias = Shard | Sample
-"""What says which worlds of an extent are tried: the units of a shard, or random worlds."""
+"""The choice of the worlds of an extent that are tried: the units of a shard, or random worlds."""
 
 
 class Scope(Struct, frozen=True):

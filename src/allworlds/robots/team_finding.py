@@ -39,7 +39,7 @@ LAWS: dict[str, str] = {
 
 
 class Turned(doc.Document, forbid_unknown_fields=False):
-    """What one robot does in an event."""
+    """The turn of one robot in an event, or a part of this turn."""
 
     robot: Annotated[doc.Natural, doc.about("its number")]
     phase: Annotated[

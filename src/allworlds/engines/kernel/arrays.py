@@ -240,7 +240,7 @@ LOG = _record(
     # The answer, or the S of a checkpoint.
     (ANSWER, "published"),
 )
-"""What a run has done: the darts of arrival, and what the explorer has shown or answered last."""
+"""The record of a run: the darts of arrival, and the map that the explorer has shown last."""
 
 FOLD = _record(
     # The number of darts that lead nowhere so far, the robot's node, and the number of nodes.

@@ -73,9 +73,9 @@ class NamedModel(Struct, frozen=True):
         return "".join(code.digest for code in self.codes)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """What pickle stores: the name and the texts of the user's code, to make the model again.
+        """The values from which pickle makes the model again: its name, and texts of user's code.
 
-        A model that exists in this process alone is stored itself.
+        A model that exists in this process alone is itself such a value.
         """
         if self.here:
             return NamedModel, (self.name, self.model, (), True)
