@@ -1,4 +1,4 @@
-"""Worlds of a file: described, and written in other notations."""
+"""``convert``: the description of a file's worlds, and the same worlds in other notations."""
 
 from collections.abc import Iterable
 from dataclasses import KW_ONLY
@@ -30,14 +30,14 @@ DRAWN = 12
 
 
 def _files(given: Any) -> tuple[str, ...]:
-    """The names of files, from a list or from one name."""
+    """The names of files: ``given`` is None, one name, or a list of names."""
     if given is None:
         return ()
     return tuple(map(str, [given] if isinstance(given, str | Path) else given))
 
 
 class ConvertRequest(FileOptions, kw_only=False):
-    """Request of ``convert``: a file of worlds, and where they are written."""
+    """Request of ``convert``: a file of worlds, and the files in which the worlds are written."""
 
     file: Annotated[
         str | Path, Argument("", "FILE", f"A file of worlds, by its suffix: {legal()}.")
@@ -50,7 +50,7 @@ class ConvertRequest(FileOptions, kw_only=False):
 
 
 class ConvertRow(Document):
-    """A world of the file."""
+    """The description of one world of the file."""
 
     number: Annotated[Positive, about("its place in the file, from 1 on")]
     name: Annotated[str, about("in the file; empty: it has none")]
@@ -72,7 +72,7 @@ class ConvertRow(Document):
 class Convert(Report, kw_only=True):
     """Report of 'convert'.
 
-    The worlds of a file.
+    The worlds of a file; ``drawn`` has the first worlds, of which pictures are shown.
     """
 
     written: Annotated[
@@ -130,10 +130,10 @@ def _row(number: int, entry: Entry) -> ConvertRow:
 
 
 def _room_behind(end: str | list[str | int]) -> str:
-    """The room behind a door, in words.
+    """The name of the room to which a door leads, with a number in parentheses if needed.
 
-    Behind the room stands a key, if another door also leads there, or the door leads back to its
-    own room; both sides of a door have the same key.
+    The number is needed if another edge joins the same rooms, or, for a loop, if the room has
+    another loop.  Both doors of an edge have the same number.
     """
     return end if isinstance(end, str) else f"{end[0]} ({end[1]})"
 

@@ -38,8 +38,10 @@ class CountRequest(SweptOptions, WhereOptions, classes.ExtentOptions):
 class CountRow(doc.Document, kw_only=True):
     """The maps with one number of edges.
 
-    ``counted`` holds the rooted maps by vertices according to the independent source, ``cells`` the
-    number of vertices, the genus, and the numbers of rooted and of unrooted maps that have these.
+    ``counted`` holds the numbers of rooted maps by vertices according to the independent source;
+    None without a source. ``cells`` has, for each number of vertices and genus, these two numbers
+    and then the numbers of rooted and of unrooted maps; the last is None if it is not known.
+    ``whole`` is false in a shard.
     """
 
     edges: doc.Edges
@@ -78,9 +80,9 @@ class CountRow(doc.Document, kw_only=True):
 
     @property
     def agrees(self) -> bool:
-        """Whether enumeration and source agree for every number of vertices.
+        """Whether enumeration and source agree for every number of vertices; true without a source.
 
-        In a shard: whether the enumeration counts no more than the source.
+        In a shard: whether the enumeration counts no more maps than the source.
         """
         return not self.miscounts
 
@@ -110,7 +112,7 @@ class CountedScope(doc.Document):
 class Census(SweptReport):
     """Report of 'count'.
 
-    Every level of a class, counted.
+    The numbers of maps of a class, for each number of edges.
     """
 
     rows: Annotated[tuple[CountRow, ...], doc.about("one a number of edges, ascending")]
@@ -122,7 +124,7 @@ class Census(SweptReport):
 
     @doc.computed
     def gate(self) -> ToldGate:
-        """Count gate, if there is anything to compare."""
+        """The count gate; null if there is nothing to compare."""
         return self.compared
 
     @property
@@ -138,7 +140,7 @@ class Census(SweptReport):
 
 @requests.answers(CountRequest)
 def count(request: CountRequest) -> Census:
-    """Enumerate every rooted map of a class and count them.
+    """Enumerate every rooted map of a class, and count the maps.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -179,7 +181,8 @@ class Counted(Struct):
 
     Attributes:
         cells: the numbers of rooted maps, by vertices and genus.
-        fixed: the sums of the maps' numbers of automorphisms, by vertices and genus, if counted.
+        fixed: the sums of the maps' numbers of automorphisms, by vertices and genus; empty beyond
+            :data:`UNROOTED_LIMIT` edges.
         mirrored: the sum of the maps' numbers of isomorphisms onto the mirror image.
         dual: the sum of the maps' numbers of isomorphisms onto the dual.
     """
@@ -211,7 +214,7 @@ class Enumerate(Struct, frozen=True):
     extent: classes.Extent
 
     def parts(self, unit: LevelUnit) -> Iterator[Counted]:
-        """Yield the counts of the unit's maps, one part of the maps after the other."""
+        """Yield the counts of the unit's maps in parts, which are about different maps."""
         extent = self.extent
         plain = extent.map_class is classes.MapClass.MAPS and extent.where is None
         if plain and unit.edges > UNROOTED_LIMIT and not checks.lack_of(*engine_table.COMPILER):
@@ -235,7 +238,7 @@ def count_compiled(extent: classes.Extent, unit: LevelUnit) -> Counted:
 
 
 def count_one_by_one(extent: classes.Extent, unit: LevelUnit) -> Iterator[Counted]:
-    """Enumerate the maps of a unit, of any class; yield the counts of one part after the other."""
+    """Enumerate the maps of a unit, of any class; yield their counts, some maps at a time."""
     counted = Counted()
     for met, map_ in enumerate(unit.maps(extent), 1):
         cell = map_.vertex_count, map_.genus

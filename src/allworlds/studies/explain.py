@@ -28,7 +28,7 @@ from allworlds.world.world import World
 class Explanation(Report):
     """Report of 'explain'.
 
-    Vertices and darts are those of the world, in the numbering of the finding.
+    The explanation of a finding. Vertices and darts have their numbers in the finding's world.
     """
 
     step: Annotated[
@@ -63,7 +63,7 @@ class Explanation(Report):
 
     @computed
     def law(self) -> LawName:
-        """The broken law."""
+        """The law that the run of the finding breaks."""
         return self.finding.law
 
     @computed
@@ -82,7 +82,7 @@ class ExplainRequest(Request, kw_only=False):
 
 @answers(ExplainRequest)
 def explain(request: ExplainRequest) -> Explanation | TeamExplanation:
-    """Explain the finding in plain words.
+    """Explain a finding in plain words.
 
     Raises:
         InputError: if the finding's transcript is no walk in its world, or its answer is illegal.
@@ -96,7 +96,13 @@ def explain(request: ExplainRequest) -> Explanation | TeamExplanation:
 
 
 def explained(finding: Finding, number: int = 1, findings: int = 1) -> Explanation:
-    """The explanation of a finding of one robot; raises as :func:`explain` does."""
+    """The explanation of a finding of one robot.
+
+    ``number`` is the number of the finding in its report, which holds ``findings`` findings.
+
+    Raises:
+        InputError: if the finding's transcript is no walk in its world, or its answer is illegal.
+    """
     story = Story(finding)
     telling = teller_of(finding.law)(story)
     return Explanation(

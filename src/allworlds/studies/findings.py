@@ -9,7 +9,7 @@ from allworlds.robots.team_finding import TeamFinding, is_of_team
 
 
 class ChosenFinding(NamedTuple):
-    """A finding, its number in its report (from 1 on), and the number of findings in the report."""
+    """A finding, its number in a report (from 1 on), and the number of findings in the report."""
 
     finding: Finding | TeamFinding
     number: int = 1
@@ -28,7 +28,7 @@ class FindingWords(Request):
     ] = 1
 
     def chosen(self) -> ChosenFinding:
-        """The finding with this ``number`` in the file, and how many findings the file holds.
+        """The finding with the number ``number`` in the file, and how many findings there are.
 
         Raises:
             InputError: naming the file, the offending value in it, or the number.

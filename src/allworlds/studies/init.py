@@ -1,4 +1,4 @@
-"""A skeleton of an explorer with its check in CI, or of a paper's ledger."""
+"""``init``: the skeleton of an explorer, with its test and a workflow, or of a paper's ledger."""
 
 import shlex
 from collections.abc import Mapping
@@ -17,7 +17,7 @@ from allworlds.inputs.requests import OUTPUT, Argument, Option, Request, answers
 class Skeleton(Report):
     """Report of 'init'.
 
-    A skeleton that has been written; `/` stands in the names of its files.
+    The skeleton of an explorer that has been written; the names of its files are written with `/`.
     """
 
     directory: Annotated[Path, about("as it was named")]
@@ -28,17 +28,17 @@ class Skeleton(Report):
 
     @computed
     def explorer(self) -> Text:
-        """The file of the explorer, to be completed."""
+        """The name of the file with the explorer, which the user completes."""
         return self.language.explorer
 
     @computed
     def check(self) -> Text:
-        """A shell command that checks it."""
+        """A shell command that checks the explorer."""
         return f"cd {shlex.quote(str(self.directory))} && {self.language.check}"
 
     @computed
     def test(self) -> Text:
-        """A shell command that runs its test, in the directory."""
+        """A shell command that runs the explorer's test, to be given in the directory."""
         return self.language.test
 
     @property
@@ -50,7 +50,7 @@ class Skeleton(Report):
 class LedgerSkeleton(Report):
     """Report of 'init --ledger'.
 
-    The ledger of a paper, with two claims, that has been written.
+    The ledger that has been written for a paper; it has two claims.
     """
 
     directory: Annotated[Path, about("as it was named")]
@@ -65,7 +65,7 @@ class LedgerSkeleton(Report):
 class Header(Report, kw_only=True):
     """Report of 'init --header'.
 
-    The C header.
+    The C header of native explorers, which are shared libraries.
     """
 
     version: Annotated[Positive, about("of the interface: `ALLWORLDS_VERSION`")] = INTERFACE_VERSION
@@ -73,7 +73,7 @@ class Header(Report, kw_only=True):
 
 
 class InitRequest(Request, kw_only=False):
-    """Request of ``init``: a skeleton of an explorer or of a ledger, or the header."""
+    """Request of ``init``: a skeleton of an explorer or of a ledger, or the C header."""
 
     directory: Annotated[
         str | Path | None,
@@ -107,9 +107,9 @@ def init(request: InitRequest) -> Skeleton | LedgerSkeleton | Header:
     The directory may exist and have other files; no file is overwritten.
 
     Raises:
-        InputError: if a skeleton and the header are requested, or neither is, there is no skeleton
-            in that language, one of its files exists already (then nothing is written), or a file
-            cannot be written.
+        InputError: if both a skeleton and the header are requested, or neither; if ``lang`` has no
+            skeleton; if a file of the skeleton exists already (then nothing is written); or if a
+            file cannot be written.
     """
     directory, lang = request.directory, request.lang
     if request.header:
@@ -138,7 +138,8 @@ def _written(directory: str | Path, texts: Mapping[str, str]) -> Path:
     """Write the files of a skeleton, and return its folder.
 
     Raises:
-        InputError: if one of them exists already (then nothing is written), or cannot be written.
+        InputError: if one of the files exists already (then nothing is written), or cannot be
+            written.
     """
     folder = a_path("directory", directory)
     there = [name for name in texts if (folder / name).exists() or (folder / name).is_symlink()]

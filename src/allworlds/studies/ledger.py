@@ -80,11 +80,11 @@ class NotChecked(Struct, frozen=True):
 
 
 class Unfinished(RuntimeError):
-    """Raised if a check inside a claim has no answer; the claim counts as refuted."""
+    """Raised if a check that a claim's function runs has no answer; the claim counts as refuted."""
 
 
 class Means(Struct, frozen=True):
-    """Resources for checking claims.
+    """The resources that a claim's function may use.
 
     Attributes:
         workers: the number of processes, or of threads.
@@ -96,7 +96,7 @@ class Means(Struct, frozen=True):
 
 
 Check: TypeAlias = Callable[..., Found | NotChecked]
-"""The function of a claim, which takes the means, and the bounds of the scope as keywords."""
+"""The function of a claim; its arguments are the ``Means``, and the bounds as keywords."""
 
 
 def truth(holds: object) -> Truth:
@@ -105,8 +105,9 @@ def truth(holds: object) -> Truth:
 
 
 def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
-    """The outcome of an exhaustive check; its worlds, runs and the named events are witnesses.
+    """The outcome of a claim that an exhaustive check decides.
 
+    Its witnesses are the numbers of worlds, of runs and of the events that are named in ``events``;
     ``figures`` are the numbers that the sentence names.
 
     Raises:
@@ -159,7 +160,9 @@ class Sentence(doc.Document):
 class Claim(Sentence):
     """A sentence and its expected outcome: a table of ``ledger.toml``.
 
-    ``{name}`` in the scope stands for the bound of that name.
+    ``quick`` and ``full`` have the bounds and the expected numbers under these budgets; without
+    ``full``, ``quick`` counts under both.  In the text ``scope``, ``{name}`` stands for the bound
+    with this name.
     """
 
     quick: ClaimScope
@@ -231,19 +234,24 @@ FAULTS = (Unfinished, outcome.Disagreement, tally.EnginesDisagree)
 
 
 QUICK = 0.5
-"""The seconds below which a claim is checked twice."""
+"""The most seconds that the check of a claim may take if it is to be repeated.
+
+Both outcomes must be equal.
+"""
 
 
 Outcome: TypeAlias = Found | NotChecked | Exception
-"""The outcome of a claim in the ledger, which may be the error that its check has raised."""
+"""The result of a claim's function: the value that it has returned, or the error it has raised."""
 
 
 class CheckedClaim(Sentence):
     """A sentence that can be checked, with the expected outcome and the one found.
 
-    ``truth`` is the verdict of its function, None if nothing was checked; checking took
-    ``seconds``. Each of the ``worlds`` has its caption. A ``disagreement`` within this program
-    refutes a claim, whatever is expected of it; an ``error`` of this program leaves it open.
+    ``truth`` is the verdict of the claim's function, or None if nothing was checked; ``seconds`` is
+    the duration of the check; ``captions`` has a caption for each of the ``worlds``.
+    ``disagreement`` is the text of a disagreement within this program, which refutes the claim,
+    whatever is expected. ``error`` is the text of an error of this program, which leaves the claim
+    open. Both texts are empty if all went well.
     """
 
     witnesses: Annotated[
@@ -309,7 +317,7 @@ class CheckedClaim(Sentence):
 class LedgerReport(RowsReport):
     """Report of 'ledger'.
 
-    The ledger, as far as it was made.
+    The claims of a paper that were checked, each with its expected and its found outcome.
     """
 
     budget: Annotated[Budget, doc.about("how much was done")]
@@ -439,7 +447,9 @@ def _entries(
 
 
 def entry_of(claim: Claim, check: Check, means: Means) -> CheckedClaim:
-    """Check a claim and return its entry in the report; check it twice if this takes little time.
+    """Check a claim and return its entry in the report.
+
+    If the check takes at most :data:`QUICK` seconds, it is made twice.
 
     Raises:
         InputError: naming the claim, if its function ends the process, returns no outcome, or
@@ -513,7 +523,7 @@ def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0)
 
 
 def _ensure_named(option: str, names: Iterable[str], legal: Sequence[str]) -> None:
-    """Raise InputError for the first of these names that is no claim."""
+    """Raise InputError for the first of ``names`` that is no claim; ``legal`` has all claims."""
     for name in names:
         if name not in legal:
             some = f"; the first of {len(legal)} are {', '.join(legal[:3])}"

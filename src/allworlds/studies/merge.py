@@ -20,7 +20,7 @@ from allworlds.version import __version__
 
 
 class MergeRequest(RowOptions, ListenerOptions):
-    """Request of ``merge``: the run directories, and the rows that are wanted."""
+    """Request of ``merge``: the run directories, and what a row of the CSV file is about."""
 
     runs: Annotated[
         Sequence[str | Path],
@@ -29,7 +29,7 @@ class MergeRequest(RowOptions, ListenerOptions):
 
 
 def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
-    """The class of the sweep that answers a verb."""
+    """The class of the sweeps that answer the verb with this name."""
     from allworlds.studies.ambiguity.census_sweep import CensusSweep
     from allworlds.studies.check.exhaustive import CheckSweep
     from allworlds.studies.compare.comparison import SameWorlds
@@ -49,7 +49,7 @@ def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
 def shards_of(
     runs: Sequence[str | Path],
 ) -> Iterator[tuple[kept_units.Identity, run_directory.Merged]]:
-    """Open run directories; yield their job's identity, and the finished units of all its shards.
+    """Open the run directories of a job's shards; yield the job's identity and all finished units.
 
     Raises:
         InputError: if the directories are not of one job, or overlap.
@@ -119,7 +119,7 @@ State: TypeAlias = Literal["running", "finished", "unfinished"]
 
 
 class DoneOf(doc.Document):
-    """Number done, and number of all."""
+    """How many units or worlds are finished, and how many there are in all."""
 
     done: Annotated[doc.Natural, doc.about("are finished")]
     all: Annotated[doc.Natural, doc.about("are to be done")]
@@ -136,10 +136,11 @@ class LargestCost(doc.Document):
 class Standing(Report):
     """Report of 'status'.
 
-    The content of a run directory. Larger worlds take longer, so the time left is a guess.
+    The progress of the job in a run directory. Larger worlds take longer, so the time left is a
+    guess.
 
-    ``counted`` tells that all worlds were counted beforehand; ``options`` are further options of
-    the job.
+    ``counted``: whether the number of all worlds is exact, and not an upper limit; ``options`` are
+    the options of the job that no other sentence of the report names, as on the command line.
     """
 
     verb: Annotated[doc.Text, doc.about("the verb whose units these are")]
@@ -183,10 +184,10 @@ class StatusRequest(Request, kw_only=False):
 
 @answers(StatusRequest)
 def status(request: StatusRequest) -> Standing:
-    """Report the progress of a run directory, from every unit in it.
+    """Report the progress of the job in a run directory, from all units that are kept there.
 
     Raises:
-        InputError: if it is no run directory, or is damaged.
+        InputError: if the directory is no run directory, or is damaged.
     """
     path = a_path("run", request.run)
     running = run_directory.in_use(path)
@@ -234,4 +235,4 @@ def status(request: StatusRequest) -> Standing:
 
 
 NAMED = ("edges", "vertices", "map_class", "family", "to", "where", "lighthouse", "task")
-"""The fields of requests that the text of a status names in sentences of their own."""
+"""The fields of requests that the report of ``status`` names in sentences, not as options."""

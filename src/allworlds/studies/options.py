@@ -1,4 +1,4 @@
-"""Parts of requests that several studies share, besides their limits."""
+"""The parts of requests that name the listener, the run directory and the Dask cluster."""
 
 from pathlib import Path
 from typing import Annotated
@@ -8,7 +8,7 @@ from allworlds.inputs.requests import RARE_EFFORT, Converted, Option, Request
 
 
 class ListenerOptions(Request):
-    """The part of a request that names the listener, who hears of the progress."""
+    """The part of a request that names the listener, which is told of the job's progress."""
 
     listener: Annotated[
         Converted[Listener | None, Listener],
@@ -17,7 +17,7 @@ class ListenerOptions(Request):
 
 
 class RunDirectoryOptions(Request):
-    """The part of a request that names the run directory."""
+    """The part of a request that names the run directory, which keeps the finished units."""
 
     run: Annotated[
         str | Path | None,

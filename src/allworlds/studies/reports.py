@@ -10,7 +10,7 @@ from allworlds.documents.report import Report
 
 
 class EndedReport(Report):
-    """A report of the part of a job that was finished at its ``ending``."""
+    """A report of the finished part of a job; ``ending`` says how the job ended."""
 
     ending: doc.NotInDocument[outcome.Ending]
 
@@ -21,7 +21,7 @@ class EndedReport(Report):
 
     @property
     def agrees(self) -> bool:
-        """Whether the counts agree with those of the independent source."""
+        """Whether the counts agree with those of an independent source; true without a source."""
         return True
 
     @property
@@ -31,7 +31,7 @@ class EndedReport(Report):
 
     @property
     def undecided(self) -> bool:
-        """Whether a part that could change the answer was not done."""
+        """Whether a part of the job that could change the verdict was not done."""
         return isinstance(self.ending, outcome.Stopped)
 
     @property
@@ -47,7 +47,7 @@ class EndedReport(Report):
     def uninterrupted(self) -> Self:
         """Return this report, unless the user interrupted the job.
 
-        It is for callers that cannot use the report of an unfinished job.
+        This method is for callers that cannot use the report of an interrupted job.
 
         Raises:
             KeyboardInterrupt: if the user interrupted the job.
@@ -69,9 +69,9 @@ class EndedReport(Report):
 
 
 class RowsReport(EndedReport):
-    """A report with rows for the finished part."""
+    """A report with a table, whose rows are about the finished part of the job."""
 
     @doc.computed
     def complete(self) -> doc.AllRows:
-        """Whether no row is missing."""
+        """Whether no row is missing: the job went through to its end."""
         return isinstance(self.ending, outcome.Completed | outcome.Disagreed)

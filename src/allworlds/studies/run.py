@@ -35,7 +35,11 @@ from allworlds.world.world import World
 
 
 def index_list(text: str) -> tuple[int, ...]:
-    """The indices in a text such as ``0,2,1``; raise InputError if it is no such list."""
+    """The indices in a text such as ``0,2,1``.
+
+    Raises:
+        InputError: if the text is no list of indices.
+    """
     if not re.fullmatch(r"[0-9]{1,9}(,[0-9]{1,9})*", text):
         raise InputError(f"choices {show(text)} are not indices from 0 on with commas")
     return tuple(int(part) for part in text.split(","))
@@ -48,7 +52,7 @@ def _indices(choices: object) -> tuple[int, ...]:
 
 
 class RunOptions(limits.TimeoutOptions, RuleOptions, WorldOptions):
-    """Options for one run: the world, how it is played and judged."""
+    """The part of a request about one run: the world, the choices, the rules and the time-outs."""
 
     choices: Annotated[
         Converted[Sequence[int], tuple[int, ...]],
@@ -88,8 +92,8 @@ def run(request: RunRequest) -> single.SingleRun:
     """Run an explorer once, and judge the run.
 
     A user's explorer that another process can import is played in its own process, as in a check;
-    any other explorer in this process. The process has the hash seed of the environment variable
-    ``PYTHONHASHSEED``, if it is set.
+    any other explorer is played in this process. The explorer's process has the hash seed of the
+    environment variable ``PYTHONHASHSEED``, if the variable is set.
 
     Raises:
         InputError: naming the offending option and what would be legal, or the first choice that
@@ -106,7 +110,7 @@ def run(request: RunRequest) -> single.SingleRun:
 
 
 def _located(run: single.SingleRun, subject: Any, limits: limits.Limits) -> single.SingleRun:
-    """The run, with lines of the explorer's code in its finding, if it has a finding."""
+    """The run; if it has a finding, lines of the explorer's code are added to the finding."""
     found = run.finding and hints.located(run.finding, subject, limits)
     return doc.replace(run, finding=found)
 
@@ -118,14 +122,14 @@ def _asked_hash_seed() -> int | None:
 
 
 class AnotherExplorer(sources.ProgramWords):
-    """An explorer in place of the recorded one, as the command line names it."""
+    """An explorer in place of the recorded explorer, by its name on the command line."""
 
     explorer: Annotated[
         str | None, Option(SCOPE, "EXPLORER", "In place of the recorded explorer.")
     ] = None
 
     def value(self) -> str | None:
-        """The name of the explorer; None if none is given."""
+        """The name of the explorer; None if no explorer is named."""
         return self.named(self.explorer)
 
 
@@ -139,7 +143,11 @@ class ReplayRequest(limits.TimeoutOptions, FindingOptions, kw_only=False):
 
 
 TRIES = 8
-"""The number of runs, each in two fresh processes, until the outcome is ``not-reproduced``."""
+"""The most runs that ``replay`` makes for a finding of the law ``nondeterministic``.
+
+Each run is made in two fresh processes.  If no run breaks a law, the outcome is
+``not-reproduced``.
+"""
 
 
 class Replay(Report):
@@ -148,8 +156,8 @@ class Replay(Report):
     The result of running a finding again.
 
     ``notice`` names the first recorded choice that this run did not take. It is empty if the run
-    took all, or if another explorer made its own choices. ``users`` says that a user's explorer
-    ran, not a built-in one.
+    took all recorded choices, or if another explorer made its own choices. ``users``: whether a
+    user's explorer ran, and not a built-in one.
     """
 
     again: Annotated[single.SingleRun, doc.about("the run of today")] = doc.key(name="run")
@@ -159,7 +167,7 @@ class Replay(Report):
 
     @doc.computed
     def explorer(self) -> doc.Text:
-        """The explorer that ran."""
+        """The name of the explorer that ran."""
         return self.again.explorer
 
     @doc.computed
@@ -174,7 +182,7 @@ class Replay(Report):
 
     @doc.computed
     def outcome(self) -> Literal["reproduced", "fixed", "not-reproduced"]:
-        """``reproduced``: a law is broken again; ``fixed``: none is; else it cannot be shown."""
+        """``reproduced``: a law is broken; ``fixed``: none is; ``not-reproduced``: left open."""
         if self.again.finding:
             return "reproduced"
         open_ = self.users and self.recorded.law == "nondeterministic"
@@ -182,7 +190,7 @@ class Replay(Report):
 
     @property
     def facts(self) -> Facts:
-        """The facts that decide the verdict: no law is broken any more, or this is left open."""
+        """The facts that decide the exit code: whether the finding is fixed, or this is open."""
         outcome = self.outcome
         return Facts(fixed=outcome == "fixed", undecided=outcome == "not-reproduced")
 
@@ -248,9 +256,9 @@ VARIANTS = {
 
 
 def _cost_of_algorithm1(world: World) -> int | None:
-    """The cost of Algorithm 1 in the world; None if it is not run there.
+    """The cost of Algorithm 1 in the world; None if Algorithm 1 is not run there.
 
-    It is run in worlds with at most :data:`LARGEST` edges and a lighthouse in :data:`VARIANTS`.
+    It is run in worlds with at most :data:`LARGEST` edges whose lighthouse is in :data:`VARIANTS`.
 
     Cost: seconds at most.
     """
@@ -263,14 +271,17 @@ def _cost_of_algorithm1(world: World) -> int | None:
 
 
 Player: TypeAlias = Callable[[Percept, str], Action | None]
-"""A player: given the percept, and the fault of the last action (empty if there is none),
-it returns the next action; None ends the game."""
+"""A function that plays the robot.
+
+Its arguments are the percept and the reason why the last action was refused, an empty text if it
+was not.  It returns the next action, or None to end the game.
+"""
 
 
 class Play(Report, kw_only=True):
     """Report of 'play'.
 
-    A world and a walk in it.
+    A world, and a player's walk in this world.
     """
 
     path: Annotated[str | None, about("the page for playing; null: played in the terminal")] = None
@@ -284,7 +295,7 @@ class Play(Report, kw_only=True):
 
 
 class PlayRequest(requests.Request, kw_only=False):
-    """Request of ``play``: a world, and who walks in it."""
+    """Request of ``play``: a world, and the player that walks in it."""
 
     world: Annotated[World | str, WORLD]
     _: KW_ONLY

@@ -1,4 +1,4 @@
-"""The scope of a report, with the values that took effect, and keys that several scopes share."""
+"""The function that makes the scope of a report from a request, and keys of several scopes."""
 
 from typing import Annotated, Any, TypeAlias, TypeVar
 
@@ -12,11 +12,14 @@ TriedPlaces = Annotated[
     doc.IfAny[doc.Text | None],
     doc.about("the places of the lighthouse that were tried; where it is left out, every one"),
 ]
-"""A key of every scope with a lighthouse."""
+"""The type of a key that names, in words, the places of the lighthouse that were tried."""
 
 
 def tried_places(kind: LighthouseKind, extent: classes.Extent) -> str:
-    """The tried places of a lighthouse in an extent, in words; empty if all places are tried."""
+    """The places of a lighthouse that are tried in the maps of an extent, in words.
+
+    The text is empty if all places are tried in every map.
+    """
     return kind.as_class.tried_in_maps_of(extent.levels[-1])
 
 
@@ -35,13 +38,17 @@ Scope_ = TypeVar("Scope_", bound=doc.Document)
 def as_scope(
     kind: type[Scope_], request: requests.Request, rules: Rules | None = None, **more: Any
 ) -> Scope_:
-    """Return a request's scope as a document, with the values that took effect.
+    """Return the scope of a request as a document, with the values that took effect.
+
+    A value that took effect may differ from the value in the request: for example the explorer's
+    own lighthouse took effect if the request names none.
 
     Args:
         kind: the class of the document.
-        request: the request; the keys are the names of its options.
-        rules: the rules of the runs, which replace the options of rules; None: no run was judged.
-        more: the values of further keys, or other values of keys of the request.
+        request: the request; each key that has the name of an option gets the option's value.
+        rules: the rules of the runs; their values replace those of the request.  None: no run was
+            judged.
+        more: values by key, which replace all other values of these keys.
     """
     asked = {
         one.name: requests.as_json(getattr(request, one.name))

@@ -1,4 +1,4 @@
-"""Requests and reports of the studies that go through units, and their count gate."""
+"""The base of requests and reports of studies that go through units, and the count gate."""
 
 from collections.abc import Sequence
 from typing import Annotated, Any, TypeAlias, get_args
@@ -24,14 +24,14 @@ class SweptOptions(
     TimeLimitOptions,
     ShardOptions,
 ):
-    """The part of a request with the shard, the run directory, the Dask cluster and the limits."""
+    """The part of a request with listener, Dask cluster, run directory, time limit and shard."""
 
 
 _by = a_word("by", get_args(By))
 
 
 class RowOptions(Request):
-    """The part of a request that chooses the rows of the report."""
+    """The part of a request that chooses what one row of a CSV file is about."""
 
     by: Annotated[
         Converted[str | None, By | None],
@@ -62,14 +62,18 @@ ToldGate: TypeAlias = Annotated[
 
 
 class PortionReport(EndedReport):
-    """A report about the worlds of an ``extent``, for a ``request``."""
+    """A report about worlds, or about a shard of these worlds.
+
+    ``request`` is the answered request; ``extent`` is the class of maps with its bounds, or the
+    given maps.
+    """
 
     request: doc.NotInDocument[Any]
     extent: doc.NotInDocument[classes.Extent]
 
     @property
     def portion(self) -> units.Shard:
-        """The part of the job that the report is about."""
+        """The shard that the report is about; ``WHOLE`` stands for the whole job."""
         portion: units.Shard = self.request.shard
         return portion
 
@@ -80,7 +84,7 @@ class PortionReport(EndedReport):
 
 
 class SweptReport(PortionReport, RowsReport):
-    """A report with rows about the worlds of an extent."""
+    """A report with rows about worlds, level by level, or about a shard of these worlds."""
 
     @doc.computed
     def stopped(self) -> doc.Why:

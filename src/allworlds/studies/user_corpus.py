@@ -1,4 +1,7 @@
-"""The user's corpus: a directory of findings.  A check tries them first, and adds its new ones."""
+"""The user's corpus: a directory of findings.
+
+A check first tries these findings again, and in the end adds its new findings to the directory.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +23,7 @@ from allworlds.protocol.user_code import OtherText
 
 
 class CorpusOptions(Request):
-    """The part of a request that names the corpus."""
+    """The part of a request that names the directory of the user's corpus."""
 
     corpus: Annotated[
         str | Path | None,
@@ -34,7 +37,7 @@ class CorpusOptions(Request):
 
 
 class CorpusReport(Document):
-    """Findings of a corpus after a check: reproduced, fixed or written."""
+    """The files of a corpus after a check, sorted by what the check did with their findings."""
 
     directory: Annotated[Text, about("the path of the corpus")]
     reproduced: Annotated[tuple[Text, ...], about("the files whose findings still stand")]
@@ -74,23 +77,23 @@ class CorpusReport(Document):
 
 
 class LeftOpen(NoResult):
-    """Raised if a limit ended the retry of a finding."""
+    """Raised if a limit, such as the time limit, ends the retry of a finding without an answer."""
 
 
 class Storable(Protocol):
-    """A finding of any kind."""
+    """A finding that a corpus can hold: of one robot, or of several."""
 
     @property
     def key(self) -> Any:
-        """The key of the finding in the order of findings."""
+        """The value by which findings are sorted, the smallest first."""
 
     @property
     def text(self) -> str:
-        """The text of its file."""
+        """The text of the finding's file, in JSON."""
 
     @property
     def file_name(self) -> str:
-        """The name of its file, with a digest of the text."""
+        """The name of the finding's file, which contains a digest of the file's text."""
 
 
 Found = TypeVar("Found", bound=Storable)
@@ -118,9 +121,10 @@ class UserCorpus(Struct, Generic[Found]):
         Each finding is tried separately, so that a lost player does not affect other findings.
 
         Args:
-            again: a function that returns the reproduced finding, or None if it is fixed. It raises
-                ``OtherText`` if a finding cannot be tried, ``LeftOpen`` if a limit ends the retry.
-            is_inside: whether a finding is in the scope of this check.
+            again: a function that tries a finding again, and returns the reproduced finding, or
+                None if no law is broken any more.  It raises ``OtherText`` if the finding cannot be
+                tried, and ``LeftOpen`` if a limit ends the retry.
+            is_inside: a function that says whether a finding is in the scope of this check.
 
         Raises:
             InputError: naming a file that cannot be read, has no finding, or was changed since it
@@ -175,11 +179,11 @@ class UserCorpus(Struct, Generic[Found]):
         return CorpusReport(directory=str(self.directory), **files)
 
     def holds(self, finding: Found) -> bool:
-        """Whether this is a past finding that was reproduced and confirmed."""
+        """Whether the finding is one of the past findings that this check has reproduced."""
         return finding in self._standing
 
     def write(self, findings: Iterable[Found]) -> Iterator[str]:
-        """Write findings that are new; yield a message for each one that cannot be written."""
+        """Write the findings that are new; yield a message for each file that cannot be written."""
         for finding in findings:
             if not self.holds(finding):
                 try:
@@ -204,10 +208,12 @@ class UserCorpus(Struct, Generic[Found]):
 def corpus_of(
     named: str | Path | None, run: str | Path | None, read: Callable[[str], Found]
 ) -> UserCorpus[Found] | None:
-    """The corpus that a request names; None if it names none.
+    """The corpus in the directory ``named``; None if no directory is named.
+
+    ``read`` makes a finding from the text of its file.
 
     Raises:
-        InputError: if the request also names a run directory.
+        InputError: if a corpus and a run directory, ``run``, are named.
     """
     if named is None:
         return None

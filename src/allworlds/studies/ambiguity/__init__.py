@@ -16,8 +16,10 @@ bisimulation
     (:mod:`allworlds.world.bisimulation`).
 separation
     Motions after which a robot senses different percepts in two worlds.
-    coarsening
-        A sensor that tells no more percepts apart than a given one, the finest sensor.
+sensor
+    A lighthouse, as far as it decides what a robot senses at each dart.
+coarsening
+    A sensor that tells no more percepts apart than a given sensor, the finest one.
 
 Modules
 -------
@@ -33,7 +35,8 @@ Modules
 ``question``, ``twin_search``
     the search by solvers for worlds that no motion tells apart;
 ``clauses``, ``one_world``, ``formulas``
-    the clauses of a formula; the formulas of one world, and of two that no motion tells apart;
+    the clauses of a formula; the formulas of one world, and of two worlds that no motion tells
+    apart;
 ``solvers``, ``proofs``
     the solvers of formulas, and checkers of proofs that there are no twins; twins
     that were found are checked by :mod:`allworlds.world.bisimulation`.

@@ -34,7 +34,7 @@ from allworlds.world.selection import WhereOptions, tried_kind
 from allworlds.world.world import World
 
 BATCH = 2000
-"""The number of worlds after which a part of a unit is handed over."""
+"""The number of worlds, or of maps, after which the engine yields a part of its result."""
 
 
 class CensusRequest(
@@ -85,14 +85,14 @@ class SizeCounts(Struct):
     largest_class: int = 0
 
     def add_class(self, members: int, of: int) -> None:
-        """Count ``members`` worlds of these sizes, which are in a class of ``of`` worlds in all."""
+        """Count ``members`` worlds of these sizes, which belong to one class of ``of`` worlds."""
         self.ambiguous_worlds += members
         self.classes += 1
         self.largest_class = max(self.largest_class, of)
 
 
 class SensedParts(Struct, forbid_unknown_fields=True):
-    """The worlds of some parts of a census, and which of these worlds look alike.
+    """The worlds of a part of a census, and the pairs of these worlds that look alike.
 
     Attributes:
         worlds: the number of rooted maps.
@@ -100,8 +100,8 @@ class SensedParts(Struct, forbid_unknown_fields=True):
         looks: the name of the smallest world with each look.  A look is a code of all that a robot
             can find out from a start.
         alike: pairs of names of worlds that share a look, the smaller world first.
-        counted: for some looks the number of all worlds in the ambiguity class of the worlds with
-            that look, computed by Burnside's lemma.
+        counted: for some looks the number of worlds in the ambiguity class with this look, computed
+            by Burnside's lemma.
     """
 
     worlds: doc.Natural
@@ -197,14 +197,17 @@ class SensedParts(Struct, forbid_unknown_fields=True):
 
 
 class PartBySensing(Struct, frozen=True):
-    """The engine of the census."""
+    """The engine of the census.
+
+    ``counted``: whether sizes of ambiguity classes are also computed by Burnside's lemma.
+    """
 
     extent: classes.Extent
     kind: kinds.LighthouseKind
     counted: bool
 
     def parts(self, unit: AnyUnit) -> Iterator[SensedParts]:
-        """Yield the worlds of the unit in parts."""
+        """Yield the worlds of the unit, some at a time."""
         kind = self.kind.as_class
         if isinstance(unit, units.LevelUnit) and arrays.compiled_name(kind, self.extent):
             several = arrays.laid_out(unit, self.extent, kind)
@@ -254,8 +257,8 @@ LargestClass: TypeAlias = Annotated[
 class CensusRow(doc.Document, kw_only=True):
     """The marked maps with one number of edges.
 
-    ``rooted`` is the number of rooted maps found, ``counted`` the number according to the
-    independent source. A shard may hold some members of a class and not others.
+    ``rooted`` is the number of rooted maps that were found, ``counted`` the number according to the
+    independent source. A shard may hold some members of an ambiguity class without the others.
     """
 
     edges: doc.Edges
@@ -298,7 +301,7 @@ class CensusScope(doc.Document):
 class AmbiguityCensus(SweptReport):
     """Report of 'ambiguity census'.
 
-    Every level of a class of maps; twins are looked for inside the class only.
+    The counts of worlds that look alike, for each size. Only twins in the class of maps count.
     """
 
     rows: Annotated[tuple[CensusRow, ...], doc.about("one a number of edges, ascending")]
@@ -315,12 +318,12 @@ class AmbiguityCensus(SweptReport):
 
     @doc.computed
     def scope(self) -> CensusScope:
-        """A description of all worlds that were classified."""
+        """A description of the worlds whose looks were compared."""
         return as_scope(CensusScope, self.request, places=self.places, shard=str(self.portion))
 
     @doc.computed
     def gate(self) -> ToldGate:
-        """Count gate, if there is anything to compare."""
+        """The count gate; null if there is nothing to compare."""
         return self.compared
 
     @property
@@ -341,12 +344,15 @@ class AmbiguityCensus(SweptReport):
 
 @requests.answers(CensusRequest)
 def census(request: CensusRequest) -> AmbiguityCensus:
-    """Classify every map of a class with every choice of a marked vertex, up to isomorphism.
+    """Find the worlds of a class that look alike: every map with every place of its lighthouse.
+
+    Isomorphic worlds count once.
 
     Raises:
         InputError: naming the offending option and what would be legal.
 
-    Cost: some 30 microseconds a rooted map and place, in compiled code 7; and 300 bytes of memory.
+    Cost: for each rooted map and place some 30 microseconds, in compiled code 7, and 300 bytes of
+    memory.
     """
     return CensusSweep(request).answer(request.run)
 
@@ -419,9 +425,9 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         )
 
     def _compared(self, names: tuple[str, ...]) -> ComparedWorlds | None:
-        """The two worlds with these names, with the proof that no motion tells them apart.
+        """The two worlds with these names, and the proof that no motion tells them apart.
 
-        None if no names are given.
+        None if ``names`` is empty.
         """
         found: dict[str, dict[str, World]] = {}
         for edges in sorted({self._met.sizes[name][0] for name in names}):

@@ -22,7 +22,7 @@ class Block(Struct, frozen=True):
         name: the name of the block, for example ``sigma1``.
         first: the variable of index 0, or of the pair ``(0, 0)``.
         shape: the number of indices; for pairs, the numbers of first and of second indices.  The
-            variables with one first index are consecutive.
+            variables that have the same first index are consecutive.
         meaning: what it means that a variable is true, as a sentence about its indices x and y.
     """
 
@@ -73,7 +73,7 @@ class Formula:
         return block
 
     def section(self, text: str) -> None:
-        """Begin a section of clauses, whose meaning is written into the file as a comment."""
+        """Begin a section of clauses; ``text``, its meaning, becomes a comment in the file."""
         self._sections.append((len(self.clauses), text))
 
     def add(self, *literals: Literal) -> None:
@@ -126,10 +126,10 @@ def read_dimacs(path: Path, leave_out: str = "") -> tuple[int, list[Clause]]:
 
     Args:
         path: the path of the file.
-        leave_out: the section whose clauses are left out.
+        leave_out: the text of the section whose clauses are left out; empty: all clauses are read.
 
     Raises:
-        ValueError: if there is no such section.
+        ValueError: if the file has no section with this text.
     """
     variables, clauses, section, found = 0, list[Clause](), "", False
     for line in path.read_text(encoding="ascii").splitlines():

@@ -1,7 +1,8 @@
-"""The weakest sensors: of all coarsenings of a finest sensor the minimal ones that suffice.
+"""The weakest sensors: the minimal ones among the coarsenings of a finest sensor that suffice.
 
-A coarsening is a sensor that tells no more percepts apart than the finest one.  It suffices if no
-two worlds with different rooted maps look alike under it.
+A coarsening is a sensor that tells no more percepts apart than the finest sensor.  A coarsening
+suffices if no two worlds with different rooted maps look alike under it.  It is minimal if no
+coarser one suffices.
 """
 
 from collections.abc import Iterator, Sequence
@@ -25,12 +26,15 @@ from allworlds.world.selection import tried_kind
 from allworlds.world.world import World
 
 MOST_FEATURES = 8
-"""The most features of a finest sensor: eight have 4,140 coarsenings, and nine 21,147."""
+"""The most features of a finest sensor: eight features have 4,140 coarsenings, nine have 21,147."""
 
 SHAPE = 'a lighthouse whose marks are numbers of its features, as in features = ("away", "door")'
 
 Letters: TypeAlias = tuple[int, ...]
-"""A coarsening: the letter of each feature; letters are numbered in the order of occurrence."""
+"""A coarsening: for each feature the letter that a robot senses in its place.
+
+Letters are the numbers 0, 1, ... in the order of their first occurrence.
+"""
 
 
 class WeakestRequest(ManyWorldsOptions, kw_only=False):
@@ -46,7 +50,7 @@ Blocks: TypeAlias = Annotated[
 
 
 class RefutedSensor(doc.Document):
-    """A coarser sensor that does not suffice: two different worlds look alike to a robot."""
+    """A coarsening that does not suffice: two worlds with different rooted maps look alike."""
 
     letters: Blocks
     edges: Annotated[doc.Positive, doc.about("of the larger of the two worlds")]
@@ -54,7 +58,7 @@ class RefutedSensor(doc.Document):
 
 
 class MinimalSensor(doc.Document):
-    """A coarsening that suffices, and none that is coarser does."""
+    """A coarsening that suffices, while no coarser one suffices."""
 
     letters: Blocks
     below: Annotated[
@@ -75,7 +79,8 @@ class WeakestScope(doc.Document):
 class AmbiguityWeakest(Report, kw_only=True):
     """Report of 'ambiguity weakest'.
 
-    Every coarsening of a sensor, in the same worlds; one suffices if no two worlds look alike.
+    The coarsenings of a finest sensor, in the same worlds. A coarsening is a sensor that tells no
+    more percepts apart; it suffices if no two different rooted maps look alike.
     """
 
     scope: WeakestScope
@@ -125,8 +130,8 @@ class FinestLevel(NamedTuple):
     """The worlds of one size, under the finest sensor.
 
     Attributes:
-        worlds: the rooted maps, each with every place of the lighthouse.
-        arrays: the same worlds as arrays, in which only degrees are sensed.
+        worlds: the rooted maps, each once for every place of the lighthouse.
+        arrays: the same worlds as arrays; a robot senses only the degrees in these.
         features: for each dart the number of the feature that the finest sensor senses there.
         roots: for each world the number of its rooted map.
     """
@@ -137,9 +142,9 @@ class FinestLevel(NamedTuple):
     roots: list[int]
 
     def looks(self, letters: Letters, indices: Sequence[int]) -> Iterator[bytes]:
-        """The codes, under a coarsening, of the worlds with these indices.
+        """Yield the code of each world with one of these indices, under a coarsening.
 
-        Two worlds that look alike have equal codes.
+        Two worlds have equal codes if and only if they look alike.
         """
         import numpy as np
 
@@ -162,7 +167,7 @@ def partitions(count: int) -> list[Letters]:
 
 
 def lower(letters: Letters) -> list[Letters]:
-    """The coarsenings that follow from this one by merging two of its letters."""
+    """The coarsenings that arise from this coarsening when two of its letters become one."""
     count, found = max(letters) + 1, list[Letters]()
     for other in range(count):
         for one in range(other):
@@ -198,7 +203,7 @@ class Refuter:
         return pair
 
     def _alike(self, letters: Letters, worlds: Sequence[AtLevel]) -> tuple[AtLevel, AtLevel] | None:
-        """The first two of these worlds with different rooted maps that look alike, or None."""
+        """The first two of these worlds that look alike and have different rooted maps, or None."""
         first: dict[bytes, AtLevel] = {}
         for i, level in enumerate(self.levels):
             indices = [index for number, index in worlds if number == i]
@@ -214,7 +219,8 @@ def weakest(request: WeakestRequest) -> AmbiguityWeakest:
     """Find the minimal coarsenings of a finest sensor that suffice.
 
     Coarsenings are tried from the coarsest on. A coarsening that is finer than a sufficient one
-    suffices; any other is tried in the worlds that refuted earlier ones, and then in every world.
+    suffices, too; any other coarsening is tried first in the worlds that refuted earlier ones, and
+    then in every world.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -282,7 +288,7 @@ def _features(kind: kinds.LighthouseKind) -> tuple[str, ...]:
 def _levels(
     request: WeakestRequest, kind: kinds.LighthouseKind, count: int
 ) -> Iterator[FinestLevel]:
-    """The levels that have worlds, each with all its worlds.
+    """Yield each level that has worlds, with all its worlds.
 
     Raises:
         InputError: if a robot senses or is told anything but the number of a feature.

@@ -27,7 +27,7 @@ DIFFERENT = "the codes differ, and the first is the smaller one"
 
 
 class Pair(Struct, frozen=True):
-    """The variables of two worlds, and the question that they are to answer.
+    """The variables of two worlds, and the question of a search.
 
     Attributes:
         question: the question of the search.
@@ -127,9 +127,9 @@ def _letters(
 ) -> Block:
     """Require the letters of v0's word at the darts of v0, and no letters elsewhere.
 
-    ``words`` has a word for each degree that v0 can have: its letters at the bearings 0, 1 and so
-    on.  The start is at bearing 0.  The variable ``[x, l]`` of the block that is returned says
-    whether dart x has the l-th letter.
+    ``words`` has a word for each degree that v0 can have: the letters at the bearings 0, 1 and so
+    on.  The start is at bearing 0.  The variable ``[x, l]`` of the returned block says whether dart
+    x has the l-th letter.
     """
     found, (darts, degrees) = sorted({*chain(*words.values())} - {0}), world.degree.shape
     meaning = f"x has one of {','.join(map(str, found))}"
@@ -182,7 +182,7 @@ def _sense_the_same(formula: Formula, pair: Pair, related: int, x: int, y: int) 
 def _smaller_code(formula: Formula, pair: Pair) -> None:
     """Require the first world's code to be smaller, at the first step in which the codes differ.
 
-    Looking alike is symmetric, so no pair of worlds is lost.
+    If two worlds look alike in one order, so they do in the other, and no pair is lost.
     """
     one, two, darts = pair.one, pair.two, pair.one.size.darts
     steps = 2 * darts
@@ -214,8 +214,8 @@ def forbid_other_start(formula: Formula, pair: Pair, start: int) -> None:
 
     If a vertex is marked, this is required only for a ``start`` at v0.  Let F number the second
     map's darts from ``start`` on, in the order that the first map's numbering prescribes.  Then F
-    must fail to carry the first map's sigma, alpha or reference darts to the second map's.  For
-    ``start`` 0 this is so already, since the codes differ.
+    must fail to carry the first map's sigma, alpha or reference darts to those of the second map.
+    For ``start`` 0 this is required already, since the codes differ.
     """
     one, two, darts = pair.one, pair.two, range(pair.one.size.darts)
     shape = (len(darts), len(darts))

@@ -1,8 +1,8 @@
 """Worlds that look alike: the comparison of two worlds, and all members of a class.
 
-A bisimulation proves that no motion tells two worlds apart; a walk proves that motions do.  The
-members of an ambiguity class are the maps with the quotient of the class; each is named by its
-code.
+A bisimulation proves that no motion tells two worlds apart; a walk proves that motions tell them
+apart.  The members of an ambiguity class are the maps that have the quotient of the class; the name
+of a member is its code.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -52,13 +52,17 @@ class TwinsRequest(Request, kw_only=False):
 
 
 Relation: TypeAlias = Literal["same", "same-map", "different"]
-"""The relation of two worlds; ``different``: in the map, or in the place of the lighthouse."""
+"""The relation of two worlds.
+
+``same``: the worlds are isomorphic; ``same-map``: the worlds are one map with its lighthouse,
+entered at two darts; ``different``: the maps differ, or the places of the lighthouses.
+"""
 
 
 class ComparedWorlds(Report):
     """Report of 'twins'.
 
-    Two worlds, how they are related, and the proof that they can be told apart, or cannot.
+    Two worlds, their relation, and the proof that motions tell them apart, or that none do.
     """
 
     worlds: Annotated[doc.Pair[World], doc.about("the two, as they were understood")]
@@ -87,23 +91,23 @@ class ComparedWorlds(Report):
 
     @doc.computed
     def distinguishable(self) -> bool:
-        """Whether a motion tells the two worlds apart."""
+        """Whether motions, or the values told before the start, tell the two worlds apart."""
         return self.bisimulation is UNSET
 
     @doc.computed
     def twins(self) -> bool:
-        """Whether the two worlds are different, and not distinguishable."""
+        """Whether the two worlds are different, and nothing tells them apart."""
         return self.relation == "different" and not self.distinguishable
 
 
 @answers(TwinsRequest)
 def twins(request: TwinsRequest) -> ComparedWorlds:
-    """Decide whether any motion can tell the worlds apart, with a proof that has been checked.
+    """Decide whether any motion can tell two worlds apart, and return a checked proof.
 
     Raises:
         InputError: if the lighthouses are of different kinds, whose percepts are not comparable.
 
-    Cost: O(m log m) if no motion can; else a step for each pair of darts that is visited.
+    Cost: O(m log m) if no motion tells them apart; else a step for each visited pair of darts.
     """
     a, b = (world_named(world, request.lighthouse) for world in (request.a, request.b))
     kinds = [world.lighthouse.kind for world in (a, b)]
@@ -158,8 +162,8 @@ def separation(a: World, b: World) -> tuple[int, ...]:
 def replayed(a: World, b: World, motions: Sequence[int]) -> str | None:
     """Play motions in two worlds; return what is wrong with them as a proof, or None.
 
-    They prove that the worlds can be told apart, and none of them can be left out at the end, if
-    the percepts are equal before the last motion and differ after it.
+    The motions prove that the worlds can be told apart if the percepts after the last motion
+    differ.  All percepts before must be equal; otherwise fewer motions are enough.
     """
     one, other = sensed(a, motions), sensed(b, motions)
     if one[-1] == other[-1]:
@@ -168,7 +172,10 @@ def replayed(a: World, b: World, motions: Sequence[int]) -> str | None:
 
 
 def ensure_motions_decide(kind: LighthouseKind, why: str) -> None:
-    """Raise InputError, with the reason ``why``, if the robot can leave marks under this kind."""
+    """Raise InputError, with the reason ``why``, if a robot can leave marks under this lighthouse.
+
+    Then motions alone do not decide what the robot senses.
+    """
     if kind.as_class.leaves_marks:
         standing = ", ".join(name for name, own in LIGHTHOUSES.items() if not own.leaves_marks)
         raise InputError(
@@ -178,7 +185,7 @@ def ensure_motions_decide(kind: LighthouseKind, why: str) -> None:
 
 
 DEFAULT_LIMIT = 1000
-"""The default of the largest class whose members are all made."""
+"""The largest ambiguity class whose members are all listed by default."""
 
 
 class ClassRequest(ListenerOptions, ClassOptions, kw_only=False):
@@ -206,11 +213,11 @@ class LeastRooting(NamedTuple):
 
 
 def least_rooting(map_: CombinatorialMap, darts: Sequence[Dart]) -> LeastRooting:
-    """The canonical key of the map with the vertex of ``darts`` marked.
+    """The least code of a map with one marked vertex, rooted at one of ``darts``.
 
-    ``darts`` are all darts of the vertex, or all darts there that look alike to a robot; an
-    isomorphism of marked maps preserves either set.  ``times`` is the number of automorphisms
-    that fix the marked vertex.
+    ``darts`` are all darts of the marked vertex, or all of them that look alike to a robot; an
+    isomorphism of marked maps preserves either set, so isomorphic ones have equal codes.  ``times``
+    is the number of automorphisms that fix the marked vertex.
 
     Cost: O(m) for each dart.
     """
@@ -223,7 +230,7 @@ Permutation: TypeAlias = tuple[int, ...]
 """A permutation of the sheets ``0..k-1``."""
 
 _Kind: TypeAlias = Callable[[Sequence[Permutation]], Iterator[Permutation]]
-"""A kind of choice: it makes its options from the options chosen before."""
+"""A function for one of several choices: it makes the options from those chosen before."""
 
 
 def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
@@ -300,11 +307,12 @@ def uniform_permutations(k: int, b: int) -> Iterator[Permutation]:
 
 
 def _choices(kinds: Sequence[_Kind]) -> Iterator[tuple[tuple[int, ...], ...]]:
-    """Every combination with one option of each kind, in lexicographic order.
+    """Yield every combination with one option of each kind, in lexicographic order.
 
-    A kind is a function: from the options that were chosen of earlier kinds it makes its options.
+    A kind is a function: it makes its options from the options that were chosen of earlier kinds.
 
-    Unlike a product this stores nothing, and unlike a recursion it takes thousands of kinds.
+    No options are stored, unlike in a product; there may be thousands of kinds, unlike in a
+    recursion.
     """
     chosen: list[Permutation] = []
     options: list[Iterator[Permutation]] = []
@@ -324,7 +332,7 @@ def _choices(kinds: Sequence[_Kind]) -> Iterator[tuple[tuple[int, ...], ...]]:
 
 
 class SensedQuotient(doc.Document):
-    """A rooted quotient: its dart 0 is that of the start."""
+    """A rooted quotient; its dart 0 is the class of the start."""
 
     sigma: Annotated[
         doc.Some[doc.Natural],
@@ -342,7 +350,7 @@ class SensedQuotient(doc.Document):
 
     @classmethod
     def of(cls, quotient: Quotient) -> Self:
-        """Return the part of a document that tells a quotient, whose labels must be percepts."""
+        """Return the document of a quotient, whose labels must be percepts."""
         marks = tuple(label.marks for label in quotient.labels if isinstance(label, Percept))
         return cls(sigma=quotient.sigma, alpha=quotient.alpha, degree=quotient.degree, marks=marks)
 
@@ -350,9 +358,9 @@ class SensedQuotient(doc.Document):
 class AmbiguityClass(Report):
     """Report of 'ambiguity class'.
 
-    All worlds that no motion tells from a given one.  The others are listed by their codes; all
-    are in canonical numbering, and the robot faces as in the given one.  Poses are counted up to
-    automorphisms.
+    All worlds that no motion tells from a given world. The given world comes first, the other ones
+    are sorted by their codes. All are in canonical numbering, and each starts at a dart that looks
+    like the start of the given world. Poses that an automorphism takes to each other count once.
     """
 
     world: Annotated[World, doc.about("as it was understood")]
@@ -376,12 +384,12 @@ class AmbiguityClass(Report):
 
     @doc.computed
     def listed(self) -> doc.Positive:
-        """The number of worlds listed."""
+        """The number of listed worlds."""
         return len(self.worlds)
 
     @doc.computed
     def notice(self) -> doc.Text | None:
-        """A remark on worlds left out, if any."""
+        """A remark that some worlds are not listed; null if all are listed."""
         return self.left_out
 
     @property
@@ -396,21 +404,24 @@ class AmbiguityClass(Report):
 
 
 def projection_of(world: World) -> Projection:
-    """The projection of the world to its quotient, rooted at the start; labels are the percepts."""
+    """The quotient of a world, rooted at the start, and the class of each dart.
+
+    The labels of the quotient are the percepts.
+    """
     return project((world.map, world.percepts, world.start))
 
 
 @answers(ClassRequest)
 def class_of(request: ClassRequest) -> AmbiguityClass:
-    """The complete ambiguity class of a world, with a position lighthouse, or a directional one.
+    """Find the complete ambiguity class of a world with a position or a directional lighthouse.
 
     Under a directional lighthouse the world is the only member.  Only members that belong to the
     class of maps count.
 
     Raises:
         InputError: for another lighthouse, under which a class can be infinite; for a world outside
-            the class of maps; for a limit below 1, or one that is too small where all members must
-            be made to find those in the class of maps.
+            the class of maps; for a limit below 1; for a limit that is smaller than the ambiguity
+            class, if only some maps count, since all members must then be made.
 
     Cost: O(k m) for each of the at most k ``limit`` lifts.
     """
@@ -467,10 +478,10 @@ def _checked(world: World, limit: int, universe: MapClass) -> None:
 
 
 def _members(quotient: Quotient, limit: int, own: LeastRooting) -> dict[Code, LeastRooting]:
-    """The members of a class by their codes.
+    """The members of an ambiguity class by their codes, at most ``limit`` of them.
 
-    If there are more than ``limit``, only the given world, whose code is in ``own``, and the first
-    other members.
+    If there are more members, the given world, whose code is in ``own``, and the first other
+    members are returned.
     """
     alike = range(quotient.sheets)  # the darts of a lift that lie over class 0
     found: dict[Code, LeastRooting] = {}
@@ -487,8 +498,8 @@ def _members(quotient: Quotient, limit: int, own: LeastRooting) -> dict[Code, Le
 def _check_complete(quotient: Quotient, found: dict[Code, LeastRooting], own: LeastRooting) -> None:
     """Raise Disagreement unless all members of the class have been found.
 
-    Their number must be that of Burnside's lemma, their poses must be as many as are counted in
-    another way, and the given world must be one of them.
+    The number of members must be that of Burnside's lemma, the number of their poses must be that
+    of another count, and the given world must be a member.
     """
     size, poses, weighed = class_size(quotient), pose_count(quotient), _poses(quotient, found)
     if len(found) != size or poses != weighed or own.code not in found:
@@ -507,7 +518,7 @@ def _poses(quotient: Quotient, found: dict[Code, LeastRooting]) -> int:
 
 
 def _placed(world: World, code: Code) -> World:
-    """The member with that code, with the lighthouse of the given world."""
+    """The member with this code, with the lighthouse of the given world."""
     map_ = CombinatorialMap.trusted(*code)
     if isinstance(world.lighthouse, Position):
         return World(map_, Position(0), 0)

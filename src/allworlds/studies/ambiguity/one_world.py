@@ -17,7 +17,8 @@ from allworlds.studies.ambiguity.question import Question, Size
 class OneWorld(Struct, frozen=True):
     """The variables of one rooted map; dart 0 is the root, vertex 0 is the vertex of the root.
 
-    :func:`one_world` gives their meanings.  Vertices are numbered in order of their first darts.
+    Each block of variables has its meaning in :func:`one_world`.  Vertices are numbered in the
+    order of their first darts.
     """
 
     size: Size
@@ -35,9 +36,9 @@ class OneWorld(Struct, frozen=True):
         return (self.alpha if t % 2 else self.sigma)[t // 2, y]
 
     def has_degree(self, x: int, degree: int) -> Clause:
-        """The literal that the vertex of dart x has this degree, as a part of a clause.
+        """The literal that says that the vertex of dart x has this degree, as a part of a clause.
 
-        Empty if no vertex can have this degree.
+        The part is empty if no vertex can have this degree.
         """
         return (self.degree[x, degree],) if degree < self.degree.shape[1] else ()
 
@@ -45,9 +46,9 @@ class OneWorld(Struct, frozen=True):
 def one_world(formula: Formula, name: str, size: Size, question: Question) -> OneWorld:
     """Add variables and clauses of one rooted map, and return the variables.
 
-    Every model, restricted to sigma and alpha, is a rooted map of that size, with the class and the
-    degrees of the question, and every such map is exactly one model.  ``name`` is appended to the
-    names of the variables.
+    Every model, restricted to sigma and alpha, is a rooted map of this size, with the class and the
+    degrees of the question; every rooted map with these properties is exactly one model.  ``name``
+    is appended to the names of the variables.
 
     Cost: O(N^3) clauses for N = 2m darts.
     """
@@ -135,7 +136,7 @@ def _vertices(formula: Formula, world: OneWorld) -> None:
 
 
 def _constant(formula: Formula, step: Block, here: Block, there: Block) -> None:
-    """Require that, if dart x has a label in ``here``, ``step(x)`` has this label in ``there``."""
+    """Require that ``step(x)`` has in ``there`` the label that dart x has in ``here``."""
     labels = range(here.shape[1])
     for x, y in product(*map(range, step.shape)):
         formula.clauses += [(-step[x, y], -here[x, v], there[y, v]) for v in labels]
@@ -204,7 +205,7 @@ def _simple(formula: Formula, world: OneWorld, name: str) -> None:
 def _planar(formula: Formula, world: OneWorld, name: str) -> None:
     """Require ``n + f >= m + 2``.
 
-    f is the number of labels of faces, one label for each face.  No map has more than
+    Here f is the number of labels of faces; each face has one label.  No map has more than
     ``m + 2 - n`` faces, so the map is planar, and different faces have different labels.
     """
     size, darts = world.size, world.size.darts

@@ -3,9 +3,9 @@
 They share no code with the modules that make or solve formulas.  :func:`check_lrat` checks LRAT;
 :func:`lrat_of_drat` is a forward checker of DRAT by unit propagation, which returns LRAT.
 Every added clause must have the property RUP: if its literals are assumed false, unit
-propagation over the clauses so far ends in a conflict.  The clauses of that propagation become
+propagation over the clauses so far ends in a conflict.  The clauses of this propagation become
 the hints of an LRAT line, so that the result can be checked again without any search.  Lines
-that need RAT are refused; the solver of this package writes none.
+that need the property RAT are refused; the solver of this package writes no such lines.
 """
 
 from collections.abc import Iterable, Sequence
@@ -20,15 +20,15 @@ Clause: TypeAlias = tuple[Literal, ...]
 
 
 class ProofRefused(ValueError):
-    """A proof that does not prove; the message names the line."""
+    """Raised if a proof does not prove its claim; the message names the line that is wrong."""
 
 
 def check_lrat(clauses: Sequence[Clause], proof: Iterable[str]) -> None:
     """Raise ProofRefused unless the proof derives the empty clause from the clauses.
 
     Every hint must be a clause with at most one literal that is not false yet, and the last
-    hint must be false: hints without a conflict prove nothing.  The one literal may be true
-    already: CaDiCaL writes a few such hints, and they are harmless.
+    hint must be false: hints without a conflict prove nothing.  The one literal that is not false
+    may be true already: CaDiCaL writes a few hints of this kind, and they are harmless.
 
     Raises:
         ProofRefused: naming the line.
@@ -85,7 +85,7 @@ def _derive(known: dict[int, Clause], number: int, clause: Clause, hints: list[i
 
 
 class RupChecker:
-    """The derived and given clauses so far, with two watched literals each.
+    """A checker by unit propagation: the given and the derived clauses, with two watched literals.
 
     Attributes:
         lemmas: the literals and hints of each derived clause, by its number.
@@ -110,10 +110,10 @@ class RupChecker:
                 self._settle(number)
 
     def add(self, clause: Clause) -> None:
-        """Derive a clause.
+        """Derive a clause, and add it to the clauses.
 
         Raises:
-            ProofRefused: if unit propagation finds no conflict.
+            ProofRefused: if unit propagation from the clause's negation finds no conflict.
         """
         number = self._derive(clause, self._hints(clause))
         if self.empty is None:
@@ -121,12 +121,12 @@ class RupChecker:
             self._settle(number)
 
     def delete(self, clause: Clause) -> None:
-        """Forget a clause.
+        """Delete a clause from the clauses.
 
         Unit clauses stay, because their consequences have been used.
 
         Raises:
-            ProofRefused: if there is no such clause.
+            ProofRefused: if the clause is not among the clauses.
         """
         literals = tuple(sorted(set(clause)))
         numbers = self._numbers.get(literals)
@@ -153,7 +153,7 @@ class RupChecker:
             self._watched[literal].append(number)
 
     def _settle(self, number: int) -> None:
-        """Record the consequences of a clause, each implied literal as a unit lemma."""
+        """Derive what follows from a clause by unit propagation, each literal as a unit clause."""
         free = [literal for literal in self._clauses[number] if self._value[literal] >= 0]
         if len(free) > 1 or (free and self._value[free[0]] > 0):
             return
@@ -176,7 +176,11 @@ class RupChecker:
             self._insert(number, (literal,))
 
     def _hints(self, clause: Clause) -> list[int]:
-        """The numbers of the clauses whose propagation refutes the clause's negation, in order."""
+        """The numbers of the clauses, in order, by which propagation refutes a clause's negation.
+
+        Raises:
+            ProofRefused: if propagation finds no conflict.
+        """
         value, base = self._value, len(self._trail)
         for literal in clause:
             if value[literal] > 0:
@@ -225,7 +229,10 @@ class RupChecker:
         del self._trail[length:]
 
     def _propagate(self, head: int) -> int:
-        """Extend the trail by unit propagation; return the number of a false clause, or 0."""
+        """Propagate the literals of the trail from index ``head`` on, and extend the trail.
+
+        Return the number of a clause that has become false, or 0.
+        """
         value, watched, clauses = self._value, self._watched, self._clauses
         trail, reason = self._trail, self._reason
         while head < len(trail):
@@ -272,7 +279,7 @@ class RupChecker:
 def lrat_of_drat(
     variables: int, clauses: Sequence[Clause], proof: Iterable[str]
 ) -> list[tuple[int, Clause, list[int]]]:
-    """The checked proof as LRAT steps ``(number, clause, hints)``.
+    """Check a DRAT proof, and return it as LRAT steps ``(number, clause, hints)``.
 
     Args:
         variables: the largest variable.
@@ -302,7 +309,7 @@ def lrat_of_drat(
 
 
 def write_lrat(steps: Iterable[tuple[int, Clause, list[int]]], path: Path) -> None:
-    """The steps as an LRAT file, one a line: number, literals, 0, hints, 0."""
+    """Write the steps as an LRAT file, one step a line: number, literals, 0, hints, 0."""
     lines = [
         " ".join(map(str, [number, *clause, 0, *hints, 0])) + "\n"
         for number, clause, hints in steps

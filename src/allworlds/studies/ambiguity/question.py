@@ -1,4 +1,4 @@
-"""The question of a search for twins: lighthouse, class, bounds and walk, checked once."""
+"""The question of a search for twins: lighthouse, class, bounds and walk, all legal."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -30,7 +30,11 @@ from allworlds.world.selection import TRIED_EDGES, tried_kind
 
 
 def motion_list(text: str) -> tuple[int, ...]:
-    """The motions that a text names: integers, which may be negative, with commas between."""
+    """The motions that a text such as ``1,-1,0`` names.
+
+    Raises:
+        InputError: if the text does not consist of integers with commas between.
+    """
     if not re.fullmatch(r"-?[0-9]{1,3}(,-?[0-9]{1,3})*", text):
         raise InputError(f"motions {show(text)} are not integers of up to 3 digits with commas")
     return tuple(int(part) for part in text.split(","))
@@ -94,16 +98,18 @@ SEARCHED: Mapping[str, Callable[[Sequence[combinatorial.Dart]], base.Lighthouse]
     marked.Directional.kind: lambda darts: marked.Directional(darts[0]),
     marked.Compass.kind: lambda darts: marked.Compass(tuple(darts)),
 }
-"""Functions that make a lighthouse from its reference darts, for lighthouses with formulas.
+"""For some kinds of lighthouses, the function that makes one from its reference darts.
 
-Lighthouses with letters have other formulas: the start has bearing 0, since turning is free.
+The formulas of these kinds name the reference darts.  Other formulas are for lighthouses with
+letters, marks at v0 that depend on the bearing: there the start has bearing 0, since turning is
+free.
 """
 
 LETTERS = (marked.Door.kind, marked.Word.kind)
 
 
 class Step(NamedTuple):
-    """A motion of a walk, and the percept after it: the degree, and whether a marker is present."""
+    """A motion, and the percept after the motion: the degree, and whether a marker is present."""
 
     motion: int
     degree: int
@@ -136,7 +142,7 @@ class Sizes(NamedTuple):
 
     @property
     def name(self) -> str:
-        """Name for files: ``m4`` or ``m3-m4``, with the numbers of vertices."""
+        """The name for files: as ``m4n2to5``, or ``m3n2-m4n3`` if the two sizes differ."""
         return "-".join(
             f"m{size.edges}n{size.fewest}" + (f"to{size.most}" if size.most > size.fewest else "")
             for size in dict.fromkeys(self)
@@ -144,7 +150,7 @@ class Sizes(NamedTuple):
 
 
 class Question(Struct, frozen=True, dict=True):
-    """Is there a pair of different worlds that no motion separates?
+    """A question: is there a pair of different worlds that no motion tells apart?
 
     Attributes:
         lighthouse: the kind of the lighthouse.
@@ -152,7 +158,8 @@ class Question(Struct, frozen=True, dict=True):
         vertices, edges: the largest numbers of vertices and of edges of each world.
         degree_marked: the degree of v0, the vertex of the start; None: any.
         degree_others: the degree of all other vertices; None: any.
-        walk: a walk from the start, with its percepts, which are the same in both worlds.
+        walk: motions from the start, each with the percept after it; in both worlds a robot must
+            sense these percepts.
     """
 
     lighthouse: str
@@ -165,7 +172,7 @@ class Question(Struct, frozen=True, dict=True):
 
     @property
     def sensing(self) -> base.Sensing:
-        """The kind of marker that is sensed besides the degree."""
+        """Where a marker is sensed besides the degree, and whether its bearing is sensed, too."""
         kind, shown = self.kind, all(map(any, self.words.values()))  # else v0 may look like others
         if shown and issubclass(kind, base.ReferenceLighthouse):
             return kind.sensing
@@ -173,15 +180,15 @@ class Question(Struct, frozen=True, dict=True):
 
     @property
     def kind(self) -> type[base.Lighthouse]:
-        """The kind of lighthouse as a type."""
+        """The class of the lighthouse."""
         return kinds.lighthouse_kind(self.lighthouse).as_class
 
     @cached_property
     def words(self) -> Mapping[int, tuple[int, ...]]:
         """The letters at bearings 0, 1, ... for each degree of v0; empty for kinds without letters.
 
-        They are the marks that a robot senses at the hub of a star, a map in which every edge leads
-        from the hub to a vertex of degree 1, under the lighthouse at its first place.
+        Letters are the marks that a robot senses at the hub of a star, under the lighthouse at its
+        first place.  In a star every edge leads from the hub to a vertex of degree 1.
         """
         stars = [named_map(f"star-{d}") for d in range(1, 2 * self.edges + 1)]
         none = self.lighthouse in SEARCHED
@@ -189,11 +196,12 @@ class Question(Struct, frozen=True, dict=True):
         return {map_.edge_count: letters_at(on[0], map_) for map_, on in first.items() if on}
 
     def sizes(self) -> Iterator[Sizes]:
-        """The pairs of sizes to search, smallest first.
+        """Yield the pairs of sizes to search, the smallest first.
 
         If a vertex is marked, worlds that look alike have equally many edges, since all classes of
-        darts have the same size.  Otherwise the pairs are ordered by the larger number of edges,
-        then by the smaller one.  Sizes that no world can have, by simple counting, are left out.
+        darts have the same size; then both sizes of a pair are equal.  Otherwise the pairs are
+        ordered by the larger number of edges, then by the smaller number.  Sizes that no world can
+        have, by simple counting, are left out.
         """
         sizes = []
         for m in range(1, self.edges + 1):
@@ -239,7 +247,7 @@ class Question(Struct, frozen=True, dict=True):
 
 
 def letters_at(placed: base.Lighthouse, map_: combinatorial.CombinatorialMap) -> tuple[int, ...]:
-    """The marks that a robot senses at dart 0 and the other darts of its vertex, anticlockwise."""
+    """The marks that a robot senses at the darts of v0, anticlockwise from dart 0 on."""
     seen = placed.percepts(map_)
     return tuple(seen[map_.turn(0, -bearing)].marks for bearing in range(map_.degree_at[0]))
 

@@ -1,4 +1,4 @@
-"""Arrays for many worlds of one size: which of the worlds look alike, and which are equal.
+"""Arrays for many worlds with equally many darts, and names of worlds that show which look alike.
 
 The first index of a matrix is a world, the second a dart.  Every world starts at dart 0.
 """
@@ -58,7 +58,7 @@ class SensedWorlds(NamedTuple):
 
 
 def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
-    """The worlds as arrays; equal percepts have equal numbers in all worlds.
+    """The worlds as arrays; a percept has the same number in all worlds.
 
     Raises:
         InputError: for more marks than a number can hold.
@@ -84,7 +84,9 @@ def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
 
 
 def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
-    """The name of a lighthouse in compiled code, if that code is to make the worlds; else empty.
+    """The name of a lighthouse in compiled code, if compiled code is to make the worlds.
+
+    The name is empty if Python makes the worlds.
 
     Lighthouses with letters have the name of ``Door``.
     """
@@ -97,9 +99,10 @@ def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
 
 @lru_cache(16)
 def _room(edges: int, thread: int) -> tuple[Any, ...]:  # noqa: ARG001  # each has its own
-    """Arrays for the compiled code: its job, its robot, which stands still, and the worlds.
+    """Four arrays for the compiled code: a job, a robot that stands still, and two for the worlds.
 
-    There are two arrays of worlds: one has an entry for each world, one for each dart of a world.
+    The first array of worlds has an entry for each world, the second one for each dart of a world.
+    Each thread has its own arrays.
     """
     from allworlds.engines.kernel import arrays
 
@@ -112,7 +115,7 @@ def laid_out(
 ) -> Iterator[tuple[int, SensedWorlds]]:
     """Yield batches of a unit's worlds, made by compiled code.
 
-    With each batch comes the number of the rooted maps in it, maps without a place included.
+    With each batch comes the number of its rooted maps; maps without a place are counted, too.
     """
     import numpy as np
 
@@ -163,7 +166,7 @@ def _labelled(worlds: SensedWorlds, first: Matrix) -> SensedWorlds:
 
 
 def _ranks(keys: Matrix) -> Matrix:
-    """For each entry the number of different smaller values in the same world."""
+    """A matrix with the number of different smaller values in the same world, for each entry."""
     import numpy as np
 
     order = np.argsort(keys, axis=1, kind="stable")
@@ -176,7 +179,7 @@ def _ranks(keys: Matrix) -> Matrix:
 
 
 def classes(worlds: SensedWorlds) -> Matrix:
-    """For each dart the number of its class in the quotient of its world, from 0 on.
+    """A matrix with the number, from 0 on, of each dart's class in the quotient of its world.
 
     Two darts are in one class if no motion tells them apart.  Classes are split by percepts, then
     by the classes of sigma and alpha of their darts, until no class is split.  The numbers of the
@@ -203,8 +206,8 @@ def numbered(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> tuple[Matrix, M
     """Number the classes canonically; return the number of each class, and a dart for each number.
 
     The class of the world's root has number 0.  Then, for each numbered class in turn, the class to
-    which sigma leads gets the next number if it has none, and so does that to which alpha leads.
-    ``of`` has the class of each dart, ``roots`` the root of each world.
+    which sigma leads gets the next number if it has none; then the class to which alpha leads does
+    so.  ``of`` has the class of each dart, ``roots`` the root of each world.
 
     Cost: O(m) a world.
     """
@@ -228,10 +231,10 @@ def numbered(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> tuple[Matrix, M
 
 
 def rooted_codes(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> Iterator[bytes]:
-    """For each world the code of its quotient, rooted at the class of the world's root.
+    """Yield, for each world, the code of its quotient, rooted at the class of the world's root.
 
-    For each class, in the order of :func:`numbered`, the code has the classes to which sigma and
-    alpha lead, and the percept.  So equal codes mean isomorphic rooted quotients.
+    For each class, in the order of :func:`numbered`, the code has the numbers of the classes to
+    which sigma and alpha lead, and the percept.  So equal codes mean isomorphic rooted quotients.
     """
     import numpy as np
 
@@ -244,7 +247,7 @@ def rooted_codes(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> Iterator[by
 
 
 def digest(code: bytes, told: Told = None) -> str:
-    """A name for a code together with the value that the robot is told."""
+    """A digest of a code together with the value that the robot is told before the start."""
     value = "" if told is None else told
     text = str(value) if isinstance(value, int | str) else json.dumps(value, sort_keys=True)
     return blake2b(text.encode() + b"\0" + code, digest_size=16).hexdigest()
@@ -254,9 +257,10 @@ class NamedWorld(NamedTuple):
     """Names by which worlds are compared.
 
     Attributes:
-        look: a text that is equal for two worlds if no motion from their starts tells them apart.
-        name: a text that is equal for two worlds if they are isomorphic, percepts and told values
-            included, whatever their starts.
+        look: a text that two worlds share if and only if no motion from their starts, and no value
+            told before the start, tells them apart.
+        name: a text that two worlds share if and only if they are isomorphic, with percepts and
+            told values; their starts do not matter.
         sheets: the number of darts in each class of the quotient.
     """
 
@@ -266,7 +270,7 @@ class NamedWorld(NamedTuple):
 
 
 def named(worlds: SensedWorlds) -> Iterator[NamedWorld]:
-    """The names of worlds with equally many darts."""
+    """Yield the names of each of some worlds with equally many darts."""
     import numpy as np
 
     count, told = len(worlds.sigma), worlds.told

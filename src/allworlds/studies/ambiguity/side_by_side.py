@@ -1,4 +1,7 @@
-"""Sensors side by side: the first worlds that look alike under each, and which tells more."""
+"""The comparison of sensors, which are lighthouses, by what a robot can tell apart under each.
+
+The smallest worlds that look alike under each sensor are found, and which sensor tells more apart.
+"""
 
 from collections.abc import Hashable, Sequence
 from itertools import permutations
@@ -41,7 +44,7 @@ class ManyWorldsOptions(ListenerOptions, WhereOptions, GivenOptions, classes.Ext
 
 
 class SensorsRequest(ManyWorldsOptions):
-    """Request of ``ambiguity sensors``."""
+    """Request of ``ambiguity sensors``: the lighthouses, and the worlds."""
 
     lighthouses: Annotated[
         requests.Converted[Sequence[kinds.GivenLighthouse], tuple[kinds.LighthouseKind, ...]],
@@ -50,7 +53,11 @@ class SensorsRequest(ManyWorldsOptions):
 
 
 class AlikePair(doc.Document):
-    """Two worlds that no motion tells apart, with the proof."""
+    """Two worlds that no motion tells apart, with the proof.
+
+    ``shown`` are the two worlds that the proof is about; their lighthouse may be a coarser sensor
+    than that of ``worlds``.
+    """
 
     worlds: Annotated[doc.Pair[World], doc.about("two maps, or one map with two starts")]
     sensed: Annotated[
@@ -67,7 +74,11 @@ class AlikePair(doc.Document):
 
         Args:
             worlds: the two worlds.
-            shown: the same worlds under the coarser sensor, if a coarser sensor is compared.
+            shown: the same worlds under the coarser sensor under which they look alike; empty if
+                they look alike under their own lighthouses.
+
+        Raises:
+            Disagreement: if the proof is wrong.
         """
         seen = tuple(shown or worlds)
         proof = classes_of_union(*((world.map, world.percepts, world.start) for world in seen))
@@ -78,7 +89,7 @@ class AlikePair(doc.Document):
 
 
 class SensorRow(doc.Document):
-    """One sensor."""
+    """A sensor, and the worlds that look alike under this sensor."""
 
     lighthouse: Annotated[doc.Text, doc.about("`KIND[:key=value,...]`")]
     sufficient: Annotated[
@@ -110,8 +121,8 @@ class SensorsScope(doc.Document):
 class AmbiguitySensors(Report, kw_only=True):
     """Report of 'ambiguity sensors'.
 
-    Sensors side by side in the same worlds.  Two worlds that look alike are counted if their maps
-    differ, or if only their starts do.
+    Sensors, compared in the same worlds. Two worlds that look alike count if their maps differ, and
+    also if they have the same map with two different starts.
     """
 
     scope: SensorsScope
@@ -147,8 +158,9 @@ class Sensor(Struct):
         worlds: the rooted maps, each with every place of the lighthouse.
         roots: for each world the number of its rooted map.
         places: for each world the number of its rooted map, and the place of the lighthouse.
-        looks, names: for each world a code of all that a robot can find out, and the world's name.
-        sensed: for each dart of each world its percept, and the value that the robot is told.
+        looks: for each world a code of all that a robot can find out from its start.
+        names: for each world a text that is equal for isomorphic worlds.
+        sensed: for each dart of each world the percept there, and the value that the robot is told.
     """
 
     kind: kinds.LighthouseKind
@@ -160,7 +172,10 @@ class Sensor(Struct):
     sensed: list[Hashable] = field(default_factory=list)
 
     def meet(self, worlds: Sequence[Placed], number: dict[CombinatorialMap, int]) -> None:
-        """Add more worlds, in the order of their sizes."""
+        """Add worlds that are no smaller than the earlier ones.
+
+        ``number`` has a number for each rooted map that some sensor has met; new maps are added.
+        """
         arrays = matrices(worlds)
         in_order = zip(worlds, named(arrays), arrays.sensed.tolist(), strict=True)
         for (map_, lighthouse), found, sensed in in_order:
@@ -177,7 +192,7 @@ class Sensor(Struct):
 
         Args:
             edges: the number of edges of the largest maps.
-            places: the number of the first sensor with the same places.
+            places: the number of the first sensor, from 0 on, that has the same places.
         """
         first: dict[str, int] = {}
         fails, alike, roots = None, list[tuple[int, int]](), set[int]()
@@ -204,7 +219,7 @@ class Sensor(Struct):
 
 
 def _place(lighthouse: Any) -> list[Any]:
-    """The names and values of the fields that say where a lighthouse stands, whatever its kind."""
+    """The names and values of the fields that say where a lighthouse of any kind stands."""
     return [
         (key, getattr(part, key))
         for part in kinds.parts_of(lighthouse)
@@ -248,7 +263,7 @@ def compared(request: SensorsRequest) -> AmbiguitySensors:
 
 
 def _follows(one: Sequence[Hashable], other: Sequence[Hashable]) -> bool:
-    """Whether equal values of ``other`` always go with equal values of ``one``."""
+    """Whether entries with equal values in ``other`` always have equal values in ``one``, too."""
     return len({*zip(other, one, strict=True)}) == len({*other})
 
 
@@ -256,13 +271,13 @@ def _follows(one: Sequence[Hashable], other: Sequence[Hashable]) -> bool:
 def sensors(*lighthouses: kinds.GivenLighthouse, **asked: Any) -> AmbiguitySensors:
     """Compare sensors: which of them suffice in all small worlds?
 
-    A sensor suffices if no two different rooted maps look alike, with the lighthouse at any of its
-    places.
+    A sensor suffices if no two different rooted maps look alike to a robot, with the lighthouse at
+    any of its places.
 
     Raises:
         InputError: naming the offending option and what would be legal.
 
-    Cost: that of a census for each sensor; 300 bytes of memory for each of its worlds.
+    Cost: that of a census for each sensor, and 300 bytes of memory for each world of a sensor.
     """
     return compared(SensorsRequest(lighthouses=lighthouses, **asked))
 
@@ -270,9 +285,9 @@ def sensors(*lighthouses: kinds.GivenLighthouse, **asked: Any) -> AmbiguitySenso
 def worlds_of_level(
     request: ListenerOptions, extent: classes.Extent, edges: int, kind: kinds.LighthouseKind
 ) -> list[list[Placed]]:
-    """The worlds of a level, in batches.
+    """The worlds of a level under one lighthouse, in batches.
 
-    The number of their rooted maps is compared with that of an independent source.
+    The number of rooted maps is compared with that of an independent source.
 
     Raises:
         Disagreement: if the independent source gives another number of maps.

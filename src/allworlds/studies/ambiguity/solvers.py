@@ -20,7 +20,7 @@ from allworlds.studies.ambiguity.clauses import dimacs, read_dimacs
 from allworlds.studies.ambiguity.formulas import ALIKE, DIFFERENT
 
 REQUIREMENTS = (DIFFERENT, ALIKE)
-"""Two sections of a formula, both needed: without either of them the formula has a model."""
+"""Two sections of a formula, both needed: without the first, or the second, it has a model."""
 
 Status: TypeAlias = Literal["sat", "unsat", "unknown"]
 
@@ -28,7 +28,7 @@ OLDEST = 2
 """The first major version of CaDiCaL that writes LRAT."""
 
 LONGEST_WAIT = 10**6
-"""The most seconds of waiting for a solver: solvers count milliseconds in 32 bits."""
+"""The most seconds of waiting for a solver, since solvers count milliseconds in 32 bits."""
 
 
 class SolverAnswer(Struct, frozen=True):
@@ -42,9 +42,9 @@ UNKNOWN = SolverAnswer("unknown")
 
 
 def has_model_without(formula: Path, requirement: str) -> bool:
-    """Whether z3 finds a model of the formula in a file without the clauses of one section.
+    """Whether a formula in a file has a model if the clauses of one section are left out.
 
-    ``requirement`` is the text of the section.
+    ``requirement`` is the text of the section.  z3 decides.
 
     Raises:
         ValueError: if the formula has no such section.
@@ -58,7 +58,7 @@ def has_model_without(formula: Path, requirement: str) -> bool:
 
 
 def solve_with_z3(formula: Path, deadline: float | None) -> SolverAnswer:
-    """The answer of z3; unknown after the deadline."""
+    """The answer of z3 to the formula in a file; ``unknown`` after the deadline."""
     import z3
 
     left = _seconds_left(deadline)
@@ -80,12 +80,12 @@ def solve_with_z3(formula: Path, deadline: float | None) -> SolverAnswer:
 
 
 def python_sat_is_installed() -> bool:
-    """Whether the extra ``proofs`` is installed."""
+    """Whether python-sat, of the extra ``proofs``, is installed."""
     return find_spec("pysat") is not None
 
 
 def solve_with_python_sat(formula: Path, proof: Path, deadline: float | None) -> SolverAnswer:
-    """The answer of python-sat's CaDiCaL.
+    """The answer of python-sat's CaDiCaL; ``unknown`` after the deadline.
 
     If the formula has no model, a DRAT proof is written to the file ``proof``.
     """
@@ -93,9 +93,9 @@ def solve_with_python_sat(formula: Path, proof: Path, deadline: float | None) ->
 
 
 def solve_here(formula: str, proof: str) -> None:
-    """Solve the DIMACS file by python-sat, and print the verdict as solvers do.
+    """Solve the formula in a DIMACS file by python-sat, and print the verdict as solvers do.
 
-    If the formula has no model, write a DRAT proof.
+    If the formula has no model, a DRAT proof is written to the file ``proof``.
     """
     from pysat.formula import CNF
     from pysat.solvers import Cadical153
@@ -134,7 +134,7 @@ class ExternalSolver(Struct, frozen=True):
             )
 
     def solve(self, formula: Path, proof: Path, deadline: float | None) -> SolverAnswer:
-        """The program's answer.
+        """The program's answer; ``unknown`` after the deadline.
 
         If the formula has no model, an LRAT proof is written to the file ``proof``.
         """
@@ -145,10 +145,10 @@ class ExternalSolver(Struct, frozen=True):
 def _solve_with_process(
     command: Sequence[str], formula: Path, proof: Path, deadline: float | None
 ) -> SolverAnswer:
-    """The verdict and the model that a solver prints.
+    """The verdict and the model that a solver prints; ``unknown`` after the deadline.
 
     Raises:
-        RuntimeError: if it prints no verdict.
+        RuntimeError: if the solver prints no verdict.
     """
     left = _seconds_left(deadline)
     if left == 0:
@@ -175,7 +175,7 @@ def _solve_with_process(
 
 
 def _seconds_left(deadline: float | None) -> float | None:
-    """Seconds until the deadline, at least 0; None without one."""
+    """The seconds until the deadline, at least 0; None without a deadline."""
     return None if deadline is None else max(deadline - monotonic(), 0.0)
 
 

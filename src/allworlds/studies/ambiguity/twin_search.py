@@ -1,4 +1,4 @@
-"""The search for twins in the order of their sizes, so that the first pair is a smallest one."""
+"""The search for twins in the order of their sizes, so that the first pair is a smallest pair."""
 
 import json
 import shutil
@@ -50,17 +50,17 @@ Classes: TypeAlias = doc.Pair[Annotated[tuple[doc.Natural, ...], doc.narrowed(mi
 
 
 class Twins(doc.Document):
-    """Two worlds that no motion tells apart, and the bisimulation that proves it."""
+    """Two worlds that no motion tells apart, and the bisimulation that proves this."""
 
     pair: doc.Pair[World]
     bisimulation: Classes
 
 
 class Searched(doc.Document):
-    """One level of a search.
+    """One level of a search: a formula about two worlds of given sizes, and the solver's answer.
 
-    Writing and solving took ``seconds``. ``same_map`` holds twins that turned out to be one map
-    with two starts; ``twins`` holds the decoded worlds, if the formula has a model.
+    ``seconds`` is the time for writing and solving. ``same_map`` holds pairs that turned out to be
+    one map with two starts; ``twins`` holds the two different worlds that were found, or None.
     """
 
     status: Annotated[Status, doc.about("the solver's answer to this formula")]
@@ -78,14 +78,15 @@ class Searched(doc.Document):
 
     @doc.computed
     def vertices(self) -> doc.Pair[doc.Pair[doc.Positive]]:
-        """For each world the fewest and the most."""
+        """For each world the fewest and the most vertices."""
         return tuple((size.fewest, size.most) for size in self.sizes)
 
 
 class SearchResult(EndedReport, kw_only=True):
     """Report of 'search'.
 
-    If it was interrupted by the user, the status is `unknown`, or twins had been found before.
+    If the user interrupted the search, the status is `unknown`; if twins had been found before, it
+    is `sat`.
     """
 
     status: Annotated[Status, doc.about("`sat`: a pair; `unsat`: there is none in the bounds")]
@@ -112,7 +113,7 @@ class SearchResult(EndedReport, kw_only=True):
 
     @doc.computed
     def map_class(self) -> MapClass:
-        """The class of maps."""
+        """The class of maps to which both worlds must belong."""
         return self.question.map_class
 
     @doc.computed
@@ -127,7 +128,7 @@ class SearchResult(EndedReport, kw_only=True):
 
     @doc.computed
     def same_map(self) -> tuple[doc.Pair[World], ...]:
-        """Pairs that look alike but are one map with two starts."""
+        """Pairs of worlds that look alike, but are one map with two starts."""
         return tuple(same.pair for level in self.levels for same in level.same_map)
 
     @property
@@ -234,10 +235,10 @@ def _fits(world: World, question: Question) -> bool:
 
 @answers(SearchRequest)
 def search(request: SearchRequest) -> SearchResult:
-    """Search by z3 for two different worlds that no motion separates, or show that there are none.
+    """Search for two different worlds that no motion tells apart, or show that there are none.
 
-    Worlds are different if no isomorphism of the maps carries the marks of one to those of
-    the other; their starts are not compared.
+    Two worlds are different if no isomorphism of their maps carries the marks of the first world to
+    the marks of the second; their starts are not compared.
 
     Raises:
         InputError: naming the offending value and what would be legal.
@@ -261,7 +262,7 @@ def search(request: SearchRequest) -> SearchResult:
 
 
 def _directory(out: str | Path | None) -> Path:
-    """The named directory, or a temporary one."""
+    """The directory ``out``, which is made if it is missing; a new temporary one for None."""
     if out is None:
         return Path(tempfile.mkdtemp(prefix="allworlds-search-"))
     directory = a_path("out", out)
@@ -273,7 +274,15 @@ def _directory(out: str | Path | None) -> Path:
 
 
 class _TwinsSearch(Struct):
-    """The state of one search."""
+    """The state of one search.
+
+    Attributes:
+        external: the solver that the user named; None: z3.
+        done: the solved formulas.
+        notices: sentences for the reader.
+        best: the smallest twins so far.
+        result: the result, once the search has ended.
+    """
 
     question: Question
     external: ExternalSolver | None
@@ -420,9 +429,10 @@ class _TwinsSearch(Struct):
         return False
 
     def _prove(self) -> bool:
-        """Add checked LRAT proofs, made from DRAT proofs; return whether all formulas have a proof.
+        """Write a checked LRAT proof for each formula; return whether all formulas have a proof.
 
-        One notice for each reason names the formulas that have no proof.
+        The proofs are made from DRAT proofs.  For each reason why proofs are missing, one notice
+        names formulas without a proof.
         """
         missing: dict[str, list[str]] = {}
         for number, searched in enumerate(self.done):
@@ -437,7 +447,7 @@ class _TwinsSearch(Struct):
         return not missing
 
     def _write_proof(self, formula: Path) -> str:
-        """Write a checked LRAT proof of a formula; return why there is none, or an empty text."""
+        """Write a checked LRAT proof for a formula; return why there is none, or an empty text."""
         if not python_sat_is_installed():
             return f"{INSTALL.format('proofs')}, or name a CaDiCaL 2 with --solver"
         drat = formula.with_suffix(".drat")

@@ -9,11 +9,12 @@ from allworlds.maps.combinatorial import CombinatorialMap
 
 
 def telling_apart(map_: CombinatorialMap) -> tuple[int, int]:
-    """The number of darts that look like any one dart, itself included, and a number of traversals.
+    """The number of sheets of the map, and the number of traversals that tell darts apart.
 
     There is no lighthouse: a robot senses degrees alone.  Darts that no walk tells apart look
-    alike: they are the sheets of a covering, equally many for every dart.  The second number is
-    that of the traversals by which any two other darts can be told apart.
+    alike.  Equally many darts look like each dart, itself included; this is the number of sheets.
+    Any two darts that do not look alike are told apart by a walk with at most the second number of
+    traversals.
 
     Cost: O(m log m) for each of these traversals.
     """
@@ -36,17 +37,20 @@ FEATURES = (
     *("edges m", "vertices n", "largest degree", "diameter", "genus"),
     *("sheets", "longest test"),
 )
-"""The names of the features."""
+"""The names of the features of a map, in the order of the rows of a report."""
 
 
 def features(map_: CombinatorialMap) -> Iterator[tuple[str, int]]:
-    """The features of a map by name; :func:`telling_apart` makes the last two, sheets and test."""
+    """Yield the name and the value of each feature of a map, in the order of :data:`FEATURES`.
+
+    :func:`telling_apart` makes the last two values.
+    """
     sizes = map_.edge_count, map_.vertex_count, max(map_.degrees), map_.diameter, map_.genus
     return zip(FEATURES, (*sizes, *telling_apart(map_)), strict=True)
 
 
 class CoveredRow(Document):
-    """A feature of the drawn worlds."""
+    """A feature, such as the genus, and its values in the drawn worlds."""
 
     feature: Annotated[Text, about("its name")]
     least: Annotated[Natural, about("the least value in a drawn world")]
@@ -55,7 +59,7 @@ class CoveredRow(Document):
 
 
 def covered_rows(counted: Counter[tuple[str, int]]) -> Iterator[CoveredRow]:
-    """Yield a row for each feature; ``counted`` says how many worlds have each of its values."""
+    """Yield a row for each feature; ``counted`` has the number of worlds by (feature, value)."""
     for name in FEATURES:
         values = sorted(Counter({v: n for (of, v), n in counted.items() if of == name}).elements())
         if values:

@@ -36,9 +36,9 @@ from allworlds.studies.check.report import (
 def check(request: CheckRequest) -> CheckReport:
     """Run an explorer in every map of a class, from every start, with each place of its lighthouse.
 
-    An explorer that cannot be imported by its name runs in this process.  There, a
-    KeyboardInterrupt of the explorer interrupts the check, because it looks like the user's; in a
-    worker it is a crash.
+    An explorer that cannot be imported by its name runs in this process.  If it raises a
+    KeyboardInterrupt there, the check is interrupted, as if by the user; in a worker a
+    KeyboardInterrupt of the explorer is a crash.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -50,7 +50,13 @@ def check(request: CheckRequest) -> CheckReport:
 def job_of(
     request: CheckRequest, notice: Callable[[str], None], keep: int = 1
 ) -> tuple[Job, EngineKind]:
-    """The job of a request, and the kind of engine that runs it; ``keep`` findings are kept."""
+    """The job of a request, and the kind of engine that runs the job.
+
+    Args:
+        request: the request.
+        notice: a function that is called with the reason, if ``auto`` cannot take compiled code.
+        keep: the number of findings that are kept, the smallest ones.
+    """
     limits = request.limits
     subject = single.subject_of(request.explore, limits)
     scope = units.Scope(request.extent, request.rules(subject), request.schedules, request.shard)
@@ -98,7 +104,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
 
     @override
     def levels(self) -> Iterable[units.SweptLevel]:
-        """The levels; units in small levels also test whether a run affects later runs."""
+        """The levels; small levels have further units, which test whether a run affects others."""
         for level in super().levels():
             across = units.across_level(self.scope.extent, level.edges, self.portion)
             subject = self.job.subject

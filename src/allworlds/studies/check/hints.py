@@ -32,7 +32,7 @@ from allworlds.world.lighthouses.options import InvalidWorld
 from allworlds.world.world import World
 
 MOST = 4000
-"""The most runs of a trial; a level with more runs is not tried."""
+"""The most runs of a trial; a level that would make the trial larger is not tried."""
 
 SECONDS = 5.0
 """The most seconds of a trial; an option whose trial would take longer is not named."""
@@ -44,11 +44,11 @@ Placed: TypeAlias = tuple[World, int]
 """A world with the number of the lighthouse's place."""
 
 RIGHT = 200
-"""The most runs without a broken law whose lines are compared with the lines of a finding."""
+"""The most further runs whose lines of code are compared with the lines of a finding."""
 
 
 def hinted(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> Finding:
-    """The confirmed finding of a check, with options that help, and with lines of code."""
+    """The confirmed finding of a check, with hints: options that help, and lines of code."""
     levels = (edges for edges in scope.extent.levels if edges <= finding.world.map.edge_count)
     others = (run for edges in levels for run in _runs(scope, edges))
     tried = tried_options(finding, subject, limits, scope)
@@ -61,11 +61,12 @@ def hinted(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> 
 def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> str:
     """Options with which no law is broken, as on the command line; empty if none are known.
 
-    They were tried in the finding's world, in its mirror image, and in all worlds with up to as
-    many edges as ``--edges`` in this text names, which are no fewer than the finding's world has.
+    The options were tried in the finding's world, in its mirror image, and in all worlds with at
+    most M edges.  The text also has ``--edges M``; M is at least the number of edges of the
+    finding's world.
 
     Args:
-        finding: the confirmed finding; without the options its world refutes the explorer.
+        finding: the confirmed finding.
         subject: the explorer.
         limits: the limits of the check.
         scope: the scope of the check.
@@ -132,8 +133,9 @@ def located(
         finding: the finding.
         subject: the explorer.
         limits: the limits of the time for an answer, and of memory.
-        others: worlds with places; lines that also run there, in a run without a broken law, are
-            not named as lines of this finding alone.
+        others: further worlds, each with the number of its lighthouse's place.  A line that also
+            runs in one of them, in a run without a broken law, is not named as a line of this
+            finding alone.
 
     Cost: that of the runs, each some ten times slower than a run whose lines are not traced.
     """

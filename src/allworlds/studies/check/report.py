@@ -1,7 +1,7 @@
-"""The request of a check, and its verdict with its scope.
+"""The request and the report of a check.
 
-A request can name files with an explorer and with code that judges.  The report has a count gate,
-witnesses, and the most expensive runs.
+A request can name files with an explorer and with code that judges.  The report has the verdict
+with its scope, the count gate, the witnesses, and the most expensive runs.
 """
 
 from collections.abc import Iterator, Mapping
@@ -38,13 +38,13 @@ SharedFile: TypeAlias = Annotated[
     doc.IfAny[str],
     doc.about("the explorer's file, if it also holds code that judges: see trust"),
 ]
-"""A key of the scope of every verb that judges runs."""
+"""The type of the key ``shared_file``, which the scope of every verb that judges runs has."""
 
 
 def shared_file(explorer: str, rules: Rules, where: Condition | None) -> str:
     """The name of the explorer's file, if code that judges the explorer is also in it; else empty.
 
-    Such code runs in the judge's process, and could change a verdict.
+    The judge's process must then load the explorer's file, whose code could change a verdict.
     """
     files = (*rules.files, *selection.files_of_condition(where))
     if not files:
@@ -54,7 +54,7 @@ def shared_file(explorer: str, rules: Rules, where: Condition | None) -> str:
 
 
 class ManyWorlds(ListenerOptions, Limits, RuleOptions, selection.LighthouseOptions, ClassOptions):
-    """The part of a request that names worlds of a class, rules and limits."""
+    """The part of a request that names a class of worlds, a lighthouse, rules and limits."""
 
     def rules(self, subject: loading.Subject) -> Rules:
         """The rules for the explorer, with its own lighthouse if the request names none.
@@ -126,7 +126,10 @@ class CheckRequest(
 
     @property
     def extent(self) -> Extent:
-        """The class and the bounds; the default bounds make a check of some seconds.
+        """The class of maps with its bounds, or the given maps.
+
+        If neither a bound nor maps are given, the number of edges is at most ``DEFAULT_EDGES``;
+        then a check takes some seconds.
 
         Raises:
             InputError: naming the offending bound and what would be legal.
@@ -137,7 +140,7 @@ class CheckRequest(
 
 
 class GateCell(doc.Document):
-    """One comparison of the count gate."""
+    """One comparison of the count gate: of the maps with these numbers of edges and vertices."""
 
     edges: doc.Edges
     vertices: doc.Vertices
@@ -149,19 +152,26 @@ class GateCell(doc.Document):
 
     @property
     def agrees(self) -> bool:
-        """Whether the maps are as many as the source counts, and have the fingerprint, if known."""
+        """Whether the maps are as many as the source counts, and their fingerprint is ``listed``.
+
+        The fingerprint is not compared if ``listed`` is empty.
+        """
         return self.counted == self.enumerated and self.listed in ("", self.fingerprint)
 
 
 LISTED_EDGES = 5
-"""The most edges of maps that each check lists once more, to compare their fingerprints."""
+"""The largest number of edges for which each check lists all maps once more, in another way.
+
+Then the fingerprints of both lists are compared.
+"""
 
 
 def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
-    """The fingerprints of the worlds with this number of edges, by vertices, as far as known.
+    """The known fingerprints of the worlds with this number of edges, in hexadecimal, by vertices.
 
-    Other code than the check's lists the worlds with few edges once more; the fingerprints of
-    larger ones are in the corpus that ships with the package.
+    A fingerprint here is the sum of the fingerprints of single worlds.  Up to :data:`LISTED_EDGES`
+    edges, other code than the check's lists the worlds once more; beyond, the fingerprints are
+    those in the corpus that ships with the package.
     """
     if edges <= LISTED_EDGES:
         return {n: f"{each:x}" for n, each in count_source.listed(extent, edges).items()}
@@ -174,8 +184,8 @@ def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
 def count_gate(extent: classes.Extent, edges: int, tally: Tally) -> list[GateCell]:
     """Compare the number of a level's maps with that of an independent source.
 
-    There is a comparison for each number of vertices; none under a condition without a source.  The
-    fingerprints of the maps are compared, too, if another enumeration has listed the maps.
+    There is a comparison for each number of vertices, and none if no source counts the maps, as
+    under some conditions.  The fingerprints of the maps are compared, too, if they are known.
     """
     source = count_source.source_of(extent)
     if source is None:
@@ -207,8 +217,8 @@ def missing_witnesses(
     """The events that must occur in a check of the whole extent, but are not in ``seen``.
 
     Events that the explorer reports are required only if its task is to draw the map, since runs
-    with another task may end before them, and only without a condition on the worlds, since the
-    smallest worlds with these events need not satisfy it.
+    with another task may end before such an event.  They are also required only without a condition
+    on the worlds, since the smallest worlds with these events need not satisfy the condition.
     """
     simple, last = extent.map_class.simple, extent.levels[-1]
     required = {event for event, least in SMALLEST.items() if extent.include(named_map(least))}
@@ -221,7 +231,7 @@ def missing_witnesses(
 
 
 class SampleReport(doc.Document):
-    """How random worlds were drawn."""
+    """The options by which the random worlds of a sample were drawn."""
 
     edges: Annotated[doc.Positive, doc.about("the most edges of a world")]
     min_edges: Annotated[doc.Positive, doc.about("the least edges of a world")]
@@ -231,7 +241,7 @@ class SampleReport(doc.Document):
 
 
 Gated: TypeAlias = tuple[GateCell, ...] | Literal["absent", "deferred to the merge of all shards"]
-"""The state of the count gate."""
+"""The comparisons of the count gate, or the reason why there are none."""
 
 
 @doc.with_options(CheckRequest)
@@ -261,7 +271,7 @@ class CheckedScope(doc.Document):
 
 
 class CheckRow(doc.Document):
-    """Counts and costs of the worlds of one size."""
+    """Counts and costs of the runs in the worlds of one size."""
 
     edges: doc.Edges
     vertices: doc.Vertices
@@ -286,10 +296,12 @@ class CheckRow(doc.Document):
 class CheckReport(PortionReport):
     """Report of 'check' and of 'fuzz'.
 
-    What a check has seen, and what follows from it.
+    The counts and findings of a check, and the verdict that follows from them.
 
-    ``asked`` is what was to be checked, ``tally`` holds the counts of the finished levels and the
-    smallest findings, ``cells`` are the comparisons of the count gate.
+    ``asked`` is the scope that was to be checked, ``tally`` holds the counts of the finished levels
+    and the smallest findings, ``levels`` are the finished numbers of edges, ``cells`` the
+    comparisons of the count gate, ``past`` is the user's corpus, ``seconds`` are the durations of
+    the levels, and ``offspring`` is the number of bred worlds.
     """
 
     explorer: Annotated[doc.Text, doc.about("its name")]
@@ -305,7 +317,7 @@ class CheckReport(PortionReport):
 
     @doc.computed
     def verdict(self) -> Verdict:
-        """The verdict about this scope alone."""
+        """The verdict, which is about this scope alone."""
         return self.judged
 
     @doc.computed
@@ -351,17 +363,17 @@ class CheckReport(PortionReport):
 
     @doc.computed
     def left_out(self) -> doc.Natural:
-        """Worlds without a place for the lighthouse."""
+        """The number of worlds without a place for the lighthouse."""
         return self.tally.left_out
 
     @doc.computed
     def traversals(self) -> doc.Natural:
-        """The traversals of all episodes."""
+        """The number of traversals, summed over all episodes."""
         return self.tally.traversals
 
     @doc.computed
     def checkpoints(self) -> doc.Natural:
-        """The number of checkpoints."""
+        """The number of checkpoints that the explorer has shown to the judge."""
         return self.tally.checkpoints
 
     @doc.computed
@@ -376,32 +388,32 @@ class CheckReport(PortionReport):
 
     @doc.computed
     def missing_witnesses(self) -> doc.Different[doc.Text]:
-        """Witnesses that must occur and did not."""
+        """The events that a complete check must have seen, and that did not occur."""
         return self.ending.missing if isinstance(self.ending, Completed) else ()
 
     @doc.computed
     def remarks(self) -> tuple[doc.Text, ...]:
-        """Remarks about processes, which refute nothing, each once."""
+        """Remarks about processes, which refute nothing; a repeated remark is listed once."""
         return tuple(_remarks(self.tally))
 
     @doc.computed
     def covered(self) -> doc.IfAny[tuple[CoveredRow, ...]]:
-        """Of a sample: how far its worlds reach, a row for each feature."""
+        """For a sample, the least, median and largest value of each feature of its worlds."""
         return tuple(covered_rows(self.tally.covered))
 
     @doc.computed
     def bred(self) -> doc.IfAny[doc.Natural | None]:
-        """Of a sample: worlds that were bred from its draws; they are not among its worlds."""
+        """For a sample, the number of worlds bred from its draws; ``worlds`` is without them."""
         return self.offspring or None
 
     @doc.computed
     def corpus(self) -> CorpusReport | None:
-        """Null without ``--corpus``."""
+        """The files of the user's corpus after the check; null without ``--corpus``."""
         return self.past.report if self.past else None
 
     @doc.computed
     def findings(self) -> tuple[Finding, ...]:
-        """Ascending by (edges, vertices, canonical code, place, choices)."""
+        """The smallest findings, ascending by (edges, vertices, canonical code, place, choices)."""
         return tuple(self.tally.findings)
 
     @property
@@ -458,9 +470,10 @@ def _remarks(tally: Tally) -> Iterator[str]:
 
 
 def most_expensive_runs(report: CheckReport) -> Iterator[single.SingleRun]:
-    """The most expensive run of each size, ascending; none if the explorer has no name.
+    """Yield the most expensive run for each size of worlds, the sizes ascending.
 
-    Of equally expensive runs the one in the smallest world is taken.
+    Of equally expensive runs, the run in the world with the smallest code is taken.  Nothing is
+    yielded for an explorer that was given as a function and cannot be found by its name.
 
     Cost: a run for each size.
     """

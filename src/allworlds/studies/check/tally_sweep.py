@@ -1,7 +1,7 @@
 """The common part of studies of one explorer in many worlds.
 
-It has the explorer's record in a run directory, the confirmation of findings, and findings of
-earlier checks.
+This module writes the name and digest of the explorer for a run directory, confirms findings, and
+tries the findings of earlier checks again.
 """
 
 import hashlib
@@ -34,7 +34,7 @@ from allworlds.studies.user_corpus import corpus_of
 # ---------------------------------------------------------------- confirmed findings
 
 LOCATED = 10
-"""The number of findings, smallest first, that get lines of the explorer's code."""
+"""The number of findings, the smallest ones, that are shown with lines of the explorer's code."""
 
 UNREPEATED = "what happened to the explorer was not repeated by a fresh process"
 
@@ -45,7 +45,8 @@ class Confirmation(Struct, frozen=True):
     Attributes:
         subject, limits, scope: the explorer, the limits and the scope of the job.
         deadline: the time after which findings are no longer played again.
-        kept: records of earlier confirmations, used again so that all reports of a job agree.
+        kept: what the run directory keeps of earlier confirmations, which are not repeated, so that
+            all reports of a job agree.
     """
 
     subject: loading.Subject
@@ -83,9 +84,10 @@ class Confirmation(Struct, frozen=True):
         return bool(remarks)
 
     def replaced(self, name: str, found: Finding, by: Callable[[Finding], Finding]) -> Finding:
-        """The finding that ``by`` makes of ``found``, once: it is recorded under ``name``.
+        """The finding that ``by`` makes of ``found``, which is then recorded under ``name``.
 
-        If a remark is recorded there, or the deadline is past, ``found`` is returned.
+        A recorded finding is returned without another call of ``by``.  If a remark is recorded
+        instead, or nothing is recorded and the deadline is past, ``found`` is returned.
         """
         settled = self._recorded(name, found, by)
         return found if isinstance(settled, str) else settled
@@ -96,9 +98,10 @@ class Confirmation(Struct, frozen=True):
         return self.deadline is not None and time.monotonic() > self.deadline
 
     def _again(self, found: Finding, *, number: int) -> Finding:
-        """The finding, played again; the first ones with lines of code, number 0 with all hints.
+        """The finding, played again, with hints.
 
-        ``number`` is the number of findings before this one.
+        ``number`` is the number of findings before ``found``.  The finding with number 0 gets all
+        hints, the next ones get lines of code, and those from :data:`LOCATED` on get no hint.
         """
         again = single.played_again(found, self.subject, self.limits)
         if number == 0:
@@ -106,10 +109,11 @@ class Confirmation(Struct, frozen=True):
         return hints.located(again, self.subject, self.limits) if number < LOCATED else again
 
     def _settled(self, found: Finding, *, number: int) -> Finding | str:
-        """The finding, played again in a fresh process; a remark, if it is not repeated there.
+        """The finding, played again in a fresh process; or a remark that replaces it.
 
-        Only a crash or a time-out that the machine may have caused becomes a remark; any other one
-        that is not repeated shows that the explorer is nondeterministic.
+        A remark replaces a crash or a time-out that is not repeated, if the machine may be its
+        cause.  If the machine cannot be the cause, the explorer is nondeterministic: then the
+        finding of this law is returned.
         """
         again = self._again(found, number=number)
         if again.law not in LOST or not self.subject.importable or again.confirmed:
@@ -128,10 +132,10 @@ class Confirmation(Struct, frozen=True):
     def _recorded(
         self, name: str, found: Finding, settle: Callable[[Finding], Finding | str]
     ) -> Finding | str:
-        """The finding or remark that is recorded for ``found``, or else the one by ``settle``.
+        """The finding or remark that is recorded for ``found``; else the one that ``settle`` makes.
 
-        A new one is recorded, under ``name`` and a digest of ``found``.  After the deadline
-        ``found`` is returned as it is, unless a record exists.
+        What ``settle`` makes is recorded under ``name`` and a digest of ``found``.  If nothing is
+        recorded and the deadline is past, ``found`` is returned, and ``settle`` is not called.
         """
         plain = replace(found, minimal=False)
         digest = hashlib.sha256(canonical(tally.finding_to_record(plain)).encode()).hexdigest()
@@ -201,7 +205,10 @@ def rules_record(rules: Rules) -> dict[str, Any]:
 
 
 def rules_known(request: Any, record: Mapping[str, Any]) -> Rules:
-    """The rules of a request; the record, made by :func:`rules_record`, has some of the options."""
+    """The rules of a request, made without its explorer.
+
+    ``record``, made by :func:`rules_record`, has the options that may depend on the explorer.
+    """
     names = [each.name for each in fields(RuleOptions)]
     asked = {name: getattr(request, name) for name in names}
     asked["step_budget"] = record["step_budget"]
@@ -224,7 +231,10 @@ def record_of(subject: loading.Subject) -> dict[str, Any]:
 
 
 def subject_of_record(record: Mapping[str, Any]) -> loading.Subject:
-    """An explorer with the name and the keywords of a record, but no code, as all runs are done."""
+    """An explorer with the name and the keywords of a record, without code.
+
+    It is for jobs whose runs are all done.
+    """
     return loading.Subject(record["name"], frozenset(record["keywords"]))
 
 
@@ -239,7 +249,7 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
         scope: the worlds, the rules and the schedules.
         subject: the explorer.
         keep: the number of findings to keep.
-        extent: the worlds, if they are all worlds of a class.
+        extent: the class of maps with its bounds, or the given maps; None for a sample.
 
     Attributes:
         job: the job for an engine.
@@ -264,7 +274,8 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
     def retry_past(self, total: tally.Tally) -> outcome.Ending | None:
         """Try the findings of the corpus again; put those that are reproduced into ``total``.
 
-        The ending of the job is returned if they are as many as the job keeps, else None.
+        Return the ending of the job if the reproduced findings are as many as the job keeps, else
+        None.
         """
         job = self.job
         if self.corpus is not None:

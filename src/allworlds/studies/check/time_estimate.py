@@ -1,4 +1,4 @@
-"""An estimate of a check's duration, from a sample of its last level."""
+"""An estimate of a check's duration, from runs in a sample of the worlds of its last level."""
 
 import time
 from contextlib import suppress
@@ -18,22 +18,22 @@ from allworlds.studies.check.exhaustive import job_of
 from allworlds.studies.check.report import CheckRequest
 
 SECONDS = 2.0
-"""The seconds of a sample after its first piece is done."""
+"""The seconds for which a sample goes on after its first unit is done."""
 
 MOST_SECONDS = 4.0
 """The most seconds of a sample, without compiling; an estimate has at most two samples.
-If no piece is done by then, there is no estimate."""
+If no further unit is done by then, the estimate has no rate."""
 
 FEW, MANY = 200, 200_000
-"""The most worlds in a piece of the sample, played in Python, or by compiled code."""
+"""The most worlds in one unit of the sample: ``MANY`` if the runs are compiled, else ``FEW``."""
 
 LONGEST = 1e300
-"""The largest number of seconds of an estimate."""
+"""The largest number of seconds that an estimate names; it also stands for longer times."""
 
 PIECES = 2000
 
 COUNTABLE = 16
-"""The most edges of a level whose maps are counted for an estimate."""
+"""The most edges of the larger check that is also estimated; counting more maps takes long."""
 
 
 Largest: TypeAlias = Annotated[doc.Positive, doc.about("edges of the largest worlds")]
@@ -52,14 +52,14 @@ Rate: TypeAlias = Annotated[
 
 
 class _Lasting:
-    """The common part of estimates: the time for ``worlds`` rooted maps at ``rate`` a second."""
+    """The base of estimates: the time for ``worlds`` rooted maps at ``rate`` maps a second."""
 
     worlds: int
     rate: float | None
 
     @doc.computed
     def seconds(self) -> doc.Seconds | None:
-        """For all: a guess, since smaller worlds take less; null where there is no rate."""
+        """The time for all worlds, a guess, since smaller worlds take less; null without a rate."""
         if not self.rate:
             return None
         if self.worlds > LONGEST * self.rate:
@@ -68,7 +68,7 @@ class _Lasting:
 
 
 class Guess(doc.Document, _Lasting):
-    """Estimated duration of a check with this number of edges."""
+    """The estimated duration of a check of worlds with up to ``edges`` edges."""
 
     edges: Largest
     engine: Doer
@@ -78,11 +78,11 @@ class Guess(doc.Document, _Lasting):
 
 
 class TimeEstimate(Report, _Lasting):
-    """Estimate.
+    """Report of 'check --estimate'.
 
-    How long a check will take: what `check --estimate` writes.
+    An estimate of the duration of a check.
 
-    ``counted`` tells that the worlds were counted, and are not at most so many.
+    ``counted``: whether ``worlds`` is the exact number of worlds, and not an upper limit.
     """
 
     explorer: Annotated[doc.Text, doc.about("its name")]
@@ -96,17 +96,16 @@ class TimeEstimate(Report, _Lasting):
 
 
 def worlds_of(job: Job) -> int:
-    """The number of worlds of a job; for a shard an equal part of all worlds, an estimate."""
+    """The number of worlds of a job; for one of N shards, the number of all worlds divided by N."""
     extent = job.scope.extent
     worlds = sum(units.level_size(extent, edges) for edges in extent.levels)
     return worlds // job.scope.portion.count
 
 
 def estimated(job: Job, engine: EngineKind) -> Guess:
-    """An estimate of a job's duration, from its runs in random pieces of its last level.
+    """An estimate of a job's duration, from runs in random units of the job's last level.
 
-    The estimate does not include compiling and the start of workers.  The sample takes some
-    seconds.
+    The estimate does not include compiling and the start of workers.  The runs take some seconds.
     """
     engine.ready(job)  # compiles, where that is still to be done
     ready = engine.ready(doc.replace(job, deadline=time.monotonic() + MOST_SECONDS))
@@ -137,7 +136,11 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
 
 
 def one_larger(job: Job) -> classes.Extent | None:
-    """The job's extent with one edge more; None if no further world is in it, or too many are."""
+    """The job's class of maps with one edge more.
+
+    None if the job has no bound on the edges, if no map has one edge more, or if the maps with more
+    than :data:`COUNTABLE` edges would have to be counted.
+    """
     extent = job.scope.extent
     if extent.edges is None or extent.edges >= COUNTABLE:
         return None

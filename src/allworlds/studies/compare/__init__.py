@@ -1,14 +1,14 @@
 """Comparison of explorers in the same worlds, and in worlds that grow.
 
-Each explorer is run under its own lighthouse unless one is named, and every run is judged.  In a
-rooted map an explorer's cost is the mean over the places of its lighthouse; a map in which the
-lighthouse of one explorer has no place is left out for all.  A few members of each size of a
-growing family are drawn from seeds, and isomorphic ones count once; every member has a name by
-which it can be run (``allworlds run algorithm1 --family torus:6x6 --seed 1``).
+Each explorer is run under its own lighthouse unless the user names one, and every run is judged.
+In a rooted map an explorer's cost is the mean over the places of its lighthouse; a map in which the
+lighthouse of one explorer has no place is left out for all explorers.  A few members of each size
+of a growing family are drawn from seeds, and isomorphic members count once; every member has a name
+by which it can be run (``allworlds run algorithm1 --family torus:6x6 --seed 1``).
 
 ``entrants``
-    the request, the explorers that are run in the same worlds, their costs, and the common part of
-    both reports;
+    the request, the entrants, which are explorers that are run in the same worlds, their costs, and
+    the common base of both reports;
 ``comparison``
     the verb, and the runs in every world of a class;
 ``growth``

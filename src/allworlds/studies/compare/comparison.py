@@ -66,7 +66,10 @@ class ComparedRow(doc.Document):
 
 
 class DifferMost(doc.Document):
-    """The smallest of the worlds in which the first explorer differs most from another."""
+    """The world in which the mean costs of the first explorer and of another one differ most.
+
+    Of several such worlds, the smallest.
+    """
 
     world: Annotated[World, doc.about("the map with the first explorer's lighthouse")]
     costs: Annotated[dict[str, doc.Figure], doc.about("for each explorer its mean over the places")]
@@ -75,11 +78,12 @@ class DifferMost(doc.Document):
 class Comparison(ContestReport):
     """Report of 'compare'.
 
-    Explorers side by side in the same worlds.
+    The costs of explorers in the same worlds.
 
-    ``member`` is the one world, if they were run in one of a family; ``all_counted`` tells that an
-    independent source counts the worlds that were enumerated; ``in_worlds`` holds the runs of
-    each world, if the user asks for a row for each world.
+    ``member`` is the world, if the explorers were run in one world of a family, else None;
+    ``all_counted``: whether no count of worlds differs from that of an independent source;
+    ``in_worlds`` holds each explorer's runs in each world, if the user asks for a row for each
+    world or run.
     """
 
     rows: Annotated[
@@ -98,9 +102,9 @@ class Comparison(ContestReport):
         return self.all_counted
 
     def walks(self) -> Iterator[single.SingleRun]:
-        """Yield a run of each explorer in the world where the first one differs most from another.
+        """Yield a run of each explorer in the world of ``differ_most``; none if it is None.
 
-        What differs is the mean cost.  Each explorer's lighthouse is at the first of its places.
+        Each explorer's lighthouse is at the first of its places.
         """
         if self.differ_most is None:
             return
@@ -119,8 +123,8 @@ def compared(request: CompareRequest) -> Comparison | Growth:
 def compare(*explorers: str | Callable[..., Any], **options: Any) -> Comparison | Growth:
     """Run explorers in the same worlds, judge every run, and compare their costs.
 
-    With ``to`` the worlds grow: explorers run in a few members of each size of each family; then
-    one explorer is enough.
+    With ``to`` the worlds grow: explorers run in a few members of each size of each family, and one
+    explorer is enough.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -220,7 +224,7 @@ class SameWorlds(Contest[Comparison]):
                 yield UnitOfOne(number, unit)
 
     def _placed(self, one: Entrant, map_: CombinatorialMap) -> tuple[tuple[World, int], ...]:
-        """The worlds of a map, one for each place of the entrant's lighthouse, with its number."""
+        """The worlds of a map: one for each place of the entrant's lighthouse, with its number."""
         places = enumerate(one.rules.kind.places(map_, 0))
         return tuple((World(map_, lighthouse, 0), place) for place, lighthouse in places)
 
@@ -241,9 +245,10 @@ class SameWorlds(Contest[Comparison]):
         return outcome.Stopped("a law is broken", final=True) if broken else None
 
     def _compare(self, map_: CombinatorialMap, found: Sequence[Mapping[int, int]]) -> None:
-        """Keep the map if the costs differ most in it so far, and its runs if they get a row.
+        """Keep the map if the mean costs differ more than in all earlier maps.
 
-        ``found`` has for each explorer the costs in the map, by the number of the place.
+        Keep the runs in the map, too, if the user asks for a row for each world or run.  ``found``
+        has for each explorer the costs in the map, by the number of the lighthouse's place.
         """
         first, *others = means = [_mean(costs) for costs in found]
         difference = max(abs(other - first) for other in others)

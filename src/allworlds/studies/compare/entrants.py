@@ -1,6 +1,7 @@
-"""The request of ``compare``, and the part that its sweeps through fixed and growing worlds share.
+"""The request of ``compare``, and what its sweeps through fixed and growing worlds share.
 
-This part has the explorers that run in the same worlds, their units, their costs, and the report.
+They share the entrants, which are explorers with their rules, the units, the costs, and the base of
+the report.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -35,7 +36,7 @@ from allworlds.world.lighthouses.kinds import LighthouseKind
 
 
 def _families(given: object) -> tuple[str, ...] | None:
-    """The names of families, each once."""
+    """The names of families, each once; ``given`` is None, a text with commas, or a list."""
     if given is None:
         return None
     names = given.split(",") if isinstance(given, str) else given
@@ -45,9 +46,10 @@ def _families(given: object) -> tuple[str, ...] | None:
 
 
 class ContestWorldsOptions(selection.WhereOptions, GivenOptions, classes.ExtentOptions):
-    """The worlds in which explorers are compared.
+    """The part of a request that names the worlds in which explorers are compared.
 
-    Without ``to`` these are all worlds of a class, or given worlds, or one world of a family.
+    With ``to`` these are some worlds of each size of growing families; otherwise all worlds of a
+    class, or given worlds, or one world of a family.
     """
 
     family: Annotated[
@@ -142,9 +144,9 @@ class CompareRequest(
 
 
 def ensure_unnamed(request: CompareRequest, names: Iterable[str], of: str) -> None:
-    """Raise InputError if one of these options is given, since it has no effect.
+    """Raise InputError if an option with one of these names is given, since it has no effect.
 
-    ``of`` describes in words the worlds on which it has none.
+    ``of`` describes, in words, the worlds on which the option has no effect.
     """
     for name in names:
         if (value := getattr(request, name)) is not None:
@@ -178,7 +180,7 @@ class CostEngine(RunCounter, frozen=True):
     """The run counter that also keeps the cost of every run."""
 
     def tally(self) -> CostTally:
-        """An empty tally."""
+        """An empty tally, which keeps the costs of runs, too."""
         return CostTally(self.keep)
 
     def count_outcome(self, world: world.World, place: int, outcome: Outcome, tally: Tally) -> None:
@@ -201,7 +203,7 @@ class InWorld(NamedTuple):
         member: the name of the world in its family; empty without a family.
         explorer: the name of the explorer.
         costs: the traversals of each run, by the number of the lighthouse's place.
-        places: the number of all places of the lighthouse, also of places without a run.
+        places: the number of all places of the lighthouse, those without a run included.
         bound: the bound on the traversals of a run, the same for each place; None without one.
         drawn_from: the number of different worlds of this size that seeds can draw, if known.
     """
@@ -306,15 +308,15 @@ class Entrant(Struct, frozen=True):
 
     @property
     def name(self) -> str:
-        """The explorer's name; with ``@`` and a lighthouse behind it, if it was named so."""
+        """The explorer's name, followed by ``@`` and a lighthouse if the user named it so."""
         return self.named(self.subject.name)
 
     def named(self, explorer: str) -> str:
-        """The given name; with ``@`` and a lighthouse behind it, if the entrant was named so."""
+        """The name ``explorer``, followed by ``@`` and a lighthouse if the user named one so."""
         return f"{explorer}{AT}{self.at}" if self.at else explorer
 
     def scope(self, extent: classes.Extent, portion: units.Shard = units.WHOLE) -> units.Scope:
-        """The scope of the entrant's runs in the worlds of an extent, or in a shard of these."""
+        """The scope of the entrant's runs in the worlds of ``extent``, or in a shard of them."""
         return units.Scope(extent, self.rules, coverage=portion)
 
     def first_world(self, map_: combinatorial.CombinatorialMap) -> world.World:
@@ -323,7 +325,7 @@ class Entrant(Struct, frozen=True):
 
 
 def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
-    """The explorers, each under its own lighthouse unless the request names one.
+    """The explorers of a request, each with its own lighthouse unless the request names one.
 
     Raises:
         InputError: for a name that is no explorer or comes twice, or for an illegal option.
@@ -341,10 +343,11 @@ def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
 
 
 def _with_lighthouse(explore: object) -> tuple[Any, LighthouseKind | None]:
-    """An explorer without ``@LIGHTHOUSE`` behind its name, and the lighthouse; None without one.
+    """An explorer, without ``@LIGHTHOUSE`` behind its name, and this lighthouse, or None.
 
     Paths and commands may contain ``@``, too.  So ``@`` counts only before the name of a
-    lighthouse; any other text behind the name of an explorer and ``@`` is an error.
+    lighthouse.  If the text before ``@`` names an explorer, any other text behind ``@`` is an
+    error.
     """
     name, at, lighthouse = explore.rpartition(AT) if isinstance(explore, str) else ("", "", "")
     try:
@@ -374,12 +377,13 @@ class ContestScope(doc.Document):
 
 
 class ContestReport(SweptReport, kw_only=True):
-    """The report of explorers in the same worlds.
+    """The base of the reports of ``compare``: explorers in the same worlds.
 
-    ``entrants`` are the explorers, with their rules; ``by`` chooses the rows for programs.
+    ``entrants`` are the explorers, with their rules; ``by`` says what a row of the CSV file is
+    about, or is None.
 
     Attributes:
-        steps: the name of the parts of the job, in the plural.
+        steps: the word for the levels of the job in texts: ``levels`` or ``sizes``.
     """
 
     steps: ClassVar[str] = "levels"
@@ -392,12 +396,12 @@ class ContestReport(SweptReport, kw_only=True):
 
     @doc.computed
     def verdict(self) -> outcome.Verdict:
-        """Whether a run of any explorer broke a law."""
+        """The verdict: ``refuted`` if a run of any explorer broke a law."""
         return self.facts.verdict if self.request.to is None else self.facts.sample_verdict
 
     @doc.computed
     def explorers(self) -> doc.Some[Compared]:
-        """In the order in which they were named."""
+        """The explorers, with the rules of their runs, in the order in which they were named."""
         return tuple(
             Compared(
                 name=one.name,
@@ -410,7 +414,7 @@ class ContestReport(SweptReport, kw_only=True):
 
     @doc.computed
     def scope(self) -> ContestScope:
-        """The worlds in which they were run."""
+        """A description of the worlds in which the explorers were run."""
         return as_scope(ContestScope, self.request)
 
     @property
@@ -430,8 +434,8 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
     Args:
         entrants: the explorers.
         request: the request.
-        extent: an extent that includes every world of the comparison.
-        every: whether the worlds are all worlds of the extent.
+        extent: a class of maps with bounds that include every world of the comparison.
+        every: whether explorers run in all worlds of this class and these bounds.
     """
 
     verb, request_type, result = "compare", CompareRequest, CostsOfAll
@@ -493,7 +497,7 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
         self.request = doc.replace(self.request, by=by)
 
     def contest(self, ending: outcome.Ending) -> dict[str, Any]:
-        """Return the fields that the reports of all contests have, by name."""
+        """Return the fields that :class:`ContestReport` has, by name."""
         return {
             **self.ended(ending, self.bounds),
             "findings": tuple(self.findings),

@@ -1,4 +1,4 @@
-"""Explorers in worlds of growing size: families, the runs in their members, and cost by size."""
+"""Explorers in worlds that grow: the families, the runs in some members, and the cost by size."""
 
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -23,7 +23,7 @@ from allworlds.world.named import map_of_family
 from allworlds.world.world import World
 
 WORLDS, PLACES, SEED = 30, 8, 1
-"""The default numbers of seeds for a size and of places in a world, and the first seed."""
+"""The default number of seeds for each size and of places in each world, and the first seed."""
 
 LEAST, SIZES = 12, 6
 """The least number of edges of a size, and the largest number of sizes."""
@@ -72,7 +72,11 @@ FORMS = ", ".join(growing.form for growing in GROWING.values())
 
 
 class Member(Struct, frozen=True):
-    """One world of a family, with its name on the command line."""
+    """One world of a family.
+
+    ``text`` is the family with a size, as ``torus:6x6``; ``holes`` is the share of edges that is
+    removed, as ``10%``, or None; ``seed`` is the seed of random choices.
+    """
 
     text: str
     holes: str | None
@@ -90,14 +94,14 @@ class Member(Struct, frozen=True):
 
 
 def member_named(name: str) -> Member:
-    """The member that has this name, as :attr:`Member.name` writes names."""
+    """The member with this name; names have the form of :attr:`Member.name`."""
     words, _, seed = name.partition(" --seed ")
     text, _, holes = words.partition(" --holes ")
     return Member(text, holes or None, int(seed))
 
 
 def distinct(members: Iterable[Member]) -> dict[Member, CombinatorialMap]:
-    """The members with their maps; for isomorphic rooted maps the first member alone."""
+    """The members, each with its map; of members with isomorphic rooted maps the first alone."""
     seen: dict[Code, Member] = {}
     maps = {member: member.map() for member in members}
     for member, map_ in maps.items():
@@ -106,7 +110,10 @@ def distinct(members: Iterable[Member]) -> dict[Member, CombinatorialMap]:
 
 
 def form_of(family: str) -> tuple[Growing, int] | None:
-    """The growing family that the text names, and the degree; None if there is none."""
+    """The growing family that a text such as ``regular:6`` names, and the degree.
+
+    The degree is 0 in a family without a degree.  None if the text names no growing family.
+    """
     name, colon, degree = family.partition(":")
     growing = GROWING.get(name)
     if growing is None or (colon and growing.degree is None):
@@ -119,10 +126,12 @@ def form_of(family: str) -> tuple[Growing, int] | None:
 def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member]]:
     """The members of a family: a list for each size, the sizes ascending.
 
-    A size is that of the largest member with at most ``to``, ``to / 2``, ``to / 4``, ... edges.
+    The sizes are those of the largest members with at most ``to``, ``to / 2``, ``to / 4``, ...
+    edges.  The members of one size have the seeds ``seed``, ``seed + 1``, ..., ``worlds`` in all.
 
     Raises:
-        InputError: for a text that names no growing family, and for a family without such a member.
+        InputError: for a text that names no growing family, and for a family without a member of at
+            most ``to`` edges.
     """
     known = form_of(family)
     if known is None:
@@ -142,7 +151,7 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
 def _largest(growing: Growing, degree: int, edges: int) -> str:
     """The name of the largest member with at most ``edges`` edges before edges are removed.
 
-    The name is empty if this member has fewer than :data:`LEAST` edges, or there is none.
+    The name is empty if this member has fewer than :data:`LEAST` edges, or no member is so small.
     """
     number = 1
     while families.edges_of(growing.member(number + 1, degree)) <= edges:
@@ -158,7 +167,7 @@ Range: TypeAlias = Annotated[
         f"{intervals.LEAST_WORLDS} worlds, or no scipy"
     ),
 ]
-"""An interval of a row."""
+"""The type of an interval in a row: its two ends, or null."""
 
 
 class GrownWorld(doc.Document):
@@ -208,7 +217,7 @@ class GrowRow(doc.Document):
 
     @doc.computed
     def runs(self) -> doc.Positive:
-        """The number of runs: one for each place that was chosen."""
+        """The number of runs: one for each chosen place of the lighthouse in each world."""
         return sum(len(one.costs) for one in self.members)
 
     @doc.computed
@@ -228,7 +237,7 @@ class GrowRow(doc.Document):
 
     @doc.computed
     def worst(self) -> doc.Natural:
-        """The most traversals of a run; of all, if ``runs`` = ``places``."""
+        """The most traversals of a run; if ``runs`` = ``places``, no run there costs more."""
         return max(max(one.costs) for one in self.members)
 
     @doc.computed
@@ -238,12 +247,12 @@ class GrowRow(doc.Document):
 
     @property
     def means(self) -> list[float]:
-        """The mean cost in each world."""
+        """The mean cost in each member, in the order of ``members``."""
         return [one.mean for one in self.members]
 
 
 class CostRatio(doc.Document):
-    """Costs of an explorer divided by those of the first one, in the same worlds."""
+    """Costs of an explorer divided by the first explorer's costs in the same worlds."""
 
     family: Annotated[doc.Text, doc.about("as it was asked for")]
     edges: Annotated[doc.Positive, doc.about("of the first member")]
@@ -255,7 +264,7 @@ class CostRatio(doc.Document):
 
 
 class Exponent(doc.Document):
-    """The power of the number of edges like which an explorer's cost grows in a family."""
+    """The exponent e with which an explorer's cost grows in a family: like (number of edges)^e."""
 
     family: Annotated[doc.Text, doc.about("as it was asked for")]
     explorer: Annotated[doc.Text, doc.about("its name")]
@@ -277,7 +286,7 @@ class Exponent(doc.Document):
 class Growth(entrants.ContestReport, kw_only=True):
     """Report of 'compare --to'.
 
-    Explorers in worlds that grow.
+    The costs of explorers in worlds that grow. ``families`` are the families, as they were named.
     """
 
     steps: ClassVar[str] = "sizes"
@@ -293,12 +302,12 @@ class Growth(entrants.ContestReport, kw_only=True):
 
     @doc.computed
     def exponents(self) -> tuple[Exponent, ...]:
-        """An exponent for each family and explorer."""
+        """For each family and explorer, the exponent with which the cost grows."""
         keys = dict.fromkeys((row.family, row.explorer) for row in self.rows)
         return tuple(_exponent(self, *key) for key in keys)
 
     def in_worlds(self) -> Iterator[entrants.InWorld]:
-        """The runs in each world, row by row.
+        """Yield an explorer's runs in one world, for each world of each row.
 
         Cost: each world is built once again.
         """
@@ -358,7 +367,8 @@ class _Size(Struct, frozen=True):
     """The members of a family of one size.
 
     Attributes:
-        number: the number of the family.
+        number: the number of the family among those of the request, from 0 on.
+        family: the name of the family, as it was asked for.
         edges: the number of edges of a member before edges are removed.
         seeds: the number of members that were drawn.
         maps: the maps of the different members in which explorers run.
@@ -376,17 +386,18 @@ class _Size(Struct, frozen=True):
 class GrowingWorlds(entrants.Contest[Growth]):
     """The sweep of explorers through growing worlds, the sizes of all families in ascending order.
 
-    So at a time limit the smaller sizes of every family are finished.
+    So, when the time is up, the smaller sizes of every family are finished.
 
     Args:
         entrants: the explorers.
-        request: the request; its families are in :data:`GROWING`; ``regular:6`` has a degree.
+        request: the request; its families are in :data:`GROWING`, perhaps with a degree, as in
+            ``regular:6``.
         to: the largest number of edges.
 
     Raises:
         InputError: naming the offending option and what would be legal.
 
-    Cost: that of the walks, which grows at least with the square of the number of edges.
+    Cost: that of the explorers' runs, which grows at least with the square of the number of edges.
     """
 
     def __init__(
@@ -440,10 +451,11 @@ class GrowingWorlds(entrants.Contest[Growth]):
     def _chosen(
         self, one: entrants.Entrant, member: Member, map_: CombinatorialMap
     ) -> tuple[int, dict[int, Lighthouse]]:
-        """The number of places of an entrant's lighthouse in a world, and those that are chosen.
+        """The number of places of an entrant's lighthouse in a world, and the chosen places.
 
-        The chosen places are lighthouses by number.  If the request allows fewer places than there
-        are, they are drawn at random, with the world's name as the seed.
+        A chosen place is given as its number and the lighthouse at this place.  If the request
+        allows fewer places than there are, places are drawn at random; the seed of this choice is
+        the world's name.
         """
         places = [*one.rules.kind.places(map_, 0)]
         drawn: Sequence[int] = range(len(places))
@@ -472,7 +484,7 @@ class GrowingWorlds(entrants.Contest[Growth]):
     def _rows_of(self, size: _Size, total: entrants.CostsOfAll) -> Iterator[GrowRow]:
         """Yield a row for each entrant, about the members whose runs are all done.
 
-        These are the runs of the entrant with its lighthouse at each chosen place.
+        In a member there is one run for each chosen place of the entrant's lighthouse.
         """
         for number, one in enumerate(self.entrants):
             costs, members = total.one(number).costs, dict[CombinatorialMap, GrownWorld]()
@@ -516,7 +528,7 @@ def _ensure_grows(who: Sequence[entrants.Entrant], request: entrants.CompareRequ
 
 
 def _size(number: int, family: str, members: Sequence[Member]) -> _Size:
-    """The members of a family of one size, as a :class:`_Size`; isomorphic ones count once."""
+    """The members of a family of one size, as a :class:`_Size`; isomorphic members count once."""
     maps = distinct(members)
     member, map_ = next(iter(maps.items()))
     drawn_from = families.rootings(member.text, map_, member.holes)

@@ -3,7 +3,8 @@
 The worlds of one size are a sample, unless they are all worlds of that size: then their mean is
 exact, and has no interval.  A sample has no interval if it has fewer than :data:`LEAST_WORLDS`
 different worlds, or if scipy is not installed.  A ratio is a geometric mean, whose logarithm is the
-mean of logarithms.  To first order, the logarithm of a mean has the relative deviation of the mean.
+mean of logarithms.  To first order, the standard deviation of the logarithm of a mean is the
+relative standard deviation of the mean.
 In samples of 5, 10 and 30 costs whose logarithms are normal with deviation 0.3, the intervals
 contain the true ratio in 95%, and the true mean in 94.6%, 94.4% and 94.8% of the samples; with
 deviation 0.6 the true mean in 93%.  BCa intervals, by a bootstrap, contain the true mean with
@@ -24,7 +25,7 @@ from msgspec import Struct
 from allworlds.inputs.checks import lack_of
 
 LEVEL = 0.95
-"""The share of intervals that should hold the true value."""
+"""The share of intervals that should contain the true value."""
 
 LEAST_WORLDS = 5
 """The smallest sample that has an interval: different worlds of one size."""
@@ -33,7 +34,7 @@ LEAST_SIZES = 5
 """The least number of sizes from which an exponent is fitted."""
 
 CLOSE = 0.01
-"""The largest relative deviation from a power that is never called a bend."""
+"""The relative deviation from a power law up to which points are never said to bend."""
 
 Interval: TypeAlias = tuple[float, float]
 
@@ -44,7 +45,7 @@ def lack() -> str:
 
 
 def mean_interval(values: Sequence[float]) -> Interval | None:
-    """The interval of a sample's mean; None for too few values, for a value 0, or without scipy."""
+    """The interval of a sample's mean; None for too few values, a value of 0, or without scipy."""
     if not _has_interval(values):
         return None
     mean = fmean(values)
@@ -59,7 +60,7 @@ def ratio_interval(values: Sequence[float]) -> Interval | None:
 
 
 class Power(Struct, frozen=True):
-    """The power of the edges that fits mean costs best.
+    """The power of the number of edges that fits mean costs best.
 
     Attributes:
         exponent: the exponent of the edges; None if none is fitted.
@@ -73,7 +74,10 @@ class Power(Struct, frozen=True):
 
 
 def power(costs: Mapping[int, float]) -> Power:
-    """The power law of mean costs by edges, from :data:`LEAST_SIZES` or more positive costs."""
+    """The power law that fits mean costs; ``costs`` has a mean cost for each number of edges.
+
+    No exponent is fitted for fewer than :data:`LEAST_SIZES` sizes, or if a cost is 0.
+    """
     if len(costs) < LEAST_SIZES:
         return Power(None, None, f"fewer than {LEAST_SIZES} sizes")
     if min(costs.values()) <= 0:
@@ -104,7 +108,7 @@ def _reach(left: Sequence[float], across: Sequence[float], degrees: int) -> floa
 
 
 def _bend(sizes: Sequence[float], heights: Sequence[float]) -> str:
-    """A text about how the points bend, if a quadratic term is significant; else empty.
+    """A text that says how the points bend; empty if no quadratic term is significant.
 
     By the theorem of Frisch, Waugh and Lovell the term's coefficient is the slope of the residuals
     of the heights over the residuals of the squares.

@@ -1,11 +1,11 @@
 """``fuzz``: random worlds, larger than a check can exhaust, and the way back to small ones.
 
 ``sample_sweep``
-    the request, the verb, and the sweep through the drawn and the bred worlds;
+    the request, the verb, and the sweep through the random worlds and the worlds bred from them;
 ``sampling``
     the draws: the random worlds of a sample;
 ``breeding``
-    worlds that are bred from draws, towards lines of the explorer that few worlds run;
+    worlds that are bred from random worlds, to run lines of the explorer that run in few worlds;
 ``shrinking``
     the way from a refuting world to a small one;
 ``given_maps``

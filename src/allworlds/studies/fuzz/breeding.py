@@ -1,4 +1,7 @@
-"""Worlds that are bred from draws, towards lines of code that few worlds run."""
+"""Worlds that are bred from draws, which are random worlds.
+
+The aim is that the explorer runs those lines of its code that it runs in few worlds.
+"""
 
 from collections import Counter, deque
 from collections.abc import Iterable, Iterator
@@ -25,19 +28,19 @@ from allworlds.world import world
 from allworlds.world.lighthouses.base import Lighthouse
 
 DRAWS_PER_BLOCK = 256
-"""The number of draws in a block."""
+"""The number of draws in a block; worlds are bred from each whole block of a sample."""
 
 DRAWS_TRACED = 64
-"""The number of draws in a block, from the first on, that are parents."""
+"""The number of draws in a block, from the first on, that can be parents."""
 
 BRED_PER_BLOCK = 192
 """The number of worlds that are bred from a block."""
 
 BRED_PER_GENERATION = 16
-"""The number of worlds in a generation, after which parents are chosen anew."""
+"""The number of worlds in a generation; for the next generation, parents are chosen anew."""
 
 RAREST_LINES = 4
-"""The number of lines, rarest first, whose worlds can be parents."""
+"""The number of lines, the rarest ones, such that worlds in which they ran can be parents."""
 
 PARENTS_PER_LINE = 8
 """The number of worlds that are kept for a line: the last worlds that ran the line."""
@@ -46,11 +49,11 @@ TRAVERSALS_TRACED = 20_000
 """The most traversals of a traced run."""
 
 MUTANTS_TRIED = 20
-"""The number of mutants of a world that are tried until one is in the class."""
+"""The most mutants of a world that are made until one of them is in the class."""
 
 
 class Bred(Struct, frozen=True):
-    """The unit of the worlds that are bred from a block of draws."""
+    """The unit of the worlds that are bred from ``drawn``, the first draws of a block."""
 
     drawn: Batch
 
@@ -65,9 +68,9 @@ class Bred(Struct, frozen=True):
 
 
 def bred_of(sample: Sample, begins: Iterable[int]) -> Iterator[Bred]:
-    """Yield a unit of bred worlds for each block of draws that is in the sample's shard.
+    """Yield a unit of bred worlds for each block of draws that belongs to the sample's shard.
 
-    ``begins`` has the number of the first draw of each block.
+    ``begins`` has the number of the first draw of each block, in any shard.
     """
     for first in begins:
         if first // DRAWS_PER_BLOCK % sample.portion.count == sample.portion.index:
@@ -93,14 +96,14 @@ def bred(
     bred worlds depend on the explorer and on these draws alone.  If the player is lost, breeding
     ends.
 
-    Rare lines are the only target, since no other one helps.  Measured with up to 60 edges, in 48
-    searches for a slip behind four nested conditions: 256 draws found 4 slips, 64 draws and 192
-    bred worlds found 14.  With up to 12 edges breeding found one such slip from 7 of 8 seeds, and
-    448 draws found it from one of these seeds.  Two other targets, a high cost and long agreement
-    with a wrong hypothesis, found less than plain draws, in up to four times the time.  The slip of
-    an explorer that trusts a hypothesis after 24 steps was found by these two targets from 2 and
-    from 1 of 6 seeds, by plain draws from 4; a cost above 8,000 was found by them from 4 and from
-    3 of the seeds, by plain draws from 5.
+    Rare lines are the only target, since two other targets did not help.  Measured with up to 60
+    edges, in 48 searches for a slip behind four nested conditions: 256 draws found 4 slips, 64
+    draws and 192 bred worlds found 14.  With up to 12 edges, breeding found one such slip from 7 of
+    8 seeds, and 448 draws found this slip from one of these seeds.  The two other targets, a high
+    cost and long agreement with a wrong hypothesis, found less than plain draws, in up to four
+    times the time.  The slip of an explorer that trusts a hypothesis after 24 steps was found by
+    these two targets from 2 and from 1 of 6 seeds, by plain draws from 4; a cost above 8,000 was
+    found by the two targets from 4 and from 3 of the seeds, by plain draws from 5.
 
     Cost: 256 traced runs, each some three times a plain one.
     """
@@ -138,7 +141,7 @@ class _Pool:
     """The worlds whose mutants may be in the next generation: the parents.
 
     Attributes:
-        lately: for each line of the explorer the last worlds in which it was run.
+        lately: for each line of the explorer's code the last worlds in which this line ran.
     """
 
     def __init__(self, unit: Bred, extent: Extent, kind: type[Lighthouse]) -> None:
@@ -163,7 +166,10 @@ class _Pool:
             yield child, [self._random.choice(places)] if places else []
 
     def _child(self, parent: CombinatorialMap) -> CombinatorialMap:
-        """A mutant of the parent that is in the extent; after some vain tries the parent itself."""
+        """A mutant of the parent that is in the class of maps and within the bounds.
+
+        After :data:`MUTANTS_TRIED` mutants that are not, the parent itself.
+        """
         for _ in range(MUTANTS_TRIED):
             child = mutated(parent, self._extent.levels[-1], self._random)
             if child.edge_count >= self._least and self._extent.include(child):

@@ -1,4 +1,4 @@
-"""Runs in given maps, and the smallest finding that the shrinker reaches from a finding there."""
+"""Runs in given maps, and the smallest finding that the shrinker reaches from them."""
 
 from collections.abc import Iterable
 
@@ -22,7 +22,7 @@ class MapsRequest(ManyWorlds, sources.ExplorerOptions, selection.WhereOptions):
 
 
 def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Finding | None:
-    """The smallest finding that the shrinker reaches from these maps; None if no law is broken.
+    """The smallest finding that shrinking reaches from these maps; None if no law is broken.
 
     The explorer starts at every dart of each map, with every place of the lighthouse.  Maps that
     are not in the class, or do not satisfy the condition, are left out.
@@ -34,7 +34,7 @@ def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Findin
     Raises:
         InputError: naming the offending option and what would be legal.
         TimeIsUp: at the time limit.
-        Unsettled: if the cause of the explorer's end cannot be decided.
+        Unsettled: if the explorer's process ended, and the cause cannot be decided.
 
     Cost: O(m) runs for each map with m edges.
     """

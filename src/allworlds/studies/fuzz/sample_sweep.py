@@ -1,4 +1,4 @@
-"""The request of ``fuzz``, and its sweep through a sample."""
+"""The request of ``fuzz``, and the sweep through a sample of random worlds."""
 
 from collections.abc import Iterable, Iterator
 from itertools import islice
@@ -54,7 +54,7 @@ from allworlds.world import world
 
 
 class SampleOptions(Request):
-    """Options for drawing worlds: their sizes and their number."""
+    """The part of a request that says how random worlds are drawn: sizes, number, seed."""
 
     edges: Annotated[int, Option(SCOPE, "M", "At most M edges.", parse=integer_of)]
     mix: Annotated[
@@ -92,13 +92,13 @@ class FuzzRequest(
 def fuzz(request: FuzzRequest) -> CheckReport:
     """Run an explorer in random worlds of up to ``edges`` edges; shrink a world that refutes it.
 
-    The report is about a sample: at best ``not-refuted``, never complete.  The sample depends on
-    the class, ``where``, ``edges``, ``min_edges``, ``mix``, ``runs`` and ``seed`` alone.  A few
-    small worlds are tried first; the search ends there if the explorer walks for ever.  Else it
-    ends after the first 16, 64, 256, ... runs if one of them refutes.  The shrinker starts at the
-    smallest refuting world of these runs; the world of its smallest finding may have fewer than
-    ``min_edges`` edges.  Shrinking ends at the time limit.  For an explorer in Python worlds are
-    bred, too: see :func:`bred`.
+    The report is about a sample: its verdict is at best ``not-refuted``, and it is never complete.
+    The sample depends on the class, ``where``, ``edges``, ``min_edges``, ``mix``, ``runs`` and
+    ``seed`` alone.  A few small worlds are tried first; the search ends there if the explorer walks
+    for ever.  Otherwise the search ends after the first 16, 64, 256, ... runs if one of these
+    refutes the explorer.  Shrinking starts at the smallest refuting world, and may reach a world
+    with fewer than ``min_edges`` edges; it ends at the time limit.  For an explorer in Python,
+    worlds are also bred from the random worlds: see :func:`bred`.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -124,10 +124,10 @@ def scope_of(request: FuzzRequest, rules: Rules) -> Scope:
 
 
 class SampleCounter(RunCounter, frozen=True, kw_only=True):
-    """The counter of a sample's runs and its worlds' features, and of the runs in bred worlds.
+    """The counter of the runs of a sample, of its worlds' features, and of runs in bred worlds.
 
     Attributes:
-        subject, limits: the explorer and its limits, for breeding.
+        subject, limits: the explorer, and the limits of its players, which breeding needs.
     """
 
     subject: loading.Subject
@@ -148,9 +148,10 @@ class SampleCounter(RunCounter, frozen=True, kw_only=True):
 class FuzzSweep(TallySweep[CheckReport]):
     """The sweep of a sample.
 
-    Its levels are a few small worlds, for explorers that walk for ever; then waves of draws, each
-    three times as large as all before together, and between them worlds bred from the draws.  Every
-    finished part is reported; a level with a finding is the last one.
+    The first level is a few small worlds, which show whether the explorer walks for ever.  The next
+    levels are waves of random worlds, each wave three times as large as all earlier waves together;
+    after a wave, a level may have worlds that are bred from the random ones.  All finished runs are
+    reported, also those of an unfinished level.  A level with a finding is the last level.
 
     Args:
         request: the request.
@@ -220,7 +221,7 @@ class FuzzSweep(TallySweep[CheckReport]):
     def conclude(self, ending: Ending) -> None:
         """Shrink the findings if the job is completed; confirm them, and add them to the corpus.
 
-        Past findings that the corpus has reproduced are confirmed already.
+        Past findings that this job has reproduced are confirmed already, and are in the corpus.
         """
         settled = self.confirmation
         if isinstance(ending, Completed):

@@ -1,4 +1,9 @@
-"""The draws of a sample: its waves, its batches, and their random worlds."""
+"""The draws of a sample, which are random worlds, in batches and in waves.
+
+A *batch* is some runs that one worker does at a time.  A *wave* is several batches; after a wave
+with a finding the search ends.  The *mixture* has several parts; each part is a way of drawing a
+map.
+"""
 
 from collections.abc import Iterator
 from contextlib import suppress
@@ -25,10 +30,10 @@ may use all of its some 500,000 traversals: 64 draws with 40 to 60 edges took ov
 """
 
 REJECTED_BEFORE_HISTORIES = 100
-"""The number of maps of one part of the mixture that are rejected before histories are used."""
+"""The number of rejected maps after which the part ``histories`` draws in place of another part."""
 
 REJECTED_BEFORE_REFUSAL = 2000
-"""The number of maps that are rejected before a condition is refused."""
+"""The number of rejected maps after which the condition of a request is refused."""
 
 
 def waves(runs: int) -> Iterator[tuple[int, int]]:
@@ -62,9 +67,9 @@ SMALL, SMALL_RUNS = 4, 8
 
 
 class SmallBatch(Struct, frozen=True):
-    """A batch of small worlds of the mixture, which may have fewer edges than ``min_edges``.
+    """A batch of small random worlds, which may have fewer edges than ``min_edges``.
 
-    In such worlds some hundred traversals show that an explorer walks for ever.
+    In small worlds some hundred traversals show that an explorer walks for ever.
     """
 
     seed: int
@@ -76,14 +81,18 @@ class SmallBatch(Struct, frozen=True):
         return f"{self.seed}/small"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
-        """Yield one world for each run, as :meth:`Batch.placed` does."""
+        """Yield one world for each run, as :meth:`Batch.placed` does, with few edges."""
         small = replace(extent, edges=min(SMALL, extent.levels[-1]))
         with suppress(InputError):  # the condition may admit none
             yield from Batch(self.seed, 0, SMALL_RUNS, self.mix).placed(small, kind)
 
 
 class Batch(Struct, frozen=True):
-    """The runs ``first .. last - 1`` of the sample with a seed and a least number of edges."""
+    """The runs from ``first`` to ``last - 1`` of a sample.
+
+    ``seed``, ``mix`` and ``min_edges`` are those of the sample: its seed, the parts of the mixture
+    that come in turn, and the least number of edges.
+    """
 
     seed: int
     first: int
@@ -99,10 +108,10 @@ class Batch(Struct, frozen=True):
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
         """Yield one world for each run: a random map with a random place of the lighthouse.
 
-        The parts of the mixture alternate.  Each part has its own sequence of random maps, which
-        does not depend on the other parts.  A map that is too small or not in the extent is drawn
-        again; if many draws of a part fail, the part ``histories`` takes its place, which glues
-        maps of the class at random.
+        The parts of the mixture take turns.  Each part has its own sequence of random maps, which
+        does not depend on the other parts.  In place of a map that is too small, is not in the
+        class or does not satisfy the condition, another map is drawn.  If many maps of a part are
+        rejected, the part ``histories`` takes its place, which glues maps of the class at random.
         """
         mix = self.mix or default_mix(extent)
         for run in range(self.first, self.last):
@@ -114,7 +123,7 @@ class Batch(Struct, frozen=True):
             yield map_, [random.choice(places)] if places else []
 
     def _drawn(self, extent: Extent, part: str, random: Random) -> CombinatorialMap:
-        """A random map in the extent, by the given part, or after many vain draws by ``histories``.
+        """A random map of the class, drawn by this part, or by ``histories`` after many rejections.
 
         Raises:
             InputError: if many maps of the part ``histories`` fail the condition, too.

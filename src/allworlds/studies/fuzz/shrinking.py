@@ -19,25 +19,28 @@ from allworlds.maps.enumeration import rooted_maps
 from allworlds.world import world
 
 Refute: TypeAlias = Callable[[Sequence[GivenWorlds]], Finding | None]
-"""A function that returns the smallest finding among some worlds, or None."""
+"""A function that runs the explorer in some worlds.
+
+It returns the smallest finding, or None if no law is broken.
+"""
 
 WORLDS_PER_CHUNK = 50
 """The number of worlds that a worker tries at a time."""
 
 CHUNKS_PER_WAVE = 8
-"""The number of chunks that are tried before the next, larger worlds."""
+"""The number of chunks in a wave; after a wave with a finding, no larger world is tried."""
 
 
 def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
     """Yield smaller and smaller refuting worlds, until no neighbour that is tried refutes.
 
-    First pieces of the map are removed, half of it, a quarter and so on, but never the start.
-    Then edges are deleted or contracted one by one while that is possible; then, with as many
-    edges, a dart moves to another position, or the start or the marker turns, if the map has fewer
-    vertices or a smaller code after that.  A world after one such change is a *neighbour*.  Every
-    neighbour is tried with every root and every place of the lighthouse, and the smallest that
-    refutes is taken, so the result depends on the finding alone.  In the end all worlds with few
-    edges are tried.
+    First, pieces of the map are removed: half of the map, a quarter and so on, but never the start.
+    Then single edges are deleted or contracted.  If no world with an edge less refutes, worlds with
+    as many edges are tried: a dart moves to another position, or the start or the marker turns; the
+    world must then have fewer vertices or a smaller code.  A world after one change is a
+    *neighbour*.  Every neighbour is tried with every root and every place of the lighthouse, and
+    the smallest refuting one is taken, so the result depends on the finding alone.  In the end all
+    worlds with few edges are tried.
 
     Cost: O(m^3) runs for each step in small worlds, but at most ``NEIGHBOURS_PER_STEP``; a large
     world is not changed if no piece can be removed.
@@ -62,7 +65,7 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
 
 
 EDGES_TRIED_IN_FULL = 4
-"""The number of edges up to which all worlds are tried in the end."""
+"""The largest number of edges of the worlds that are all tried in the end."""
 
 EDGES_OF_FINE_STEPS = 16
 """The number of edges above which not every neighbour is tried."""
@@ -71,24 +74,25 @@ NEIGHBOURS_PER_STEP = 4000
 """The most neighbours that are tried in a step."""
 
 TIMES_AS_FAR = 2
-"""The most traversals in a smaller world, as a multiple of those in the finding."""
+"""The factor by which the traversals of the finding's run may grow in a smaller world."""
 
 TRAVERSALS_BESIDES = 100
-"""The number of traversals that a smaller world may have beyond :data:`TIMES_AS_FAR` times."""
+"""The number of traversals that may be added to those that :data:`TIMES_AS_FAR` allows."""
 
 LARGE_WORLDS_PER_CHUNK = 4
-"""The number of worlds from which a piece is removed that a worker tries at a time."""
+"""The number of worlds that a worker tries at a time, where whole pieces are removed."""
 
 LARGE_CHUNKS_PER_WAVE = 2
-"""The number of chunks of worlds without a piece that are tried before the next chunks."""
+"""The number of chunks that are tried together, where whole pieces are removed."""
 
 
 def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
     """Yield smaller and smaller refuting worlds, by deleting or contracting one piece at a time.
 
     A piece is a set of consecutive edges in breadth-first order from the start; the farthest piece
-    comes first.  While a piece can be removed, further pieces of its size are tried; then pieces of
-    half the size.  The lighthouse keeps the number of its place, if the smaller map has that place.
+    comes first.  While the removal of a piece leaves a refuting world, further pieces of its size
+    are tried; then pieces of half the size.  The lighthouse keeps the number of its place if the
+    smaller map has a place with this number.
 
     Cost: O(m) runs for each step, but about O(m log m) in all if few edges are needed.
     """
@@ -104,9 +108,10 @@ def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterato
 
 
 def _less_by(piece: int, finding: Finding, scope: Scope) -> Iterator[tuple[world.World, int]]:
-    """Yield the finding's world without each piece of ``piece`` edges, deleted and contracted.
+    """Yield smaller worlds, in which one piece of the finding's world is deleted or contracted.
 
-    With each world comes the number of its lighthouse's place.
+    A piece has ``piece`` edges; every piece is tried.  With each world comes the number of its
+    lighthouse's place.
     """
     map_, extent = finding.world.map, scope.extent
     for end in range(map_.edge_count, 0, -piece):
@@ -139,9 +144,9 @@ def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
 
 
 def _smaller(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -> list[GivenWorlds]:
-    """The worlds of these maps that are smaller than the finding's, ascending, in chunks.
+    """The worlds of these maps that are smaller than the finding's world, ascending, in chunks.
 
-    If they are more than ``NEIGHBOURS_PER_STEP``, the larger ones are left out.
+    If there are more than :data:`NEIGHBOURS_PER_STEP`, the larger ones are left out.
     """
     size = finding.key[:4]
     placed = takewhile(lambda each: each[0] < size, placed_rootings(maps, scope))
@@ -154,9 +159,9 @@ def placed_rootings(
     """Yield a key and a world for each rooting of these maps and each place, by ascending keys.
 
     A key is the numbers of edges and vertices, the code of the rooted map, and the number of the
-    lighthouse's place, which also comes with the world.  Isomorphic rootings come once.  Maps
-    that are not in the class, or do not satisfy the condition, are left out; the bounds of the
-    extent do not matter.
+    lighthouse's place; this last number also comes with the world.  Isomorphic rootings come once.
+    Maps that are not in the scope's class, or do not satisfy its condition, are left out; the
+    bounds of the scope do not matter.
     """
     extent = scope.extent
     rootings = {
@@ -180,11 +185,11 @@ def in_chunks(
 
 
 def smallest_from(finding: Finding, workers: Transport, scope: Scope) -> Finding:
-    """The smallest finding that the shrinker reaches from this one, within the time limit.
+    """The smallest finding that :func:`shrink` reaches from ``finding``, within the time limit.
 
-    A wrong explorer often walks until its budget is used up.  Unless the broken law is the budget,
-    a smaller world does not count if the explorer walks much farther there than in the finding,
-    see ``TIMES_AS_FAR``.
+    A wrong explorer often walks until its budget is used up.  Unless the broken law is ``budget``,
+    a smaller world does not count if the explorer walks much farther there than in the finding: see
+    :data:`TIMES_AS_FAR`.
     """
     rules = scope.rules
 

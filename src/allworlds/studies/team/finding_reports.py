@@ -20,7 +20,7 @@ from allworlds.words import plural
 class TeamReplay(Report):
     """Report of 'replay', of a team.
 
-    The search of a finding's world, made again.
+    The new search of the world of a finding; ``recorded`` is this finding.
     """
 
     again: Annotated[TeamReport, doc.about("the search of today")] = doc.key(name="search")
@@ -39,7 +39,7 @@ class TeamReplay(Report):
 
     @doc.computed
     def outcome(self) -> Literal["reproduced", "fixed", "not-reproduced"]:
-        """``reproduced``: a law is broken again; ``fixed``: none is; else it is left open."""
+        """``reproduced``: a law is broken; ``fixed``: none is; ``not-reproduced``: left open."""
         if self.again.findings:
             return "reproduced"
         holds = self.again.verdict is Verdict.HOLDS
@@ -54,7 +54,9 @@ class TeamReplay(Report):
 
 
 def replayed(finding: TeamFinding, explore: Any, limits: TimeoutOptions) -> TeamReplay:
-    """Search the world of a finding again; a named program replaces the programs of all robots.
+    """Search the world of a finding again.
+
+    The program ``explore`` replaces the programs of all robots; None keeps the recorded programs.
 
     Raises:
         InputError: if a program or the model cannot be found, or the model has changed.
@@ -67,7 +69,7 @@ def replayed(finding: TeamFinding, explore: Any, limits: TimeoutOptions) -> Team
 class TeamExplanation(Report):
     """Report of 'explain', of a team.
 
-    The run of a finding, as a space-time diagram.
+    The run of a finding of several robots, in words and as a space-time diagram.
     """
 
     finding: TeamFinding
@@ -81,7 +83,7 @@ class TeamExplanation(Report):
 
 
 def sentences_of(finding: TeamFinding) -> Iterator[str]:
-    """Explain a finding in a few sentences."""
+    """Yield a few sentences that explain a finding."""
     yield f"{LAWS[finding.law]} Here it does not hold: {finding.seen}."
     events = len(finding.events)
     if finding.loop:
@@ -99,7 +101,7 @@ def sentences_of(finding: TeamFinding) -> Iterator[str]:
 
 
 def _stale(finding: TeamFinding) -> Iterator[str]:
-    """The moves whose robots looked before another robot moved, in words."""
+    """Yield, in words, each move whose robot has sensed its percept before another robot moved."""
     looked: dict[int, int] = {}
     moved: dict[int, int] = {}
     for number, event in enumerate(finding.events, 1):

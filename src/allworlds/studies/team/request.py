@@ -50,7 +50,10 @@ def _model(given: object) -> NamedModel:
 
 
 def _natural(name: str, least: int) -> Callable[[object], Any]:
-    """A function that checks the value of an option: None, or an integer of at least ``least``."""
+    """A function that checks that an option's value is None or an integer of at least ``least``.
+
+    The function returns the value, or raises InputError, which names the option and the value.
+    """
 
     def take(given: object) -> int | None:
         if given is None:
@@ -70,10 +73,10 @@ def _schedule(given: object) -> str | None:
 
 
 def darts_of(text: str) -> tuple[int, ...]:
-    """The darts that a text names, with commas between.
+    """The darts that a text such as ``0,3,5`` names.
 
     Raises:
-        InputError: if a part of the text is no integer.
+        InputError: if there is anything but an integer between commas.
     """
     return tuple(integer_of(part) for part in text.split(","))
 
@@ -333,9 +336,10 @@ class TeamRequest(
 def _one(
     name: str, map_: combinatorial.CombinatorialMap, starts: Sequence[int] | None
 ) -> GivenMaps:
-    """One map as given maps, with every root, up to automorphism.
+    """The given maps that consist of one map alone, under this name.
 
-    If starts are given, the first start is the only root.
+    The map comes with every root; of roots that an automorphism takes to each other, with one.  If
+    starts are given, the first start is the only root.
     """
     if starts is not None:
         renamed(map_, starts)

@@ -1,4 +1,4 @@
-"""The sweep of a team's searches, and their count gate."""
+"""The sweep that searches every schedule of a team in many worlds, and its count gate."""
 
 from __future__ import annotations
 
@@ -50,11 +50,11 @@ def team(*explorers: str | Callable[..., Any], **options: Any) -> TeamReport:
 
 
 class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
-    """The sweep of the searches of a team.
+    """The sweep that searches every schedule of a team in many worlds.
 
     Args:
         request: the request.
-        team: the programs.
+        team: the programs of the robots.
     """
 
     verb, request_type, result = "team", TeamRequest, TeamTally
@@ -153,7 +153,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 
     @override
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
-        """Add new findings to the corpus, with a remark for each that could not be written."""
+        """Write new findings into the corpus; add a remark for each that could not be written."""
         if self.corpus is not None:
             for lost in self.corpus.write(self._tally.findings):
                 self._tally.remarks[lost] += 1
@@ -257,7 +257,7 @@ def request_again(
 
 
 def is_inside(finding: TeamFinding, scope: TeamScope) -> bool:
-    """Whether a finding is in the scope of a search."""
+    """Whether a search of this scope tries the finding's starts, under its model and schedules."""
     own = scope.model.name, scope.model.digest, len(scope.team.names), TimeDocument.of(scope.timing)
     starts = finding.starts
     if own != (finding.model, finding.model_digest, len(starts), finding.time):
@@ -271,12 +271,12 @@ def is_inside(finding: TeamFinding, scope: TeamScope) -> bool:
 
 
 def _place(map_: CombinatorialMap, starts: Sequence[int]) -> Any:
-    """A value that is equal for isomorphic maps with starts."""
+    """A value that two maps share exactly if an isomorphism takes the starts to the starts."""
     return rooted_code(map_.sigma, map_.alpha, starts[0]), renamed(map_, starts)
 
 
 def _rooted_like(map_: CombinatorialMap, extent: Extent) -> Iterator[CombinatorialMap]:
-    """The maps of an extent that can be this one with another root."""
+    """Yield maps of an extent, among them each map that is ``map_`` with any root."""
     if extent.given is not None:
         for unit in units.units_of_level(extent, map_.edge_count, units.WHOLE):
             yield from unit.maps(extent)

@@ -17,7 +17,7 @@ from allworlds.studies.user_corpus import CorpusReport, UserCorpus
 
 
 class TeamCell(doc.Document):
-    """One comparison of the count gate."""
+    """One comparison of the count gate: of the maps with these numbers of edges and vertices."""
 
     edges: doc.Edges
     vertices: doc.Vertices
@@ -32,7 +32,7 @@ class TeamCell(doc.Document):
 
 
 class TeamCounts(doc.Document):
-    """Counts of the worlds of one size."""
+    """Counts of the worlds of one size, and of what the searches in these worlds have met."""
 
     edges: doc.Edges
     vertices: doc.Vertices
@@ -70,10 +70,12 @@ class TeamScopeDocument(doc.Document):
 class TeamReport(PortionReport, kw_only=True):
     """Report of 'team'.
 
-    What the searches of all worlds have shown, and what follows from it.
+    The counts and findings of the searches in all worlds, and the verdict that follows from them.
 
-    ``asked`` is what was to be searched, ``tally`` holds the counts of the finished levels and the
-    smallest findings.
+    ``asked`` is the scope that was to be searched, ``tally`` holds the counts of the finished
+    levels and the smallest findings, ``cells`` are the comparisons of the count gate, ``seconds``
+    the durations of the levels, ``levels`` the finished numbers of edges, and ``past`` is the
+    user's corpus.
     """
 
     explorers: Annotated[doc.Some[doc.Text], doc.about("the program of each robot")]
@@ -86,7 +88,7 @@ class TeamReport(PortionReport, kw_only=True):
 
     @doc.computed
     def verdict(self) -> outcome.Verdict:
-        """The verdict about this scope alone."""
+        """The verdict, which is about this scope alone."""
         return self.facts.verdict
 
     @doc.computed
@@ -114,17 +116,17 @@ class TeamReport(PortionReport, kw_only=True):
 
     @doc.computed
     def remarks(self) -> tuple[doc.Text, ...]:
-        """Remarks about processes, which refute nothing, each once."""
+        """Remarks about processes, which refute nothing; a repeated remark is listed once."""
         return tuple(sorted(self.tally.remarks))
 
     @doc.computed
     def corpus(self) -> doc.IfAny[CorpusReport | None]:
-        """Null without ``--corpus``."""
+        """The files of the user's corpus after the search; null without ``--corpus``."""
         return self.past.report if self.past else None
 
     @doc.computed
     def findings(self) -> tuple[TeamFinding, ...]:
-        """Ascending by (edges, vertices, canonical code, starts)."""
+        """The smallest findings, ascending by (edges, vertices, canonical code, starts)."""
         return tuple(self.tally.findings)
 
     @doc.computed
@@ -139,12 +141,12 @@ class TeamReport(PortionReport, kw_only=True):
 
     @property
     def explorer(self) -> str:
-        """The name of the first program."""
+        """The name of the program of the first robot."""
         return self.explorers[0]
 
     @property
     def total(self) -> TeamRow:
-        """The sum of all rows."""
+        """The counts of all sizes together."""
         total = TeamRow()
         for row in self.tally.rows.values():
             total.add(row)

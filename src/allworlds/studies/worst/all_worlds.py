@@ -53,7 +53,7 @@ def _algorithm1(given: object) -> str:
 
 
 class Algorithm1Option(Request, kw_only=False):
-    """The part of a request of ``worst`` that may be given by its place."""
+    """The part of a request of ``worst`` that names the explorer: Algorithm 1 is the only one."""
 
     explore: Annotated[
         Converted[str | Callable[..., Any], str],
@@ -69,7 +69,7 @@ class Algorithm1Option(Request, kw_only=False):
 class WorstRequest(
     SweptOptions, limits.WorkerOptions, GivenOptions, classes.ClassOptions, Algorithm1Option
 ):
-    """Request of ``worst``: the worlds and the effort."""
+    """Request of ``worst``: the worlds, the paths that Algorithm 1 may take, and the effort."""
 
     edges: Annotated[
         int | None,
@@ -113,7 +113,8 @@ class WorstRequest(
 class WorstRow(doc.Document):
     """Costs over every schedule in the worlds of one size.
 
-    ``counted`` holds the rooted maps according to the independent source; None in a shard.
+    ``counted`` is the number of rooted maps according to the independent source; None in a shard,
+    or for given worlds.
     """
 
     edges: doc.Edges
@@ -135,13 +136,16 @@ class WorstRow(doc.Document):
 
     @property
     def agrees(self) -> bool:
-        """Whether the independent count of maps and the run played again agree with the search."""
+        """Whether the search agrees with the independent count, and with a run that is replayed.
+
+        The replayed run must attain the worst cost; this is not asked if a test was wrong.
+        """
         counted = self.counted in (None, self.worlds)
         return counted and (bool(self.wrong_tests) or self.replayed == self.worst)
 
     @property
     def refutes(self) -> bool:
-        """Whether a test was wrong or the bound was exceeded."""
+        """Whether a test has confirmed a false hypothesis, or the worst cost exceeds the bound."""
         return bool(self.wrong_tests) or (self.bound is not None and self.worst > self.bound)
 
 
@@ -161,8 +165,8 @@ class WorstReport(SweptReport, kw_only=True):
 
     The worst and best costs of Algorithm 1, by size.
 
-    ``disagreement`` says what disagrees beside the rows, if anything does; ``subject`` is who was
-    run by the ``rules``.
+    ``disagreement`` names a size of which maps are counted but none was met; empty if there is
+    none. ``subject`` is Algorithm 1, ``rules`` are the rules of the replayed runs.
     """
 
     rows: Annotated[tuple[WorstRow, ...], doc.about("one for each (edges, vertices), ascending")]
@@ -191,7 +195,7 @@ class WorstReport(SweptReport, kw_only=True):
 
     @doc.computed
     def gate(self) -> ToldGate:
-        """Count gate, if there is anything to compare."""
+        """The count gate; null if there is nothing to compare."""
         return self.compared
 
     @property
@@ -205,7 +209,10 @@ class WorstReport(SweptReport, kw_only=True):
         return any(row.refutes for row in self.rows)
 
     def walks(self) -> Iterator[single.SingleRun]:
-        """Yield for each row a run that attains its worst cost, if one is known, played again."""
+        """Play again, for each row, the run that attains the worst cost, and yield this run.
+
+        Rows without such a run are left out.
+        """
         for row in self.rows:
             if row.replayed is not None:
                 yield single.single_run(
@@ -304,7 +311,11 @@ class SchedulesSweep(sweep.Sweep["ScheduleCostsBySize", WorstReport]):
         )
 
     def _replayed(self, world: World, bound: int) -> tuple[tuple[int, ...], int | None]:
-        """Choices that attain the worst cost, and the cost of their run in the Python engine."""
+        """Choices that attain the worst cost in a world, and the cost of a run with these choices.
+
+        The run is played in the Python engine; the cost is None if the run has no answer or breaks
+        a law.
+        """
         schedules = EverySchedule(world.map, world.start, self.request.transit)
         planned = Planned(schedules.most_expensive_picks())
         episode = play(world, self._subject.player(), planned, default_step_budget(bound))

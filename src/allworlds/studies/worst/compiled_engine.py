@@ -13,7 +13,7 @@ from allworlds.studies.worst.every_schedule import Transit
 
 
 class ScheduleCostsBySize(Struct):
-    """Costs over every schedule, by the number of vertices; they can be added in any order."""
+    """Costs over every schedule, by the number of vertices; parts are added in any order."""
 
     by_vertices: dict[int, schedules.ScheduleCosts] = field(default_factory=dict)
 
@@ -23,7 +23,7 @@ class ScheduleCostsBySize(Struct):
         return sum(row.rooted for row in self.by_vertices.values())
 
     def add(self, other: "ScheduleCostsBySize") -> None:
-        """Add the costs of another part."""
+        """Add the costs of other worlds with as many edges."""
         for vertices, row in other.by_vertices.items():
             mine = self.by_vertices.get(vertices)
             self.by_vertices[vertices] = _joined(mine, row) if mine else row
@@ -43,7 +43,7 @@ def _joined(a: schedules.ScheduleCosts, b: schedules.ScheduleCosts) -> schedules
 
 
 class ScheduleSearch(Struct, frozen=True):
-    """The engine that searches all schedules."""
+    """The engine that searches all schedules; the array ``flag`` can stop its compiled search."""
 
     extent: Extent
     transit: Transit
@@ -54,7 +54,7 @@ class ScheduleSearch(Struct, frozen=True):
         self.flag[0] = 1
 
     def parts(self, unit: LevelUnit | GivenUnit) -> Iterator[ScheduleCostsBySize]:
-        """Yield costs in the unit, with a most expensive world for each number of vertices."""
+        """Yield the costs in the unit's worlds, with a most expensive world for each size."""
         map_class = self.extent.map_class
         prefixes: Iterable[Sequence[int]]
         if isinstance(unit, GivenUnit):

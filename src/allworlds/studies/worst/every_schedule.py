@@ -26,7 +26,7 @@ T = TypeVar("T")
 _cost = attrgetter("cost")
 
 Transit: TypeAlias = Literal["shortest", "simple"]
-"""Readings of line 4 of Algorithm 1: the robot takes a shortest, or any simple, path in S."""
+"""Readings of line 4 of Algorithm 1: the robot takes a shortest path in S, or any simple path."""
 
 Explored: TypeAlias = frozenset[Dart]
 """The darts of the explored edges, two for each edge."""
@@ -52,7 +52,7 @@ class PassCosts(Struct, frozen=True):
 
     Attributes:
         dart: the dart e that the pass takes from U.
-        worst, best: the tests of the most expensive and of the cheapest pass.
+        worst, best: the tests in the most expensive and in the cheapest course of the pass.
         explored: the explored darts after the pass.
         robot: the robot's vertex after the pass.
     """
@@ -105,7 +105,11 @@ class EverySchedule:
 
     @property
     def best(self) -> int:
-        """The number of traversals of the cheapest schedule; raises WrongTest as :attr:`worst`."""
+        """The number of traversals of the cheapest schedule.
+
+        Raises:
+            WrongTest: if a false hypothesis can be confirmed.
+        """
         return self._best(frozenset(), self._v0)
 
     def most_expensive_picks(self) -> list[int]:
@@ -128,7 +132,7 @@ class EverySchedule:
         return picks
 
     def most_expensive_passes(self) -> Iterator[PassCost]:
-        """Yield the most expensive pass that takes each dart, in each state that can be reached.
+        """Yield the largest cost of a pass for each state that can be reached and each dart of U.
 
         Raises:
             WrongTest: if a false hypothesis can be confirmed.
@@ -205,7 +209,7 @@ class EverySchedule:
         return PassCosts(e, (*most_expensive, last), (first,), after, self._v0)
 
     def _tests(self, explored: Explored, hypothesis: Dart, entry: Dart) -> list[TestCost]:
-        """The tests of a hypothesis on every simple path.
+        """The tests of a hypothesis, one for each simple path from its vertex to v0.
 
         Raises:
             WrongTest: if a test confirms a false hypothesis, or rejects a true one.
