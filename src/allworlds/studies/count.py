@@ -36,7 +36,7 @@ class CountRequest(SweptOptions, WhereOptions, classes.ExtentOptions):
 
 
 class CountRow(doc.Document, kw_only=True):
-    """The maps with one number of edges.
+    """The numbers of maps with one number of edges.
 
     ``counted`` holds the numbers of rooted maps by vertices according to the independent source;
     None without a source. ``cells`` has, for each number of vertices and genus, these two numbers

@@ -135,7 +135,8 @@ def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
 class ClaimScope(doc.Document, kw_only=True):
     """The scope of a claim under a budget, and the expected numbers.
 
-    The bounds are the keywords of the claim's function.
+    ``bounds`` are the keywords for the claim's function; ``witnesses`` and ``figures`` are the
+    numbers that the function must find.
     """
 
     bounds: dict[str, Any] = doc.key(default_factory=dict)
@@ -403,9 +404,9 @@ class LedgerRequest(ListenerOptions, limits.WorkerOptions, kw_only=False):
 def ledger(request: LedgerRequest) -> LedgerReport:
     """Check the sentences of a paper, each on its scope, and compare with the expected outcomes.
 
-    ``claims.py`` in the folder has a function for each claim of ``ledger.toml``.  It takes
-    ``Means`` and the bounds of the claim as keywords, and returns a ``Found`` or a ``NotChecked``
-    (see ``allworlds.claims``).
+    ``claims.py`` in the folder has a function for each claim of ``ledger.toml``.  Each function
+    takes ``Means``, and the bounds of its claim as keywords, and returns a ``Found`` or a
+    ``NotChecked`` (see ``allworlds.claims``).
 
     Raises:
         InputError: naming the offending value and what would be legal.

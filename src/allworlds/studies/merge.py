@@ -102,7 +102,8 @@ def _merged(request: MergeRequest) -> Any:
 def merge(*runs: str | Path, by: str | None = None, listener: Listener | None = None) -> Any:
     """Merge the shards of a job, each in a run directory, into one report.
 
-    Counts are compared with their source, and witnesses are required, as in a job without shards.
+    As in a job without shards, counts are compared with an independent source, and witnesses are
+    required.
     No explorer is needed or run: each shard has confirmed its own findings.
 
     Returns:

@@ -73,5 +73,5 @@ class RowsReport(EndedReport):
 
     @doc.computed
     def complete(self) -> doc.AllRows:
-        """Whether no row is missing: the job went through to its end."""
+        """Whether no row is missing."""
         return isinstance(self.ending, outcome.Completed | outcome.Disagreed)

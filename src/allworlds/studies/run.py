@@ -190,7 +190,7 @@ class Replay(Report):
 
     @property
     def facts(self) -> Facts:
-        """The facts that decide the exit code: whether the finding is fixed, or this is open."""
+        """The facts that decide the exit code: that the finding is fixed, or that this is open."""
         outcome = self.outcome
         return Facts(fixed=outcome == "fixed", undecided=outcome == "not-reproduced")
 
@@ -246,7 +246,7 @@ def replay(request: ReplayRequest) -> Replay | TeamReplay:
 
 
 LARGEST = 200
-"""The most edges of worlds in which ``play`` runs Algorithm 1, which takes some seconds."""
+"""The most edges of a world in which ``play`` also runs Algorithm 1, for some seconds at most."""
 
 VARIANTS = {
     BUILT_IN[name].lighthouse: name
@@ -273,8 +273,8 @@ def _cost_of_algorithm1(world: World) -> int | None:
 Player: TypeAlias = Callable[[Percept, str], Action | None]
 """A function that plays the robot.
 
-Its arguments are the percept and the reason why the last action was refused, an empty text if it
-was not.  It returns the next action, or None to end the game.
+Its arguments are the percept, and the reason why the last action was refused; this text is empty if
+the action was legal.  It returns the next action, or None to end the game.
 """
 
 

@@ -255,7 +255,7 @@ LargestClass: TypeAlias = Annotated[
 
 
 class CensusRow(doc.Document, kw_only=True):
-    """The marked maps with one number of edges.
+    """Counts of the maps with a lighthouse that have one number of edges.
 
     ``rooted`` is the number of rooted maps that were found, ``counted`` the number according to the
     independent source. A shard may hold some members of an ambiguity class without the others.
@@ -278,7 +278,7 @@ class CensusRow(doc.Document, kw_only=True):
 
 
 class CensusCell(doc.Document):
-    """The marked maps of one size."""
+    """Counts of the maps with a lighthouse that have one size."""
 
     edges: doc.Edges
     vertices: doc.Vertices

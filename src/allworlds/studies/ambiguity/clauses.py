@@ -23,7 +23,7 @@ class Block(Struct, frozen=True):
         first: the variable of index 0, or of the pair ``(0, 0)``.
         shape: the number of indices; for pairs, the numbers of first and of second indices.  The
             variables that have the same first index are consecutive.
-        meaning: what it means that a variable is true, as a sentence about its indices x and y.
+        meaning: a sentence about the indices x and y; the variable is true if this sentence is.
     """
 
     name: str

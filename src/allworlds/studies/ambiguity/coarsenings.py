@@ -113,7 +113,7 @@ class Coarser(base.Lighthouse):
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[base.Lighthouse]:  # noqa: ARG003
-        """Yield no lighthouse: each is made from a lighthouse of the finest sensor instead."""
+        """Yield no lighthouse: a coarser sensor is made from one of the finest sensor instead."""
         yield from ()
 
     @override
@@ -272,7 +272,7 @@ def _features(kind: kinds.LighthouseKind) -> tuple[str, ...]:
     """The names of the features of a finest sensor.
 
     Raises:
-        InputError: if it has no features, or too many.
+        InputError: if the sensor has no features, or too many.
     """
     ensure_motions_decide(kind, "sensors are compared by motions alone")
     features: Any = getattr(kind.as_class, "features", None)

@@ -423,7 +423,7 @@ def class_of(request: ClassRequest) -> AmbiguityClass:
             the class of maps; for a limit below 1; for a limit that is smaller than the ambiguity
             class, if only some maps count, since all members must then be made.
 
-    Cost: O(k m) for each of the at most k ``limit`` lifts.
+    Cost: O(k m) for each of at most k * ``limit`` maps with the quotient, for k sheets.
     """
     limit, universe = request.limit, request.map_class
     world = world_named(request.world, request.lighthouse)

@@ -1,4 +1,4 @@
-"""The question of a search for twins: lighthouse, class, bounds and walk, all legal."""
+"""The question of a search for twins: lighthouse, class, bounds and walk; bad ones are refused."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -172,7 +172,7 @@ class Question(Struct, frozen=True, dict=True):
 
     @property
     def sensing(self) -> base.Sensing:
-        """Where a marker is sensed besides the degree, and whether its bearing is sensed, too."""
+        """The vertices at which a marker is sensed, and whether the bearing is sensed, too."""
         kind, shown = self.kind, all(map(any, self.words.values()))  # else v0 may look like others
         if shown and issubclass(kind, base.ReferenceLighthouse):
             return kind.sensing

@@ -42,7 +42,7 @@ class SensedWorlds(NamedTuple):
     Attributes:
         sigma, alpha: the permutations.
         sensed: for each dart the number of the percept there, which includes the degree.
-        told: for each world the value that the robot is told.
+        told: for each world the value that the robot is told before the start, or None.
         vertices: for each world the number of its vertices.
     """
 

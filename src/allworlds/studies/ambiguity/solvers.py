@@ -20,7 +20,10 @@ from allworlds.studies.ambiguity.clauses import dimacs, read_dimacs
 from allworlds.studies.ambiguity.formulas import ALIKE, DIFFERENT
 
 REQUIREMENTS = (DIFFERENT, ALIKE)
-"""Two sections of a formula, both needed: without the first, or the second, it has a model."""
+"""Two sections of the formula of a search, which rule out a pair of worlds only together.
+
+So a sound formula has a model if one of these sections is left out.
+"""
 
 Status: TypeAlias = Literal["sat", "unsat", "unknown"]
 
@@ -32,7 +35,7 @@ LONGEST_WAIT = 10**6
 
 
 class SolverAnswer(Struct, frozen=True):
-    """A solver's answer; ``model`` holds the true variables, if the formula has a model."""
+    """A solver's answer; ``model`` holds the true variables of a model, if there is one."""
 
     status: Status
     model: frozenset[int] = frozenset()

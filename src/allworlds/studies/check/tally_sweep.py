@@ -40,7 +40,7 @@ UNREPEATED = "what happened to the explorer was not repeated by a fresh process"
 
 
 class Confirmation(Struct, frozen=True):
-    """The confirmation of a job's findings: each is played again in a fresh process.
+    """The confirmation of a job's findings: each finding is played again in a fresh process.
 
     Attributes:
         subject, limits, scope: the explorer, the limits and the scope of the job.
@@ -112,8 +112,8 @@ class Confirmation(Struct, frozen=True):
         """The finding, played again in a fresh process; or a remark that replaces it.
 
         A remark replaces a crash or a time-out that is not repeated, if the machine may be its
-        cause.  If the machine cannot be the cause, the explorer is nondeterministic: then the
-        finding of this law is returned.
+        cause.  If the machine cannot be the cause, the explorer is nondeterministic: then a finding
+        of the law ``nondeterministic`` is returned.
         """
         again = self._again(found, number=number)
         if again.law not in LOST or not self.subject.importable or again.confirmed:
@@ -287,7 +287,10 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
         return None
 
     def keep_new(self, total: tally.Tally) -> None:
-        """Write the new findings of ``total`` into the corpus; add a remark for each that fails."""
+        """Write the new findings of ``total`` into the corpus.
+
+        For each finding that cannot be written, a remark is added to ``total``.
+        """
         if self.corpus is not None:
             for lost in self.corpus.write(total.findings):
                 total.remark(lost)

@@ -35,7 +35,7 @@ from allworlds.world.world import World
 
 
 class ComparedRow(doc.Document):
-    """Costs in the worlds of one size. The first explorer is compared with each other one."""
+    """Costs in the worlds of one size. The first explorer is compared with each of the others."""
 
     edges: doc.Edges
     vertices: doc.Vertices
@@ -102,7 +102,7 @@ class Comparison(ContestReport):
         return self.all_counted
 
     def walks(self) -> Iterator[single.SingleRun]:
-        """Yield a run of each explorer in the world of ``differ_most``; none if it is None.
+        """Yield a run of each explorer in the world of ``differ_most``, if there is such a world.
 
         Each explorer's lighthouse is at the first of its places.
         """

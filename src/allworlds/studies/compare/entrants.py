@@ -204,8 +204,8 @@ class InWorld(NamedTuple):
         explorer: the name of the explorer.
         costs: the traversals of each run, by the number of the lighthouse's place.
         places: the number of all places of the lighthouse, those without a run included.
-        bound: the bound on the traversals of a run, the same for each place; None without one.
-        drawn_from: the number of different worlds of this size that seeds can draw, if known.
+        bound: the bound on the traversals of a run, equal for all places; None without a bound.
+        drawn_from: the number of different worlds of this size that seeds can draw; None: unknown.
     """
 
     map: combinatorial.CombinatorialMap
@@ -299,7 +299,7 @@ class Entrant(Struct, frozen=True):
     Attributes:
         subject: the explorer.
         rules: the rules of its runs.
-        at: the lighthouse in its name, behind ``@``; empty without one.
+        at: the lighthouse that the user has named behind ``@``; empty if none is named there.
     """
 
     subject: loading.Subject
@@ -308,11 +308,11 @@ class Entrant(Struct, frozen=True):
 
     @property
     def name(self) -> str:
-        """The explorer's name, followed by ``@`` and a lighthouse if the user named it so."""
+        """The explorer's name; ``@`` and a lighthouse follow if the user has named one there."""
         return self.named(self.subject.name)
 
     def named(self, explorer: str) -> str:
-        """The name ``explorer``, followed by ``@`` and a lighthouse if the user named one so."""
+        """The name ``explorer``; ``@`` and a lighthouse follow as in the entrant's own name."""
         return f"{explorer}{AT}{self.at}" if self.at else explorer
 
     def scope(self, extent: classes.Extent, portion: units.Shard = units.WHOLE) -> units.Scope:

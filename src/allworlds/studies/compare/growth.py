@@ -39,7 +39,7 @@ class Growing(Struct, frozen=True):
         form: the form of its name on the command line; ``:D`` stands for a degree.
         member: a function that makes the name of a member from its number and the degree.
         degree: the default degree; None if the name has no degree.
-        holes: the share of edges to remove.
+        holes: the share of edges that is removed, as ``10%``; None: no edge is removed.
     """
 
     form: str

@@ -4,11 +4,11 @@ The worlds of one size are a sample, unless they are all worlds of that size: th
 exact, and has no interval.  A sample has no interval if it has fewer than :data:`LEAST_WORLDS`
 different worlds, or if scipy is not installed.  A ratio is a geometric mean, whose logarithm is the
 mean of logarithms.  To first order, the standard deviation of the logarithm of a mean is the
-relative standard deviation of the mean.
-In samples of 5, 10 and 30 costs whose logarithms are normal with deviation 0.3, the intervals
-contain the true ratio in 95%, and the true mean in 94.6%, 94.4% and 94.8% of the samples; with
-deviation 0.6 the true mean in 93%.  BCa intervals, by a bootstrap, contain the true mean with
-deviation 0.3 in 85%, 91% and 92%.
+relative standard deviation of the mean.  In samples of 5, 10 and 30 costs whose logarithms are
+normal with deviation 0.3, the intervals contain the true ratio in 95%, and the true mean in 94.6%,
+94.4% and 94.8% of the samples; with deviation 0.6 they contain the true mean in 93%.  For
+comparison: BCa intervals, by a bootstrap, contain the true mean with deviation 0.3 in 85%, 91% and
+92%.
 
 An exponent is the slope of a line that least squares fit to a point for each size: the logarithms
 of its edges and of its mean cost.  Its interval is that of a linear regression.  There is no
@@ -28,7 +28,7 @@ LEVEL = 0.95
 """The share of intervals that should contain the true value."""
 
 LEAST_WORLDS = 5
-"""The smallest sample that has an interval: different worlds of one size."""
+"""The least number of different worlds of one size whose mean or ratio has an interval."""
 
 LEAST_SIZES = 5
 """The least number of sizes from which an exponent is fitted."""
@@ -40,7 +40,7 @@ Interval: TypeAlias = tuple[float, float]
 
 
 def lack() -> str:
-    """The reason for a missing interval, that scipy is not installed; empty if it is installed."""
+    """A text that says that there is no interval without scipy; empty if scipy is installed."""
     return lack_of("scipy", "figures")
 
 
@@ -63,7 +63,7 @@ class Power(Struct, frozen=True):
     """The power of the number of edges that fits mean costs best.
 
     Attributes:
-        exponent: the exponent of the edges; None if none is fitted.
+        exponent: the exponent of the number of edges; None if no power is fitted.
         interval: the interval of the exponent, or None.
         lack: the reason why there is no interval; empty if there is one.
     """

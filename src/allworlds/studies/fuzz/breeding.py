@@ -43,7 +43,7 @@ RAREST_LINES = 4
 """The number of lines, the rarest ones, such that worlds in which they ran can be parents."""
 
 PARENTS_PER_LINE = 8
-"""The number of worlds that are kept for a line: the last worlds that ran the line."""
+"""The number of worlds that are kept for a line: the last worlds in which the line ran."""
 
 TRAVERSALS_TRACED = 20_000
 """The most traversals of a traced run."""

@@ -68,7 +68,7 @@ EDGES_TRIED_IN_FULL = 4
 """The largest number of edges of the worlds that are all tried in the end."""
 
 EDGES_OF_FINE_STEPS = 16
-"""The number of edges above which not every neighbour is tried."""
+"""The most edges of a world whose neighbours are tried; of larger worlds, pieces are removed."""
 
 NEIGHBOURS_PER_STEP = 4000
 """The most neighbours that are tried in a step."""

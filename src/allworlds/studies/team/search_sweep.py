@@ -132,7 +132,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
         return None
 
     def _again(self, finding: TeamFinding) -> TeamFinding | None:
-        """The finding of today's programs in the world of a past finding; None if no law is broken.
+        """A new finding, by today's programs, in the world of a past one; None if no law is broken.
 
         Raises:
             OtherText: if the finding's model has changed, or its run has another number of robots.

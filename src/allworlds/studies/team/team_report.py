@@ -131,7 +131,7 @@ class TeamReport(PortionReport, kw_only=True):
 
     @doc.computed
     def unfinished(self) -> TeamFinding | None:
-        """The smallest world in which the budget cuts a run off, with a shortest such run."""
+        """A shortest run that the budget cuts off, in the smallest world with one; null: none."""
         return next(iter(self.tally.unfinished), None)
 
     @property

@@ -30,7 +30,10 @@ class ScheduleCostsBySize(Struct):
 
 
 def _joined(a: schedules.ScheduleCosts, b: schedules.ScheduleCosts) -> schedules.ScheduleCosts:
-    """The sums and maxima of two results, and the least world that attains the worst cost."""
+    """The joint result of two parts: sums, maxima, and a world that attains the worst cost.
+
+    Of two worlds with the worst cost, the one with the smaller code is taken.
+    """
     most_expensive = min(
         (d for d in (a, b) if d.sigma), key=lambda d: (-d.worst, d.sigma, d.alpha), default=a
     )

@@ -3,10 +3,11 @@
 A pass is one turn of the loop of Algorithm 1: the robot walks to an open dart e of the explored
 part S, traverses e, and tests hypotheses until it knows where it is.  U is the set of open darts.
 
-In a fixed world the set of explored edges determines S.  Between two passes the state of the
-robot is that set and the vertex where it stands; the costs of rejected hypotheses add up in any
-order.  So the worst and the best cost follow by dynamic programming, backwards from the explored
-world.  S is described by darts of the world, in which S is embedded by the paper's invariant I-1.
+In a fixed world the set of explored edges determines S.  Between two passes the state of the robot
+is the set of explored edges and the vertex where the robot stands; the costs of rejected hypotheses
+add up in any order.  So the worst and the best cost follow by dynamic programming, backwards from
+the completely explored world.  S is described by darts of the world; by the paper's invariant I-1
+the world contains S.
 
 Source: Algorithm 1, Section IV.
 """
@@ -149,7 +150,10 @@ class EverySchedule:
                     queue.append(following)
 
     def _number(self, numbers: dict[Dart, int], first: Dart) -> None:
-        """Number the darts of a vertex as S does: clockwise from the dart of its discovery."""
+        """Give the next numbers to the darts of a vertex, clockwise from ``first`` on, as S does.
+
+        ``first`` is the dart by which the vertex was discovered.
+        """
         for i in range(self._map.degree_at[first]):
             numbers[self._map.turn(first, i)] = len(numbers)
 
