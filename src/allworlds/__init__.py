@@ -5,8 +5,9 @@ Explorers use these names::
     from allworlds import CombinatorialMap, Percept, Move, Drop, Pick, Write
     from allworlds import Estimate, Ambiguous, Choices, Checkpoint
 
-Programs for several robots also use ``Wait``, ``Watch``, ``Do``, ``End`` and ``Automaton``.  The
-base of a lighthouse of your own is ``Lighthouse``, that of a world that changes ``Model``.
+Programs for several robots also use ``Wait``, ``Watch``, ``Do``, ``End`` and ``Automaton``.
+``Lighthouse`` is the base class of your own lighthouses, ``Model`` that of your own worlds that
+change.
 
 Each verb of the command line is a function of the same name, for example
 ``allworlds.check(explore, edges=4)``.  The functions are loaded when they are first used, so

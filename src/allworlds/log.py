@@ -5,14 +5,14 @@ begins with a byte:
 
     0..199              a motion by this number of darts
     200 SHOWN           a checkpoint: the number of darts, here, sigma, alpha
-    201 ANSWERED        the answer, in the same form
+    201 ANSWERED        the answer, in the same form as a checkpoint
     202 OVER_BUDGET     one traversal above the budget; 203 SHOWN_TOO_OFTEN: one checkpoint above it
     204 FAULT           the law's number, whether the machine may be the cause, and three texts
     205 BEYOND          a motion after the end of the recorded percepts
     206 FAR             a motion by 200 darts or more; 207 DROP, 208 PICK, 209 WRITE with a number
     210 CHOICE          the index, and the number of options (0: unknown)
-    211 LONG_CHOICE     the same, as numbers of any length; 212 LONG_SHOWN and 213 LONG_ANSWER
-                        are so to 200 and 201
+    211 LONG_CHOICE     as 210, with numbers of any length; 212 LONG_SHOWN as 200, and
+                        213 LONG_ANSWER as 201, with numbers of any length
     214 QUOTIENT        the answer is a rooted quotient; 215 VALUE: it is a JSON text
     216 OVER            the task is done, and ends the run; 217 FREE_TOO_OFTEN: too many free acts
     218 REFUSED         the last action is illegal; a walk of the log in the world shows why

@@ -1,4 +1,4 @@
-"""Endings of a job, their exit codes and verdicts, and the results of verbs."""
+"""How a job ends, with its exit code and verdict, and what every result of a verb has."""
 
 from collections.abc import Callable, Iterable, Mapping
 from enum import IntEnum, StrEnum

@@ -10,8 +10,8 @@ dart 0.  For example, a property of your explorer::
     def test_my_explorer_is_right(world):
         assert run(my_explorer, world).finding is None
 
-Maps grow edge by edge from their root edge.  Every partial map can be completed, so no draw is
-rejected.
+Hypothesis draws a map edge by edge from its root edge.  Every partial map can be completed, so no
+drawn value is rejected.
 """
 
 from collections.abc import Callable, Sequence, Sized

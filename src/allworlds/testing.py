@@ -17,8 +17,8 @@ With pytest the mark ``allworlds`` makes one test for each number of edges::
     def test_my_explorer_is_right(explores):
         explores(my_explorer)
 
-This module does not need pytest.  If pytest runs, past findings are kept in its cache and tried
-first.
+This module does not need pytest.  If pytest runs, its cache keeps past findings, and a check tries
+their worlds first.
 """
 
 import inspect

@@ -1,8 +1,9 @@
-"""**The** table of the verbs: the name, the function and the summary of each.
+"""**The** table of the verbs: the name, the function and the summary of each verb.
 
-The command line and the tests are derived from it.  A new verb is an entry here, and a module with
-its request, its function and its document.  A verb whose report has content of its own also has a
-function in ``reports.content``, and a verb that does more than answer a request one in ``cli``.
+The command line and the tests are derived from this table.  A new verb is an entry here, and a
+module with its request, its function and its document.  A verb whose report has content of its own
+also has a function in ``reports.content``; a verb that does more than answer a request also has a
+function in ``cli``.
 """
 
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""The origin of documents: the version of this program, and the machine that made them."""
+"""The origin of documents: the version of this program, and the machine that made a document."""
 
 from __future__ import annotations
 

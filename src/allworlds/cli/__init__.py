@@ -1,4 +1,4 @@
-"""The command line: options in, text or JSON out; every decision is made elsewhere."""
+"""The command line: options in, text or JSON out; the other wings make every decision."""
 
 import atexit
 import gc

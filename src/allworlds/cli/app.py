@@ -1,4 +1,4 @@
-"""The command line: its commands and groups of commands, and the errors for illegal words."""
+"""The command line: its verbs and groups of verbs, and the errors for unknown words and options."""
 
 import os
 import shutil

@@ -1,7 +1,7 @@
-"""Defaults of options from a file, and the origin of a document.
+"""The defaults of options in a user's file, and the origin of a document.
 
 The file is ``allworlds.toml``, or the table ``[tool.allworlds]`` in a project's ``pyproject.toml``.
-The origin holds what may differ between documents of the same command: version, host, time, speed.
+The origin holds what may differ between two documents of one command: version, host, time, speed.
 """
 
 import tomllib

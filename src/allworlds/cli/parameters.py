@@ -1,6 +1,6 @@
-"""Requests on the command line: an option or an argument for each field.
+"""Requests on the command line: each field of a request is an option or an argument.
 
-From the values of the options and arguments the request is made again.
+The values of the options and arguments become the request again; see ``inputs.requests``.
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping

@@ -1,6 +1,6 @@
 """The verbs ``run``, ``replay`` and ``play`` on the command line.
 
-A run can be watched in Python's debugger; ``play`` can ask for each action in the terminal.
+The user can watch a run in Python's debugger; ``play`` can ask for each action in the terminal.
 """
 
 import re

@@ -1,13 +1,13 @@
 """Documents: the class of a result defines its keys, their types and their meanings, once.
 
-A result is a frozen :class:`Document`: its fields are the keys of its JSON object, in their order,
-each annotated with its type and, by :func:`about`, with one line of meaning.  From the same class
-come the JSON (:meth:`Document.to_json`), the strict reading (``reading.parse``), the JSON Schemas
-and the reference of keys.
+A result is a frozen :class:`Document`.  Its fields are the keys of its JSON object, in this order;
+each field is annotated with its type and, by :func:`about`, with one line of meaning.  From the
+same class come the JSON (:meth:`Document.to_json`), the strict reading (``reading.parse``), the
+JSON Schemas and the reference of keys.
 
 With ``@with_options(Request)`` a class also has a key for each option of a request; the option
-defines its type and meaning.  A method with ``@computed`` is a key that follows from the fields,
-and comes after them; its annotation is the type, its docstring the meaning.
+defines the key's type and meaning.  A method with ``@computed`` is a key whose value follows from
+the fields; it comes after the fields, its annotation is the type, its docstring the meaning.
 
 A type has three variants:
 

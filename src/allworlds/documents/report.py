@@ -1,4 +1,4 @@
-"""A report: the document that a verb writes, and who made it."""
+"""A report: the document that a verb writes, and the program and machine that made it."""
 
 from __future__ import annotations
 

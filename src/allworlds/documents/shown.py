@@ -1,7 +1,8 @@
-"""Values that can be shown: as a text, as a page, as a picture.
+"""Values with a text, a page or a picture, and the functions that write these.
 
-The writers of these forms are in ``allworlds.reports``, which this module does not import.  The
-package registers the writers when it is imported, and loads them when the first value is shown.
+The functions are in ``allworlds.reports``, which this module does not import.  The package
+``allworlds`` registers how to load them when it is imported; the first value that is shown loads
+them.
 """
 
 from collections.abc import Callable

@@ -6,11 +6,11 @@
     the names of explorers; finding, loading and playing an explorer by its name;
 ``sources``
     the part of a request that names an explorer; hints at similar names; the files of its code,
-    their digest, and its line;
+    their digest, and the line where the code begins;
 ``program``
-    a program in any language behind a pipe;
+    explorers that are programs in any language, which read and write pipes;
 ``shared_library``
-    explorers in shared libraries; ``allworlds.h`` is the interface, and explains itself;
+    explorers in shared libraries; the comments in ``allworlds.h`` explain the interface;
 ``languages``
     the languages of skeletons, which are explorers to start from, in the folder ``skeletons``.
 

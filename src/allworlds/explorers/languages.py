@@ -1,7 +1,8 @@
 """The languages of skeletons: the files of each, and the commands that try an explorer.
 
-A skeleton is a set of files that build and run, but are not a right explorer yet.  The files of a
-language are in the folder of its name in ``skeletons``, with ``.template`` after their names.
+A skeleton is a set of files of an explorer that builds and runs, but does not answer right yet.
+The files of a language are in the folder of its name in ``skeletons``; their names end in
+``.template``.
 """
 
 from pathlib import Path

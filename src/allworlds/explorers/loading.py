@@ -1,7 +1,7 @@
 """Explorers under test: their names, and how they are found, loaded and played.
 
-The modules for programs and for shared libraries are imported only if an explorer is one, so that
-the players of other explorers start faster.
+The modules for programs and for shared libraries are imported only for explorers of that kind, so
+that the players of other explorers start faster.
 """
 
 from __future__ import annotations

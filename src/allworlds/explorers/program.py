@@ -1,4 +1,4 @@
-"""Explorers that are programs in any language, with percepts and actions as lines on pipes."""
+"""Explorers that are programs in any language; percepts and actions are lines on pipes."""
 
 import contextlib
 import json

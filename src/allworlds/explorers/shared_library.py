@@ -1,6 +1,7 @@
 """Explorers in shared libraries.
 
-Each of their buffers ends at a protected page, so that an access behind its end is a crash.
+Each buffer that a library gets ends at a protected page of memory, so that the process crashes if
+the library reads or writes beyond the end of the buffer.
 """
 
 import ctypes

@@ -1,8 +1,8 @@
 """Explorers in requests, and the files of explorers.
 
 In Python an explorer is given by a name or a function, on the command line by options.  This module
-finds similar names of files, the digest of the files, and the line of the explorer.  It runs no
-code of an explorer.
+finds files of similar names, the digest of an explorer's files, and the line where its code begins.
+It runs no code of an explorer.
 """
 
 import ast

@@ -1,7 +1,7 @@
 """Checks of values from outside, and the error about bad input.
 
-Code of the user's that the judge calls must not set the exit code of the process, because this
-would pass for a verdict.
+The module also keeps users' code that the judge calls from setting the exit code of the process,
+because a caller would take this code for a verdict.
 """
 
 from __future__ import annotations

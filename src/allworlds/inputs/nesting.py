@@ -1,6 +1,7 @@
-"""The refusal of checks that begin in processes of another check, or while it loads a file.
+"""The refusal of checks that begin in a process of another check, or while a check loads a file.
 
-A file that begins a check at its import would do so in each player that imports it.
+Without the refusal, a file that begins a check at its import would do so in each player that
+imports it.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Requests: the questions to a verb as values.
+"""Requests: the arguments of a verb as one value.
 
-A *request* (:class:`Request`) consists of parts that verbs share.  Each field has its type, its
-default and, in an :class:`Option` beside the type, its form on the command line; a plain text in
-this place describes a field that only Python has.  The same class yields the function in Python
+A *request* (:class:`Request`) consists of parts that verbs share.  Each field has a type, a default
+and an annotation: an :class:`Option` describes the form of the field on the command line, and a
+plain text describes a field that only Python has.  The same class yields the function in Python
 (:func:`answers`), the command line (``allworlds.cli.app``), and the identity of a run directory
 (:func:`meant`).
 """

@@ -1,4 +1,4 @@
-"""The walk of a run in its answer, and the first step at which it diverges from the world."""
+"""The walk of a run in the map of its answer, and where it first contradicts the world."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace

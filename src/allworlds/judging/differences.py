@@ -1,6 +1,6 @@
-"""The comparison of two plays of one run, and the violation of an explorer whose plays differ.
+"""The comparison of two plays of one run, and the broken law of an explorer whose plays differ.
 
-These are pure functions of two logs.  Other modules judge the contents of a log.
+These are pure functions of two logs.  Other modules judge what the logs contain.
 """
 
 from collections.abc import Sequence

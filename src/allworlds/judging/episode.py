@@ -1,6 +1,6 @@
 """Episodes: the log of a run, followed through its world, and the ending of the run.
 
-No percept from a player is trusted.
+All percepts come from the world; none is taken from a player.
 """
 
 import json

@@ -1,6 +1,6 @@
-"""The judgement of one run by a referee; an examiner is a referee that also plays the run.
+"""The judgement of one run by a referee, which also makes the finding if the run breaks a law.
 
-A referee also makes the finding of a run that breaks a law.
+An examiner is a referee that also plays the run.
 """
 
 from msgspec import Struct

@@ -1,8 +1,8 @@
 """Tasks, which define when a run has done its work.  **The** table of the tasks of this program.
 
 Each task has a *complaint*: a function of the world, the transcript and the answer that returns the
-fault of the run, or None.  A user's task is such a function, too.  The task ``map`` has none: the
-laws ``map`` and ``pose`` find its faults.
+fault of the run, or None.  A user's task is a function of this kind.  The task ``map`` has no
+complaint: the laws ``map`` and ``pose`` find its faults.
 """
 
 from collections.abc import Callable

@@ -1,6 +1,6 @@
 """The walk of a run in its world, which laws, tasks, findings and stories read.
 
-Only :meth:`~allworlds.world.world.World.step` knows how a robot moves; it makes each walk.
+Only :meth:`~allworlds.world.world.World.step` knows how a robot moves; every walk is made by it.
 """
 
 from collections.abc import Iterable, Iterator

@@ -1,8 +1,9 @@
 """Maps made by hand, by name and by recipe.
 
 There are two notations.  A *rotation* lists the neighbours of each vertex clockwise, with keys for
-parallel edges.  *Cycles* list the names of the edges round each vertex clockwise.  Both can express
-all maps, also with loops and parallel edges.  The other functions use one of these notations.
+parallel edges.  *Cycles* list the names of the edges round each vertex clockwise.  Each of the two
+can express all maps, also those with loops and parallel edges.  The other functions that make maps
+use one of these notations.
 
 The module also makes maps with one edge less, and the shortest walk along all edges of a map.
 """

@@ -1,4 +1,7 @@
-"""The independent source of a count, and the number of maps that complete a partial gluing."""
+"""The independent source with which an enumeration is compared, and the completions of a gluing.
+
+A completion is a rooted map that begins as a partial gluing does; only their number is computed.
+"""
 
 from collections import Counter
 from collections.abc import Mapping

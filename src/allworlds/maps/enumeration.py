@@ -8,10 +8,10 @@ is made twice.
 In the classes ``maps`` and ``planar`` each history can be finished: the last open dart is not
 closed while darts are still to be made.  In the plane a dart is glued only within its own face of
 the open boundary, and there must be enough further vertices to make the number of open darts in
-each face even.  In simple classes each vertex needs enough remaining partners; this is only
-necessary, so a few histories end without a map.  A condition cuts off histories in the same way.  A
-condition on the faces of a map becomes a condition on the vertices of its dual, which is glued
-together instead.
+each face even.  In simple classes each vertex needs enough remaining partners; this is necessary
+but not sufficient, so a few histories end without a map.  Under a condition histories can also end
+without a map.  A condition on the faces of a map becomes a condition on the vertices of its dual,
+which is glued together instead.
 """
 
 from collections.abc import Iterator, Sequence

@@ -1,4 +1,4 @@
-"""Notations of embedded graphs: readers and writers, found by a table.
+"""Notations of embedded graphs: their readers and writers, and the table of them.
 
 ``table``
     **the** table of the notations, and files in any of them;

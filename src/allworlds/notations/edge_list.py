@@ -1,7 +1,7 @@
 """Tables of edges in CSV: the two ends of each edge, and its rank in clockwise order at each end.
 
 The header ``from,to,from_rank,to_rank`` is required; each further line is an edge.  Ranks are
-numbers, no two of which are equal at one vertex.
+numbers; the edges at one vertex have different ranks.
 """
 
 import csv

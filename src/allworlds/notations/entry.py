@@ -1,4 +1,4 @@
-"""Functions that readers and writers of files share; one names a line of the file in errors."""
+"""Functions that the readers and writers of files share: decoding, places in errors, neighbours."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager

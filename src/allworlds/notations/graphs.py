@@ -5,14 +5,14 @@ positions, or from the points of a line with bends, by
 :func:`allworlds.maps.networks.from_directions`.  A position is read from ``pos`` (two numbers, or a
 text of two), from ``x`` and ``y``, from ``graphics`` in GML, or as the middle of a box in yEd.  The
 points of a line are read from yEd's ``Path``, from ``Line`` in GML, or from ``geometry``; the line
-leaves a vertex at the side of its box.  Other lines are refused, and so is a file if the graph
-would lack a node or an edge.  Without positions a graph has no order of its edges; for such graphs
-:func:`named_graph` serves a search of all embeddings.
+leaves a vertex at the side of its box.  Arcs and other curves are refused, and so is a file if the
+graph would lack a node or an edge of it.  Without positions a graph has no order of its edges; a
+search of all embeddings takes such graphs from :func:`named_graph`.
 
-The names are the labels, if all nodes have different ones, else the ids.  Groups are no vertices,
-but their contents are read.  A directed edge needs the reverse edge, too; the two are one edge,
-unless they have different ids.  yEd calls all edges directed; there an edge leads one way if it has
-an arrow at one end only.
+The labels of the nodes are the names of the vertices if all nodes have different labels, else the
+ids are.  A group is no vertex, but the nodes in it are.  A directed edge needs the reverse edge,
+too; the two are one edge, unless they have different ids.  yEd calls all edges directed; in its
+files an edge leads one way only if it has an arrow at one end and none at the other.
 """
 
 from __future__ import annotations

@@ -5,11 +5,11 @@
                                           ``names`` and ``positions`` of the vertices
 ``{"hall": ["a", ["b", 0], ...], ...}``   a rotation: the neighbours of each vertex; parallel edges
                                           have keys, which stand at both ends
-``{"vertices": [[0, 1], ...], "edges":``  a fat graph: cycles of darts; two of the three suffice
-``..., "faces": ...}``
+``{"vertices": [[0, 1], ...], "edges":``  a fat graph: cycles of darts; two of the three keys
+``..., "faces": ...}``                    suffice
 ========================================  ========================================================
 
-In a face, the dart after d is the dart before alpha(d) in the order round its vertex, as in
+In a face, the dart after d is the one before alpha(d) round the vertex of alpha(d), as in
 ``FatGraph`` of the package surface_dynamics for Sage, whose vertices are anticlockwise.
 """
 

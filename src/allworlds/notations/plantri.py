@@ -5,9 +5,10 @@ from 1, and a 0.  Numbers have one byte, or two bytes after a first byte 0; the 
 the lower byte comes first (``le``, the default) or the higher one (``be``).  The code has no loops
 and parallel edges.
 
-``edge_code`` has the number of bytes, and for each vertex the numbers of its edges, with a byte 255
-between two vertices.  If the first byte is 0, the two halves of the second byte are the lengths in
-bytes of the size and of the number of an edge; the higher byte comes first.
+``edge_code`` has the number of bytes that follow, and for each vertex the numbers of its edges,
+with a byte 255 between two vertices.  If the first byte is 0, the second byte has two halves: the
+higher half is the length in bytes of the number of bytes that follow, the lower half the length of
+the number of an edge.  In these numbers the higher byte comes first.
 
 Source: the guide of plantri, and its program; the headers are also those of CaGe.
 """

@@ -1,9 +1,9 @@
 """Embeddings as Sage prints them: dictionaries of clockwise neighbours, each in a line or several.
 
-``{0: [1, 2], 1: [2, 0], 2: [0, 1]}`` is what ``graph.get_embedding()`` returns; fat graphs stand
-there likewise, also as they are printed: ``FatGraph('(0,2,1,3)', '(0,1)(2,3)', '(0,2,1,3)')`` with
-vertices, edges and faces, or with vertices and faces alone.  Keys are numbers, texts or tuples;
-their texts become the names.
+``{0: [1, 2], 1: [2, 0], 2: [0, 1]}`` is what ``graph.get_embedding()`` returns.  Keys are numbers,
+texts or tuples; their texts become the names.  A file may also hold fat graphs: as dictionaries, or
+as Sage prints them: ``FatGraph('(0,2,1,3)', '(0,1)(2,3)', '(0,2,1,3)')`` with vertices, edges and
+faces, or with vertices and faces alone.
 
 Source: the reference manual of Sage, ``set_embedding``; ``FatGraph`` of surface_dynamics.
 """

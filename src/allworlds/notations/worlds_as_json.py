@@ -1,6 +1,7 @@
 """JSON files of worlds, rotations and fat graphs.
 
-A file has one of these, a list of them, an object with their names as keys, or one in each line.
+A file holds one object, a list of objects, an object whose keys are the names of such objects, or
+one object in each line.
 """
 
 import json

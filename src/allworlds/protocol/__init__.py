@@ -1,4 +1,4 @@
-"""The messages between an explorer and the harness: small frozen values, nothing else.
+"""The messages between an explorer and its player: small frozen values, nothing else.
 
 An explorer is a **generator function** ``explore(first)``.  It gets percepts, yields actions
 and returns an answer; it never holds a world.  Turning is free and has no action of its own:
@@ -16,5 +16,5 @@ it is a part of the next :class:`Move`, or of ``here`` in the answer.
 ``code_lines``
     the lines of the user's code that run in a play, for findings;
 ``user_code``, ``importing``
-    names and texts of the user's code; loading it, and calling models.
+    names and texts of the user's code; loading this code, and calling the models in it.
 """

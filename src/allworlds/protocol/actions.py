@@ -1,7 +1,8 @@
 """Percepts, actions, answers, and their log; and the interface of explorers.
 
 Answers are an explorer's statements about the world, at the end and on the way.  The log of a run
-consists of its actions and percepts.  The adapter of an explorer raises faults.
+consists of its actions and percepts.  A fault is raised by an adapter, which is the code that
+speaks with an explorer outside Python.
 """
 
 import json

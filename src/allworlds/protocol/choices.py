@@ -1,8 +1,8 @@
-"""Choices: an algorithm asks for each free decision; a policy decides, or all options are tried.
+"""Choices: an explorer asks for each free decision; a policy decides, or every option is tried.
 
 Each call of :meth:`Choices.pick` is one choice; the index of the picked element is recorded.  The
-record suffices to replay the run, and together with the number of options at each choice it
-suffices to enumerate all schedules.
+recorded indices suffice to replay the run; with the number of options at each choice they also
+suffice to enumerate all schedules.
 """
 
 from collections.abc import Sequence, Sized

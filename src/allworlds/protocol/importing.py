@@ -1,4 +1,4 @@
-"""The import of users' code, and calls of it that turn its errors into those of bad input."""
+"""The import of users' code, and calls of this code that report its errors as bad input."""
 
 from __future__ import annotations
 

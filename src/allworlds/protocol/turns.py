@@ -1,10 +1,11 @@
 """Programs of robots that are asked turn by turn for their next action after a percept.
 
-This module knows no worlds and no schedules.  A *turn* is a tuple ``(number, before, percept)``:
-the history that ends with the turn number ``before`` gets one more percept.  Generators are kept
-alive, and get that percept; a second branch of a history is replayed, since a generator cannot be
-copied.  An automaton steps from a memory, which is named by a number, and never sent; ``before`` is
-this number.
+This module knows no worlds and no schedules.  A *history* is a told value and the percepts after
+it.  A *turn* is a tuple ``(number, before, percept)``: it adds a percept to the history that ended
+with the turn number ``before``.  A generator is kept alive after a turn, and gets the next percept;
+if the same history goes on with another percept, it is replayed, since a generator cannot be
+copied.  An automaton steps from a memory.  The memory itself is never sent; it has a number, and
+``before`` is this number.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Code of the user's: its names, its files, and its identity.
 
-A name is ``path/to/file.py:attribute``, ``module:attribute``, or an entry point, and may end in
+A name is ``path/to/file.py:attribute``, ``module:attribute``, or an entry point.  It may end in
 ``?key=value,...``; then the named object is called with these arguments, and the name stands for
 the result.  All explorers, lighthouses, tasks and predicates are found in this way.  A lighthouse,
-task or predicate is a *model*: the judge calls it, and its errors are bad input.
+task or predicate is a *model*: the judge calls it, and its errors are errors of bad input.
 """
 
 from __future__ import annotations

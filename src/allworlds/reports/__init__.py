@@ -1,12 +1,12 @@
 """Results for people and for other programs; each form of report is loaded on first use.
 
 ``parts``
-    the parts of a report's content, with the scenes that every form can show, and rows for
-    programs;
+    the parts of a report's content: scenes, which are the contents of pictures in every form, and
+    rows for programs;
 ``content``
     the content of each verb's report;
 ``plain_text``, ``web``
-    content as a text, and as a web page; they know no verb;
+    content as a text, and as a web page; these modules know no verb;
 ``formats``
     the texts and files of a verb's result, those for CI services too, and the table of the formats;
 ``drawing``

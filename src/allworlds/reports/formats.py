@@ -1,4 +1,4 @@
-"""Results of verbs as texts and as files, whose formats follow from the files' names.
+"""Results of verbs as texts and as files; the suffix of a file's name determines its format.
 
 The files for CI services are Markdown, JUnit XML, commands of GitHub's runner, and SARIF.  A new
 format is a function and a line of the table.  Slow imports are inside functions, since the command

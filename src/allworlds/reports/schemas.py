@@ -1,7 +1,8 @@
 """JSON Schemas of all documents, made from the documents' classes.
 
 ``python -m allworlds.reports.schemas DIRECTORY`` writes one file for each document; the build of
-the package does so.  Every file is complete in itself: what it refers to stands under ``$defs``.
+the package does so.  Every file is complete in itself: the types to which it refers stand under
+its key ``$defs``.
 """
 
 import json

@@ -1,4 +1,4 @@
-"""Checks that a model gives the same answers twice, whatever numbers the darts have."""
+"""Checks that a model gives the same answers twice, also if the darts have other numbers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Schedulers: which robots are activated at once, and when a run is cut off."""
+"""Schedulers: which robots are activated in the same step, and when a run is cut off."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 
 A player is a process with a program of the team.
 
-unit --> searches, in lockstep --> first players, a message a layer --> findings
+unit --> searches, all by one layer at a time --> first players, a message a layer --> findings
                                    second players, at the end of the unit: the same replies?
 """
 

@@ -1,4 +1,4 @@
-"""Worlds: a map, a lighthouse and a start; explorers never see one.
+"""Worlds: a map, a lighthouse and a start; explorers never see a world.
 
 ``lighthouses``
     the marks and directions in a world, and the percepts that they cause;
@@ -9,11 +9,11 @@
 ``labels``
     the names of a world and its vertices, and the positions of the vertices;
 ``named``
-    the forms of a WORLD on the command line and in Python; the worlds, findings and pairs that
-    ship with the package;
+    the forms of a WORLD on the command line and in Python; the worlds, findings and pairs of
+    worlds that come with the package;
 ``selection``
-    the lighthouse and the condition on maps of a request, with a trial of users' code; all worlds
-    of a class;
+    the options of a request for the lighthouse and for the condition on maps, with a trial of
+    users' code; all worlds of a class;
 ``bisimulation``
     the checker of proofs that worlds are indistinguishable.
 """

@@ -1,6 +1,6 @@
 """The world that a text names: inline JSON, a file, a name, a family of maps, or the corpus.
 
-The corpus ships with the package: known worlds, and every finding so far.  It consists of a
+The corpus comes with the package: known worlds, and every finding so far.  It consists of a
 manifest and a file for each entry: named worlds, findings, pairs of indistinguishable worlds,
 counts, and checks, with their provenance and their expected results.
 """

@@ -1,6 +1,6 @@
 """The selection of worlds: a condition on the maps, and the kind of the lighthouse.
 
-A user's code is tried in small maps before it is used.
+The user's code in this selection is tried in small maps before it is used.
 """
 
 from collections.abc import Callable, Iterator, Sequence

@@ -1,4 +1,4 @@
-"""The state of a walk in a world, which a step changes: robot, markers, written numbers."""
+"""The state of a walk in a world, which each step changes: robot, markers, written numbers."""
 
 from __future__ import annotations
 

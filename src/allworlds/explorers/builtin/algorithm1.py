@@ -1,7 +1,11 @@
 """Algorithm 1 of the paper, mapping with one directional lighthouse, and its partial map.
 
-Each group of lines of the paper's Algorithm 1 is a function; the docstrings keep the paper's names
-S, U, H, M and P.  Each decision that the paper leaves open is a choice:
+Each group of lines of the paper's Algorithm 1 is a function.  The docstrings keep the paper's
+names: S and U are the explored part and its open darts; e is the dart of U that is explored now,
+v_k its known end and v_u its unknown end; H holds the hypotheses, e' is one of them, at the vertex
+v_k'; M are the motions of a test, P the percepts that it expects.
+
+Each decision that the paper leaves open is a choice:
 
 ``edge``
     The dart that leaves U (line 3). Options: U in the order in which its darts came into S;
@@ -14,7 +18,7 @@ S, U, H, M and P.  Each decision that the paper leaves open is a choice:
 ``path``
     The simple path in S from v_k' to v0 (line 9), one dart at a time.
 
-Options of ``transit`` and ``path``: the darts from which the goal can still be reached
+Options of ``transit`` and ``path``: the darts from which the robot can still reach the goal
 without entering a vertex twice, sorted by the length of the way from there, and then in the order
 of S; cost: the length of that way.  So each simple path is one sequence of answers, and the answers
 0 always yield a shortest one.

@@ -1,13 +1,14 @@
 """Explorers for comparison: depth-first search of numbered vertices, and one movable marker.
 
 The marker has no direction, and the worlds are simple: Dudek, Jenkin, Milios, Wilkes 1991.  Each
-pass explores one dart.  At its unknown end the robot drops the marker, comes back, and searches the
-marker at the vertices of S that this end could be (place validation).  If it is not found, the end
-is a new vertex.  If it is found, the robot drops it at the known end of the dart, and tries the
-open darts at the other vertex until one leads to it (back-link validation).
+pass explores one dart.  At its unknown end the robot drops the marker, comes back, and looks for
+the marker at the vertices of S that this end could be (place validation).  If the marker is at none
+of them, the end is a new vertex.  Otherwise the robot carries the marker to the known end of the
+dart, and tries the open darts at the other vertex until one leads to the marker (back-link
+validation).
 
 In a simple world the answer is right.  With parallel edges, or two loops at a vertex, back-link
-validation can find a wrong dart, and no explorer with markers is right in all such worlds.
+validation can find a wrong dart; no explorer with markers is right in all worlds of this kind.
 
 The source leaves three points open.  Here the dart that leaves U is a choice (``edge``); the
 candidates are visited in the order of a depth-first walk of a spanning tree of S, as the bound

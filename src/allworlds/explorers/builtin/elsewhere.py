@@ -1,9 +1,9 @@
-"""An explorer for a robot that starts elsewhere: it searches v0, and starts another explorer there.
+"""An explorer for a robot that starts anywhere: it looks for v0, and starts another explorer there.
 
-All words of motions are tried, shorter ones first, and words of one length in lexicographic order;
-the robot takes back each word as far as the next one differs from it.  It knows the way back by its
-edge of arrival: after all other darts of a vertex have been tried in turn, the next one is that
-edge.
+A word is a sequence of motions.  The explorer tries all words, shorter ones first, and words of one
+length in lexicographic order.  Before the next word the robot goes back only to the point from
+which the two words differ.  It knows the way back without a map: after it has tried all other darts
+of a vertex in turn, the next dart is the one by which it arrived.
 
 Cost of the search: less than 8 D^d traversals, for the distance d to v0 and the largest degree
 D > 1, because all words of up to L motions cost at most T(L) = D (2 + T(L - 1)) < 4 D^L.

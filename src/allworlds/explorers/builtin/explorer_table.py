@@ -7,8 +7,8 @@ The modules:
 ``scanning``
     Algorithm 1 for a robot that senses at v0 not the bearing, but one letter computed from it;
 ``folding``
-    the folded log, which is all percepts of a run as one map; explorers that only fold; the shield,
-    which makes any explorer right;
+    the folded log, which is one map of all percepts of a run; explorers that use nothing else; the
+    shield, which makes any explorer right;
 ``quotient``
     an explorer whose marker at v0 has no direction; it learns the quotient by experiments;
 ``baselines``

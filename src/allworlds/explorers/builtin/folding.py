@@ -1,17 +1,15 @@
-"""The folded log, explorers that only fold, and the shield.
-
-An explorer that only folds is right if it stops, whatever its walk.
+"""The folded log, explorers that use it alone, and the shield.
 
 All percepts of a robot with a directional lighthouse form one map, the folded log.  Each visit of a
 vertex begins as a *node*.  If an arrival at v0 shows that two nodes are one vertex, they are
 merged, and then all nodes to which their equal darts lead, because a dart leads to only one dart.
 So the folded log is a part of every world that agrees with the log, and if it has no open dart, it
-is the world.
+is the world.  An explorer that uses the folded log alone is right if it stops, whatever its walk.
 
 A *way* decides which open dart comes next.  It must be fair: each open dart is finally walked
-through, or closed by other motions.  Then each entered vertex is finally left by its way home, and
-merged, so that the exploration ends.  To choose always the open dart nearest to the robot is not
-fair: the robot can walk on for ever, from copy to copy.
+through, or closed by other motions.  Then the robot finally goes from each entered vertex home to
+v0, the vertex is merged, and the exploration ends.  To choose always the open dart nearest to the
+robot is not fair: the robot can walk on for ever, from copy to copy.
 
 The *shield* makes any explorer right in every world under the directional lighthouse.  Two
 *guests*, the explorer and Algorithm 1, take turns with budgets 1, 2, 4, ...: in its turn a guest

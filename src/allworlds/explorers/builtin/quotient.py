@@ -1,4 +1,4 @@
-"""The explorer that learns the quotient of its world, and its experiments."""
+"""The explorer that learns the quotient of its world by experiments, and these experiments."""
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias

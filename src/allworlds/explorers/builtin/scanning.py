@@ -1,13 +1,13 @@
 """Algorithm 1 for a robot that senses at v0 only a letter, which depends on the bearing.
 
-If only one bearing has a letter, the letter marks a *door*; else the letters, clockwise, are a
-*word*.  The robot learns the letters of v0 by going out by each of its darts and back: the *scan*.
-A test that has come to v0 ends with queries of this kind, at darts whose letters prove that v0 was
-entered by the expected dart.  If the letters are a primitive word, no repetition of a shorter one,
-such darts always exist; for a door one query suffices.  A failed query need not be undone, because
-the robot has only turned.
+If only one bearing has a letter, the letter marks a *door*; else the letters of all bearings,
+clockwise, are a *word*.  The robot learns the letters of v0 by going out by each of its darts and
+back: the *scan*.  A test that has come to v0 ends with *queries*: the robot goes out and back by
+darts whose letters prove that it had entered v0 by the expected dart.  These darts exist if the
+word is primitive, that is, no repetition of a shorter word; for a door one query suffices.  A
+failed query need not be undone, because the robot has only turned.
 
-Source: beyond the paper.
+The paper does not have this algorithm.
 """
 
 from collections.abc import Callable

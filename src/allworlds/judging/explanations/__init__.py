@@ -5,6 +5,6 @@
 ``advice``, ``endless``
     the likely causes of a kind of fault; sentences about a run without an end;
 ``story``
-    the input of all explanations, which is the finding with its walk, and the same walk in a wrong
-    answer; the one slip that turns a right answer into a wrong one.
+    the input of all explanations: the finding with its walk in the world, and with its walk in a
+    wrong answer; also slips: a slip is the single mistake that makes a right answer wrong.
 """

@@ -1,4 +1,4 @@
-"""Sentences about a run without an end: its round, unwalked edges, and the code that is silent."""
+"""Sentences about a run without an end: its repeated walk, unwalked edges, where its code runs."""
 
 import os
 import re

@@ -1,6 +1,6 @@
 """The story of a run: names of vertices and darts, the walk in a wrong answer, and slips.
 
-A slip is the only difference between a wrong answer and the world.
+A slip is the one mistake by which a wrong answer differs from the world.
 """
 
 from collections.abc import Callable, Iterable, Iterator

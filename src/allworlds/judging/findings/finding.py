@@ -1,4 +1,4 @@
-"""The finding: a run that breaks a law, with the results of further plays."""
+"""The finding: a run that breaks a law, with what further plays of this run have shown."""
 
 import hashlib
 import json

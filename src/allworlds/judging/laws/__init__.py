@@ -1,10 +1,10 @@
 """The laws, which compare an answer and a log with the truth.
 
-They take values of :mod:`allworlds.maps` and :mod:`allworlds.protocol`, and know neither the inside
-of a world nor any explorer.
+The laws take values of :mod:`allworlds.maps` and :mod:`allworlds.protocol`; they know neither the
+inside of a world nor any explorer.
 
 ``law_table``
     **the** table of the laws; each is a function of a finished run and the truth;
 ``folding``, ``bounds``
-    the parts of laws: the folded log, the bounds.
+    the folded log and the bounds, which two of the laws need.
 """

@@ -1,4 +1,4 @@
-"""Bounds on the number of traversals: the paper's bound, a similar one, none, or an expression."""
+"""Bounds on the number of traversals: those of the paper and of two vertices, none, expressions."""
 
 import ast
 import operator

@@ -1,9 +1,9 @@
 """The folded log: everything that a directional log proves, without trust in any explorer.
 
-The log is walked along a tree of new nodes.  A robot that arrives at v0 knows its vertex and its
-dart, so each such node is merged with v0, dart with dart as the bearing says.  If a dart then leads
-to two nodes, these are merged, too.  The result is a part of every world that agrees with the log;
-if it has no open dart, it *is* the world.
+A *node* stands for one visit of a vertex; at first every arrival makes a new node.  A robot that
+arrives at v0 knows its vertex and its dart, so the node of this arrival is merged with v0, dart
+with dart as the bearing says.  If a dart then leads to two nodes, these are merged, too.  The
+result is a part of every world that agrees with the log; if it has no open dart, it *is* the world.
 """
 
 from msgspec import Struct

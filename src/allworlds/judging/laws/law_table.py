@@ -1,11 +1,11 @@
 """**The** table of the laws of finished runs, and each law as a function.
 
-A new law is a function of a :class:`Case` and an entry in ``LAWS``.  A law that ends a run early,
-such as ``timeout``, has only an entry in ``ASKED``.  A case is a run together with the truth.
+A new law is a function of a :class:`Case`, which is a run together with the truth, and an entry in
+``LAWS``.  A law that ends a run early, such as ``timeout``, has only an entry in ``ASKED``.
 
-The laws embed the published S into the true map: the explorer's ``here`` is mapped to the robot's
-true dart, and the images of all other darts follow along sigma and the explored edges, because S
-is connected.
+The laws about checkpoints embed the S of a checkpoint into the true map: they map the checkpoint's
+``here`` to the robot's true dart; the images of all other darts follow along sigma and the explored
+edges, because S is connected.
 """
 
 from __future__ import annotations

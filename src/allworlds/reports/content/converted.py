@@ -1,4 +1,4 @@
-"""Content of reports of ``convert``: each world of a file, with the rooms behind its doors."""
+"""Content of reports of ``convert``: each world of a file, with the vertex behind each door."""
 
 from allworlds.reports import parts
 from allworlds.studies.convert import Convert, ConvertRow

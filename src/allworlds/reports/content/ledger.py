@@ -1,4 +1,4 @@
-"""Content of reports of ``ledger``: each claim, with what was expected and what was found."""
+"""Content of reports of ``ledger``: each claim, with the expected and the found result."""
 
 import re
 from collections import Counter

@@ -1,4 +1,4 @@
-"""Content with named facts alone: for jobs, new projects, and any other result."""
+"""Content with named facts and tables: for jobs, new projects, and every other result."""
 
 from collections.abc import Sequence
 from typing import Any

@@ -1,4 +1,4 @@
-"""Words for the scope of a report: the maps, the places of the lighthouse, further options."""
+"""Words for the scope of a report: the maps, the places of the lighthouse, the other options."""
 
 from __future__ import annotations
 

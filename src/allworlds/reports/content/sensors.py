@@ -1,4 +1,4 @@
-"""Content of reports about sensors: side by side, and the weakest ones."""
+"""Content of reports about sensors: lighthouses side by side, and the weakest lighthouses."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from textwrap import wrap

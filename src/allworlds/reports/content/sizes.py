@@ -1,4 +1,4 @@
-"""Content of reports of ``count`` and ``worst``: numbers by size, and their count gate."""
+"""Content of reports of ``count`` and ``worst``: numbers for each size of maps, the count gate."""
 
 from allworlds.reports import parts
 from allworlds.reports.content.check import most_expensive

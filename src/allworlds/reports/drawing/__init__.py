@@ -9,12 +9,12 @@ Scenes are made of percepts, so no picture depends on the kind of a lighthouse.
     the scene as a drawing in a page, or as a drawing alone, with its own style; elements of HTML
     and SVG;
 ``layout``, ``planar``
-    the drawing in pixels, also of a map beside another one, drawn alike as far as the two agree;
+    the drawing in pixels; a map beside another one is drawn like it, as far as the two agree;
     a planar drawing with few crossings, and a triangulation that gives every dart room;
 ``positions``
     the drawing with given positions of the vertices, if these fit the map;
 ``regular``
     the regular drawings of lattices, also on a torus, of wheels, stars, rings and paths;
 ``plot``
-    values by size.
+    curves of values by the size of maps.
 """

@@ -1,4 +1,4 @@
-"""Curves as SVG: values by size, on logarithmic axes."""
+"""Curves as SVG: values by the size of maps, on logarithmic axes."""
 
 from collections.abc import Callable, Sequence
 from math import log

@@ -1,4 +1,4 @@
-"""Layouts at given positions: straight edges, if their order round each vertex is the map's."""
+"""Layouts at given positions of the vertices: straight edges, if they leave in the map's order."""
 
 from cmath import phase, rect
 from collections.abc import Iterator, Sequence

@@ -1,4 +1,4 @@
-"""The base class of all lighthouses, and the values that it uses."""
+"""The base class of all lighthouses, and the types of values that it uses."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
-"""Several lighthouses in one world, and lighthouses without anything in the map.
+"""Several lighthouses in one world, and lighthouses that put no marker into the map.
 
-The percepts of several lighthouses add up, and their places multiply.  A lighthouse without
-anything in the map tells numbers, or lets the robot leave marks.
+If there are several lighthouses, a percept holds what each of them shows, and every combination of
+their places is a place.  A lighthouse without a marker in the map shows nothing, tells numbers
+before the start, or lets the robot leave marks.
 """
 
 from __future__ import annotations

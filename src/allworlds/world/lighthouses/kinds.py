@@ -1,4 +1,4 @@
-"""**The** table of the lighthouses, and their reading from names and from JSON."""
+"""**The** table of the lighthouses, and the reading of a lighthouse from a name or from JSON."""
 
 import re
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""Lighthouses at vertices: at the start, also at one of its neighbours, or at all vertices."""
+"""Lighthouses with marks at vertices: at the start, also at a neighbour of it, or everywhere."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Users' lighthouses: loading their classes, and naming them in errors."""
+"""Users' lighthouses: the loading of their classes, and their names in errors."""
 
 import copyreg
 import inspect
