@@ -15,7 +15,7 @@ from allworlds.world.state import State
 
 
 def trail_to(map_: CombinatorialMap, here: Dart, walk: Walk | Transcript) -> list[Dart]:
-    """The robot's dart at the start and after each step of the walk that ends at ``here``.
+    """The robot's darts in this map, at the start and after each step, if it stops at ``here``.
 
     Motions are reversible, so the walk is traced back to the dart where it must have begun.
     """
@@ -30,7 +30,7 @@ def trail_to(map_: CombinatorialMap, here: Dart, walk: Walk | Transcript) -> lis
 
 
 def trail_from(map_: CombinatorialMap, start: Dart, walk: Walk) -> Iterator[Dart]:
-    """The robot's dart at the start and after each step of the walk that begins at ``start``."""
+    """The robot's darts in this map, at the start and after each step, with ``start`` first."""
     yield (dart := start)
     for action, _ in walk.steps:
         if type(action) is actions.Move:
@@ -41,10 +41,10 @@ def trail_from(map_: CombinatorialMap, start: Dart, walk: Walk) -> Iterator[Dart
 def believed_percepts(
     walk: Walk, estimate: CombinatorialMap, trail: Sequence[Dart]
 ) -> list[actions.Percept] | None:
-    """The percepts at the start and after each step of a walk in the estimated map.
+    """The percepts that the estimated map predicts, at the start and after each step.
 
-    In this map the lighthouse stands where the robot must believe it to be; the result is None if
-    the map has no place for the lighthouse.
+    ``trail`` holds the robot's darts in this map.  The lighthouse stands where the robot must
+    believe it to be; the result is None if the map has no place for the lighthouse.
     """
     world, answered = walk.world, WalkInAnswer(estimate, trail, walk.percepts)
     lighthouse = world.lighthouse.believed(world.map, world.start, answered)
@@ -63,14 +63,14 @@ def believed_percepts(
 
 
 class Parting(Struct, frozen=True):
-    """The first step at which the answer diverges from the world.
+    """The first step at which the walk in the answer contradicts the walk in the world.
 
     Attributes:
         step: the number of the step; 0 is the start.
         robot: the robot's dart in the world.
-        taken_for: the dart of the world that the answer confuses with the robot's; None if the
-            robot is at a vertex that is new in the answer.
-        fresh: whether the robot is at a vertex that is new in the world.
+        taken_for: the dart of the world that the answer confuses with the robot's dart; None if the
+            answer takes the robot's vertex for a new one.
+        fresh: whether the robot is at this vertex of the world for the first time.
     """
 
     step: int
@@ -89,8 +89,8 @@ def find_parting(
     """The first step at which the two walks diverge; None if they never do.
 
     After each step the robot's dart in the world is identified with its dart in the answer, and the
-    darts that follow the one clockwise with those that follow the other.  The walks diverge at the
-    first contradiction.
+    other darts of its vertex in the world, clockwise, with those of its vertex in the answer.  The
+    walks diverge when an identification contradicts an earlier one, or when a percept does not fit.
 
     Args:
         world: the true map.
@@ -121,11 +121,12 @@ class BelievedWalk(Struct, frozen=True):
     Attributes:
         trail: the robot's darts in the answer at the start and after each step; the last dart is
             where the robot stands by the answer.
-        percepts: the percepts that the answer predicts; None if it has no place for the
+        percepts: the percepts that the answer predicts; None if its map has no place for the
             lighthouse.
-        expected: these percepts; if they are None, percepts with the answer's degrees alone.
-        misfits: the steps at which the percept differs from the prediction.
-        parting: the first step at which the walks diverge; None if there is none.
+        expected: the same percepts; if ``percepts`` is None, percepts with the answer's degrees
+            alone.
+        misfits: the steps at which the sensed percept differs from the expected one.
+        parting: the first step at which the walks diverge; None if they never do.
     """
 
     trail: Sequence[Dart]
@@ -136,19 +137,20 @@ class BelievedWalk(Struct, frozen=True):
 
     @property
     def agreement(self) -> int:
-        """The number of steps, with the start, in which both walks agree."""
+        """The number of steps before the walks diverge; the start counts as a step."""
         return self.parting.step if self.parting else len(self.trail)
 
 
 def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
     """The walk in the answer that agrees for longest with the walk in the world.
 
-    All darts of the answer are tried as its start.  Of several such walks, the one that ends at
-    ``here`` is chosen, because an explorer that errs only at the end was right before; else the one
-    whose degrees agree for longest, and then the one from the smallest dart.
+    The first candidate is the walk that ends at ``here``, because an explorer that errs only at the
+    end was right before.  The other candidates begin at any dart of the answer; their order is the
+    number of steps for which their degrees agree with the sensed ones, then the number of the dart.
+    Of several walks that agree equally long, the first one is taken.
 
-    Cost: the steps times the number of darts of the answer from which the degrees agree for so
-    long.
+    Cost: the steps times the number of darts of the answer from which the degrees agree for longer
+    than the best walk so far.
     """
     best = _beside(walk, answer.map, trail_to(answer.map, answer.here, walk))
     degrees = [percept.degree for percept in walk.percepts]
@@ -169,7 +171,7 @@ def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
 
 
 def _alike(map_: CombinatorialMap, trail: Iterable[Dart], degrees: Sequence[int]) -> int:
-    """The number of steps, with the start, before the degree at a dart of the trail differs."""
+    """The number of steps, with the start, before a dart of the trail has not the sensed degree."""
     pairs = zip(trail, degrees, strict=True)
     return next(
         (step for step, (dart, degree) in enumerate(pairs) if map_.degree_at[dart] != degree),

@@ -16,13 +16,14 @@ from allworlds.protocol import actions
 from allworlds.world.world import World
 
 SHOWN_BEFORE, SHOWN_AFTER = 8, 4
-"""The numbers of actions that are shown before the first difference, and from this action on."""
+"""The numbers of shown actions: before the first action that differs, and from this action on."""
 
 
 def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = False) -> Outcome:
     """The outcome of the first play; if the second play differs, the difference is the violation.
 
-    A violation that has precedence over nondeterminism stays if the second play has it, too.
+    If the first play breaks a law with precedence over nondeterminism, and the second play breaks
+    the same law, the outcome stays.  ``choices`` is as in :func:`difference_of`.
     """
     difference = difference_of(first, second, choices=choices)
     if difference is None or not _may_be_overruled(outcome.violation, second):
@@ -34,10 +35,10 @@ def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = Fals
 
 
 def _may_be_overruled(violation: Violation | None, second: Log) -> bool:
-    """Whether a difference of two plays may take the place of the first play's violation.
+    """Whether a difference of two plays may replace the first play's violation.
 
-    It may if nondeterminism has precedence over the violated law, or if the second play does not
-    break that law: then the plays differ in this.
+    It may if there is no violation, if the machine may be the cause of it, if nondeterminism has
+    precedence over the violated law, or if the second play does not break this law.
     """
     if violation is None or violation.law in LOST:
         return True
@@ -54,8 +55,8 @@ def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violatio
 
     Args:
         first: the play in the world.
-        second: the play by the percepts of the first.
-        choices: whether the choices are compared, because every schedule is tried.
+        second: the play that got the percepts of the first play.
+        choices: whether the choices are compared, too, because every schedule is tried.
     """
     actions, again = [*first.actions], [*second.actions]
     if actions != again:
@@ -81,7 +82,10 @@ def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violatio
 
 
 def side_by_side(first: tuple[list[str], str], second: tuple[list[str], str]) -> str:
-    """Two lines, one for each play: the actions near the first difference, and the ending."""
+    """Two lines, one for each play: the actions near the first difference, and the ending.
+
+    Each play is given as :func:`in_words` returns it.
+    """
     pairs = zip(first[0], second[0], strict=False)
     differ = next((i for i, (a, b) in enumerate(pairs) if a != b), len(first[0]))
     begin, end = max(0, differ - SHOWN_BEFORE), differ + SHOWN_AFTER
@@ -94,7 +98,7 @@ def side_by_side(first: tuple[list[str], str], second: tuple[list[str], str]) ->
 
 
 def in_words(log: Log) -> tuple[list[str], str]:
-    """The actions of a play and its ending."""
+    """The actions of a play and its ending, as texts."""
     return [str(actions.action_numbered(number)) for number in log.actions], _ending(log)
 
 
@@ -106,7 +110,7 @@ def _ending(log: Log) -> str:
 
 
 def nondeterministic(seen: str) -> Violation:
-    """The violation of two plays with this difference."""
+    """The violation of the law ``nondeterministic``; ``seen`` says how the two plays differ."""
     return Violation(
         "nondeterministic",
         "the same walk and answer when the same world is explored again",
@@ -123,9 +127,10 @@ def _meaning(log: Log) -> object:
 
 
 def after_worlds(outcome: Outcome, worlds: Sequence[World]) -> Outcome:
-    """The outcome of a run that has another result if runs in these worlds come before it.
+    """The outcome of a run whose two plays differ because of earlier runs in these worlds.
 
-    The worlds are added to the outcome.
+    The worlds are added to the outcome, and named in its violation.  An outcome without the
+    violation ``nondeterministic`` is returned unchanged.
     """
     violation = outcome.violation
     if violation is None or violation.law != "nondeterministic":

@@ -19,7 +19,7 @@ from allworlds.protocol.choices import Choices
 from allworlds.world.world import World
 
 RECORD_ENDS = "nothing: the record ends here"
-"""The expectation at the end of an explorer's recorded percepts."""
+"""The legal action, in words, where an explorer's recorded percepts have ended: there is none."""
 
 
 class Answered(Struct, frozen=True):
@@ -34,7 +34,7 @@ class Answered(Struct, frozen=True):
 
 
 class Over(Struct, frozen=True):
-    """The run was ended, because the task was done."""
+    """The run ended because its task was done."""
 
 
 class Fault(Struct, frozen=True):
@@ -44,8 +44,8 @@ class Fault(Struct, frozen=True):
         law: ``crash``, ``timeout``, ``illegal-action``, ``no-estimate`` or ``budget``.
         expected, seen: a sentence about the expectation, and one about the observation.
         detail: a traceback, or the tail of a program's stderr; may be empty.
-        machine: whether the machine, not the explorer, may be the cause, as of a signal, a time-out
-            or a lack of memory.
+        machine: whether the machine, not the explorer, may be the cause, for example if a signal
+            ended the process, after a time-out, or for lack of memory.
     """
 
     law: str
@@ -78,7 +78,7 @@ class Episode(Struct, frozen=True):
 
 
 class AroundExplorer:
-    """A world around an explorer, which gets only copies of the percepts.
+    """A world in which an explorer walks; the explorer gets only copies of the percepts.
 
     Args:
         world: the world; it is neither changed nor shown.
@@ -100,7 +100,7 @@ class AroundExplorer:
         return self.act(actions.action_numbered(k))
 
     def act(self, action: actions.Action) -> actions.Percept:
-        """The percept after an action; raises IllegalAction for one that is illegal."""
+        """The percept after an action; raises IllegalAction if the action is illegal here."""
         return _copy(self._walk.step(action))
 
 
@@ -124,11 +124,11 @@ def play(
         world: the world; it is neither changed nor shown.
         player: the explorer.
         choices: the choices, for an explorer that takes choices.
-        budget: the largest legal number of traversals; one checkpoint more is legal.
+        budget: the largest legal number of traversals; ``budget + 1`` checkpoints are legal.
         beat: numbers that other processes can read; ``beat[1]`` counts the explorer's turns in the
-            run, and is 0 after its end.
+            run, and is 0 after the end of the run.
         maps: whether the task asks for a map.
-        over: the function that tells whether the task is done, or None.
+        over: the function that tells whether the task is done; None if the task ends no run.
 
     Cost: linear in the steps, and the explorer's own cost.
     """
@@ -176,7 +176,10 @@ def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episo
 
 
 def fault_of(log: Log, budget: int = 0, *, maps: bool = True) -> Fault | None:
-    """The fault with which a log ends; None if the log ends with an answer, or with a done task."""
+    """The fault with which a log ends; None if the log ends with an answer, or with a done task.
+
+    ``budget`` and ``maps`` are as in :func:`followed`; they only change the words of the fault.
+    """
     code, *parts = log.ending
     match code:
         case entries.FAULT:

@@ -35,8 +35,8 @@ class Outcome(Struct, frozen=True):
         violation: the first broken law, or None.
         detail: a traceback, or a program's stderr; may be empty.
         choices: the index taken at each choice.
-        bound: the largest legal number of traversals, or None.
-        hash_seed: the players' ``PYTHONHASHSEED``, if the outcome depends on it.
+        bound: the largest legal number of traversals; None if there is no bound.
+        hash_seed: the players' ``PYTHONHASHSEED``, if the outcome depends on it; else None.
         output: the explorer's prints, if they were recorded.
         after: the worlds of earlier runs in the same process, if the outcome depends on those runs.
     """
@@ -65,7 +65,7 @@ class Referee:
         self._checks = [LAWS[law].check for law in rules.applying]
 
     def outcome(self, world: World, episode: Episode, choices: tuple[int, ...]) -> Outcome:
-        """Judge an episode."""
+        """Judge an episode in its world; ``choices`` holds the index taken at each choice."""
         bound = self.rules.the_bound.of(world.map, world.start)
         violation = self.verdict(episode, bound)
         ending = episode.ending
@@ -73,7 +73,7 @@ class Referee:
         return Outcome(episode, violation, detail, choices, bound)
 
     def verdict(self, episode: Episode, bound: int | None) -> Violation | None:
-        """The first law that a finished episode breaks."""
+        """The violation of the first law that a finished episode breaks; None if it breaks none."""
         walk, ending = episode.walk, episode.ending
         if isinstance(ending, Fault):
             expected = ending.expected
@@ -99,7 +99,10 @@ class Referee:
         return first_broken(Case(walk, episode.checkpoints, estimate, bound), self._checks)
 
     def finding(self, world: World, place: int, outcome: Outcome) -> Finding:
-        """The finding of an outcome that breaks a law, in canonical numbering."""
+        """The finding of an outcome that breaks a law, in canonical numbering.
+
+        ``place`` is the number of the lighthouse's place in the world.
+        """
         assert outcome.violation is not None
         violation, ending = outcome.violation, outcome.episode.ending
         canonical, step = canonical_world(world), violation.step
@@ -144,9 +147,9 @@ DARTS = range(1 << 63)
 def _believed(episode: Episode, step: int | None) -> tuple[Believed | None, str]:
     """The first wrong checkpoint, and its fault in words.
 
-    If ``step`` is given, only the checkpoints after exactly this number of steps are looked at,
-    else all.  If none of them is wrong, the last one is returned, and the fault is empty; if there
-    are no checkpoints, None.
+    If ``step`` is given, only the checkpoints after exactly this number of steps are examined, else
+    all.  If none of them is wrong, the last of them is returned with an empty fault; if there are
+    none, None is returned with an empty fault.
     """
     at = [i for i, (steps, _) in enumerate(episode.checkpoints) if step in (None, steps)]
     given = tuple([episode.checkpoints[i] for i in at])
@@ -178,7 +181,7 @@ class Examiner(Referee):
 
 
 def name_run(rules: Rules, world: World) -> str:
-    """A name of a run, by which a random policy draws; empty under the other policies.
+    """The name of a run, from which a random policy draws its choices; empty under other policies.
 
     The name depends on the world, but not on the order in which runs are played.
     """

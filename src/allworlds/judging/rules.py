@@ -75,7 +75,10 @@ def _bound(given: object) -> Bound | None:
 
 
 def _laws(given: object) -> tuple[str, ...] | None:
-    """The names of laws, each once."""
+    """The given names of laws, after a check that each is known and none stands twice.
+
+    None: no laws are given.
+    """
     if given is None:
         return None
     if isinstance(given, str) or not isinstance(given, Iterable):
@@ -180,7 +183,9 @@ class RuleOptions(Request):
         promised: bool = False,
         among: "Among | None" = None,
     ) -> "Rules":
-        """The rules under a lighthouse, with the explorer's own bound and budget.
+        """The rules under a lighthouse, with the explorer's own bound and its own step budget.
+
+        ``promised`` and ``among`` are the fields of :class:`Rules`.
 
         Raises:
             InputError: naming the offending option and what would be legal.
@@ -205,7 +210,7 @@ class Among(NamedTuple):
 
     Attributes:
         name: the condition as a text that the option ``--where`` takes.
-        digest: the SHA-256 of the file of the predicate, if the predicate is the user's.
+        digest: the SHA-256 of the file of the predicate, if the predicate is the user's; else None.
     """
 
     name: str
@@ -223,16 +228,17 @@ class Among(NamedTuple):
 class Rules(RuleOptions, kw_only=False):
     """The rules by which a run is played and judged, in any world.
 
-    The bound is None here if it equals its default, and so are the laws.
+    If the bound equals its default, the field ``bound`` is None here; likewise the field ``laws``.
 
     Attributes:
         lighthouse: the kind of lighthouse.
         promised: whether the worlds have a promised property, such as planarity, by which an
             explorer can be right although its log does not fold to the map.
         own_bound: the explorer's own bound for this lighthouse; None if it has none.
-        among: the condition on the maps, which findings record; runs do not depend on it.
-        shared_file: the name of the explorer's file if that file also holds code that judges, which
-            reports tell; else empty.
+        among: the condition on the maps, which findings record; runs do not depend on it.  None if
+            there is no condition.
+        shared_file: the name of a file that holds both the explorer and code that judges, for a
+            remark in reports; empty if there is none.
     """
 
     lighthouse: Converted[kinds.GivenLighthouse, kinds.LighthouseKind] = Converted(
@@ -261,7 +267,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def kind(self) -> type[base.Lighthouse]:
-        """The kind of lighthouse as a type."""
+        """The class of the lighthouses of this kind."""
         return self.lighthouse.as_class
 
     @property
@@ -272,7 +278,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @cached_property
     def the_bound(self) -> Bound:
-        """The bound on traversals; no bound if that law is not checked."""
+        """The bound on traversals; :data:`NO_BOUND` if the law ``bound`` is not checked."""
         return self._named_bound if "bound" in self.applying else NO_BOUND
 
     @property
@@ -288,7 +294,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def _met(self) -> set[str]:
-        """The conditions that these rules meet, of those under which a law applies."""
+        """Those conditions of :data:`LAWS` (maps, folds, bounded) that these rules meet."""
         met = {MAPS} if self.task.is_map else set[str]()
         met |= {FOLDS} if met and self.kind.folds and not self.promised else set()
         return met | ({BOUNDED} if self._named_bound != NO_BOUND else set())
@@ -304,7 +310,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def judged(self) -> tuple[str, ...]:
-        """The laws that are checked; for any task other than ``map``, after the name ``task``."""
+        """The laws that are checked, for any task other than ``map`` after the name ``task``."""
         return self.applying if self.task.is_map else (TASK, *self.applying)
 
     def budget(self, map_: combinatorial.CombinatorialMap) -> int:
@@ -314,8 +320,9 @@ class Rules(RuleOptions, kw_only=False):
     def budget_by_size(self, vertices: int, edges: int) -> int:
         """The largest legal number of traversals in a world of that size.
 
-        If the user gives no budget, it is at least the explorer's own bound, but never above a
-        hundred times the checked bound plus 100, if these bounds depend on the size alone.
+        If the user gives no budget, the budget is at least the explorer's own bound, but never
+        above a hundred times the checked bound plus 100.  A bound that depends on more than the
+        size is ignored.
         """
         if self.step_budget is not None:
             return self.step_budget
@@ -327,9 +334,10 @@ class Rules(RuleOptions, kw_only=False):
         return usual if far is None else min(usual, far)
 
     def budget_of_bound(self, vertices: int, edges: int) -> int | None:
-        """A hundred times the checked bound, plus 100; None if it does not depend on size alone.
+        """A hundred times the checked bound, plus 100.
 
-        A run with this cost breaks a law in any case, so the run is given up.
+        None if there is no bound, if it depends on more than the size, or if it has no value here.
+        A run with this cost breaks the law ``bound`` in any case, so the run is stopped there.
         """
         if not self.the_bound.variables <= SIZE:
             return None
@@ -340,13 +348,17 @@ class Rules(RuleOptions, kw_only=False):
         return None if bound is None else far_beyond(bound)
 
     def choices(self, name: str, script: Sequence[int] = ()) -> Choices:
-        """New choices for the run of this name; a random policy draws anew for each name."""
+        """New choices for the run of this name; a random policy draws anew for each name.
+
+        ``script`` holds the indices of the first choices.
+        """
         return Choices(policy_named(self.policy, name), script)
 
     def arguments(self, script: Sequence[int] = ()) -> list[str]:
-        """The options of ``run`` for these rules, and for these first choices.
+        """The options of the command ``run`` for these rules, and for these first choices.
 
-        ``run`` knows no promised property, so the checked laws are named if one is promised.
+        ``run`` cannot be told of a promised property, so if there is one, the options name the laws
+        that are checked.
         """
         answered = any(script) or (script and self.policy != DEFAULT_POLICY)
         choices = ["--choices", ",".join(map(str, script))] if answered else []
@@ -354,14 +366,14 @@ class Rules(RuleOptions, kw_only=False):
         return [*given_again(RuleOptions, of_run), *choices]
 
     def keywords(self, script: Sequence[int] = ()) -> list[str]:
-        """The options of :meth:`arguments`, as arguments of a call in Python: ``NAME=VALUE``."""
+        """The options of :meth:`arguments`, each as ``NAME=VALUE`` of a call in Python."""
         words = self.arguments(script)
         options = zip(words[::2], words[1::2], strict=True)
         return [_keyword(option, text) for option, text in options]
 
     @property
     def in_effect(self) -> dict[str, Any]:
-        """The options with their effective values, by the keys of documents."""
+        """The options with their effective values, by the keys that they have in documents."""
         effective = {
             "task": None if self.task.is_map else self.task,
             "bound": self.the_bound,
@@ -383,7 +395,7 @@ class Rules(RuleOptions, kw_only=False):
 
 
 def _keyword(option: str, text: str) -> str:
-    """An option of the command line as an argument in Python."""
+    """An option of the command line as ``NAME=VALUE`` of a call in Python."""
     name = option.removeprefix("--").replace("-", "_")
     value: Any = int(text) if name == "step_budget" else text
     if name in ("laws", "choices"):
@@ -395,7 +407,8 @@ def _keyword(option: str, text: str) -> str:
 class RecordedRules(doc.Document, forbid_unknown_fields=False):
     """Options of a run.
 
-    How it was played and judged. An option that is left out where it is read has its default.
+    How a run was played and judged. An option that is missing when the document is read has its
+    default.
     """
 
     task_digest: Annotated[
@@ -411,10 +424,10 @@ class RecordedRules(doc.Document, forbid_unknown_fields=False):
     ] = None
 
     def rules(self, world: World, own_bound: str | None = None) -> Rules:
-        """The rules in a world; the explorer of a finding may bring a bound of its own.
+        """The rules in a world; ``own_bound`` is the bound of the explorer's own, if it has one.
 
-        A bound without the law ``bound``, or this law without a bound, was not checked, and is left
-        out.
+        A recorded bound without the law ``bound``, or this law without a bound, was not checked,
+        and is left out.
 
         Raises:
             InputError: naming the offending option.

@@ -18,8 +18,11 @@ from allworlds.protocol.user_code import Role, UserCode
 from allworlds.world.world import World
 
 Complaint: TypeAlias = Callable[[World, Walk, Any], str | None]
-"""A function that returns the fault of a finished run, or None.  A user's function that ends
-runs has an attribute ``over``, a function of the world and the walk."""
+"""A function that returns the fault of a finished run, or None.
+
+A user's function that ends runs has an attribute ``over``: a function of the world and the walk
+that returns whether the task is done.
+"""
 
 MAP = "map"
 
@@ -29,8 +32,8 @@ class TaskKind(Struct, frozen=True):
 
     Attributes:
         asks: the requirement of the task, in a sentence.
-        complaint: the function that tells the fault of a run; None for the task ``map``.
-        ends: whether the run ends as soon as nothing is wrong.
+        complaint: the function that returns the fault of a run; None for the task ``map``.
+        ends: whether the run ends as soon as the complaint finds no fault.
     """
 
     asks: str
@@ -51,7 +54,7 @@ def walks_everything(world: World, walk: Walk, _answer: object) -> str | None:
 def comes_home(world: World, walk: Walk, answer: object) -> str | None:
     """The complaint that a vertex was not visited, or that the walk does not end at v0.
 
-    None if neither is so.
+    None if the run has neither fault.
     """
     if world.map.vertex_of[walk.here] != world.map.vertex_of[world.start]:
         return "the walk ended at another vertex than that where it began"
@@ -59,7 +62,12 @@ def comes_home(world: World, walk: Walk, answer: object) -> str | None:
 
 
 def counts(what: str, number: Callable[[World], int]) -> Complaint:
-    """The complaint of a task whose answer must be this number, which belongs to the world."""
+    """The complaint of a task whose answer must be a certain number of the world.
+
+    Args:
+        what: the number, in words.
+        number: the function from the world to the right number.
+    """
 
     def complaint(world: World, _walk: Walk, answer: object) -> str | None:
         right = number(world)
@@ -127,7 +135,7 @@ class Task(Struct, frozen=True):
 
     @property
     def is_map(self) -> bool:
-        """Whether the answer must be an estimate, which has laws of its own; else any is legal."""
+        """Whether the answer must be an estimate, which laws judge; else any answer is legal."""
         return self.name == MAP
 
     @property

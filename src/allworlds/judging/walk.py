@@ -82,7 +82,7 @@ class Walk(Struct):
         """Go one step further; return the percept after it.
 
         Raises:
-            IllegalAction: as :meth:`~allworlds.world.world.World.step`; the walk is not changed.
+            IllegalAction: if the action is illegal here; the walk is then not changed.
         """
         state, percept = self.world.step(self.states[-1], action)
         map_, dart = self.world.map, state.dart

@@ -12,7 +12,7 @@ SANITIZER = (
     "Mostly the cause is an access outside of an array, or to memory that was freed, perhaps long "
     "before: compile with -g -fsanitize=address,undefined to see the line."
 )
-"""The advice for a process that has ended by such a signal."""
+"""The advice for a process that a signal of :data:`MEMORY` has ended."""
 
 STDOUT = (
     "The program's stdout is for its actions alone: output for debugging goes to stderr. If the "
@@ -34,7 +34,9 @@ NO_LINE = (
         "That is the beginning of an object: each message is one line, without a break in it.",
     ),
 )
-"""The advice for a program that has printed a line with this text."""
+"""The advice for a program that has printed a line which is no message: for each pattern in the
+observation, a sentence.
+"""
 
 FLUSH = (
     "Does every line of the program end in a newline, and does the program flush its output after "

@@ -38,11 +38,11 @@ from allworlds.world.world import World
 
 
 def _say_message(finding: Finding) -> list[str]:
-    """Tell the last line of the traceback, or of stderr, that names an error; else its last line.
+    """Tell the explorer's last message: the last line that names an error, or else the last line.
 
-    After a crash that has left neither, as by ``abort``, the lines that the explorer printed are
-    taken instead.  Without any line, or if the observation already contains the last one, there is
-    no sentence.
+    The lines are those of the traceback, or of stderr; after a crash that has left none of these,
+    as by ``abort``, they are the lines that the explorer printed.  There is no sentence if there is
+    no line, or if the observation already contains the last line.
     """
     said = finding.detail or (finding.output if finding.law == "crash" else "")
     lines = [line.strip() for line in said.splitlines() if line.strip()]
@@ -55,7 +55,8 @@ def _say_message(finding: Finding) -> list[str]:
 def ending(how: str) -> Teller:
     """The function that explains a run by its ending.
 
-    It tells by this sentence how the run ended, and then the last step and percept.
+    The explanation says how the run ended, in the sentence ``how``, in which ``{seen}`` stands for
+    the observation; then it says the last step and percept.
     """
 
     def tell(story: Story) -> Telling:
@@ -75,7 +76,7 @@ CLOCKWISE = "Bearings, motions and ways back count darts clockwise."
 
 
 def tell_no_estimate(story: Story) -> Telling:
-    """Tell the ending, and if the answer is no map, the axiom of maps that it breaks."""
+    """Tell the ending; if the answer is no map, tell the axiom of maps that it breaks."""
     seen = str(story.finding.seen)
     if not seen.startswith(playing.NO_MAP):
         return ending("The explorer ended without an answer that could be judged.")(story)
@@ -111,7 +112,7 @@ SHOW = (
 
 
 def tell_budget(story: Story) -> Telling:
-    """Tell where the budget comes from, and the step since which the robot found no new edge."""
+    """Tell where the budget comes from, and after which step the robot found no new edge."""
     how = "The explorer did not end within its step budget, so the run was stopped."
     wrong = _tell_first_wrong(story)
     if wrong:  # that is the cause
@@ -127,7 +128,7 @@ def tell_budget(story: Story) -> Telling:
 
 
 def tell_whose_budget(finding: Finding) -> str:
-    """Tell where the step budget comes from, and whether a larger budget suffices."""
+    """Tell where the step budget comes from, and an option with which no law breaks, if known."""
     rules, map_ = finding.rules, finding.world.map
     if rules.step_budget is not None:
         return f"--step-budget sets the budget: {plural(rules.step_budget, 'traversal')}."
@@ -144,14 +145,14 @@ def tell_whose_budget(finding: Finding) -> str:
 
 
 def _say_tried(finding: Finding) -> list[str]:
-    """Tell the option with which the explorer breaks no law; no sentence if none is known."""
+    """Tell the options with which the check breaks no law; no sentence if none are known."""
     if not finding.tried:
         return []
     return [f"Tried with {finding.tried}: no law is broken in this world or any other one tried."]
 
 
 def _say_progress(story: Walked) -> str:
-    """Tell the step since which no edge was new; without a new edge, tell the last step."""
+    """Tell the step after which no edge was new; if no edge was ever new, tell the last step."""
     found_at = story.discoveries.values()
     if not found_at:
         return _say_last_step(story)
@@ -162,7 +163,7 @@ def _say_progress(story: Walked) -> str:
 
 
 def _say_left(story: Story) -> list[str]:
-    """Name the vertices or edges that were left out, if the task asks for all of them."""
+    """Name the vertices or edges that the robot left out, if the task asks for all of them."""
     map_, left, task = story.map, list[str](), story.finding.rules.task.name
     if task in ("cover", "stop", "home"):
         visited = story.walk.visited
@@ -202,11 +203,11 @@ def _say_last_step(story: Walked) -> str:
 # ---------------------------------------------------------------- the answer is wrong
 
 GUESSED = "guessed"
-"""The cause of a wrong answer without a slip in drawing the map."""
+"""The name of the cause of a wrong answer that fits every percept."""
 
 
 def tell_map(story: Story) -> Telling:
-    """Tell the sizes of both maps, and the step at which the walks in them diverge."""
+    """Tell the slip, or the sizes of both maps, and the step at which the walks in them diverge."""
     belief = Belief(story)
     slip, parting = the_slip(belief), tell_parting(belief)
     name = slip.name if slip else ""
@@ -227,7 +228,7 @@ def _say_sizes(world: CombinatorialMap, answer: CombinatorialMap) -> str:
 
 
 def tell_parting(belief: Belief) -> list[str]:
-    """Tell where the walk and its image in the answer diverge, and the percept that shows it."""
+    """Tell where the walks in world and answer diverge, and the percept that shows it."""
     parting, misfits = belief.walk.parting, belief.walk.misfits
     if parting is None:
         fits = (
@@ -284,11 +285,11 @@ def _say_misfit(belief: Belief, step: int) -> str:
 
 
 TURNED, ELSEWHERE = "off by a turn", "another vertex"
-"""The names of a wrong ``here``, at the robot's vertex and at another vertex."""
+"""The names of the mistake in ``here``: a dart of the robot's vertex, or another vertex."""
 
 
 def tell_pose(story: Story) -> Telling:
-    """Tell the robot's dart, its dart by the answer, and the step at which the walks diverge."""
+    """Tell the robot's dart, the answer's ``here``, and the step at which the walks diverge."""
     belief = Belief(story)
     images = _images(belief)
     alike = len(images) - 1
@@ -323,7 +324,7 @@ def _images(belief: Belief) -> list[Dart]:
 
 
 def _say_where(belief: Belief, images: list[Dart]) -> str:
-    """Tell the robot's dart in the world, and its dart by the answer."""
+    """Tell the robot's dart in the world, and the dart of the world that the answer gives."""
     story = belief.story
     map_, robot = story.map, story.walk.darts[-1]
     stands = f"the robot stands at {story.spot(robot)}, and the answer says"
@@ -345,7 +346,7 @@ def _say_where(belief: Belief, images: list[Dart]) -> str:
 
 
 def tell_ambiguity(story: Story) -> Telling:
-    """Tell the right answer: a quotient, or a map."""
+    """Tell what the answer had to be, and the robot's place in the world."""
     broken = (
         "The answer says that several worlds look alike: it must be their quotient, in which darts "
         "that look alike are one dart, rooted at the robot's dart."
@@ -360,7 +361,8 @@ def tell_ambiguity(story: Story) -> Telling:
 def checkpoint(broken: str) -> Teller:
     """The function that explains a run by a checkpoint.
 
-    It tells by this sentence what is broken, and then the checkpoint that shows this.
+    The explanation says what is broken, in the sentence ``broken``, and then the checkpoint that
+    shows it.
     """
 
     def tell(story: Story) -> Telling:
@@ -381,7 +383,7 @@ def checkpoint(broken: str) -> Teller:
 
 
 NAMED = 3
-"""The largest number of open darts that are named; the others are counted."""
+"""The largest number of open darts, vertices or edges that are named; the others are counted."""
 
 
 def tell_open_darts(story: Story) -> list[str]:
@@ -420,9 +422,9 @@ def tell_open_darts(story: Story) -> list[str]:
 def another_world(world: World, transcript: actions.Transcript) -> World | None:
     """Another world that agrees with the log; None if the log determines the world.
 
-    The other world is the folded log with a new vertex at each open dart, to which that dart leads.
-    If this is the given world, the first new vertex leads to a further one.  None of the new edges
-    is a loop.
+    The other world is the folded log with a new vertex of degree 1 at the end of each open dart.
+    If this is the given world, the first new vertex gets a second edge, to a further new vertex.
+    None of the new edges is a loop.
 
     Cost: the folding, and linear in the log.
     """
@@ -454,14 +456,14 @@ def tell_folding(story: Story) -> Telling:
 
 
 def tell_bound(story: Story) -> Telling:
-    """Tell that the answer is right, where the bound comes from, and the use of the steps."""
+    """Tell what else holds, where the bound comes from, and how many steps found a new edge."""
     made, new = plural(story.walk.cost, "traversal"), len(story.discoveries)
     used = f"The robot made {made}, of which {new} found a new edge."
     return Telling([*tell_whose_bound(story.finding), used])
 
 
 def tell_whose_bound(finding: Finding) -> list[str]:
-    """Tell that the other laws hold, where the bound comes from, and an option that helps."""
+    """Tell the other laws that hold, where the bound comes from, and an option that helps, if known."""
     others = [law for law in finding.rules.applying if law != "bound"]
     rest = f"every other law that was checked holds: {listed(others)}" if others else ""
     if {"map", "pose"} <= {*others}:
@@ -518,9 +520,9 @@ TELLERS: dict[str, Teller] = {
     "folding": tell_folding,
     "bound": tell_bound,
 }
-"""The explanation of each law of the judge, in the judge's order."""
+"""The explanation of each law, in the order of precedence."""
 
 
 def teller_of(law: str) -> Teller:
-    """The function that explains a violation of a law; for an unknown law, only by its name."""
+    """The function that explains a violation of a law; for an unknown law it only says the name."""
     return TELLERS.get(law) or ending(f"The law '{law}' is broken.")

@@ -15,14 +15,14 @@ from allworlds.protocol.code_lines import is_users
 from allworlds.words import listed, plural
 
 TIMES = 3
-"""The least number of times that the end of a walk repeats some steps, so that they are a round."""
+"""The least number of repetitions of some steps at the end of a walk that make a round."""
 
 SHOWN = 8
-"""The largest number of spots of a round, or of lines of code, that are told."""
+"""The largest number of darts of a round, of lines of code, or of edges that sentences name."""
 
 
 class Round(Struct, frozen=True):
-    """A round: steps that are repeated up to the end of a walk.
+    """A round: a sequence of steps that the robot repeats up to the end of its walk.
 
     Attributes:
         first: the number of the step with which the first round begins; steps count from 1.
@@ -36,7 +36,7 @@ class Round(Struct, frozen=True):
 
 
 def round_of(walk: Sequence[Any]) -> Round | None:
-    """The longest end of a walk that repeats the same steps; None if no steps are repeated.
+    """The round of the longest end of a walk that repeats the same steps; None if no end does.
 
     Cost: linear, by the borders of the reversed walk (Knuth, Morris and Pratt).
     """
@@ -55,7 +55,10 @@ def round_of(walk: Sequence[Any]) -> Round | None:
 
 
 def tell_round(story: Story) -> list[str]:
-    """Tell where a round begins, and the spots and lines of code in it; no sentence without one."""
+    """Tell where a round begins, and the darts and lines of code in it.
+
+    There is no sentence if the walk ends in no round.
+    """
     walk = story.walk
     found = round_of([*zip(map(str, walk.actions), walk.darts[1:], strict=True)])
     if found is None:
@@ -76,9 +79,9 @@ def tell_way_back(story: Story) -> list[str]:
     """Tell where a robot confuses two doors after a way back; no sentence if it does not.
 
     Back at a vertex, the robot faces the door by which it had left, but some explorers count from
-    the door by which the robot had first come.  The sentence is told if two things hold when
-    motions are counted so: some motion along an edge that was walked before would have led along a
-    new edge, and no motion along a new edge would have led along an edge that was walked before.
+    the door by which the robot had first come.  There is a sentence if two things hold when motions
+    are counted so: some motion along an edge that was walked before would have led along a new
+    edge, and no motion along a new edge would have led along an edge that was walked before.
     """
     map_, darts = story.map, story.walk.darts
     came, left, walked, remarks = dict[int, Dart](), dict[int, Dart](), set[Dart](), list[str]()
@@ -137,6 +140,6 @@ def stack_of(finding: Finding) -> list[tuple[str, str]]:
 
 
 def tell_stack(finding: Finding) -> list[str]:
-    """Tell the user's lines in the stack of a silent run; no sentence if it was not printed."""
+    """Tell the user's lines in the stack of a silent run; no sentence if no stack was printed."""
     frames = [f"{function} ({line})" for line, function in stack_of(finding)[:SHOWN]]
     return [f"It was in {', called by '.join(frames)}."] if frames else []

@@ -26,7 +26,7 @@ from allworlds.world.world import World
 
 
 class Walked:
-    """A walk, and the names of the vertices and darts on it.
+    """A walk in a world, and the names of the vertices and darts on it.
 
     Attributes:
         walk: the walk.
@@ -59,7 +59,7 @@ class Walked:
         return f"{self.vertex(dart)}, dart {dart}"
 
     def arrival(self, step: int) -> str:
-        """The robot's spot after a step, such as ``v1, dart 3``.
+        """The vertex and dart of the robot after a step, such as ``v1, dart 3``.
 
         After a motion between two labelled vertices the text names both: ``hall -> F, dart 3``.
         """
@@ -75,11 +75,11 @@ class Story(Walked):
 
     Attributes:
         finding: the finding that is explained.
-        checkpoint: the number of the last step before the checkpoint that breaks the law; None if
-            no checkpoint breaks it.
+        checkpoint: the number of steps before the checkpoint that breaks the law; None if no
+            checkpoint breaks it.
 
     Raises:
-        InputError: if the transcript is impossible in the world, or ends before that step.
+        InputError: if the transcript is impossible in the world, or ends before that checkpoint.
     """
 
     def __init__(self, finding: Finding) -> None:
@@ -93,7 +93,7 @@ class Story(Walked):
             )
 
     def last_left(self, dart: Dart, step: int) -> str:
-        """A clause about the last time before ``step`` that the robot was at the dart's vertex."""
+        """A clause that says when, before ``step``, the robot last left the vertex of a dart."""
         vertex = self.vertex(dart)
         last = max(i for i in range(step) if self.vertex(self.walk.darts[i]) == vertex)
         just = last == step - 1
@@ -101,7 +101,7 @@ class Story(Walked):
 
 
 class Belief:
-    """The walk in the answer, for the laws about the answer.
+    """The walk in the answer, if the broken law is about the answer.
 
     Attributes:
         story: the finding with its walk in the world.
@@ -109,7 +109,7 @@ class Belief:
         walk: the walk in the answer.
 
     Raises:
-        InputError: if the observation is no answer.
+        InputError: if the finding's observation (``seen``) is no answer.
     """
 
     def __init__(self, story: Story) -> None:
@@ -123,7 +123,7 @@ class Belief:
 
     @property
     def step(self) -> int | None:
-        """The first step at which belief and truth diverge."""
+        """The first step at which the walks in the answer and the world diverge; None: no step."""
         parting = self.walk.parting
         return parting.step if parting else None
 
@@ -133,7 +133,8 @@ class Telling(Struct, frozen=True):
 
     Attributes:
         sentences: the sentences of the explanation.
-        step: the first step at which belief and truth diverge; None if they never do.
+        step: the first step at which the walks in the answer and in the world diverge; None if they
+            never do.
         answer: the wrong answer; None if the law is not about the answer.
         other: another world that agrees with the log; None if the law is not about such worlds.
         slip: the name of the slip that makes the answer wrong; empty if none is known.
@@ -147,22 +148,22 @@ class Telling(Struct, frozen=True):
 
 
 Teller: TypeAlias = Callable[[Story], Telling]
-"""The function that explains a story by a law; it may raise InputError."""
+"""The function that makes the explanation of a story for one law; it may raise InputError."""
 
 
 LARGEST = 40
-"""The largest number of edges for which slips are searched; the work grows with its square."""
+"""The largest number of edges for which slips are searched; the cost grows with its square."""
 
 
 class Slip(Struct, frozen=True):
     """The only difference between an answer and the world.
 
     Attributes:
-        name: the name, in a word or two.
+        name: the name of the slip, in a word or two.
         sentence: a description with the darts of the world.
-        mended: the map without the slip; None if the slip is in the reading of percepts.
-        truth: the map to which the mended map is equal: the world's map, perhaps without the edge
-            of the slip.
+        mended: the answer's map without the slip; None if the slip is in the reading of percepts.
+        truth: the map to which the mended map is equal: the world's map, or, if one edge is the
+            slip, the world's map without this edge.
         here: the robot's dart in the mended map; None if the answer's ``here`` is also wrong, or if
             the dart is unknown.
     """
@@ -177,11 +178,11 @@ class Slip(Struct, frozen=True):
 MIRROR_IMAGE, BEARINGS = "mirror image", "bearings anticlockwise"
 
 Recogniser: TypeAlias = Callable[[Belief], Slip | None]
-"""The function that recognises one slip; its value is None for any other answer."""
+"""The function that recognises one kind of slip; it returns None for any other answer."""
 
 
 def the_slip(belief: Belief) -> Slip | None:
-    """The first slip that alone explains the difference of answer and world; None if none does."""
+    """The first slip that alone explains how the answer differs from the world; None: none does."""
     if max(belief.answer.map.edge_count, belief.story.map.edge_count) > LARGEST:
         return None
     return next((slip for recognise in SLIPS if (slip := recognise(belief))), None)
@@ -208,8 +209,9 @@ def bearings_anticlockwise(belief: Belief) -> Slip | None:
     """Recognise an answer that fits the percepts if bearings are counted anticlockwise.
 
     The walk that ends at ``here`` is followed in the answer.  Only the percepts at the start and
-    after the first walk of each edge must fit, because a robot on its way back need not look.  If
-    the map is right, all percepts must fit: then a wrong ``here`` alone is the likelier slip.
+    after the first walk along each edge must fit, because a robot on its way back need not look.
+    If the map is right, all percepts must fit, because then a wrong ``here`` alone is the likelier
+    slip.
     """
     map_, walk = belief.answer.map, belief.story.walk
     trail = trail_to(map_, belief.answer.here, walk)
@@ -233,7 +235,8 @@ def bearings_anticlockwise(belief: Belief) -> Slip | None:
 def _fits(map_: CombinatorialMap, sensed: Iterable[tuple[Dart, Percept]], way: int) -> bool:
     """Whether the percepts at each vertex agree on its degree, its marks and the pointed dart.
 
-    ``way`` is 1 if bearings count clockwise, and -1 if they count anticlockwise.
+    ``sensed`` holds each percept with the robot's dart of the map.  ``way`` is 1 if bearings count
+    clockwise, and -1 if they count anticlockwise.
     """
     found: dict[int, tuple[int, Dart | None]] = {}
     for dart, percept in sensed:
@@ -270,7 +273,7 @@ def _glued_crosswise(belief: Belief) -> Slip | None:
 def _reglued(
     map_: CombinatorialMap,
 ) -> Iterator[tuple[CombinatorialMap, tuple[tuple[Dart, Dart], tuple[Dart, Dart]]]]:
-    """The maps in which two edges are glued differently, each with the two original edges."""
+    """The maps in which two edges have exchanged ends, each with these two edges as they were."""
     for i, (a, b) in enumerate(map_.edges):
         for c, d in map_.edges[i + 1 :]:
             for pairs in (((a, c), (b, d)), ((a, d), (b, c))):
@@ -353,8 +356,8 @@ def _without_an_edge(
 ) -> Iterator[tuple[Dart, CombinatorialMap]]:
     """The edges whose removal makes the larger map the smaller one.
 
-    ``taking`` removes an edge from a map.  Each edge is given by its first dart, together with the
-    map that is left.
+    ``taking`` removes an edge from a map, or returns None if it cannot.  Each edge is given by its
+    first dart, together with the map that is left.
     """
     if larger.edge_count == smaller.edge_count + 1:
         for d, _ in larger.edges:
@@ -371,4 +374,4 @@ SLIPS: tuple[Recogniser, ...] = (
     _edge_missing,
     _edge_too_many,
 )
-"""The slips that are looked for, the commonest first."""
+"""The functions that recognise slips, the commonest slip first."""

@@ -29,7 +29,7 @@ REPLAY = "allworlds replay FILE  # with this finding, as JSON, in FILE"
 
 
 def _value(name: str, given: Any) -> Value:
-    """A recorded expectation or observation as a value."""
+    """The recorded value of the key ``name``, which is an expectation or an observation."""
     if isinstance(given, Mapping):
         try:
             return actions.Estimate.from_json(given)
@@ -60,8 +60,8 @@ class Believed(doc.Document, forbid_unknown_fields=False):
 class CodeLines(doc.Document, forbid_unknown_fields=False, kw_only=True):
     """Lines of code.
 
-    The places in the user's Python code at which a refuting run was, as ``FILE:LINE``; empty where
-    a place is not the user's.
+    The lines of the user's Python code that a refuting run had reached, each as ``FILE:LINE``; an
+    empty text stands for a line that is not the user's.
     """
 
     steps: Annotated[
@@ -80,14 +80,14 @@ class CodeLines(doc.Document, forbid_unknown_fields=False, kw_only=True):
     sources: Annotated[tuple[str, ...], doc.about("each of these places with the text of its line")]
 
     def source(self, where: str) -> str:
-        """The line's name with its text, if the text is known."""
+        """The line named ``where`` with its text; ``where`` alone if the text is unknown."""
         return next((line for line in self.sources if line.startswith(f"{where}: ")), where)
 
 
 class EarlierRun(doc.Document, forbid_unknown_fields=False):
     """Earlier run.
 
-    A run that leaves something behind for a later one.
+    A run after which a later run in the same process differs.
     """
 
     world: Annotated[doc.FromJson[World], doc.about("its world, in canonical numbering")]
@@ -96,11 +96,12 @@ class EarlierRun(doc.Document, forbid_unknown_fields=False):
 class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
     """Finding.
 
-    A refuting run, as it is written: enough to replay it with nothing else. Where one is read,
-    other keys are ignored, but not in its world.
+    A refuting run, as it is written: enough to replay it with nothing else. If a finding is read,
+    unknown keys are ignored, except in its world.
 
-    ``at`` holds the place and ``under`` the rules, where they need not be made of the world and the
-    options. The ``machine`` may be the cause.
+    ``at`` holds the place and ``under`` the rules if they are known; else they follow from the
+    world and the options. ``machine`` tells whether the machine, not the explorer, may be the
+    cause.
     """
 
     version: Annotated[Literal[2], doc.about("the version of findings")]
@@ -184,7 +185,7 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @doc.computed
     def reproduce(self) -> str:
-        """A shell command that runs it again; of a function without a name a line of Python."""
+        """A shell command that runs it again; for a function without a name, a line of Python."""
         if self.after:
             return REPLAY
         module, _, name = self.explorer.partition(":")
@@ -207,7 +208,7 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @cached_property
     def place(self) -> int:
-        """The number of the lighthouse's place, as the places of the rooted map are counted."""
+        """The number of the lighthouse's place among its places in the rooted map, from 0 on."""
         return place_of(self.world) if self.at is None else self.at
 
     @cached_property
@@ -224,15 +225,15 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @property
     def rank(self) -> tuple[Any, ...]:
-        """The key for sorting findings, of which several may be of one run.
+        """The key by which all findings are sorted, also several findings of one run.
 
-        Of those, the findings with earlier runs come first.
+        Of one run the findings with earlier runs come first, then those that need a hash seed.
         """
         return self.key, not self.after, self.hash_seed is None, self.hash_seed or 0
 
     @cached_property
     def kind(self) -> tuple[str, Code]:
-        """The kind of the finding: the law, and the map without its start."""
+        """The kind of the finding: the law, and the code of the map without its start."""
         map_ = self.world.map
         return self.law, min(rooted_code(map_.sigma, map_.alpha, dart) for dart in map_.darts)
 
@@ -250,12 +251,12 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @property
     def text(self) -> str:
-        """The text of its file."""
+        """The text of the finding's file."""
         return json.dumps(self.to_json(), indent=1) + "\n"
 
     @property
     def file_name(self) -> str:
-        """The name of its file: ``LAW-mMnN-DIGEST.json``."""
+        """The name of the finding's file: ``LAW-mMnN-DIGEST.json``, with M edges and N vertices."""
         map_ = self.world.map
         size = f"m{map_.edge_count}n{map_.vertex_count}"
         return f"{self.law}-{size}-{digest_of(self.text)}.json"
@@ -264,7 +265,8 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
     def from_json(cls, document: str | Mapping[str, Any]) -> "Finding":
         """The finding in a document or its text, as :meth:`to_json` writes it.
 
-        Reports are also read: of a report of ``check`` the first finding, of ``run`` the only one.
+        The document may also be a report: of ``check`` the first finding is returned, of ``run``
+        the only one.
 
         Raises:
             InputError: naming the offending value and what would be legal.
@@ -310,7 +312,7 @@ def findings_of(document: Any) -> Sequence[Any]:
 
 
 def place_of(world: World) -> int:
-    """The number of the lighthouse's place, as the places of the rooted map are counted."""
+    """The number of the lighthouse's place among its places in the rooted map; the first is 0."""
     return world.lighthouse.number(world.map, world.start)
 
 
@@ -323,7 +325,7 @@ def canonical_world(world: World) -> World:
 
 
 def labelled(world: World, given: Iterable[World]) -> World:
-    """The canonical world with the labels of the first given world that is equal to it."""
+    """The canonical world, with the labels of the first given world that equals it, if one does."""
     sized = (one for one in given if one.map.edge_count == world.map.edge_count)
     return next((one for one in map(canonical_world, sized) if one == world), world)
 

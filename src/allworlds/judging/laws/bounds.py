@@ -16,12 +16,12 @@ _NAMES = (*VARIABLES, "paper")
 
 
 def default_step_budget(bound: int) -> int:
-    """The number of traversals after which a run is stopped: 8 x the paper's bound + 100."""
+    """The default step budget of a run: 8 times the paper's bound, plus 100."""
     return 8 * bound + 100
 
 
 def far_beyond(bound: int) -> int:
-    """The number of traversals far above a bound, where a run is stopped: 100 x the bound + 100."""
+    """The number of traversals at which a bound is far exceeded: 100 times the bound, plus 100."""
     return 100 * max(0, bound) + 100
 
 
@@ -46,10 +46,10 @@ def paper_terms(vertices: int, edges: int) -> tuple[int, int]:
 
 
 def two_vertices_bound(vertices: int, edges: int, degree: int) -> int:
-    """(1) + (2), two traversals for each test, and the search among the darts of v0.
+    """The bound (1) + (2), with two traversals for each test, and the search among the darts of v0.
 
     In pass p = 0, 1, ..., m-1 there are at most 2m - 2p - 1 hypotheses to test, which makes
-    m^2 in all; the search costs at most 2 deg(v0).
+    m^2 in all; the search costs at most 2 deg(v0).  ``degree`` is deg(v0).
     """
     return paper_bound(vertices, edges) + 2 * edges**2 + 2 * degree
 
@@ -60,8 +60,8 @@ class Bound:
 
     Attributes:
         name: the name that the user gives.
-        value: the function of n, m, d0, D, d and g, as :func:`bound_named` names them; None
-            stands for no bound.
+        value: the function of n, m, d0, D, d and g, as :func:`bound_named` names them; it returns
+            None if there is no bound.
         variables: the names of those variables on which the value depends.
     """
 
@@ -77,7 +77,7 @@ class Bound:
         return bound_named, (self.name,)
 
     def of(self, map_: CombinatorialMap, start: Dart) -> int | None:
-        """The largest legal number of traversals in this map from this start."""
+        """The largest legal number of traversals in this map from this start; None: no bound."""
         # Most bounds do not depend on these two variables, which take longer than all others.
         diameter = map_.diameter if "d" in self.variables else 0
         genus = map_.genus if "g" in self.variables else 0
@@ -103,7 +103,7 @@ BOUNDS = {
 
 
 def bound_named(text: str) -> Bound:
-    """The bound with a name in :data:`BOUNDS`, or the bound that an expression tells.
+    """The bound with a name in :data:`BOUNDS`, or the bound that an expression defines.
 
     An expression is built from integers, n (vertices), m (edges), d0 (degree of v0), D (the
     largest degree), d (the diameter), g (the genus), paper, ``+ - * // **``, ``min``, ``max`` and

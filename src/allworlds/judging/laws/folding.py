@@ -168,8 +168,8 @@ class _Folding:
 def _check(percept: Percept) -> None:
     """Raise Contradiction if no directional lighthouse allows this percept.
 
-    The degree must be positive; a percept with a mark has a bearing below the degree, others have
-    none.
+    The degree must be positive.  A percept with a mark has a bearing below the degree; a percept
+    without a mark has no bearing.
     """
     degree, bearing = percept.degree, percept.bearing
     sensed = bearing is not None and 0 <= bearing < degree

@@ -35,10 +35,10 @@ class Case(Struct, frozen=True, dict=True):
 
     Attributes:
         walk: the robot's walk in the true map.
-        checkpoints: the published S and U, each with the number of steps before it.
-        estimate: the answer: a valid map, or a quotient with valid permutations, and ``here``
-            among its darts; None if the task does not ask for a map.
-        bound: the largest legal number of traversals, or None.
+        checkpoints: the checkpoints, each with the number of steps before it.
+        estimate: the answer: an estimate with a valid map, or a quotient with valid permutations;
+            its ``here`` is one of its darts.  None if the task does not ask for a map.
+        bound: the largest legal number of traversals; None if there is no bound.
     """
 
     walk: Walk
@@ -58,10 +58,11 @@ class Case(Struct, frozen=True, dict=True):
 
     @cached_property
     def answer(self) -> Literal["right", "pose", "map", "open"]:
-        """The judgement of the estimate: right, or the part that is wrong.
+        """The judgement of the estimate: ``right``, or what is wrong.
 
         ``pose``: the map is the same, but no isomorphism takes ``here`` to the robot's dart.
-        ``open``: the answer names no map.
+        ``map``: the map is another one.
+        ``open``: there is no answer with a map.
         """
         if not isinstance(self.estimate, Estimate):
             return "open"
@@ -160,7 +161,7 @@ def _canonical(answer: Ambiguous) -> Ambiguous:
 
 
 def _words(answer: Ambiguous) -> str:
-    """The rooted quotient in a sentence."""
+    """The rooted quotient in words."""
     names = ("sigma", "alpha", "degree", "marks")
     parts = (f"{name} {list(getattr(answer, name))}" for name in names)
     return f"the quotient rooted at 0 with {', '.join(parts)}"
@@ -198,7 +199,7 @@ def folding_law(case: Case) -> Violation | None:
 
 
 def invariant_1(case: Case) -> Violation | None:
-    """I-1: S is the explored subgraph of the world, in the same cyclic orders.
+    """Require I-1: S is the explored subgraph of the world, in the same cyclic orders.
 
     That is: the embedding exists and is injective, it maps whole vertices to whole vertices, and
     every edge of S has been walked.
@@ -210,7 +211,10 @@ def invariant_1(case: Case) -> Violation | None:
 
 
 def _wrong_s(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
-    """The reason why S is wrong; it says so if S would be right with another ``here``."""
+    """The reason why S is wrong after this number of steps; None if S is right.
+
+    If S would be right with another ``here``, the reason says so.
+    """
     broken = _wrong_part(case, steps, checkpoint)
     darts = len(checkpoint.sigma)
     if broken and darts <= len(case.map.sigma):
@@ -234,7 +238,7 @@ def _wrong_part(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
 
 
 def invariant_2(case: Case) -> Violation | None:
-    """I-2: U is the set of unexplored darts at the explored vertices.
+    """Require I-2: U is the set of unexplored darts at the explored vertices.
 
     By I-1 all darts of S's vertices exist, so it is enough that no dart in U is on an edge of S.
     """
@@ -258,7 +262,10 @@ def _half_entered(checkpoint: Checkpoint) -> str | None:
 
 
 def variant(case: Case) -> Violation | None:
-    """The variant t = |E_G| - |E_S| decreases at every checkpoint, and is 0 at the last one."""
+    """Require that the variant t decreases at every checkpoint, and is 0 at the last checkpoint.
+
+    t = |E_G| - |E_S| is the number of edges of the world that are not in S.
+    """
     previous = None
     for steps, checkpoint in case.checkpoints:
         explored = sum(map(ne, count(), checkpoint.alpha))
@@ -277,11 +284,11 @@ def variant(case: Case) -> Violation | None:
 
 
 def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | str:
-    """The dart of the world for each dart of S, or the reason why there is none.
+    """The dart of the world for each dart of S, or the reason why S cannot be embedded.
 
-    If another dart claims a dart in U as its partner (which breaks I-2), the other end of that
-    other dart in the world is the image of the dart in U.
-    Cost: O(|S|).
+    ``dart`` is the robot's dart in the world, the image of ``here``.  A dart in U may be the
+    partner of a dart d that is not in U (which breaks I-2); its image is then the other end of the
+    image of d.  Cost: O(|S|).
     """
     sigma, alpha = checkpoint.sigma, checkpoint.alpha
     size, here = len(sigma), checkpoint.here
@@ -310,7 +317,7 @@ def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Da
 
 
 def first_wrong(case: Case) -> tuple[int, str] | None:
-    """The number of the first checkpoint that breaks an invariant, and its fault in words."""
+    """The number of the first checkpoint that breaks an invariant, and its fault, or None."""
     for number, (steps, checkpoint) in enumerate(case.checkpoints):
         if broken := _half_entered(checkpoint) or _wrong_s(case, steps, checkpoint):
             return number, broken
@@ -322,13 +329,16 @@ def _violation(law: str, expected: str, steps: int, broken: str) -> Violation:
 
 
 Check: TypeAlias = Callable[[Case], Violation | None]
-"""The function of a law: the violation, or None if the law holds."""
+"""The function of a law: it returns the violation, or None if the law holds."""
 
 
 MAPS, FOLDS, BOUNDED = "maps", "folds", "bounded"
-"""The conditions of laws: the task is the map; also, each arrival at v0 determines the robot's
-dart, and no promised property, such as planarity, can make an explorer right without folding; there
-is a bound on the traversals."""
+"""The conditions under which laws apply.
+
+``maps``: the task is the map.  ``folds``: the task is the map, each arrival at v0 determines the
+robot's dart, and no promised property, such as planarity, can make an explorer right without
+folding.  ``bounded``: there is a bound on the traversals.
+"""
 
 IDLE = {
     MAPS: "is about the task map alone",
@@ -336,7 +346,7 @@ IDLE = {
     "elsewhere a promise can make an explorer right that breaks this law",
     BOUNDED: "has no effect where the bound is none; name a bound too",
 }
-"""The reasons why a law has no meaning unless its condition is met."""
+"""For each condition, the reason why a law that needs it cannot be checked without it."""
 
 
 class Law(Struct, frozen=True):
@@ -383,10 +393,10 @@ ASKED = {
     "task": "The answer and the walk must be what the task asks for.",
     **{name: law.asks for name, law in LAWS.items()},
 }
-"""The requirement of each law; the laws outside ``LAWS`` cannot be left out."""
+"""The requirement of each law on an explorer; only the laws in ``LAWS`` can be left out."""
 
 PRECEDENCE = (*ASKED,)
-"""All laws; when several are broken the first is reported."""
+"""The names of all laws; if a run breaks several laws, the first one is reported."""
 
 LawName: TypeAlias = Annotated[str, one_of(*PRECEDENCE)]
 
@@ -398,18 +408,18 @@ JudgedLaw: TypeAlias = Annotated[str, one_of(*JUDGED)]
 
 
 OF_CHECKPOINTS = ("invariant-1", "invariant-2", "variant")
-"""The laws that say nothing of a run without checkpoints."""
+"""The laws that say nothing about a run without checkpoints."""
 
 
 def checked_laws(laws: Iterable[str], runs: int, checkpoints: int) -> tuple[str, ...]:
-    """The laws that were checked, given the numbers of runs and of checkpoints."""
+    """Those of the laws that were checked; without a checkpoint, the laws about them were not."""
     if not runs:
         return ()
     return tuple(law for law in laws if checkpoints or law not in OF_CHECKPOINTS)
 
 
 def first_broken(case: Case, laws: Iterable[Check]) -> Violation | None:
-    """The first broken law, or None if all hold.
+    """The violation of the first broken law; None if all laws hold.
 
     The law ``ambiguity`` is always checked, because no other law is about an answer without a map.
     Cost: O(m) for each law and checkpoint.
