@@ -30,7 +30,7 @@ from allworlds.protocol.choices import Choices
 class Percept(Struct, WrittenByFields, frozen=True, gc=False):
     """Percept.
 
-    All that is sensed at a vertex.
+    All that the robot senses at a vertex.
     """
 
     degree: Annotated[Positive, about("the number of darts")]
@@ -95,12 +95,12 @@ class Write(Struct, frozen=True, gc=False):
     k: int
 
     def __str__(self) -> str:
-        """For example ``write 1``."""
+        """The action in words: for example ``write 1``."""
         return f"write {self.k}"
 
 
 class Wait(Struct, frozen=True, gc=False):
-    """Do nothing in this activation; only in worlds with several robots."""
+    """Do nothing in this activation; legal only in worlds with several robots."""
 
     def __str__(self) -> str:
         """The action in a word: ``wait``."""
@@ -110,7 +110,7 @@ class Wait(Struct, frozen=True, gc=False):
 class Watch(Struct, frozen=True, gc=False):
     """Do nothing, and be activated again once the percept here has changed.
 
-    Only in worlds with several robots.
+    Legal only in worlds with several robots.
     """
 
     def __str__(self) -> str:
@@ -124,17 +124,17 @@ class Do(Struct, frozen=True):
     value: Any
 
     def __str__(self) -> str:
-        """For example ``do first``."""
+        """The action in words: for example ``do first``."""
         return f"do {self.value if isinstance(self.value, str) else json.dumps(self.value)}"
 
 
 class End(Struct, frozen=True):
-    """The end of an automaton, with its answer, as a generator returns it."""
+    """The end of an automaton, with its answer, which a generator would return."""
 
     answer: Any = None
 
     def __str__(self) -> str:
-        """The action in a word, with the answer unless it is a map."""
+        """The action in words: ``end``, and the answer unless it is None."""
         return "end" if self.answer is None else f"end: {self.answer}"
 
 
@@ -142,13 +142,13 @@ Action: TypeAlias = Move | Drop | Pick | Write
 """The values that an explorer may yield, besides a checkpoint."""
 
 DROP, PICK, WRITE = -1, -2, -3
-"""The numbers of the actions but motions; ``Write(k)`` has the number ``WRITE - k``."""
+"""The numbers of all actions other than motions; ``Write(k)`` has the number ``WRITE - k``."""
 
 _MOVES = tuple(Move(k) for k in range(64))
 
 
 def action_numbered(number: int) -> Action:
-    """The action of a number; equal small motions are one object."""
+    """The action with this number: a motion from 0 on; equal small motions are one object."""
     if 0 <= number < len(_MOVES):
         return _MOVES[number]
     if number >= 0:
@@ -161,7 +161,7 @@ def action_numbered(number: int) -> Action:
 class RootedMap(Document):
     """Rooted map.
 
-    A map, and where the robot is in it.
+    A map, and the robot's place in it.
     """
 
     sigma: Sigma
@@ -174,7 +174,7 @@ class Estimate:
     """A map of the world and the robot's dart in it.
 
     ``here`` is the dart of ``map`` that stands for the robot's latest dart of arrival (at the
-    start: for the dart that it faces).  The judge validates these values, not this class.
+    start: for the dart that it faces).  This class does not check ``here``; the judge does.
     """
 
     map: CombinatorialMap
@@ -186,7 +186,7 @@ class Estimate:
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> "Estimate":
-        """The estimate that :meth:`to_json` has written; other keys are ignored.
+        """The estimate that :meth:`to_json` has written; unknown keys are ignored.
 
         Raises:
             InputError: if there is no map, or ``here`` is not one of its darts.
@@ -201,8 +201,8 @@ class Estimate:
 class Ambiguous(WrittenByFields):
     """Rooted quotient.
 
-    The most that a robot with position only can know of its world, and where it is in it.
-    Nothing is validated here.
+    The most that a robot with position only can know of its world, and of its own place there.
+    This class checks no value; the judge does.
     """
 
     sigma: Annotated[Entries[Dart], about("for each dart the next one clockwise round its vertex")]
@@ -219,8 +219,8 @@ class Checkpoint:
     """The paper's S and U after a pass, shown to the judge.
 
     It holds the darts known so far: ``alpha[d] == d`` marks an open dart, and U is the set of the
-    open darts; ``here`` is the robot's dart.  To yield it costs nothing; the reply is None.  A
-    transcript does not contain it, and it must not influence the walk.
+    open darts; ``here`` is the robot's dart.  To yield a checkpoint costs nothing; the reply is
+    None.  A transcript does not contain checkpoints, and they must not influence the walk.
     """
 
     sigma: Sequence[int]
@@ -260,7 +260,7 @@ class Picked(Document, forbid_unknown_fields=False):
 
 
 class Wrote(Document, forbid_unknown_fields=False):
-    """A number written."""
+    """A row of a transcript: a number is written."""
 
     write: Annotated[Natural, about("the number")]
     percept: Annotated[Percept, about("what was sensed then")]
@@ -321,7 +321,7 @@ class Transcript(Paged):
 
 
 def _said(action: Action) -> dict[str, Any]:
-    """The action as keys of a row; see :class:`Moved` and the classes after it."""
+    """The action as keys of a row of a transcript, as in :class:`Moved`."""
     match action:
         case Move(k):
             return {"move": k}
@@ -331,7 +331,7 @@ def _said(action: Action) -> dict[str, Any]:
 
 
 def action_from_json(row: object) -> Any:
-    """The action that a JSON object holds, or None; other keys are ignored."""
+    """The action that a JSON object holds, or None; unknown keys are ignored."""
     match row:
         case {"move": int() as k} if not isinstance(k, bool):
             return Move(k)
@@ -352,11 +352,11 @@ def action_from_json(row: object) -> Any:
 
 
 Told: TypeAlias = int | Mapping[str, int] | None
-"""The number, or the numbers by their names, that an explorer is told before the start."""
+"""The number, or the numbers by their names, that an explorer is told before the start; or None."""
 
 
 class Player(Protocol):
-    """An explorer ready to run: its optional keywords are already bound."""
+    """An explorer ready to run: values are already bound to its other keywords."""
 
     def __call__(self, first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
         """Return the generator of one run."""
@@ -375,7 +375,7 @@ class ExplorerFault(Exception):
 
     Attributes:
         law: the broken law.
-        seen: a sentence about the event.
+        seen: a sentence about what happened instead.
         detail: for example the tail of the program's stderr; may be empty.
         machine: whether the machine, not the program, may be the cause.
     """
@@ -395,4 +395,4 @@ class IllegalAction(ValueError):
 
 
 class BeyondRecord(Exception):
-    """Raised at the end of recorded percepts, where the first play has made no action."""
+    """Raised for an action after the last recorded percept, where the first play made no action."""

@@ -23,14 +23,14 @@ KINDS: tuple[Kind, ...] = get_args(Kind)
 
 
 class Policy(Protocol):
-    """A policy answers choices, given the number of options, their kind and their costs."""
+    """A policy decides choices, given the number of options, their kind and their costs."""
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
-        """Return an index below ``len(options)``; any integer if that is 0."""
+        """Return an index below ``len(options)``; any integer if there are no options."""
 
 
 class Fifo:
-    """Take the first option: the dart that came into S first, the cheapest way."""
+    """Take the first option: of darts the one that came into S first, of paths a shortest one."""
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
         """Return 0."""
@@ -38,7 +38,7 @@ class Fifo:
 
 
 class Lifo:
-    """Take the dart that came into S last; other kinds as in :class:`Fifo`."""
+    """Take the dart that came into S last; for other kinds of choices as :class:`Fifo`."""
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
         """Return the last index for the kind ``edge``, and 0 for other kinds."""
@@ -46,7 +46,7 @@ class Lifo:
 
 
 class Nearest:
-    """Take the first dart with the shortest walk; other kinds as in :class:`Fifo`."""
+    """Take the first dart with the shortest walk; for other kinds of choices as :class:`Fifo`."""
 
     def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
         """Return the index of the first cheapest option for ``edge``, and 0 for other kinds."""
@@ -57,7 +57,7 @@ class Nearest:
 
 
 class Seeded:
-    """Take a random option for every kind, by a seed; equal on all machines."""
+    """Take a random option for every kind; a seed determines the draws, equally on all machines."""
 
     def __init__(self, seed: str) -> None:
         self._random = Random(seed)  # noqa: S311  # reproducible, not secret
@@ -101,12 +101,12 @@ class Choices:
 
     Args:
         policy: the policy (default :class:`Fifo`).
-        script: the indices for the first choices; after them, or if one is out of range, the policy
-            decides.
+        script: the indices for the first choices; after these choices, or if an index is out of
+            range, the policy decides.
 
     Attributes:
         record: the index taken at each choice so far.
-        widths: the number of options at each choice, if every schedule is tried.
+        widths: the number of options at each choice; empty unless every schedule is tried.
     """
 
     def __init__(self, policy: Policy | None = None, script: Sequence[int] = ()) -> None:
@@ -116,7 +116,7 @@ class Choices:
         self.widths: list[int] = []
 
     def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:
-        """One of the options.
+        """Return one of the options.
 
         Args:
             options: the options, in the canonical order of S; not empty.
@@ -170,7 +170,10 @@ def _check_costs(options: Sized, cost: Sequence[int]) -> None:
 
 
 def are_due(script: Sequence[int], record: Sequence[int], widths: Sequence[int]) -> bool:
-    """Whether these are the choices of the script, and all later ones are 0."""
+    """Whether the recorded choices are those of the script, followed by 0 at all later choices.
+
+    It is also false unless ``widths`` has the number of options of every choice.
+    """
     length = max(len(script), len(record))
     due = (*script, *(0,) * (length - len(script)))
     return tuple(record) == due and len(widths) == len(record)
@@ -179,7 +182,10 @@ def are_due(script: Sequence[int], record: Sequence[int], widths: Sequence[int])
 def next_script(
     script: Sequence[int], record: Sequence[int], widths: Sequence[int]
 ) -> tuple[int, ...] | None:
-    """The script of the next schedule; None after the last one, or if the run is of another."""
+    """The script of the next schedule after this run; None if this was the last schedule.
+
+    None also if the run did not follow ``script``, as :func:`are_due` tells.
+    """
     if not are_due(script, record, widths):
         return None
     for turn in reversed(range(len(record))):
@@ -189,10 +195,10 @@ def next_script(
 
 
 class ScheduledChoices(Choices):
-    """The choices of one schedule among all, which also record the number of options.
+    """The choices of one schedule, where every schedule is tried; the numbers of options are recorded.
 
     Args:
-        script: the indices for the first choices; all later ones are 0.
+        script: the indices for the first choices; all later indices are 0.
     """
 
     def __init__(self, script: Sequence[int]) -> None:
@@ -213,4 +219,4 @@ class ScheduledChoices(Choices):
 
 
 Schedule: TypeAlias = Literal["one", "all"]
-"""The schedules of a run: only the policy's, or all."""
+"""The schedules of a run that are tried: ``one``, that of the policy, or ``all``."""

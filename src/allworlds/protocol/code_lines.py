@@ -23,10 +23,12 @@ UserLine: TypeAlias = tuple[str, int]
 NOWHERE: UserLine = ("", 0)
 
 ONCE = "once"
-"""The value, in place of True, that asks for lines without the turns in which they run."""
+"""The value, in place of True, that asks for the lines that run, but not for their turns."""
 
 LATELY, BUSIEST = 1000, 5
-"""The number of last turns of a play whose lines are counted, and of those lines that are told."""
+"""The number of last turns in which the runs of each line are counted, and the number of busiest lines
+that are told.
+"""
 
 _OURS = (__file__.rpartition("protocol")[0], sysconfig.get_path("stdlib"))
 
@@ -39,11 +41,11 @@ def is_users(file: str) -> bool:
 
 
 class TracedPlay:
-    """A player's generator that notes lines; it has those methods of generators that a play needs.
+    """A player's generator that notes lines; it has the methods of generators that a play needs.
 
     Attributes:
         turns: for each turn whether it showed a checkpoint, and the line of its ``yield``; the last
-            entry is the line where the explorer ended, if it did.
+            entry is the line where the explorer ended, if it ended.
         ran: the lines that have run.
         lately: for each of the last turns the number of times that each line ran.
     """
@@ -56,7 +58,7 @@ class TracedPlay:
         self._walk: Generator[Any, Any, Any]
 
     def player(self, player: actions.Player) -> Any:
-        """The player whose only run is traced here."""
+        """The given player, in a form whose only run is traced here."""
 
         def play(*told: Any) -> Any:
             self._walk = player(*told)
@@ -65,7 +67,7 @@ class TracedPlay:
         return play
 
     def send(self, reply: Any) -> Any:
-        """Go on to the next message; afterwards an earlier trace function is set again."""
+        """Send the reply, return the next message; the trace function from before is set again."""
         self.lately.append(Counter())
         before = sys.gettrace()
         sys.settrace(self._trace)
@@ -99,7 +101,7 @@ class TracedPlay:
         return sorted(every, key=lambda line: (-every[line], line))[:BUSIEST]
 
     def _end(self, error: BaseException) -> UserLine:
-        """The innermost of the user's lines that raised; after a return the line that was left."""
+        """The innermost of the user's lines that raised; after a return, the line that returned."""
         line, frames = self._left, error.__traceback__
         while frames and not isinstance(error, StopIteration):
             if is_users(frames.tb_frame.f_code.co_filename):
@@ -109,7 +111,7 @@ class TracedPlay:
 
 
 class LinesPlay(TracedPlay):
-    """A player's generator that notes each line that runs once, and notes no turns.
+    """A player's generator that notes which lines run, but not how often, nor in which turn.
 
     A function is no longer traced once all its lines have run: a play takes some 3 times as long,
     with a :class:`TracedPlay` some 8 times as long (Algorithm 1, up to 60 edges).
@@ -157,5 +159,5 @@ def _yielding(walk: Any) -> UserLine:
 
 
 def written(plays: Sequence[TracedPlay]) -> bytes:
-    """Traced plays as bytes for a message."""
+    """Traced plays as bytes for a message: of each the turns, the lines and the busiest lines."""
     return json.dumps([(one.turns, sorted(one.ran), one.busiest()) for one in plays]).encode()

@@ -89,7 +89,10 @@ def _look_last(folder: str) -> None:
 
 
 def module_of_text(where: str, source: SourceText, name: str = "") -> Any:
-    """A new module with that text and name; the default is the name of the file."""
+    """A new module with that text and name; the default is the name of the file.
+
+    ``where`` names the module in errors.
+    """
     folder, _, file = source.path.rpartition(os.sep)
     _look_last(folder or os.sep)
     # A file may have the name of a loaded module, which it must not replace.
@@ -131,7 +134,7 @@ def _as_module(path: str) -> str:
 
 
 def imported(name: str, importing: Callable[[], Any]) -> Any:
-    """The result of an import, or an error in one line.
+    """The result of the function ``importing``, which imports something; an error gets one line.
 
     Raises:
         InputError: naming the code that cannot be imported.
@@ -152,7 +155,7 @@ def attempted(what: str, act: Callable[[], T], kind: type[InputError] = InputErr
         kind: the class of the error.
 
     Raises:
-        InputError: beginning with these words, if the model raises.
+        InputError: beginning with ``what``, if the model raises.
     """
     with exit_code_kept():
         return _tried(what, act, kind)
@@ -183,10 +186,10 @@ def said(error: BaseException) -> str:
 
 
 def attribute_of(module: Any, attribute: str, where: str) -> Any:
-    """The attribute of a module, or by a dotted name an attribute of an attribute.
+    """The attribute of a module; a dotted name leads on to an attribute of this attribute.
 
     Raises:
-        InputError: if there is no such attribute.
+        InputError: if there is no such attribute; it names ``where``.
     """
     value = module
     for part in attribute.split("."):
@@ -243,7 +246,7 @@ def _percept_alone(first: object) -> None:
 
 
 def signature_of(explore: Callable[..., Any]) -> inspect.Signature:
-    """The signature of an explorer; if Python cannot tell it, one with the percept alone."""
+    """The signature of an explorer; if Python cannot tell it, that of a lone percept."""
     try:
         return inspect.signature(explore)
     except (TypeError, ValueError):
@@ -251,7 +254,7 @@ def signature_of(explore: Callable[..., Any]) -> inspect.Signature:
 
 
 def called(name: str, factory: Any, arguments: Mapping[str, Argument]) -> Any:
-    """The result of a factory for the arguments of a name; the object itself if there are none.
+    """The result of ``factory`` for the arguments of a name; ``factory`` itself without arguments.
 
     Raises:
         InputError: if the factory does not take these arguments, or raises.

@@ -20,39 +20,43 @@ from allworlds.protocol import actions
 from allworlds.protocol.choices import Choices
 
 FREE = 10
-"""The number of free actions that are legal for each traversal of the budget, and in addition to
-them.  Without a limit an explorer could drop and pick for ever."""
+"""The number of free actions (markers, written numbers) that are legal for each traversal of the
+budget, and once more in addition.  Without a limit an explorer could drop and pick for ever.
+"""
 
 LONGEST = 20_000
 """The largest number of characters of a traceback that are kept."""
 
 FRAMES = 50
-"""The number of innermost frames of a traceback that are kept.  An endless recursion has a thousand
-in each play of each run."""
+"""The number of innermost frames of a traceback that are kept.  An endless recursion would have a
+thousand frames in each play of each run.
+"""
 
 MOST_DARTS = 2 * checks.LARGEST_SIZE
 """The largest number of darts in an answer, or twice the step budget if that is larger."""
 
 AN_ESTIMATE = "Estimate(map, here) with a dart of the map"
-"""The expectation of an answer that is not a quotient, in the words of findings."""
+"""The legal answer, unless it is a quotient, in the words of findings."""
 
 A_QUOTIENT = "Ambiguous(sigma, alpha, degree, marks, here): a connected rooted quotient"
-"""The expectation of a quotient."""
+"""The legal quotient, in the words of findings."""
 
 A_VALUE = "an Estimate, or an answer that JSON has"
-"""The expectation of an answer if the task allows any."""
+"""The legal answer if the task allows any answer, in the words of findings."""
 
 NO_MAP, BUILT = "no map: ", "built "
-"""The first words of the text about a map that cannot be built, and about its line of code."""
+"""The first words of the text about a map that cannot be built, and of the text about the line of
+code that built it.
+"""
 
 AN_ACTION = "an action, or an estimate at the end"
 
 _OF_MAPS = sys.modules[CombinatorialMap.__module__].__file__.rpartition("combinatorial")[0]  # type: ignore[union-attr]
-"""The folder of the code that raises InvalidMap; the explorer's own line is outside."""
+"""The folder of the code that raises InvalidMap; the explorer's own line is in another folder."""
 
 
 class Surroundings(Protocol):
-    """The surroundings of an explorer: a world, or recorded percepts in place of one.
+    """What answers an explorer's actions: a world, or recorded percepts in place of a world.
 
     Attributes:
         first: the percept before any action.
@@ -73,10 +77,10 @@ class Surroundings(Protocol):
         """Return whether the run ends here."""
 
     def move(self, k: int) -> actions.Percept:
-        """Return a copy of the percept after a motion below the degree."""
+        """Return a copy of the percept after a motion ``k``, which is below the degree."""
 
     def act(self, action: actions.Drop | actions.Pick | actions.Write) -> actions.Percept:
-        """Return the percept after an action; raise IllegalAction for one that is illegal."""
+        """Return the percept after an action; raise IllegalAction if the action is illegal."""
 
 
 def play_run(
@@ -95,14 +99,14 @@ def play_run(
         around: the surroundings, which answer the actions.
         player: the explorer.
         choices: the choices, for an explorer that takes choices.
-        budget: the largest legal number of traversals; one checkpoint more is legal.
-        beat: shared numbers; ``beat[1]`` grows at each turn of the explorer, and is 0 after its
-            end, so that another process can notice silence.
+        budget: the largest legal number of traversals; ``budget + 1`` checkpoints are legal.
+        beat: shared numbers; ``beat[1]`` grows at each turn of the explorer, and is 0 after the
+            run, so that another process can notice silence.
         any_answer: whether the task allows other answers than estimates.
         hear: the function that gets the log so far before each turn, or None.
 
     Raises:
-        InputError: by a model of the user's that answers the explorer.
+        InputError: if a user's model, such as a lighthouse, raises it when it answers the explorer.
 
     Cost: linear in the steps, and the explorer's own cost.
     """
@@ -146,14 +150,14 @@ class _Turns(Struct):
     _shown: int = 0
 
     def note_choices(self) -> None:
-        """Write the choices since the latest turn to the log."""
+        """Write the choices since the last call of this method to the log."""
         record, widths = self.choices.record, self.choices.widths
         for i in range(self._noted, len(record)):
             self.log += entries.choice(record[i], widths[i] if i < len(widths) else 0)
         self._noted = len(record)
 
     def play(self, generator: Generator[Any, Any, Any]) -> None:
-        """Play until a fault or until the task is done; StopIteration brings the answer."""
+        """Play until a fault or until the task is done; the answer comes as a StopIteration."""
         around, log, beat, record = self.around, self.log, self.beat, self.choices.record
         send, move, add, hear = generator.send, around.move, log.append, self.hear
         left, free, turn = self.budget, FREE * (self.budget + 1), 1
@@ -206,7 +210,7 @@ class _Turns(Struct):
         return None
 
     def _integer(self, message: actions.Move | actions.Write) -> int | None:
-        """The number of an action; None if it is no integer, and then note it in the log."""
+        """The number ``k`` of an action; None if it is no integer, which the log then says."""
         try:
             return checks.integer(message.k)
         except BaseException as error:  # noqa: BLE001  # __index__ is the explorer's code
@@ -218,7 +222,10 @@ class _Turns(Struct):
     def _act(
         self, action: actions.Drop | actions.Pick | actions.Write, free: int
     ) -> actions.Percept | None:
-        """The percept after an action but a motion; None if the action ends the run."""
+        """The percept after an action that is no motion; None if the action ends the run.
+
+        ``free`` is the number of free actions that are still legal.
+        """
         log = self.log
         if type(action) is actions.Write:
             number = self._integer(action)
@@ -264,7 +271,7 @@ class _Turns(Struct):
 
 
 def illegal(expected: str, message: object) -> bytes:
-    """The entry of a message that is no action."""
+    """The entry in the log of a message that is no legal action."""
     return entries.fault("illegal-action", expected, checks.show(message))
 
 
@@ -276,7 +283,7 @@ class TooManyDarts(ValueError):
 
 
 def answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
-    """The entry of an answer, whose class may be a subclass, and whose parts may be wrong.
+    """The entry in the log of an answer, which may be any value, with wrong values inside.
 
     Args:
         answer: any value.
@@ -303,7 +310,7 @@ def answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
 
 
 def any_answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
-    """The entry of an answer if the task allows any: an estimate or a JSON value."""
+    """The entry in the log of any answer: an estimate, a quotient, or a JSON value."""
     if type(answer) in (actions.Estimate, actions.Ambiguous):
         return answer_entry(answer, most)
     try:
@@ -333,7 +340,10 @@ def integers(values: Iterable[object], most: int = MOST_DARTS) -> tuple[int, ...
 
 
 def raised(error: BaseException, own: int = 2) -> bytes:
-    """The entry of an explorer that has raised; the first ``own`` frames are not the explorer's."""
+    """The entry in the log for an explorer that has raised an exception.
+
+    The first ``own`` frames of the traceback are not the explorer's, and are left out.
+    """
     checks.let_users_interrupt(error)
     if type(error) is actions.ExplorerFault and error.law in entries.LAWS:
         words = AN_ACTION, error.seen, error.detail
@@ -357,7 +367,7 @@ def raised(error: BaseException, own: int = 2) -> bytes:
 
 
 def _no_map(error: InvalidMap) -> bytes:
-    """The entry of an explorer that raised InvalidMap while it built its answer."""
+    """The entry in the log for an explorer that raised InvalidMap while it built its answer."""
     built = [
         f"{BUILT}in {frame.filename}, line {frame.lineno}, in {frame.name}: {frame.line}"
         for frame in traceback.extract_tb(error.__traceback__)
@@ -383,11 +393,12 @@ def closed(generator: Generator[Any, Any, Any] | None) -> None:
 class TableWorld:
     """A world as a table with five numbers for each dart; for lighthouses that never change.
 
-    The numbers are the first dart of its vertex, whose darts are consecutive and clockwise, the
-    other dart of its edge, and the percept: degree, marks, and the bearing plus 1, or 0 for none.
+    The numbers of a dart are: the first dart of its vertex, whose darts are consecutive and
+    clockwise; the other dart of its edge; and the percept: degree, marks, and the bearing plus 1,
+    or 0 without a bearing.
 
     Args:
-        table: the numbers, as bytes if all are small; the start is dart 0.
+        table: the numbers, as bytes if none is above 255; the start is dart 0.
         told: the value that is told before the start.
     """
 
@@ -417,7 +428,8 @@ class Record:
     """The percepts of an earlier play, in place of a world.
 
     Args:
-        sensed: three numbers for each percept, as in a table.
+        sensed: three numbers for each percept: degree, marks, and the bearing plus 1, or 0 without
+            a bearing.
         told: the value that is told before the start.
         over: whether the task ends the run after the last percept.
     """
@@ -432,15 +444,15 @@ class Record:
 
     @property
     def over(self) -> bool:
-        """Whether the task was done here."""
+        """Whether the last percept was given, and the task ended the run there."""
         return self._ends and not length_hint(self._left)
 
 
 def _recorded(percepts: Iterable[actions.Percept]) -> Generator[actions.Percept, Any, None]:
-    """Yield the first percept, and then the next one after each action that is sent.
+    """Yield the first percept, and then the next percept after each action that is sent.
 
     Raises:
-        BeyondRecord: after the last one.
+        BeyondRecord: for an action after the last percept.
     """
     for percept in percepts:  # noqa: UP028  # a list takes no actions
         yield percept
@@ -450,13 +462,13 @@ def _recorded(percepts: Iterable[actions.Percept]) -> Generator[actions.Percept,
 def percept_of(degree: int, marks: int, bearing: int) -> actions.Percept:
     """The percept of three numbers; the third is the bearing plus 1, or 0 without a bearing.
 
-    It is a new object each time, so that an explorer may change it without an effect.
+    It is a new object each time, so that changes by an explorer have no effect.
     """
     return actions.Percept(degree, marks, bearing - 1 if bearing else None)
 
 
 def numbers_of(percepts: Iterable[actions.Percept]) -> bytes | tuple[int, ...]:
-    """The numbers of percepts."""
+    """The three numbers of each percept, as :func:`percept_of` takes them, one after the other."""
     numbers = [
         number
         for p in percepts
@@ -466,7 +478,7 @@ def numbers_of(percepts: Iterable[actions.Percept]) -> bytes | tuple[int, ...]:
 
 
 def packed(numbers: Sequence[int]) -> bytes | tuple[int, ...]:
-    """The numbers, as bytes if all are small."""
+    """The numbers, as bytes if all are from 0 to 255, else as a tuple."""
     try:
         return bytes(numbers)
     except ValueError:

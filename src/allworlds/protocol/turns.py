@@ -25,17 +25,20 @@ ALIVE = 100_000
 """The largest number of runs that are kept alive."""
 
 Sensed: TypeAlias = tuple[int, ...] | bytes
-"""A percept in a message: the numbers of a :class:`Percept`, or a value as canonical JSON."""
+"""A percept in a message: the numbers of a :class:`Percept`, or a JSON value as canonical text."""
 
 NumberedTurn: TypeAlias = tuple[int, int, Any]
-"""A turn: its number, the number of the turn (of an automaton: of the memory) before it, and the
-percept; at the beginning, :data:`BEGIN` and the told value stand in their places."""
+"""A turn: its number, the number of the turn before it, and the percept.
+
+For an automaton the second number is that of the memory before the turn.  In the first turn of a
+history the second number is :data:`BEGIN`, and the told value takes the place of the percept.
+"""
 
 BEGIN = -1
 """The number before the first turn."""
 
 ACTION, ENDED, FAULT = "aef"
-"""The letters of a program's words: an action, its answer, or a fault as in a log."""
+"""The letters of a program's words: an action, the program's answer, or a fault as in a log."""
 
 LEGAL = "a Move, Drop, Pick, Write, Wait, Watch, Do or Checkpoint"
 
@@ -47,20 +50,22 @@ class Automaton:
     Attributes:
         start: the memory at the start, any hashable value; or a function from the told value to
             this memory.
-        step: the function ``step(memory, percept) -> (memory, action)``.  ``End(answer)`` ends it.
+        step: the function ``step(memory, percept) -> (memory, action)``.  The action
+            ``End(answer)`` ends the program.
 
-    For finite automata everything can be decided for all time.  ``check`` takes it as an explorer.
+    For automata with finitely many memories a search can decide about infinite runs.  ``check``
+    takes an automaton as an explorer.
     """
 
     start: Any
     step: Callable[[Any, Any], tuple[Any, Any]]
 
     def begun(self, told: Any) -> Any:
-        """The memory at the start."""
+        """The memory at the start, for this told value."""
         return self.start(told) if callable(self.start) else self.start
 
     def __call__(self, first: Any, *, told: Any = None) -> Generator[Any, Any, Any]:
-        """Play as an explorer does."""
+        """Play as an explorer: the generator yields the actions, and returns the answer."""
         memory, percept = self.begun(told), first
         while True:
             memory, action = self.step(memory, percept)
@@ -75,8 +80,9 @@ class Turns:
     Args:
         explore: the function of the program, or an automaton.
         player: the same program in the form of a player.
-        beat: ``beat[0]`` is the turn, ``beat[1]`` grows with each percept, and is 0 at the end.
-        keeps: whether runs are kept alive; a program behind a pipe has one run at a time.
+        beat: numbers that other processes can read; ``beat[0]`` is the index of the turn,
+            ``beat[1]`` grows with each percept in this turn, and is 0 at the end.
+        keeps: whether several runs are kept alive; a program behind a pipe has one run at a time.
     """
 
     def __init__(
@@ -98,11 +104,11 @@ class Turns:
         self._numbers: dict[Any, int] = {}
 
     def replies(self, turns: Sequence[NumberedTurn], *, known: bool = False) -> list[bytes]:
-        """The words of the program in each turn, as bytes of :func:`said`.
+        """The words of the program in each turn, each as bytes that :func:`said` reads.
 
         Args:
             turns: the turns, in their order.
-            known: whether these turns were answered before, so that no answer is needed.
+            known: whether these turns were answered before; then the words of generators are empty.
         """
         found = []
         for index, turn in enumerate(turns):
@@ -116,9 +122,10 @@ class Turns:
         return found
 
     def plays(self, histories: Sequence[tuple[Any, Sequence[Sensed]]]) -> list[bytes]:
-        """All words of the program in each history, which is a told value and percepts.
+        """All words of the program in each history, which is a told value and the percepts after it.
 
-        These histories are not kept, but the memories of an automaton are numbered.
+        Each element is a list of bytes that :func:`said` reads, as bytes of :mod:`marshal`.  The
+        histories are not kept, but the memories of an automaton are numbered.
         """
         found = []
         for index, (told, history) in enumerate(histories):
@@ -146,7 +153,7 @@ class Turns:
     # ---------------------------------------------------------------- automata
 
     def _step(self, _number: int, memory: int, sensed: Any) -> bytes:
-        """The number of the memory after a step, and the action."""
+        """The words of an automaton in a turn, with the number of the memory after it."""
         try:
             if memory == BEGIN:
                 after, letter, words = self._explore.begun(told_of(sensed)), ACTION, None
@@ -175,7 +182,7 @@ class Turns:
             self._before[number], self._sensed[number] = before, sensed
 
     def _turn(self, number: int) -> bytes:
-        """The words of the program at the end of a history."""
+        """The words of a generator in the turn of this number, at the end of a history."""
         generator = self._alive.pop(self._before[number], None)
         history, at = [self._sensed[number]], self._before[number]
         while generator is None and at in self._before:
@@ -211,7 +218,7 @@ class Turns:
 
 
 def percept_of(sensed: Sensed) -> Any:
-    """The percept that a program gets; of a JSON value it gets its own copy."""
+    """The percept that a program gets; a JSON value is copied for it."""
     return json.loads(sensed) if isinstance(sensed, bytes) else _percept(*sensed)
 
 
@@ -226,17 +233,20 @@ def told_of(told: bytes | None) -> Any:
 
 
 def marshalled(number: int, letter: str, words: Any) -> bytes:
-    """The words of a program, as bytes: see :func:`said`."""
+    """The words of a program, as bytes that :func:`said` reads."""
     return marshal.dumps((number, letter, words))
 
 
 def said(answer: bytes) -> tuple[int, str, Any]:
-    """The number of the memory, the letter, and the words, read from these bytes."""
+    """The number of the memory (0 for generators), the letter and the words in these bytes."""
     return marshal.loads(answer)  # type: ignore[no-any-return]  # noqa: S302  # of our own process
 
 
 def _action(message: Any) -> tuple[str, Any]:
-    """The letter and the words of an action: a number, or JSON in a text."""
+    """The letter and the words of an action: the number of a motion, or JSON in a text.
+
+    If the message is no action, the letter is :data:`FAULT`, and the words are the entry of a log.
+    """
     kind = type(message)
     try:
         if kind is actions.Move:
@@ -256,7 +266,7 @@ def _action(message: Any) -> tuple[str, Any]:
 
 @lru_cache(maxsize=1 << 12)
 def action_of(words: int | str) -> Any:
-    """The action, read from its words."""
+    """The action, read from the words that :func:`_action` makes."""
     if isinstance(words, int):
         return actions.Move(words)
     return actions.action_from_json(json.loads(words))

@@ -36,7 +36,7 @@ class OtherText(InputError):
 
 
 class Role(Struct, frozen=True):
-    """A purpose of users' code.
+    """A role of users' code, such as a task or a lighthouse.
 
     Attributes:
         noun: the noun for messages.
@@ -80,7 +80,7 @@ class Role(Struct, frozen=True):
         """The code of a function or class that other processes can import.
 
         Raises:
-            InputError: if they cannot import it.
+            InputError: if other processes cannot import it.
         """
         module, name = getattr(given, "__module__", None), getattr(given, "__qualname__", "")
         if module in (None, "__main__") or not name or "<" in name:
@@ -103,7 +103,7 @@ class UserCode(Struct, frozen=True):
 
     Attributes:
         name: the name, as the user wrote it.
-        role: its purpose.
+        role: the role of the code.
         source: the text of its file; None for a module that is imported.
         digest: SHA-256 of the text; another digest at loading is bad input.
     """
@@ -130,12 +130,12 @@ class UserCode(Struct, frozen=True):
 
     @property
     def recorded(self) -> bool:
-        """Whether its text comes from a record, not from a file; see :func:`as_recorded`."""
+        """Whether the text comes from a record, not from a file; see :func:`as_recorded`."""
         return self.plain in _RECORDED.get()
 
     @property
     def record(self) -> str:
-        """The text, or the digest of a module, by which it is recognised and loaded later."""
+        """The text, or for a module its digest, by which the code is recognised later."""
         return self.source.text if self.source else self.digest
 
     def ensure_recorded(self, digest: object) -> None:
@@ -156,19 +156,19 @@ class UserCode(Struct, frozen=True):
 
     @property
     def files(self) -> frozenset[Path]:
-        """The files that run when it is loaded: its own, and the files of its imports."""
+        """The files that run when the code is loaded: its own, and the files of its imports."""
         return frozenset({self.file.resolve(), *_loaded(self.bare).brought})
 
     def load(self) -> Any:
         """The object for which the plain name stands; a file runs once in a process.
 
         Raises:
-            InputError: if it cannot be imported, or has another text here.
+            InputError: if the object cannot be imported, or has another text here.
         """
         return _loaded(self.bare).object
 
     def made(self) -> Any:
-        """The object itself, or what it returns for the arguments of the name.
+        """The object for which the plain name stands, called with the arguments of the name, if any.
 
         Raises:
             InputError: if the object does not take these arguments, or raises.
@@ -180,7 +180,7 @@ class UserCode(Struct, frozen=True):
         """The function for which the name stands; it is made once in a process.
 
         Raises:
-            InputError: if it cannot be loaded, or is no function.
+            InputError: if the function cannot be loaded, or the object is no function.
         """
         return _function(self)
 
@@ -200,7 +200,7 @@ class LocalCode(Struct, frozen=True):
     """A user's function that exists only in this process.
 
     Attributes:
-        role: its purpose.
+        role: the role of the function.
         function: the function.
     """
 
@@ -274,7 +274,7 @@ _RECORDED: ContextVar[Mapping[str, str]] = ContextVar("recorded", default=Mappin
 
 @contextmanager
 def as_recorded(texts: Mapping[str, str]) -> Iterator[None]:
-    """Find the code of these names as it was recorded, even if its file has changed.
+    """A context in which these names stand for the recorded code, even if its file has changed.
 
     Args:
         texts: :attr:`UserCode.record` of the code, by its name without arguments.
@@ -287,7 +287,7 @@ def as_recorded(texts: Mapping[str, str]) -> Iterator[None]:
 
 
 def recorded(plain: str) -> str | None:
-    """The text that was recorded under that name, within :func:`as_recorded`; else None."""
+    """The text that was recorded under this plain name, inside :func:`as_recorded`; else None."""
     return _RECORDED.get().get(plain)
 
 
@@ -324,7 +324,7 @@ def digest_of_file(file: Path) -> str:
     """SHA-256 of a file, in hexadecimal.
 
     Raises:
-        InputError: if it cannot be read.
+        InputError: if the file cannot be read.
     """
     try:
         with file.open("rb") as stream:

@@ -463,7 +463,7 @@ def tell_bound(story: Story) -> Telling:
 
 
 def tell_whose_bound(finding: Finding) -> list[str]:
-    """Tell the other laws that hold, where the bound comes from, and an option that helps, if known."""
+    """Tell the other laws that hold, where the bound comes from, and an option that helps."""
     others = [law for law in finding.rules.applying if law != "bound"]
     rest = f"every other law that was checked holds: {listed(others)}" if others else ""
     if {"map", "pose"} <= {*others}:
