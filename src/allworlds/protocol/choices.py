@@ -195,7 +195,7 @@ def next_script(
 
 
 class ScheduledChoices(Choices):
-    """The choices of one schedule, where every schedule is tried; the numbers of options are recorded.
+    """The choices of one schedule, if every schedule is tried; they record the number of options.
 
     Args:
         script: the indices for the first choices; all later indices are 0.

@@ -26,9 +26,8 @@ ONCE = "once"
 """The value, in place of True, that asks for the lines that run, but not for their turns."""
 
 LATELY, BUSIEST = 1000, 5
-"""The number of last turns in which the runs of each line are counted, and the number of busiest lines
-that are told.
-"""
+"""The number of last turns in which the runs of each line are counted, and the number of lines with
+most runs that are told."""
 
 _OURS = (__file__.rpartition("protocol")[0], sysconfig.get_path("stdlib"))
 

@@ -21,16 +21,14 @@ from allworlds.protocol.choices import Choices
 
 FREE = 10
 """The number of free actions (markers, written numbers) that are legal for each traversal of the
-budget, and once more in addition.  Without a limit an explorer could drop and pick for ever.
-"""
+budget, and once more in addition.  Without a limit an explorer could drop and pick for ever."""
 
 LONGEST = 20_000
 """The largest number of characters of a traceback that are kept."""
 
 FRAMES = 50
 """The number of innermost frames of a traceback that are kept.  An endless recursion would have a
-thousand frames in each play of each run.
-"""
+thousand frames in each play of each run."""
 
 MOST_DARTS = 2 * checks.LARGEST_SIZE
 """The largest number of darts in an answer, or twice the step budget if that is larger."""
@@ -46,8 +44,7 @@ A_VALUE = "an Estimate, or an answer that JSON has"
 
 NO_MAP, BUILT = "no map: ", "built "
 """The first words of the text about a map that cannot be built, and of the text about the line of
-code that built it.
-"""
+code that built it."""
 
 AN_ACTION = "an action, or an estimate at the end"
 

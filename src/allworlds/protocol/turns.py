@@ -122,7 +122,7 @@ class Turns:
         return found
 
     def plays(self, histories: Sequence[tuple[Any, Sequence[Sensed]]]) -> list[bytes]:
-        """All words of the program in each history, which is a told value and the percepts after it.
+        """All words of the program in each history: a told value, and the percepts after it.
 
         Each element is a list of bytes that :func:`said` reads, as bytes of :mod:`marshal`.  The
         histories are not kept, but the memories of an automaton are numbered.

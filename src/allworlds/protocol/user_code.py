@@ -168,7 +168,7 @@ class UserCode(Struct, frozen=True):
         return _loaded(self.bare).object
 
     def made(self) -> Any:
-        """The object for which the plain name stands, called with the arguments of the name, if any.
+        """The object of the plain name, called with the arguments of the name if there are any.
 
         Raises:
             InputError: if the object does not take these arguments, or raises.

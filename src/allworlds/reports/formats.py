@@ -36,7 +36,7 @@ WIDTH = 100
 
 
 def markdown(content: parts.ReportContent) -> str:
-    """The headline, every section with a picture, and the other sections folded."""
+    """A text in Markdown: the headline, sections with pictures, and the other sections folded."""
     head = [f"## {_plain(content.done)}: {_plain(content.subject)}"]
     if said := content.headline:
         named = content.done.partition(" ")[0]
@@ -92,11 +92,11 @@ _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 
 
 def junit(content: parts.ReportContent) -> str:
-    """A document with one suite, as Jenkins's xUnit schema has it.
+    """A document with one suite, in the form of Jenkins's xUnit schema.
 
-    The suite names the explorer's file, which that schema allows at suites alone; a failure begins
-    with file and line.  Each name of a case begins with the words of the command line, since
-    services keep only one of two cases with the same name.
+    The suite names the explorer's file, which the schema allows only there; the text of a failure
+    begins with file and line.  The name of each case begins with the words of the command line,
+    since services keep only one of two cases with the same name.
     """
     assert content.cases is not None
     cases, verb = content.cases(), content.done.removeprefix("allworlds ")
@@ -136,11 +136,13 @@ def _legal(text: str) -> str:
 
 
 LEVELS = {Verdict.ERROR: "error", Verdict.VACUOUS: "error", Verdict.INCONCLUSIVE: "warning"}
-"""The level of the notification for a verdict without a finding; other verdicts need none."""
+"""The level of the notification for a verdict without a finding; other verdicts have none."""
 
 
 def runner_commands(content: parts.ReportContent) -> str:
-    """Runner commands: one for each finding at its line, as in SARIF; or one for the verdict."""
+    """Commands of GitHub's runner: one for each finding, at its line; without a finding one command
+    for the verdict.
+    """
     report: Any = content.result  # of a check
     head = content.headline
     assert head is not None
@@ -173,9 +175,10 @@ def _texts(finding: "Finding | TeamFinding", number: int) -> tuple[str, str]:
 def _at(
     finding: "Finding | TeamFinding", source: SourceLine | None, root: Path
 ) -> SourceLine | None:
-    """The first wrong line, if it is known and inside the repository; else ``source``.
+    """The line of the user's code to which a finding belongs.
 
-    For a team, the line of the program that is to blame.
+    It is the first wrong line, if this is known and inside the repository; for a team, the line of
+    the program that is to blame; else ``source``.
     """
     if not isinstance(finding, Finding):
         blamed = place_of_explorer(finding.programs[finding.robot or 0])
@@ -206,11 +209,11 @@ HELP = (
     "explain report.json` says in words where belief and truth part, and `allworlds replay "
     "report.json` runs the explorer there again, after a change too."
 )
-"""The help of each rule, after the sentence of the law."""
+"""The help of each rule, which follows the sentence of the law."""
 
 
 def _rule(law: str, asked: str) -> dict[str, Any]:
-    """A law as a rule, with all keys that code scanning needs."""
+    """A law as a rule of SARIF, with all keys that code scanning needs."""
     full = f"{asked} A result is the smallest world in which an explorer breaks this law."
     return {
         "id": law,
@@ -224,10 +227,10 @@ def _rule(law: str, asked: str) -> dict[str, Any]:
 def sarif(content: parts.ReportContent) -> str:
     """The report as a SARIF log with one run.
 
-    Every law is a rule.  Every finding is a result at the file and line of the explorer, or, if
-    that is no file of the repository, where the repository asks for the check (see
-    :func:`_source_of_check`): its message has the picture and the walk.  A verdict that is not good
-    and has no finding is a notification.
+    Every law is a rule.  Every finding is a result, whose message has the picture and the walk; its
+    place is the line of the explorer, or, if the explorer is no file of the repository, the line
+    that :func:`_source_of_check` finds.  A verdict that is not good and has no finding is a
+    notification.
     """
     report: Any = content.result  # of a check
     head = content.headline
@@ -279,9 +282,10 @@ def _result(
 
 
 def _source_of_check(root: Path) -> SourceLine | None:
-    """The line of a workflow, or of the options, that names this program.
+    """The line of a workflow, or of a file with options, in which ``allworlds`` is named.
 
-    If no file names it, the first line of a workflow, or of another file; None without files.
+    If no line names it, the first line of a workflow or of another file; None if there are no
+    files.
     """
     running = os.environ.get("GITHUB_WORKFLOW_REF", "").partition("@")[0].split("/", 2)[2:]
     options = (root / "allworlds.toml", root / "pyproject.toml")
@@ -299,8 +303,8 @@ def _source_of_check(root: Path) -> SourceLine | None:
 def _project(explorer: str) -> tuple[Path, SourceLine | None]:
     """The root of the repository, and the line of the explorer's code, if its file is inside.
 
-    The root is the git repository of the current folder, or of the explorer, or the one that a CI
-    service names; else the current folder.
+    The root is the git repository of the current folder or else of the explorer; else the folder
+    that a CI service names; else the current folder.
     """
     here, source = Path.cwd().resolve(), place_of_explorer(explorer)
     above = (here, *here.parents, *(source.file.parents if source else ()))
@@ -310,7 +314,7 @@ def _project(explorer: str) -> tuple[Path, SourceLine | None]:
 
 
 def content_of(result: Any) -> parts.ReportContent:
-    """The content of the report of a verb's result."""
+    """The content of the report for a verb's result."""
     return _maker(type(result))(result)
 
 
@@ -336,11 +340,11 @@ MAKERS = {
     "sensors.weakest_content": ("AmbiguityWeakest",),
     "ledger.ledger_content": ("LedgerReport",),
 }
-"""The functions of ``content`` that make contents, each with the names of its reports."""
+"""The functions of ``content`` that make contents, each with the names of the reports' classes."""
 
 
 def _maker(kind: type) -> Callable[[Any], parts.ReportContent]:
-    """The function for a class of reports; by default the function that shows keys and rows."""
+    """The function that makes the content of a class of reports; by default ``plain_content``."""
     if kind.__name__ == "Play":
         from allworlds.reports.web.play import play_content
 
@@ -357,7 +361,7 @@ def text(result: Any, width: int) -> str:
 
 
 def brief(result: Any, width: int) -> str:
-    """The one line for ``--quiet``."""
+    """The result in one line, for ``--quiet``."""
     return words.harmless(plain_text.content_line(content_of(result), width))
 
 
@@ -366,14 +370,16 @@ class Format(Struct, frozen=True):
 
     Attributes:
         of_content: the function that makes the file's content from the content of a report.
-        suffix: the suffix of file names that means this format; empty if only ``FORMAT:`` does.
-        shows: kinds of content; the format is for verbs with one of these; empty: for every verb.
+        suffix: the suffix of file names that means this format; empty if a user must write
+            ``FORMAT:`` before the name.
+        shows: the kinds of content that the format can show, as in ``verbs``; a verb with one of
+            these has the format; empty: every verb has it.
         library: a library that the format needs, by its import name; the extra of this package
-            that installs it; and the words for a refusal without it.
+            that installs it; and the words for a refusal without it; None: no library is needed.
         summary: the environment variable with the name of a file to which a CI service wants the
-            report added by default; empty without one.
+            report added by default; empty if there is none.
         read_by: the environment variable that tells that a CI service reads the format on stderr;
-            empty without one.
+            empty if there is none.
     """
 
     of_content: Callable[[parts.ReportContent], str | bytes]
@@ -385,7 +391,7 @@ class Format(Struct, frozen=True):
 
 
 def csv_rows(content: parts.ReportContent) -> str:
-    """The rows for programs; empty if there are no rows."""
+    """The rows for programs as CSV; empty if there are no rows."""
     out, found = io.StringIO(), parts.rows_of(content)
     if found.columns:
         writer = csv.writer(out, lineterminator="\n")
@@ -396,7 +402,7 @@ def csv_rows(content: parts.ReportContent) -> str:
 
 LATEX = {sign: f"\\{sign}" for sign in "&%$#_{}"}
 LATEX |= {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasciicircum{}"}
-"""Characters that mean something to LaTeX, each as it is written."""
+"""The characters that mean something to LaTeX, and how each of them is written."""
 
 
 def latex_rows(content: parts.ReportContent) -> str:
@@ -416,7 +422,9 @@ def latex_rows(content: parts.ReportContent) -> str:
 
 
 def lone_picture(content: parts.ReportContent) -> str:
-    """The picture of a map alone, or the curve alone, which is empty for fewer than two sizes.
+    """The picture of the only map as SVG; without a map, the curve.
+
+    The picture is empty if there is no curve either, because there are fewer than two sizes.
 
     Raises:
         InputError: if there are several maps.
@@ -445,7 +453,7 @@ def sequence_diagram(content: parts.ReportContent) -> str:
 
 
 def parquet_rows(content: parts.ReportContent) -> bytes:
-    """A file of Parquet with these rows, a column for each name and of its type."""
+    """The rows for programs as a file of Parquet, with a typed column for each name."""
     from pyarrow import BufferOutputStream, Table, bool_, float64, int64, schema, string
     from pyarrow.parquet import write_table
 
@@ -458,7 +466,7 @@ def parquet_rows(content: parts.ReportContent) -> bytes:
 
 
 def document_text(document: Mapping[str, Any]) -> str:
-    """The document as a text."""
+    """The text of a JSON document."""
     return words.harmless_json(json.dumps(document, indent=2)) + "\n"
 
 
@@ -495,13 +503,13 @@ FORMATS = {
 
 
 def formats_of(verb: str) -> dict[str, Format]:
-    """The formats in which a verb's results can be written."""
+    """The formats in which a verb can write its results, by their names."""
     has = {*verbs.BY_NAME[verb].has}
     return {name: form for name, form in FORMATS.items() if not form.shows or has & {*form.shows}}
 
 
 def legal_files(verb: str) -> str:
-    """The names of files that a verb can write, in words."""
+    """The file names that a verb accepts for its output, in words."""
     forms = formats_of(verb)
     names = " ".join(form.suffix for form in forms.values() if form.suffix)
     reports = f"{names}, or FORMAT:FILE ({', '.join(forms)})"
@@ -511,19 +519,19 @@ def legal_files(verb: str) -> str:
 
 
 def names_world_file(verb: str, name: str) -> bool:
-    """Whether FILE names a file of worlds; with FORMAT before it, FILE names a file of a report.
+    """Whether the output ``name`` is a file of worlds; ``FORMAT:FILE`` never is.
 
-    A suffix of both kinds of files means worlds.
+    A suffix that both worlds and reports have means worlds.
     """
     writes = verbs.WORLD_FILE in verbs.BY_NAME[verb].has
     return writes and name.partition(":")[0] not in FORMATS and by_suffix(name) is not None
 
 
 def form_and_path(verb: str, name: str) -> tuple[str, str]:
-    """The format and the path that a FILE means.
+    """The format and the path of the file for an output that the user names.
 
     Raises:
-        InputError: if this verb writes no such file, or a library is not installed.
+        InputError: if this verb writes no file of this form, or a library is not installed.
     """
     if names_world_file(verb, name):
         return to_write(name).name, name

@@ -16,17 +16,17 @@ from allworlds.reports.web.sections import element, framed, table_element
 from allworlds.words import harmless
 
 WIDTH = 100
-"""Columns of a printed report."""
+"""The number of columns of a printed report."""
 
 MOST = 20
-"""The most lines of a result in a Python shell."""
+"""The largest number of lines of a result in a Python shell."""
 
 HEIGHT = 480
-"""Pixels of a page in a notebook; it scrolls."""
+"""The height in pixels of a page in a notebook; the page scrolls."""
 
 
 def text_of(value: Report | Finding | Transcript) -> str:
-    """The text of the command line; for a transcript, a line for each step."""
+    """The text of a value, as on the command line; for a transcript, a line for each step."""
     match value:
         case Transcript():
             steps = _steps(value)
@@ -38,7 +38,7 @@ def text_of(value: Report | Finding | Transcript) -> str:
 
 
 def short_text_of(value: Report | Finding) -> str:
-    """The first and the last of the lines of a terminal, at most :data:`MOST` of them."""
+    """The text of a value for a Python shell: first lines and last line, at most :data:`MOST`."""
     text = text_of(value)
     if isinstance(value, Report):
         content = formats.content_of(value)
@@ -82,4 +82,4 @@ def _steps(transcript: Transcript) -> Table:
 
 
 WRITERS = Writers(text_of, short_text_of, shown, lambda value: draw(value).svg, records)
-"""The writers of values that show themselves; the package registers them."""
+"""The functions that write values as text, page, picture and rows; ``allworlds`` registers them."""

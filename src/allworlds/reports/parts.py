@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 
 LONGEST_IN_LEGEND = 60
-"""The most characters of a vertex's name in a legend."""
+"""The largest number of characters of a vertex's name in a legend."""
 
 
 class Scene(Struct, frozen=True):
@@ -46,11 +46,11 @@ class Scene(Struct, frozen=True):
         pointed: the darts from which bearings are counted.
         labels: a short text for each dart, such as its class; None without labels.
         walked: the darts by which the robot has arrived.
-        ringed: the dart with a ring round its number; None without one.
-        darts: the names of the darts, if these are not their numbers.
-        vertices: the names of the vertices, if these are not their numbers.
-        positions: the positions of the vertices, if these are given.
-        letters: the marks at single darts, if the darts of a vertex have different marks.
+        ringed: the dart with a ring round its number; None without a ring.
+        darts: the names of the darts; empty if the names are their numbers.
+        vertices: the names of the vertices; empty if the names are ``v0``, ``v1``, and so on.
+        positions: the positions of the vertices; empty if these are not given.
+        letters: the marks sensed by single darts, if the darts of a vertex have different marks.
     """
 
     map: CombinatorialMap
@@ -82,7 +82,7 @@ class Scene(Struct, frozen=True):
         return self.vertices or [f"v{vertex}" for vertex in range(self.map.vertex_count)]
 
     def short_names(self, width: int) -> Sequence[str]:
-        """The names of the vertices; longer ones are cut and numbered, so that all differ."""
+        """The names of the vertices; those longer than ``width`` are cut and numbered to differ."""
         if not self.vertices:
             return self.vertex_names
         ends = (f"…{vertex}" for vertex in range(self.map.vertex_count))
@@ -92,7 +92,10 @@ class Scene(Struct, frozen=True):
         ]
 
     def cut_names(self, width: int) -> list[str]:
-        """A text ``ki…1 kitchen`` for each cut name; the long name in the text may be cut, too."""
+        """A text such as ``ki…1 kitchen`` for each name that is cut to ``width``.
+
+        The long name in the text may be cut, too, at :data:`LONGEST_IN_LEGEND`.
+        """
         pairs = zip(self.short_names(width), self.short_names(LONGEST_IN_LEGEND), strict=True)
         return [f"{short} {name}" for short, name in pairs if short != name]
 
@@ -105,10 +108,11 @@ class Scene(Struct, frozen=True):
         *,
         lasting: bool = False,
     ) -> Scene:
-        """Return the scene of a map in which percepts are known for arrival by some darts.
+        """Return the scene of a map from the percepts of a robot that arrives by some darts.
 
-        The dart at bearing 0 is pointed along, and a vertex with marks is marked.  If ``lasting``
-        marks differ at the darts of a vertex, its darts are marked instead.
+        A bearing gives the pointed dart, and marks give a marked vertex.  If ``lasting`` is True
+        and the marks at a vertex depend on the dart of arrival, the scene has them as letters of
+        these darts.
         """
         known = list(percepts)
         # What is sensed last holds: markers can be taken away.
@@ -137,7 +141,7 @@ def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
 
 
 def _names(world: World) -> Sequence[str]:
-    """The names of the vertices, with the fields of a user's lighthouse that hold their darts."""
+    """The names of the vertices, with the fields of a user's lighthouse that hold darts there."""
     map_, labels = world.map, world.labels
     named = [
         one
@@ -154,18 +158,18 @@ def _names(world: World) -> Sequence[str]:
 
 
 def _without_labels(scene: Scene, world: World) -> Scene:
-    """The scene; without marks, if these are labels of vertices and not markers."""
+    """The scene without marks, if the marks are labels of vertices; else the scene itself."""
     return doc.replace(scene, marks={}) if world.lighthouse.labels_vertices else scene
 
 
 def walk_in_world(walk: Walk) -> Scene:
-    """The world with all its percepts, and the robot at the end of its walk."""
+    """The scene of the world with all its percepts, and with the robot at the end of its walk."""
     scene = scene_of(walk.world, walk.states[-1].lying)
     return doc.replace(scene, robot=walk.here, walked=walk.arrivals)
 
 
 def walk_in_answer(walk: Walk, answer: Estimate) -> Scene:
-    """The answer with the percepts that it predicts, and the robot at the answer's dart."""
+    """The scene of the answer with the percepts that it predicts, and the robot at ``here``."""
     world, belief = walk.world, believed_walk(walk, answer)
     # Where the answer has no place for the lighthouse it says nothing of markers.
     percepts = zip(belief.trail, belief.percepts or [], strict=False)
@@ -178,11 +182,11 @@ def walk_in_answer(walk: Walk, answer: Estimate) -> Scene:
 
 
 Value: TypeAlias = int | float | str | bool | None
-"""A value of a row; None: no value."""
+"""A value of a row; None stands for no value."""
 
 
 class CsvRows(Struct, frozen=True):
-    """Rows for programs.
+    """Rows for programs, as files of CSV have them.
 
     Attributes:
         columns: the type of each column, ``int``, ``float``, ``str`` or ``bool``, by its name.
@@ -194,7 +198,7 @@ class CsvRows(Struct, frozen=True):
 
     @classmethod
     def of(cls, results: Iterable[Any], **columns: type) -> CsvRows:
-        """A row for each result; a column has the results' attribute of its name."""
+        """A row for each result; each column holds the attribute of its name."""
         return cls(columns, [[getattr(result, name) for name in columns] for result in results])
 
     @property
@@ -210,11 +214,11 @@ class RightText(Struct, frozen=True):
 
 
 Cell: TypeAlias = float | str | RightText | None
-"""A cell of a table; None: no value."""
+"""A cell of a table; None stands for no value."""
 
 
 class Headline(Struct, frozen=True):
-    """The first line.
+    """The first line of a report.
 
     Attributes:
         word: the answer in a word.
@@ -228,7 +232,7 @@ class Headline(Struct, frozen=True):
 
     @property
     def line(self) -> str:
-        """Word and sentence in one line."""
+        """The word and the sentence in one line."""
         return " ".join(f"{self.word}: {self.text}".split())
 
 
@@ -248,7 +252,7 @@ class FactList(Struct, frozen=True):
 
     @property
     def entries(self) -> list[tuple[str, str]]:
-        """The facts with a text."""
+        """The facts whose sentence is not empty."""
         return [(name, text) for name, text in self.given if text]
 
 
@@ -259,7 +263,7 @@ class Table(Struct, frozen=True):
         header: a name for each column.
         rows: the rows, each with a cell for each column.
         caption: the caption of the table.
-        keys: the number of the first columns that identify a row.
+        keys: how many of the first columns identify a row.
     """
 
     header: Sequence[str]
@@ -294,12 +298,13 @@ def _text(cell: Cell) -> str:
 
 
 class Curve(Struct, frozen=True):
-    """Values by size, all positive; only pages and pictures show it.
+    """Values by the size of maps, all positive; only pages and pictures show a curve.
 
     Attributes:
         title: the title of the values.
         across: the title of the sizes.
-        lines: the points of each line, by its name: size, value, and the ends of the interval.
+        lines: for each line its name and its points: size, value, and the lower and the upper end
+            of the interval.
     """
 
     title: str
@@ -308,13 +313,13 @@ class Curve(Struct, frozen=True):
 
 
 class MapPictures(Struct, frozen=True):
-    """Pictures of maps, each with its caption, side by side."""
+    """Pictures of maps side by side, each a caption and a scene."""
 
     entries: Sequence[tuple[str, Scene]]
 
 
 class ShownMap(Struct, frozen=True):
-    """The part of the world that checkpoints show, and the step at which each piece appears.
+    """The part of the world that checkpoints show, with the step at which each piece appears.
 
     Attributes:
         darts: for each dart in S the first step at which S has the dart.
@@ -333,9 +338,9 @@ class View(Struct, frozen=True):
         title: the title of the picture.
         scene: the picture at the end of the walk.
         trail: the robot's dart at the start and after each step.
-        note: a remark for a picture without motion.
-        known: for a picture that grows, the first step of each part.
-        still: whether the view is for texts alone, because another view shows the same by motion.
+        note: a remark, shown where the picture does not move; may be empty.
+        known: the first step of each dart and edge, if the picture grows; else None.
+        still: whether the view is for texts alone, because a moving view shows the same map.
     """
 
     name: str
@@ -348,10 +353,10 @@ class View(Struct, frozen=True):
 
 
 class Elsewhere(Struct, frozen=True):
-    """The percepts of the same motions in another map.
+    """The percepts of the walk's motions in another map.
 
     Attributes:
-        where: the heading.
+        where: the heading of these percepts.
         percepts: the percepts there, one for each percept of the walk.
     """
 
@@ -367,12 +372,12 @@ class ShownWalk(Struct, frozen=True):
         walked: the walk; the first view shows its world.
         views: the pictures.
         sentences: sentences about the walk.
-        elsewhere: the percepts of the same motions in another map, if these are compared.
-        agreement: the number of steps, with the start, up to which the first two views agree, so
-            that they are drawn alike; None if each is drawn by itself.
-        parting: the step at which belief and truth part.
-        tour: whether the walk only leads along every edge, so that its steps mean nothing.
-        lines: the line of the user's code of each step, as ``FILE:LINE``.
+        elsewhere: the percepts of the same motions in another map; None if nothing is compared.
+        agreement: the number of steps, with the start, in which the first two views agree, so
+            that they are drawn alike; None if each view is drawn by itself.
+        parting: the step at which belief and truth diverge; None if they do not.
+        tour: whether the walk only serves to visit every edge, so that its steps mean nothing.
+        lines: the line of the user's code for each step, as ``FILE:LINE``; empty if unknown.
     """
 
     title: str
@@ -416,9 +421,9 @@ class RunRow(Struct, frozen=True):
         world: a sentence about the rest of the world.
         darts: the dart of each robot after the event; None for a robot that is gone.
         moved: the darts by which robots have arrived in the event.
-        vertices: words at vertices after the event.
-        edges: words at edges, by the smaller dart of each edge.
-        repeats: whether the event is one of those that repeat for ever.
+        vertices: texts at vertices after the event.
+        edges: texts at edges, by the smaller dart of each edge.
+        repeats: whether the event is in the part of the run that repeats for ever.
     """
 
     name: str
@@ -498,7 +503,7 @@ class Section(Struct, frozen=True):
 
 
 class SuiteCase(Struct, frozen=True):
-    """One of the cases that were tried, as test runners count them."""
+    """A test case in the sense of test runners: a part of the report with a result."""
 
     name: str
     result: Literal["passed", "failure", "error", "skipped"] = "passed"
@@ -512,19 +517,20 @@ class ReportContent(Struct, frozen=True):
     """The content of a report, for every form.
 
     Attributes:
-        done: the command, as ``allworlds check``.
+        done: the command, such as ``allworlds check``.
         subject: the subject of the command, for example the explorer's name.
-        result: the result.
+        result: the result of the verb.
         headline: the answer; None if the sections are everything.
         sections: the sections, in the order of reading.
-        whole: further sections, which a terminal shows only with an option.
+        whole: further sections, which a terminal shows only under the option ``-v``.
         more: a function that makes sections with walks to step through, for pages alone; it may
             play runs again.
         rows: a function that makes the rows for programs; None: the steps of the first walk.
         cases: a function that makes the cases for test runners; None without cases.
         command: the words of the command line that make the names of cases unique among reports.
         page: a function that makes the page; None: a page of these sections.
-        apart: the keys of the result's document that are shown in sections as data records.
+        apart: the keys of the result's document that sections hold as data records, so that the
+            page need not have them a second time.
         short: facts of one line each, which replace the last section on a terminal.
         laws: the laws that a finding may break, each with its sentence.
     """
@@ -551,7 +557,7 @@ def fact(name: str, text: str) -> FactList:
 
 
 def so_far(report: Any, headline: Headline | None) -> Headline | None:
-    """The headline of a report with rows; if the job ended early, it begins with the reason.
+    """The headline of a report with rows; if the job ended early, the headline has the reason.
 
     Args:
         report: the report, with its ending.
@@ -571,11 +577,11 @@ _SENSED = ("degree", "marks", "bearing")
 
 
 def rows_of_walk(walk: ShownWalk) -> CsvRows:
-    """A row for each step.
+    """A row for each step of a walk.
 
     ``number`` is the number of a motion, or the written value; ``vertex`` and ``dart`` tell where
-    the robot has arrived in the world; ``name`` is the vertex's name, if it has one. If a walk is
-    compared, the columns ``other_...`` have the percepts in the other map.
+    the robot has arrived in the world; ``name`` is the vertex's name, if it has a name. If the walk
+    is compared with another map, the columns ``other_...`` have the percepts there.
     """
     walked, others = walk.walked, walk.elsewhere.percepts if walk.elsewhere else ()
     named = walked.world.labels.vertices

@@ -11,16 +11,18 @@ from allworlds.reports.drawing.text import draw
 from allworlds.words import harmless
 
 MOST, FEW = 30, 3
-"""The most lines on a terminal of a content with short facts, and of its further findings."""
+"""The largest number of lines on a terminal if a content has short facts, and of lines there for
+the findings after the first one."""
 
 LONGEST_WALK, LONGEST_REFUTING = 60, 16
-"""The most steps of a walk, and of a refuting walk; of longer walks both ends are shown."""
+"""The largest number of steps of a walk that is shown whole; of a longer walk that breaks a law the
+second number of steps is shown, half of them at each end."""
 
 GAP = 2
 """The number of spaces between the columns of a table."""
 
 UNBROKEN = 24
-"""The longest word of a table that is never broken."""
+"""The largest number of characters of a word in a table that is never broken."""
 
 INDENT = 11
 """The number of characters before the text of a named paragraph."""
@@ -34,14 +36,18 @@ def finding_in_words(finding: Any, width: int, number: int = 1) -> str:
 
 
 def content_text(content: parts.ReportContent, width: int) -> str:
-    """The headline and every section."""
+    """The text of a content: the headline and every section."""
     said = content.headline
     head = entry(said.word, said.text, width) if said else []
     return _joined([head, *(_section(section, width) for section in content.sections)])
 
 
 def on_terminal(content: parts.ReportContent, width: int, *, whole: bool) -> str:
-    """The text for a terminal; with short facts the verdict is last, and the lines are few."""
+    """The text of a content for a terminal; ``whole`` is True under the option ``-v``.
+
+    If the content has short facts, the verdict is the last line, and unless ``whole`` is True the
+    text has at most :data:`MOST` lines.
+    """
     if not content.short or content.headline is None:
         text, more = content_text(content, width), text_of(content.whole, width)
         return f"{text}\n\n{more}" if whole and more else text
@@ -64,7 +70,10 @@ def _cut(lines: Sequence[str]) -> str:
 
 
 def _found(section: parts.Section, width: int, room: int) -> list[str]:
-    """A finding without its walk; with the picture of its world, if there is room."""
+    """The lines of a finding without its walk; with the picture of its world, if there is room.
+
+    ``room`` is the largest number of lines.
+    """
     lines = wrap(section.title, width, break_long_words=False)
     picture, command = "", list[str]()
     for block in section.blocks:
@@ -95,7 +104,7 @@ def _shortened(lines: Sequence[str], most: int) -> str:
 
 
 def content_line(content: parts.ReportContent, width: int) -> str:
-    """The answer in one line of any width; without a headline, the first line of the text."""
+    """The answer in one line of any length; without a headline, the first line of the text."""
     head = content.headline
     return head.line if head else content_text(content, width).partition("\n")[0]
 
@@ -185,7 +194,7 @@ def table(
     width: int = sys.maxsize,
     keys: int = 1,
 ) -> list[str]:
-    """Lines of a table; column i is flushed right where ``right[i]`` is ``r``.
+    """The lines of a table; column i is flushed right where ``right[i]`` is ``r``.
 
     If the table is wider than ``width``, the widest columns of texts are wrapped.  If that is not
     enough, the columns that do not fit are in a table below, which repeats the first ``keys``
@@ -227,7 +236,7 @@ def table(
 
 
 def entry(name: str, text: str, width: int) -> list[str]:
-    """A named paragraph with a hanging indent."""
+    """The lines of a named paragraph, with a hanging indent."""
     first, indent = f"{name} ".ljust(INDENT), " " * INDENT
     return wrap(
         text, width, initial_indent=first, subsequent_indent=indent, break_on_hyphens=False

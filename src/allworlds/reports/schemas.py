@@ -43,7 +43,7 @@ WRITTEN_AS = {
     actions.Estimate: actions.RootedMap,
     Path: doc.Text,
 }
-"""The JSON type that is written for a type that is not JSON."""
+"""For each type that JSON does not have, the type of the JSON that is written for its values."""
 
 
 class OwnLighthouse(Struct):
@@ -67,7 +67,7 @@ NAMES: dict[str, tuple[str, Iterable[Any]]] = {
     "verdict": ("Verdict", outcome.Verdict),
     "engine": ("Engine", ENGINES),
 }
-"""The tables of names, each with its title."""
+"""The tables of names: for each the title of its schema, and the names."""
 
 
 @cache
@@ -90,7 +90,7 @@ def reports_of(verb: verbs.Verb) -> list[Any]:
 
 @cache
 def pages() -> dict[str, Any]:
-    """The type of every document by the name of its schema: reports, then the rest."""
+    """The type of every document by the name of its schema: reports, then all other documents."""
     merged = dict.fromkeys(kind for verb in verbs.VERBS if verb.swept for kind in reports_of(verb))
     return reports() | {
         "merge": Union[tuple(merged)],  # noqa: UP007  # of as many as there are
@@ -106,11 +106,12 @@ def pages() -> dict[str, Any]:
 
 
 class Shapes:
-    """The types of one page, in msgspec's description.
+    """The types in the schema of one document, as msgspec can describe them.
 
     Attributes:
-        written: whether keys are required that are always written; else keys that readers need.
-        also: the definitions that msgspec does not know.
+        written: whether the required keys are those that are always written; else they are those
+            that readers need.
+        also: the definitions of types that msgspec cannot describe, by their names.
     """
 
     def __init__(self, *, written: bool) -> None:
@@ -119,7 +120,7 @@ class Shapes:
         self._made: dict[Any, Any] = {}
 
     def of(self, tp: Any) -> Any:
-        """The type that is written for another type."""
+        """The type, as msgspec can describe it, of the JSON of a value of type ``tp``."""
         if get_origin(tp) is Annotated:
             base, *notes = get_args(tp)
             kind = next((n.extra["kind"] for n in notes if n.extra and "kind" in n.extra), base)
@@ -257,7 +258,7 @@ def schema_of(tp: Any, *, written: bool = True) -> tuple[Schema, dict[str, Schem
 
 
 def page(name: str) -> Schema:
-    """The schema of a document; for a document that is read, of everything that is accepted."""
+    """The schema of a document; if the document is also read, of everything that is accepted."""
     found, parts = schema_of(pages()[name], written=name not in READ)
     if found.keys() == {"$ref"}:
         found = parts.pop(found["$ref"].rpartition("/")[2])
@@ -266,7 +267,7 @@ def page(name: str) -> Schema:
 
 
 def schemas() -> dict[str, Schema]:
-    """The schemas of all documents, by their names; then those of tables, with summaries."""
+    """The schemas of all documents by their names; then ``names``, that of the tables of names."""
     parts: Schema = {}
     for name, (title, table) in NAMES.items():
         entries = [*table]
@@ -283,7 +284,7 @@ def _head(name: str) -> Schema:
 
 
 def _plain(schema: Any) -> Any:
-    """The schema in short form: without defaults, and with objects merged where possible."""
+    """The schema in short form: without defaults, and with equivalent forms made shorter."""
     if isinstance(schema, list):
         return [_plain(inner) for inner in schema]
     if not isinstance(schema, dict):

@@ -35,8 +35,7 @@ NO_LINE = (
     ),
 )
 """The advice for a program that has printed a line which is no message: for each pattern in the
-observation, a sentence.
-"""
+observation, a sentence."""
 
 FLUSH = (
     "Does every line of the program end in a newline, and does the program flush its output after "

@@ -20,7 +20,7 @@ from allworlds.world.lighthouses.marked import Position
 from allworlds.world.world import World
 
 DRAWN = 6
-"""The number of worlds that are drawn, from a class with more members."""
+"""The largest number of worlds of a class that are drawn."""
 
 ALIKE = (
     "Darts with the same letter cannot be told apart: the robot senses the same at each of them, "
@@ -33,7 +33,7 @@ TOURED = (
 
 
 def twins_content(comparison: ComparedWorlds) -> parts.ReportContent:
-    """The walk that tells two worlds apart, or the quotient that they share."""
+    """The content for two worlds: the walk that tells them apart, or their common quotient."""
     worlds, classes = comparison.worlds, comparison.bisimulation
     blocks: list[parts.Block]
     if classes is UNSET:
@@ -57,7 +57,7 @@ def twins_content(comparison: ComparedWorlds) -> parts.ReportContent:
 
 
 def _rows(worlds: Sequence[World], classes: Sequence[Sequence[int]]) -> parts.CsvRows:
-    """A row for each dart of each world; no motion tells darts of one class apart."""
+    """A row for each dart of each world; no motion tells two darts with the same class apart."""
     named = any(world.labels.vertices for world in worlds)
     rows: list[list[parts.Value]] = [
         [number, dart, v, of_world[dart], *([world.labels.vertex(v)] if named else [])]
@@ -87,7 +87,7 @@ def _answer(comparison: ComparedWorlds) -> parts.Headline:
 
 
 def class_content(found: AmbiguityClass) -> parts.ReportContent:
-    """The size of the class, some of its worlds, and the quotient they share."""
+    """The content for a class: its size, some of its worlds, and the quotient that they share."""
     worlds = found.worlds[:DRAWN]
     names = ["The given world", *(f"World {i}" for i in range(2, len(worlds) + 1))]
     classes = [projection_of(world).classes for world in found.worlds]
@@ -126,7 +126,7 @@ def _size_of(found: AmbiguityClass) -> parts.Headline:
 def alike(
     names: Sequence[str], worlds: Sequence[World], classes: Sequence[Sequence[int]]
 ) -> parts.ShownWalk:
-    """Worlds that no motion tells apart, with a walk along every edge of each."""
+    """The walk along every edge of worlds that no motion tells apart; classes become letters."""
     scenes = [
         doc.replace(parts.scene_of(world), labels=[letters(q) for q in of_world])
         for world, of_world in zip(worlds, classes, strict=True)
@@ -162,7 +162,7 @@ def _walk(
 
 
 def _why_alike(quotients: Sequence[Quotient]) -> str:
-    """The reason why no motion tells worlds apart whose quotients differ at most in sheets."""
+    """The reason why no motion tells worlds apart; their quotients differ at most in the sheets."""
     sheets = [quotient.sheets for quotient in quotients]
     if len({*sheets}) > 1:
         who = f"A is a cover with {words.plural(sheets[0], 'sheet')} and B one with {sheets[1]}"
@@ -178,7 +178,11 @@ def _why_alike(quotients: Sequence[Quotient]) -> str:
 
 
 def _quotient(quotient: Quotient) -> tuple[parts.Paragraph, parts.Table]:
-    """A row for each vertex: its classes clockwise, their classes under alpha, and its sheets."""
+    """A sentence, and a table with a row for each vertex of the quotient.
+
+    The columns are its classes of darts clockwise, each with its class under alpha; the percept;
+    and how many times round a vertex of the quotient a vertex of the world goes.
+    """
     rows: list[list[parts.Cell]] = []
     for vertex, cone in zip(quotient.vertices, quotient.cone_indices, strict=True):
         leads = ((q, quotient.alpha[q]) for q in vertex)
@@ -195,7 +199,7 @@ def _quotient(quotient: Quotient) -> tuple[parts.Paragraph, parts.Table]:
 
 
 def census_content(census: census_sweep.AmbiguityCensus) -> parts.ReportContent:
-    """A row for each number of edges, and the source with which the counts were compared."""
+    """The content for a census: a row for each number of edges, and the source of the counts."""
     header = ["marked worlds", "ambiguous", "classes", "largest class"]
     rows = [[row.edges, *_counts(row)] for row in census.rows]
     cells = [[cell.edges, cell.vertices, *_counts(cell)] for cell in census.by_vertices]
@@ -268,7 +272,7 @@ def _counted(census: census_sweep.AmbiguityCensus) -> parts.Headline | None:
 
 
 def search_content(result: twin_search.SearchResult) -> parts.ReportContent:
-    """The answer with the twins, the sizes that were searched, and the certificate."""
+    """The content for a search: the answer with the twins, the searched sizes, the certificate."""
     pair = []
     if result.pair and result.bisimulation:
         walk = alike("AB", result.pair, result.bisimulation)
@@ -295,7 +299,7 @@ def search_content(result: twin_search.SearchResult) -> parts.ReportContent:
 
 
 def _found(result: twin_search.SearchResult) -> tuple[parts.Headline, list[tuple[str, str]]]:
-    """The answer and its basis, as named texts."""
+    """The answer of a search, and its proof as named texts."""
     asked = result.question.describes
     if result.status == "unknown":
         return parts.Headline("UNKNOWN", f"{asked}: undecided.", "inconclusive"), []
@@ -316,10 +320,10 @@ def _found(result: twin_search.SearchResult) -> tuple[parts.Headline, list[tuple
 def tour(worlds: Sequence[World]) -> list[int]:
     """The motions of a walk in the first of these worlds that goes along every edge of each world.
 
-    The worlds must look alike.  The walk takes the nearest new edge of the first world, among
-    equally near ones the first clockwise; if no edge is left, it goes on with the next world.
+    The worlds must look alike.  The walk takes the nearest new edge of the first world, of equally
+    near edges the first clockwise; if no edge is left, it goes on with the next world.
 
-    Cost: the edges of all worlds, times the darts of one.
+    Cost: the edges of all worlds, times the darts of one world.
     """
     motions: list[int] = []
     for world in worlds:
@@ -335,7 +339,7 @@ def tour(worlds: Sequence[World]) -> list[int]:
 
 
 def _nearest(map_: CombinatorialMap, start: Dart, left: set[Dart]) -> list[int]:
-    """The shortest motions after which the robot is at one of these darts."""
+    """The fewest motions after which a robot from ``start`` is at one of the darts in ``left``."""
     ways: dict[Dart, list[int]] = {start: []}
     queue = [start]
     for dart in queue:

@@ -27,7 +27,7 @@ from allworlds.words import about, counted, duration, listed, number, plural, si
 
 
 def check_content(report: CheckReport | time_estimate.TimeEstimate) -> parts.ReportContent:
-    """The verdict, the findings, the scope and the counts; or the estimated duration.
+    """The content for a check: verdict, findings, scope and counts; or for the estimated duration.
 
     The page of a check that holds also has the most expensive runs.
     """
@@ -53,7 +53,7 @@ def check_content(report: CheckReport | time_estimate.TimeEstimate) -> parts.Rep
 
 
 def _command(report: CheckReport) -> str:
-    """The explorer and the given options on which the outcome depends, as on the command line."""
+    """The explorer and those given options on which the outcome depends, as on the command line."""
     options = given_again(type(report.request), report.request)
     shard = [] if report.whole else ["--shard", str(report.portion)]
     return join([report.explorer, *options, *shard])
@@ -86,7 +86,7 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
 
 
 def _rows(report: CheckReport) -> parts.CsvRows:
-    """A row for each number of edges and of vertices, of a sample too."""
+    """A row for each number of edges and of vertices, also for a sample."""
     played = {"worlds": int, "runs": int, "episodes": int}
     costs = {"traversals": int, "traversals_rooted": int, "max_cost": int, "bound": int}
     if report.asked.schedules == "all":
@@ -95,7 +95,7 @@ def _rows(report: CheckReport) -> parts.CsvRows:
 
 
 def size_table(report: CheckReport) -> parts.Table:
-    """Counts for each number of edges and vertices.
+    """A table of the counts for each number of edges and vertices.
 
     A sample has few worlds of many sizes, so its counts are for each number of edges alone.
     """
@@ -155,7 +155,7 @@ def verdict_of(report: CheckReport) -> parts.Headline:
 
 
 def scope_words(report: CheckReport) -> list[tuple[str, str]]:
-    """The scope of the verdict as named texts; a text without a name continues the one before."""
+    """The scope of the verdict as named texts; a text without a name continues the text before."""
     scope, rules = report.asked, report.asked.rules
     shard = f", shard {scope.portion}" if scope.portion != units.WHOLE else ""
     what = (
@@ -191,7 +191,7 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
 
 
 def _of_sample(report: CheckReport) -> Iterator[tuple[str, str]]:
-    """The mixture of a sample and, if it refutes nothing, the chance of a refuting world."""
+    """Facts about a sample: its mixture, its bred worlds, and the chance of a refuting world."""
     sample = report.asked.coverage
     if not isinstance(sample, units.Sample):
         return
@@ -211,7 +211,7 @@ CHECK_SAID = (
     *(*SAID, "task", "laws", "schedules", "min_edges", "mix", "runs"),
     *("max_findings", "engine"),
 )
-"""The fields of the request that the scope and other facts describe."""
+"""The fields of the request that the facts of :func:`scope_words` describe."""
 
 
 def _which(report: CheckReport) -> str:
@@ -290,10 +290,11 @@ def _why_vacuous(report: CheckReport) -> str:
 
 
 def _cases(report: CheckReport) -> Iterator[parts.SuiteCase]:
-    """A case for past findings, one for each number of edges, and one for witnesses.
+    """A case for past findings, one for each number of edges, and one for the witnesses.
 
-    A level is passed; failed, with its findings; an error, if the count gate or two engines
-    disagree; skipped, with the reason, if it was not finished.  A sample is one case.
+    The case of a number of edges is passed; or failed, with its findings; or an error, if the count
+    gate or two engines disagree; or skipped, with the reason, if this level was not finished.  A
+    sample is one case.
     """
     if isinstance(report.asked.coverage, units.Sample):
         yield replace(_sample(report, report.asked.coverage), seconds=sum(report.seconds))
@@ -355,7 +356,7 @@ def _failure(report: CheckReport, name: str, found: Sequence[int]) -> parts.Suit
 
 
 def _findings(report: CheckReport, found: Iterable[int]) -> list[parts.Section]:
-    """Sections for the findings with these indices, each with its origin."""
+    """A section for each finding with one of these indices, with its origin."""
     sections = []
     for i in found:
         past = report.past and report.past.holds(report.findings[i])
@@ -372,7 +373,7 @@ def _mismatch(cell: GateCell) -> str:
 
 
 def _estimate(guess: time_estimate.TimeEstimate) -> parts.ReportContent:
-    """The estimated durations of the check, and of checks with more edges if they are known."""
+    """The content for the estimated duration of a check, and of checks with more edges if known."""
     if guess.seconds is None or guess.rate is None:
         text = "no world of the last level was finished in time: the check takes very long"
         head = parts.Headline("estimate", text, "inconclusive")

@@ -21,15 +21,16 @@ from allworlds.world.named import code_of
 
 
 def compare_content(report: comparison.Comparison | growth.Growth) -> parts.ReportContent:
-    """The verdict, the findings, the rows, and the world of the largest difference.
+    """The content for a comparison: the verdict, the findings, and the costs.
 
-    A page without growing worlds also has each explorer's walk in the world that differs most.
+    A page of a comparison without growing worlds also has each explorer's walk in the world that
+    differs most.
     """
     return _growth(report) if isinstance(report, growth.Growth) else _comparison(report)
 
 
 def _comparison(report: comparison.Comparison) -> parts.ReportContent:
-    """Explorers in the same worlds, with the walks in the world that differs most."""
+    """The content for explorers in the same worlds, with walks where the costs differ most."""
     cells = _by_size(report, _short_names(report))
     table = parts.Table([*SIZES], cells, "Compared worlds", keys=4)
     curve = _curve(_lines_of_levels(report))
@@ -38,7 +39,7 @@ def _comparison(report: comparison.Comparison) -> parts.ReportContent:
 
 
 def _growth(report: growth.Growth) -> parts.ReportContent:
-    """Explorers in worlds that grow."""
+    """The content for explorers in worlds that grow."""
     ratios = [_ratios(report)] if report.ratios else []
     facts = parts.FactList(_growth_facts(report))
     tables = [_growth_table(report), *ratios, *_exponents(report)]
@@ -52,7 +53,7 @@ def _content(
     rows: Callable[[], parts.CsvRows],
     more: Callable[[], Iterable[parts.Section]],
 ) -> parts.ReportContent:
-    """The verdict, the findings, and the compared costs."""
+    """The content of both kinds of comparison: the verdict, the findings, and the given blocks."""
     findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
     verdict = report.verdict.value
     seen = parts.Section("seen", "What was compared", [*blocks])
@@ -69,7 +70,8 @@ def _content(
 
 
 Lines: TypeAlias = dict[str, list[tuple[float, float, float, float]]]
-"""The points of each line of a curve, by the line's name: edges, mean, ends of the interval."""
+"""The points of each line of a curve, by the line's name: edges, mean, and the lower and the upper
+end of the interval."""
 
 
 def _lines_of_levels(report: comparison.Comparison) -> Lines:
@@ -100,7 +102,7 @@ def _lines_of_families(report: growth.Growth) -> Lines:
 
 
 def _curve(lines: Lines) -> Iterator[parts.Curve]:
-    """The mean cost by size; no curve for a single size."""
+    """The curve of the mean cost by size; no curve if a line has a single size or a cost of 0."""
     if all(
         len({x for x, *_ in line}) > 1 and all(min(p) > 0 for p in line) for line in lines.values()
     ):
@@ -108,7 +110,7 @@ def _curve(lines: Lines) -> Iterator[parts.Curve]:
 
 
 def _short_names(report: entrants.ContestReport) -> list[str]:
-    """The heads of columns: short names of the explorers, each with the lighthouse behind it."""
+    """The heads of columns: short names of the explorers, and ``@`` with a lighthouse if given."""
     names = [*dict.fromkeys(one.subject.name for one in report.entrants)]
     short = dict(zip(names, short_names(names), strict=True))
     return [one.named(short[one.subject.name]) for one in report.entrants]
@@ -165,7 +167,7 @@ def _ratios(report: growth.Growth) -> parts.Table:
 
 
 def _exponents(report: growth.Growth) -> Iterator[parts.Table]:
-    """The exponents; no table if sizes are too few for any."""
+    """A table of exponents; no table if there are too few sizes for every exponent."""
     rows: list[list[parts.Cell]] = [
         [
             *(one.family, one.explorer, one.sizes),
@@ -219,7 +221,7 @@ def _growth_facts(report: growth.Growth) -> list[tuple[str, str]]:
 
 
 GROWTH_SAID = (*SAID, "to", "draws", "places")
-"""The fields of the request that the facts describe."""
+"""The fields of the request that the facts about growing worlds describe."""
 
 
 def _walks(report: comparison.Comparison) -> Iterator[parts.Section]:
@@ -245,7 +247,7 @@ def _rows(report: comparison.Comparison) -> parts.CsvRows:
 
 
 def _by_size(report: comparison.Comparison, names: Sequence[str]) -> list[list[parts.Value]]:
-    """A row for each size and explorer, under ``names``; the first is compared with the others."""
+    """A row for each size and explorer, under ``names``; ratios are to the first explorer."""
     return [
         [
             *(row.edges, row.vertices, row.worlds, shown),
@@ -258,7 +260,7 @@ def _by_size(report: comparison.Comparison, names: Sequence[str]) -> list[list[p
 
 
 def _side_by_side(report: comparison.Comparison) -> parts.Table:
-    """A column for each explorer."""
+    """A table with a column of costs for each explorer."""
     rows: list[list[parts.Cell]] = [
         [
             *(row.edges, row.vertices, row.worlds),
@@ -271,7 +273,7 @@ def _side_by_side(report: comparison.Comparison) -> parts.Table:
 
 
 def _facts(report: comparison.Comparison) -> list[tuple[str, str]]:
-    """Named facts beside the table."""
+    """The named facts beside the tables."""
     scope = f"one world: {report.member.name}" if report.member else maps_in_words(report)
     words = [*explorer_facts(report), ("scope", scope), *option_facts(report, SAID)]
     meant = "traversals; mean: first over the places of the lighthouse, then over the rooted maps"
@@ -321,7 +323,7 @@ WORLD |= {"mean": float, "worst": int, "bound": int, "ratio": float}
 
 
 def _names(one: entrants.InWorld) -> list[parts.Value]:
-    """The words by which ``run`` finds the world, and its size."""
+    """The words by which ``run`` finds the world, and its size: the columns :data:`NAMES`."""
     member = growth.member_named(one.member) if one.member else None
     words = [member.text, member.holes, member.seed] if member else [None] * 3
     return [code_of(one.map), *words, one.map.edge_count, one.map.vertex_count]
@@ -332,7 +334,7 @@ def rows_of_worlds(worlds: Iterable[entrants.InWorld], first: str, by: By) -> pa
 
     Args:
         worlds: the runs in each world, in the order of the rows.
-        first: the explorer with which the others are compared.
+        first: the explorer with which the other explorers are compared.
         by: ``world`` or ``run``.
     """
     if by == "run":

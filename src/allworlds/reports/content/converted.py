@@ -5,14 +5,14 @@ from allworlds.studies.convert import Convert, ConvertRow
 from allworlds.words import plural
 
 FEW = 3
-"""The most worlds whose rooms a terminal shows without an option."""
+"""The largest number of worlds whose rooms a terminal shows without an option."""
 
 COLUMNS = {"number": int, "name": str, "vertices": int, "edges": int, "genus": int, "faces": int}
 COLUMNS |= {"automorphisms": int}
 
 
 def convert_content(report: Convert) -> parts.ReportContent:
-    """A row for each world, its rooms, and pictures of the first ones."""
+    """The content for a conversion: a row for each world, its rooms, the first worlds' pictures."""
     rows = parts.CsvRows.of(report.rows, **COLUMNS)
     table = parts.Table([*COLUMNS], rows.rows, plural(len(report.rows), "world"))
     facts = [("written", ", ".join(report.written or ()))]
@@ -47,7 +47,7 @@ def _title(row: ConvertRow) -> str:
 
 
 def _rooms(row: ConvertRow) -> parts.Section:
-    """The doors of each room, clockwise, by the rooms behind them."""
+    """A section with a row for each room: the rooms behind its doors, clockwise."""
     names = row.names or [f"v{vertex}" for vertex in range(row.vertices)]
     doors = [[name, ", ".join(ends)] for name, ends in zip(names, row.doors, strict=True)]
     table = parts.Table(["room", "its doors lead, clockwise, to"], doors, _title(row))

@@ -13,7 +13,7 @@ from allworlds.studies.ledger import CheckedClaim, LedgerReport
 LEGEND = "= as expected, ≠ not as expected, ? vacuous, - not checked"
 
 SIGNS = {"as-expected": "=", "unexpected": "≠", "vacuous": "?", "not-checked": "-"}
-"""The sign before each claim, by its standing."""
+"""The sign before each claim, by the claim's standing."""
 
 VERDICTS = {
     outcome.Exit.HOLDS: "holds",
@@ -21,11 +21,14 @@ VERDICTS = {
     outcome.Exit.VACUOUS: "vacuous",
     outcome.Exit.INTERNAL: "error",
 }
-"""The verdict of each exit code; any other one means inconclusive."""
+"""The verdict of an exit code; every other exit code means inconclusive."""
 
 
 def ledger_content(report: LedgerReport) -> parts.ReportContent:
-    """A row for each claim; details for a single claim, or on a page for each claim."""
+    """The content for a ledger: a row for each claim.
+
+    A single claim has its details, too; a page has the details of all claims.
+    """
     facts = [
         ("DIFFERS", f"{one.id}: {'; '.join(one.differences)}")
         for one in report.claims
@@ -94,7 +97,7 @@ def _headline(report: LedgerReport) -> parts.Headline | None:
 
 
 def _section(one: CheckedClaim) -> parts.Section:
-    """One claim, with the worlds that show it."""
+    """A section for a claim, with the worlds that show it."""
     verdict = f"{one.verdict}, {one.standing.replace('-', ' ')}"
     differs = "; ".join(one.differences)
     facts = [("verdict", verdict), *_details(one), ("differs", differs)]

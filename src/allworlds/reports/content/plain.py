@@ -16,7 +16,7 @@ NOT_IN_DOCUMENT = ("schema", "made_by", "verdict", "exit_code")
 
 
 def plain_content(report: Report) -> parts.ReportContent:
-    """A fact for each key of the document, and a table for each list of objects."""
+    """The content for any report: a fact for each key, and a table for each list of objects."""
     facts: list[tuple[str, str]] = []
     tables: list[parts.Block] = []
     rows = parts.CsvRows({}, [])
@@ -40,7 +40,7 @@ def plain_content(report: Report) -> parts.ReportContent:
 
 
 def _rows(names: Sequence[str], objects: Sequence[dict[str, Any]]) -> parts.CsvRows:
-    """A row for each object; a column with anything but numbers is a column of texts."""
+    """A row for each object; a column that holds anything but numbers is a column of texts."""
     columns = {}
     for name in names:
         kinds = {type(one.get(name)) for one in objects} - {type(None)}
@@ -60,7 +60,7 @@ def _cell(value: Any) -> parts.Cell:
 
 
 def status_content(standing: merge.Standing) -> parts.ReportContent:
-    """Progress, rate, and results so far."""
+    """The content for a job: its progress, its rate, and its results so far."""
     units, worlds = standing.units, standing.worlds
     so_far = "" if standing.state == "finished" else " so far"
     most = "" if standing.counted else "at most "
@@ -86,7 +86,7 @@ def status_content(standing: merge.Standing) -> parts.ReportContent:
 
 
 def _job(standing: merge.Standing) -> str:
-    """The verb, the explorer and the worlds."""
+    """The verb, the explorer and the worlds of a job, in words."""
     asked = standing.parameters
     names = ("class", "where", "edges", "vertices", "family", "to", "lighthouse", "task")
     given = {name: asked[name] for name in names if asked.get(name)}
@@ -101,7 +101,7 @@ def _job(standing: merge.Standing) -> str:
 
 
 def init_content(begun: init.Skeleton | init.LedgerSkeleton | init.Header) -> parts.ReportContent:
-    """The header line by line; or the written files, and the next commands."""
+    """The content for ``init``: the header line by line, or written files and the next command."""
     if isinstance(begun, init.Header):
         subject, name = "header", "header"
         blocks: list[parts.Block] = [parts.Quote("header", "", begun.header.rstrip("\n"))]

@@ -24,11 +24,14 @@ SAID = (
     *("edges", "vertices", "map_class", "where", "lighthouse", "policy", "bound"),
     *("family", "holes", "seed", "worlds", "graph", "embeddings"),
 )
-"""The fields of requests that the words of a scope describe."""
+"""The fields of requests that the functions of this module describe in words."""
 
 
 def of_the_class(extent: Extent, least: int = 1) -> str:
-    """``of the class maps, trees, with at most 3 edges``; with the condition, if there is one."""
+    """The class in words, such as ``of the class maps, trees, with at most 3 edges``.
+
+    Behind the class stands the condition, here trees; ``least`` is the smallest number of edges.
+    """
     where = f", {extent.where.name}," if extent.where else ""
     most = extent.edges
     if extent.given is not None and most == max(extent.given.starts):
@@ -43,7 +46,7 @@ def of_the_class(extent: Extent, least: int = 1) -> str:
 
 
 def each_of(given: MapSource) -> str:
-    """``each of 3 worlds of plan.json``."""
+    """The given worlds in words: ``each of 3 worlds of plan.json``."""
     return given.words if given.count == 1 else f"each of {given.words}"
 
 
@@ -56,7 +59,7 @@ def maps_in_words(report: OfWorlds) -> str:
 
 
 def finished(report: SweptReport, last: int) -> str:
-    """The maps of the finished levels, the last of which has ``last`` edges, in words."""
+    """The maps of the finished levels in words; ``last`` is the last level's number of edges."""
     extent = report.extent
     return of_the_class(extent if report.complete else doc.replace(extent, edges=last))
 
@@ -79,12 +82,12 @@ def trust(file: str) -> str:
 
 
 def left_out(worlds: int) -> str:
-    """A text about worlds without a run; empty if there are none."""
+    """A text about the worlds without a place for the lighthouse; empty if there are none."""
     return f"{words.plural(worlds, 'world')} without a place for the lighthouse" if worlds else ""
 
 
 def option_facts(report: OfWorlds, said: Iterable[str]) -> list[tuple[str, str]]:
-    """A fact about the given options, without the fields that other facts describe."""
+    """A fact about the given options, without the fields ``said``, which other facts describe."""
     given = given_again(type(report.request), report.request, but=said)
     return [("options", " ".join(given))] if given else []
 

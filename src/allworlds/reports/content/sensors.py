@@ -18,7 +18,10 @@ WIDTH = 90
 
 
 def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
-    """A row for each sensor, the order of sensors with equal places, and the smallest twins."""
+    """The content for sensors: a row for each sensor, the order of sensors, the smallest twins.
+
+    The order compares sensors with equal places.
+    """
     enough = [row.lighthouse for row in found.rows if row.sufficient]
     header = ["sensor", "suffices", "minimal", "fails from m", "maps alike"]
     rows: list[list[parts.Cell]] = [
@@ -73,7 +76,7 @@ def _scope(extent: Extent) -> str:
 
 
 def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
-    """A line for each sensor, below each sensor that tells more; equal sensors share a line."""
+    """A line for each sensor, below the sensors that tell more; equal sensors share a line."""
     above = {name: {a for a, b in dominates if b == name} for name in names}
     below = {name: {b for a, b in dominates if a == name} for name in names}
     first = [
@@ -99,7 +102,7 @@ def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
 
 
 def _less_at_a_step(found: AmbiguitySensors) -> Iterator[str]:
-    """A sentence for each sensor that tells as much as others, but senses less at a step."""
+    """A sentence for each sensor that tells as much as other sensors, but senses less at a step."""
     for row in found.rows:
         less = row.lighthouse
         more = [b for a, b in found.coarser if a == less and (b, a) not in found.coarser]
@@ -109,7 +112,7 @@ def _less_at_a_step(found: AmbiguitySensors) -> Iterator[str]:
 
 
 def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]:
-    """A section for each pair of worlds, titled by the sensors under which both look alike."""
+    """A section for each pair of worlds, titled by the sensors under which the two look alike."""
     groups: dict[tuple[object, ...], tuple[AlikePair, list[str]]] = {}
     for name, pair in named:
         key = (*((world.map, world.start) for world in pair.worlds), pair.bisimulation)
@@ -120,7 +123,11 @@ def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]
 
 
 def weakest_content(found: AmbiguityWeakest) -> parts.ReportContent:
-    """The minimal coarsenings, and the worlds that refute the next coarser coarsenings."""
+    """The content for weakest sensors: the minimal coarsenings, and worlds against coarser ones.
+
+    A coarsening is a sensor made from a finer one, some of whose letters become one letter; a
+    minimal one suffices, but none of the next coarser coarsenings does, as these worlds show.
+    """
     rows: list[list[parts.Cell]] = [
         [
             len(one.letters),

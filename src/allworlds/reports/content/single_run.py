@@ -30,7 +30,10 @@ if TYPE_CHECKING:
 
 
 def known(run: SingleRun) -> parts.ShownMap | None:
-    """The map of a run's checkpoints; None without checkpoints, or if S is not embedded."""
+    """The part of the world that a run's checkpoints show, and when.
+
+    None if there is no checkpoint, or if an S cannot be embedded in the world.
+    """
     episode, world = run.outcome.episode, run.world
     if not episode.checkpoints:
         return None
@@ -47,7 +50,7 @@ def known(run: SingleRun) -> parts.ShownMap | None:
 
 
 def run_content(run: SingleRun | WorldNames) -> parts.ReportContent:
-    """One run, with its finding if it breaks a law; or the list of worlds."""
+    """The content for one run, with its finding if it breaks a law; or for the list of worlds."""
     if not isinstance(run, SingleRun):
         named = (("maps", run.maps), ("families", run.families), ("corpus", run.corpus))
         section = parts.Section(
@@ -80,7 +83,7 @@ def _rows(section: parts.Section) -> parts.CsvRows:
 
 
 def _said(run: SingleRun) -> str:
-    """The result in a sentence: the first error, or that there is none."""
+    """The result in a sentence: the broken law, or that no law is broken."""
     if run.finding:
         return f"law {run.finding.law} is broken"
     if not run.checked_laws:
@@ -89,7 +92,7 @@ def _said(run: SingleRun) -> str:
 
 
 def replay_content(replay: Replay) -> parts.ReportContent:
-    """The new run; if it breaks no law, only a page shows it, with the recorded run."""
+    """The content for a new run; if it breaks no law, a page shows it, with the recorded run."""
     recorded, run = replay.recorded, replay.again
     again = run.finding
     if again and again.law == recorded.law:
@@ -134,7 +137,7 @@ def _section(run: SingleRun) -> parts.Section:
 
 
 def run_section(run: SingleRun, name: str, title: str = "") -> parts.Section:
-    """A run that breaks no law: its pictures, its walk, and its answer if that is no map."""
+    """A section for a run that breaks no law: pictures, walk, and the answer if it is no map."""
     walk, ending = run.walk, run.outcome.episode.ending
     walked = Walked(walk)
     views = [parts.View("world", "The world", parts.walk_in_world(walk), walk.darts)]
@@ -172,11 +175,11 @@ def _quotient(answer: Ambiguous) -> list[parts.Block]:
 
 
 LONGEST_LIST = 60
-"""The most choices that are shown; of a longer list the first choices are shown."""
+"""The largest number of choices that are shown; of a longer list the first choices are shown."""
 
 
 def headline_of(finding: Finding) -> str:
-    """One line: the explorer, the broken law and the world's name and size."""
+    """A finding in one line: the explorer, the broken law and the world's name and size."""
     return f"{finding.explorer} breaks the law '{finding.law}' in {finding.world.in_words}"
 
 
@@ -190,7 +193,8 @@ def finding_section(
         number: its number among the findings that are shown.
         origin: its origin, in words; empty if the check itself has found it.
         title: a title in place of its number, its explorer and its law.
-        checked: whether it comes from a check, which confirms findings.
+        checked: whether the finding comes from a check, which confirms findings; else the section
+            does not say whether it is confirmed.
     """
     from allworlds.studies.explain import explained  # which a check that holds does not need
 
@@ -225,7 +229,7 @@ def _detail(finding: Finding) -> list[parts.Block]:
 
 
 def printed(output: str, shown: str = "") -> list[parts.Block]:
-    """The output of the explorer, unless it is shown already."""
+    """The block of the explorer's output; no block if ``shown`` already contains it."""
     if not output or output.rstrip() in shown:
         return []
     return [parts.Quote("output", "printed by the explorer", output, prefix="| ")]
@@ -238,7 +242,8 @@ def nothing_checked(rules: Rules) -> str:
 
 
 MOST_LINES = 3
-"""The most lines of code that are shown as run only in a finding; further lines are counted."""
+"""The largest number of lines of code that are named as run in the finding alone; further lines are
+counted."""
 
 
 def wrong_line(finding: Finding, step: int | None) -> str:
@@ -246,7 +251,7 @@ def wrong_line(finding: Finding, step: int | None) -> str:
 
     Args:
         finding: the finding.
-        step: the step at which belief and truth diverge, if they do.
+        step: the step at which belief and truth diverge; None if they do not.
     """
     code, shown = finding.code, finding.believed
     for where, _ in stack_of(finding):
@@ -261,7 +266,7 @@ def wrong_line(finding: Finding, step: int | None) -> str:
 
 
 def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
-    """The first wrong line, and the lines that only refuting runs reach."""
+    """Facts about the first wrong line, and about the lines that only refuting runs reach."""
     code = finding.code
     if code is None:
         return
@@ -278,7 +283,7 @@ def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
 
 
 def _law(finding: Finding, step: int | None) -> parts.FactList:
-    """The law, the expected and the actual result if they are no maps, and the lines of code."""
+    """Facts: the law, the expected and the found result if these are no maps, and lines of code."""
     lines = [*_lines(finding, step)]
     wrong = {
         "map": "the answer is not the same map as the world",
@@ -381,7 +386,7 @@ def _remarks(finding: Finding, origin: str, *, checked: bool) -> Iterator[tuple[
 
 
 def explain_content(explanation: Explanation) -> parts.ReportContent:
-    """The broken law, the story in sentences, and the walk in the world and in the answer."""
+    """The content for an explanation: the broken law, the story, the walk in world and answer."""
     finding = explanation.finding
     title = headline_of(finding)
     if explanation.findings > 1:

@@ -10,7 +10,7 @@ from allworlds.world.named import code_of
 
 
 def count_content(census: Census) -> parts.ReportContent:
-    """A row for each number of edges, and the source with which the counts were compared."""
+    """The content for a count: a row for each number of edges, and the source of the counts."""
     rows = [
         [
             row.edges,
@@ -59,7 +59,7 @@ def _counted(census: Census) -> parts.Headline | None:
 
 
 def worst_content(report: WorstReport) -> parts.ReportContent:
-    """The worst and the best cost of each size.
+    """The content for worst costs: the worst and the best cost of each size.
 
     A page also has the most expensive of the walks that attain worst costs.
     """
@@ -99,7 +99,7 @@ def _worst(report: WorstReport) -> parts.Headline | None:
 
 
 def _facts(report: WorstReport) -> list[tuple[str, str]]:
-    """The scope of the numbers, and the sources they were compared with, as named texts."""
+    """Named texts: the scope of the numbers, and the sources with which they were compared."""
     ways = {"shortest": "a shortest path", "simple": "any simple path"}
     scope = (
         f"every schedule of algorithm1 in {maps_in_words(report)}, from every vertex; transit on "

@@ -20,7 +20,8 @@ from allworlds.studies.team.team_report import TeamReport
 from allworlds.words import counted, number, plural, size
 
 COLUMNS, LEAST, OF_ACTION = 62, 7, 12
-"""In a diagram, the columns of text for all robots, the fewest for a percept, and for an action."""
+"""In a diagram: the columns of text for all robots together, the fewest columns for a percept, and
+the columns for an action."""
 
 SHOWN_EVENTS = 15
 """The number of events that the diagram of a long run shows at either end."""
@@ -29,11 +30,11 @@ TEAM_SAID = (
     *(*SAID, "model", "robots", "scheduler", "budget", "within", "lead", "start_delay"),
     *("max_findings", "world", "starts"),
 )
-"""The fields of the request that the scope describes."""
+"""The fields of the request that the facts of :func:`scope_words` describe."""
 
 
 def team_content(report: TeamReport) -> parts.ReportContent:
-    """The verdict, the findings, the scope and the counts."""
+    """The content for a search of a team: the verdict, the findings, the scope and the counts."""
     findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
     if report.unfinished and not findings:
         findings.append(unfinished_section(report.unfinished))
@@ -146,7 +147,7 @@ def _gate(report: TeamReport) -> str:
 
 
 def size_table(report: TeamReport) -> parts.Table:
-    """Counts for each number of edges and vertices."""
+    """A table of the counts for each number of edges and vertices."""
     header = ["edges", "vertices", "maps", "worlds", "configurations", "most", "longest"]
     rows = [
         [r.edges, r.vertices, r.maps, r.worlds, r.configurations, r.most, r.longest]
@@ -156,7 +157,7 @@ def size_table(report: TeamReport) -> parts.Table:
 
 
 def team_replay_content(replay: TeamReplay) -> parts.ReportContent:
-    """The outcome of the new search, and its findings."""
+    """The content for a replay: the outcome of the new search, and its findings."""
     names, outcome = ", ".join(dict.fromkeys(replay.again.explorers)), replay.outcome
     now = replay.law_now or replay.law
     text = f"law '{now}' is broken" + (" again" if now == replay.law else f", not '{replay.law}'")
@@ -173,7 +174,7 @@ def team_replay_content(replay: TeamReplay) -> parts.ReportContent:
 
 
 def team_explain_content(explanation: TeamExplanation) -> parts.ReportContent:
-    """Sentences, and the diagram of the run."""
+    """The content for an explanation: sentences, and the diagram of the run."""
     found = explanation.finding
     sentences = [parts.Paragraph(sentence) for sentence in explanation.sentences]
     section = parts.Section("run", "The run", [*_run(found)])
@@ -191,18 +192,18 @@ def team_explain_content(explanation: TeamExplanation) -> parts.ReportContent:
 
 
 def headline_of(found: TeamFinding) -> str:
-    """One line: the programs, the broken law and the world's size."""
+    """A finding in one line: the programs, the broken law and the world's size."""
     return f"{', '.join(found.team)} breaks the law '{found.law}' with {size(*found.key[:2])}"
 
 
 def finding_section(found: TeamFinding, index: int) -> parts.Section:
-    """A finding: its world, the diagram of its run, and the command that searches it again."""
+    """A section for a finding: its world, the diagram of its run, and the command to repeat it."""
     title = f"Finding {index}: {found.law}, {size(*found.key[:2])}"
     return parts.Section(f"finding-{index}", title, [*_run(found)])
 
 
 def unfinished_section(found: TeamFinding) -> parts.Section:
-    """A shortest run that the budget cuts off."""
+    """A section for a shortest run that the budget cuts off."""
     title = f"A run that is cut off, with {size(*found.key[:2])}"
     return parts.Section("unfinished", title, [*_run(found)])
 
@@ -228,7 +229,7 @@ def _run(found: TeamFinding) -> Iterator[parts.Block]:
 
 
 def _rows_of(found: TeamFinding) -> Iterator[parts.RunRow]:
-    """The start and the events of a run, for the page."""
+    """The start and the events of a run, as rows for the page."""
     before: tuple[int | None, ...] = found.starts
     yield parts.RunRow("", (), "", before)
     repeats = len(found.events) - found.loop
@@ -274,7 +275,7 @@ def diagram(found: TeamFinding) -> list[str]:
 
 
 def sequence_of(found: TeamFinding) -> str:
-    """The run as a sequence diagram of PlantUML: a lifeline for each robot, and the world."""
+    """The run as a sequence diagram of PlantUML: a lifeline for each robot, one for the world."""
     robots = range(len(found.starts))
     lines = ["@startuml", f"title {found.law}: {found.seen}"]
     lines += [f'participant "robot {robot}" as r{robot}' for robot in robots]
@@ -308,7 +309,7 @@ def _cell(event: EventRow, robot: int, most: int = COLUMNS) -> str:
 
 
 def sensed_in_words(turn: Turned, most: int) -> str:
-    """The percept of a turn, in a few words."""
+    """The percept of a robot's turn, in at most ``most`` characters if it is no usual percept."""
     sensed: Any = turn.sensed
     if isinstance(sensed, dict) and {*sensed} == {"degree", "marks", "bearing"}:
         return str(Percept(**sensed))

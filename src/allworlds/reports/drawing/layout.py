@@ -25,7 +25,10 @@ from allworlds.reports.parts import Scene, View
 
 
 def points_of(way: Sequence[complex]) -> list[complex]:
-    """Points of a curve: its ends, the tops of its parabolas, and the points between parabolas."""
+    """Points of a curve: its ends, the tops of its parabolas, and the points between parabolas.
+
+    ``way`` holds the control points, as in :class:`Layout`.
+    """
     points = [way[0], (way[0] + way[1]) / 2]
     for a, b, c in zip(way, way[1:], way[2:], strict=False):
         points += [(a + 6 * b + c) / 8, (b + c) / 2]
@@ -33,7 +36,7 @@ def points_of(way: Sequence[complex]) -> list[complex]:
 
 
 def bridges_of(way: Sequence[complex]) -> list[tuple[complex, complex]]:
-    """The ends of the straight piece of a curve at each crossing."""
+    """The two ends of the straight piece of a curve at each place where another edge crosses it."""
     # Every fifth point between the ends of the edge is where it crosses another one.
     if len(way) % 5 != 1:
         return []
@@ -42,23 +45,24 @@ def bridges_of(way: Sequence[complex]) -> list[tuple[complex, complex]]:
 
 
 SQUAREST = 0.42 * pi
-"""The least angle at which two edges cross; wider angles are not changed."""
+"""The least angle at which two edges cross in a drawing; an angle that is wider by itself stays."""
 
 STRAIGHT = 0.5
-"""The length of the straight piece at a crossing, as a share of the shortest of the four pieces."""
+"""The length of the straight piece at a crossing, as a share of the shortest of the four pieces
+that meet there."""
 
 EVEN = 0.75
 """The least angle between two darts at a vertex, as a share of the average angle there."""
 
 BEND = pi / 3
-"""The largest angle by which a dart is turned to reach the least angle."""
+"""The largest angle by which a dart is turned to reach the angle :data:`EVEN`."""
 
 REACH = 0.8
-"""The length of the straight beginnings of darts, as a share of the shortest dart."""
+"""The length of the straight beginnings of darts at a vertex, as a share of its shortest dart."""
 
 
 def straightened(centre: complex, round_it: Sequence[complex]) -> list[complex]:
-    """The point towards which each of four pieces leaves a crossing, opposite pieces in line.
+    """The point towards which each of four pieces leaves a crossing; opposite pieces are in line.
 
     Args:
         centre: the crossing.
@@ -77,13 +81,13 @@ def straightened(centre: complex, round_it: Sequence[complex]) -> list[complex]:
 
 
 def _line(there: complex, back: complex) -> complex:
-    """The mean of the direction to one piece and the direction away from the other, of length 1."""
+    """The mean of the direction ``there`` and the direction opposite to ``back``, of length 1."""
     line = there / abs(there) - back / abs(back)
     return line / abs(line)
 
 
 def spread(centre: complex, round_it: Sequence[complex]) -> list[complex]:
-    """The point towards which each dart leaves a vertex: with wide angles, and near its old point.
+    """The point towards which each dart leaves a vertex: near its old point, with wider angles.
 
     Args:
         centre: the vertex.
@@ -105,25 +109,26 @@ def spread(centre: complex, round_it: Sequence[complex]) -> list[complex]:
 
 
 MOST_DARTS = 200
-"""The most darts of a planar drawing, crossings included; larger maps are drawn round a circle."""
+"""The largest number of darts of a planar drawing, crossings included; larger maps are drawn round
+a circle."""
 
 STUB, NARROWEST, WIDEST = 24.0, 130.0, 900.0
 """In pixels: the least straight beginning of an edge; the least and the largest drawing."""
 
 DISC, CHIP, HIGH, GAP, FAR = 12.0, 10.0, 14.0, 16.0, 46.0
 """In pixels: the radii of a vertex and of the robot, the height of a number, the least distance of
-two numbers, and the largest distance by which a number is moved from its vertex for that."""
+two numbers, and the largest distance from a vertex to which a number is moved to keep it."""
 
 
 class Layout(Struct, frozen=True):
-    """A drawing in pixels, y downwards.
+    """A drawing in pixels; y grows downwards.
 
     Attributes:
         vertices: the centre of each vertex.
-        ways: for each dart the control points of its edge, from the dart's vertex to the other one.
+        ways: for each dart the control points of its edge, from the dart's vertex to the other end.
             Between the middles of two successive pieces the edge is a parabola that touches both
-            pieces; the first and the last half piece are straight.  Each dart of a cut edge has its
-            own half alone.
+            pieces; the first and the last half piece are straight.  If the edge is cut, each of its
+            darts has only its own half.
         letters: for each dart of a cut edge the letter at the cut.
     """
 
@@ -132,7 +137,7 @@ class Layout(Struct, frozen=True):
     letters: Mapping[Dart, str] = field(default_factory=dict)
 
     def pieces(self, dart: Dart, other: Dart) -> list[tuple[complex, ...]]:
-        """The curves of an edge, from the first dart to the other: two if the edge is cut."""
+        """The curves of an edge, from ``dart`` to ``other``: one curve; two if the edge is cut."""
         whole = [self.ways[dart]]
         return [*whole, self.ways[other][::-1]] if dart in self.letters else whole
 
@@ -147,7 +152,7 @@ class Layout(Struct, frozen=True):
         return (towards - start) / abs(towards - start)
 
     def box(self, margin: float) -> tuple[float, float, float, float]:
-        """The left, top, width and height of the box around the drawing."""
+        """The left, top, width and height of the box around the drawing, margin included."""
         points = [*self.vertices, *(p for way in self.ways for p in points_of(way))]
         left, top = (min(xs) - margin for xs in _coordinates(points))
         right, bottom = (max(xs) + margin for xs in _coordinates(points))
@@ -161,7 +166,7 @@ def rim(here: complex, others: Iterable[complex], wide: float) -> float:
 
     Args:
         here: the direction in which the dart leaves, of length 1.
-        others: the directions of the other darts there.
+        others: the directions of the other darts at the vertex.
         wide: the width of the number.
     """
     aside, high = abs(here.real), abs(here.imag)
@@ -173,12 +178,12 @@ def rim(here: complex, others: Iterable[complex], wide: float) -> float:
 
 @lru_cache(maxsize=256)
 def layout(map_: CombinatorialMap, root: Dart) -> Layout:
-    """The drawing of a map of any genus, the root's vertex to the left.
+    """The drawing of a map of any genus, with the root's vertex to the left.
 
     The drawing does not depend on the numbers of the darts.  Lattices, also on a torus, paths,
-    stars, rings and wheels have regular drawings.  The edges of a planar map do not cross; for any
-    other map the drawing with the fewest crossings that was found is used.  Only in a drawing round
-    a circle edges cross needlessly and may run under a vertex.
+    stars, rings and wheels have regular drawings.  The edges of a planar map do not cross; any
+    other map has the drawing with the fewest crossings that was found.  Only a large map is drawn
+    round a circle; there edges cross needlessly and may run under a vertex.
     """
     if ways := wheel(map_):
         return _finished(map_, root, ways)
@@ -241,7 +246,7 @@ def _finished(
 ) -> Layout:
     """The drawing, turned, and scaled so that the numbers of the darts fit.
 
-    A lattice stays upright; only a lattice has ``letters``, which may be an empty mapping.
+    A lattice stays upright.  ``letters`` is None unless the map is a lattice; it may be empty.
     """
     origin, spots = ways[root][0], tuple(ways[vertex[0]][0] for vertex in map_.vertices)
     others = spots if len(spots) > 1 else [way[1] for way in ways]
@@ -268,13 +273,15 @@ def _coordinates(points: Sequence[complex]) -> tuple[list[float], list[float]]:
 def drawn_beside(
     first: View, other: View, drawn: Layout, agreement: int
 ) -> tuple[View, View, Layout]:
-    """Both views, their first difference ringed, the other named like the first; its layout, too.
+    """Both views, and the layout of the other one; in both the first difference is ringed.
+
+    The darts and vertices of the other view are named like those of the first view.
 
     Args:
         first: the view of one map.
         other: the view of the other map.
         drawn: the layout of the first map.
-        agreement: the number of steps, with the start, up to which both trails agree.
+        agreement: the number of steps, with the start, in which both trails agree.
     """
     world, answer = first.scene, other.scene
     ties = _ties(first, other, agreement)
@@ -291,7 +298,10 @@ def drawn_beside(
 
 
 def named_like(first: View, other: View, agreement: int) -> View:
-    """The other view with the names of the first view's vertices, if these have names."""
+    """The other view with the names of the first view's vertices, if these have names.
+
+    The first ``agreement`` elements of both trails agree.
+    """
     if not first.scene.vertices:
         return other
     names = vertex_names_like(_ties(first, other, agreement), other.scene.map, first.scene)
@@ -299,7 +309,7 @@ def named_like(first: View, other: View, agreement: int) -> View:
 
 
 def _ties(first: View, other: View, agreement: int) -> dict[Dart, Dart]:
-    """The dart of the first view for each dart of the other one, as far as the two agree."""
+    """For each dart of the other view its partner in the first view, as far as the two agree."""
     world, answer = first.scene.map, other.scene.map
     ties: dict[Dart, Dart] = {}
     for robot, belief in zip(first.trail[:agreement], other.trail[:agreement], strict=True):
@@ -338,13 +348,19 @@ def extended(
 
 
 def dart_names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, many: int) -> list[str]:
-    """The numbers of darts in another map, of ``many`` darts; unmatched darts get new numbers."""
+    """For each dart of a map the number of its partner in another map, which has ``many`` darts.
+
+    Darts without a partner get new numbers, from ``many`` on.
+    """
     new = iter(range(many, many + len(map_.sigma)))
     return [str(ties[d] if d in ties else next(new)) for d in map_.darts]
 
 
 def vertex_names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, other: Scene) -> list[str]:
-    """The names of a map's vertices, from another map; unmatched vertices get new names."""
+    """For each vertex of a map the name of its partner in another map.
+
+    Vertices without a partner get new names: ``new 1``, ``new 2``.
+    """
     names, left = list[str](), dict(enumerate(other.vertex_names))
     new = iter(range(1, map_.vertex_count + 1))
     for vertex in map_.vertices:
@@ -354,9 +370,9 @@ def vertex_names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, other: 
 
 
 def mirror_of(map_: CombinatorialMap, other: CombinatorialMap) -> dict[Dart, Dart]:
-    """Each dart with its mirror image; empty if the map is not the mirror image of the other.
+    """For each dart the partner in the other map, if that is the mirror image of the map.
 
-    The result is also empty if the map is isomorphic to the other one.
+    The result is empty if it is no mirror image, or if the map is also isomorphic to it.
     """
     if isomorphism(map_, other):
         return {}
@@ -373,11 +389,11 @@ def layout_like(
     """Draw a map like another one if it is that map or its mirror image; else by itself.
 
     Args:
-        ties: the partners of darts in the other map.
+        ties: for each dart of the map its partner in the other map.
         map_: the map to draw.
-        root: the dart at which its drawing begins, if it is drawn by itself.
+        root: the dart at which the drawing begins, if the map is drawn by itself.
         other: the map that has a drawing.
-        drawn: that drawing.
+        drawn: the drawing of the other map.
     """
     whole = len(ties) == len(map_.sigma) == len(other.sigma)
     if not whole or any(ties[map_.alpha[d]] != other.alpha[e] for d, e in ties.items()):

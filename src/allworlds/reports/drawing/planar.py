@@ -14,13 +14,13 @@ TRIES = 12
 
 
 class PlanarMap(Struct, frozen=True):
-    """A planar map that is the drawing of another map.
+    """A planar map that is the drawing of another map, with vertices at crossings and bends.
 
     Attributes:
         sigma, alpha: the permutations.  The darts of the drawn map come first, with their numbers;
-            sigma does not change round its vertices.  Then come four darts for each crossing,
-            clockwise, so that opposite darts differ by 2; then two darts for each bend.  Bends make
-            loops without crossings rounder.
+            round their vertices sigma is that of the drawn map.  Then come four darts for each
+            crossing, clockwise, so that opposite darts differ by 2; then two darts for each bend.
+            Bends make loops without crossings rounder.
         own: the number of darts of the drawn map.
         unbent: the number of darts that are not at bends.
     """
@@ -31,7 +31,7 @@ class PlanarMap(Struct, frozen=True):
     unbent: int
 
     def way(self, dart: Dart) -> list[Dart]:
-        """The darts along the edge that begins with a dart, two for each piece."""
+        """The darts along the edge of the drawn map that begins with a dart, two for each piece."""
         way = [dart, self.alpha[dart]]
         while way[-1] >= self.own:
             after = self.sigma[way[-1]]
@@ -41,7 +41,7 @@ class PlanarMap(Struct, frozen=True):
 
 
 def planar(map_: CombinatorialMap) -> PlanarMap:
-    """The map drawn in the plane; without a crossing if and only if its genus is 0.
+    """A drawing of the map in the plane; it has no crossing if and only if the genus is 0.
 
     Cost: O(TRIES m c), for c crossings and edges.
     """
@@ -77,7 +77,7 @@ def _drawn(map_: CombinatorialMap, order: Sequence[tuple[Dart, Dart]]) -> Planar
 def _spanning_tree(
     map_: CombinatorialMap, order: Sequence[tuple[Dart, Dart]]
 ) -> list[tuple[Dart, Dart]]:
-    """The edges of a spanning tree, each with a vertex of the earlier edges.
+    """The edges of a spanning tree; each edge has a vertex that an earlier edge has, too.
 
     For a map with one vertex the result is the first edge, since a drawing begins with an edge.
     """
@@ -91,7 +91,7 @@ def _spanning_tree(
 
 
 class _Plane:
-    """The part of the drawing made so far: some of the darts, and crossings, as a planar map."""
+    """The drawing made so far, as a planar map: some of the darts, and crossings."""
 
     def __init__(self, map_: CombinatorialMap) -> None:
         self.map = map_
@@ -116,7 +116,7 @@ class _Plane:
         return came[goal]
 
     def join(self, a: Dart, b: Dart, crossed: Sequence[Dart]) -> None:
-        """Draw the edge of a and b across these darts."""
+        """Draw the edge of a and b across the darts ``crossed``."""
         self._put(a)
         end = a
         for dart in crossed:
@@ -148,7 +148,7 @@ class _Plane:
             self.sigma[before] = dart
 
     def _before(self, dart: Dart) -> Dart | None:
-        """The next dart counterclockwise that is drawn already."""
+        """The next drawn dart counterclockwise; None if no other dart of the vertex is drawn."""
         around = (self.map.turn(dart, -k) for k in range(1, self.map.degree_at[dart]))
         return next((d for d in around if d in self.sigma), None)
 
@@ -174,31 +174,31 @@ class _Plane:
 
 
 SWEEPS = 150
-"""The number of times that every point is moved."""
+"""The number of sweeps that improve a drawing; a sweep moves every point once."""
 
 MOST_SWEEPS = 100_000
-"""The most sweeps until no triangle is turned over, which is far more than are needed."""
+"""The largest number of sweeps until no triangle is turned over; far fewer are needed."""
 
 FURTHER = 1.8
 
 ROOM = 4.0
-"""The wanted area of triangles at a vertex, which gives room for the numbers of its darts."""
+"""Twice the wanted area of triangles at a vertex, which gives room for the numbers of its darts."""
 
 RING = 0.05
 """The weight of triangles at the ring of points round the drawing; these triangles may be flat."""
 
 
 class Mesh(Struct, frozen=True):
-    """The triangulation.
+    """The triangulation of a planar drawing.
 
-    The points are the darts; then, for each dart, three points beside it: after it and before it at
-    its vertex, and to the left of its edge; then the vertices, in the order of sigma's cycles;
-    the faces; and the ring of points round the drawing.
+    The points are, in this order: the darts; then, for each dart, three points beside it: after it
+    at its vertex, before it at its vertex, and to the left of its edge; the vertices, in the order
+    of sigma's cycles; the faces; and the ring of points round the drawing.
 
     Attributes:
-        links: the neighbours of each point within the ring, clockwise.
-        rooms: for each neighbour twice the wanted area of the triangle with it and the neighbour
-            before it.
+        links: the neighbours of each point inside the ring, clockwise.
+        rooms: for each point inside the ring and each of its neighbours: twice the wanted area of
+            the triangle of the point, this neighbour and the neighbour before it.
         first_vertex: the point of the first vertex.
         ring: the points of the ring, clockwise.
     """
@@ -210,7 +210,7 @@ class Mesh(Struct, frozen=True):
 
 
 def mesh(drawn: PlanarMap) -> Mesh:
-    """The triangulation of a planar map with its longest face outside."""
+    """The triangulation of a planar map with its longest face outside, bends not counted."""
     sigma, alpha, size = drawn.sigma, drawn.alpha, len(drawn.sigma)
     vertices = cycles(sigma)
     after, before, left, first_vertex = size, 2 * size, 3 * size, 4 * size
@@ -274,7 +274,7 @@ def coordinates(net: Mesh) -> list[complex]:
 
 
 def _move(i: int, net: Mesh, points: list[complex]) -> None:
-    """Move a point so that the triangles around it are less strained."""
+    """Move the point i so that the triangles around it are less strained."""
     here = points[i]
     strain, step = _strain(here, i, net, points)
     step *= FURTHER
@@ -286,7 +286,7 @@ def _move(i: int, net: Mesh, points: list[complex]) -> None:
 
 
 def _strain(centre: complex, i: int, net: Mesh, points: Sequence[complex]) -> tuple[float, complex]:
-    """The strain of the triangles around a point, and the step that should lower it.
+    """The strain of the triangles around point i at ``centre``, and the step that should lower it.
 
     The strain of a triangle is S/A + R/A + A/R, where A/2 is its area, S the sum of the squares of
     its sides, and R/2 the wanted area; it is infinite for a triangle that is turned over.

@@ -13,11 +13,11 @@ WIDTH, HEIGHT, LEFT, ABOVE = 480, 320, 60, 16
 RIGHT, BELOW = WIDTH - 20, HEIGHT - 44
 
 COLOURS = ("#1f77b4", "#d62728", "#2a8a2a", "#9467bd", "#b8650a", "#7f7f7f")
-"""The colours of the lines, in their order, visible on a light and on a dark ground."""
+"""The colours of the lines, in order; they are visible on a light and on a dark ground."""
 
 
 def plot(curve: Curve) -> ET.Element:
-    """The curve with its axes; the names of its lines are below, each in its colour.
+    """The curve with its axes; the names of its lines are below, each in the colour of its line.
 
     The interval of a value is drawn as an upright line.
     """
@@ -57,7 +57,7 @@ def _text(x: float, y: float, text: str, anchor: str) -> ET.Element:
 
 
 def _scale(values: Sequence[float], begin: float, end: float) -> Callable[[float], float]:
-    """The coordinate of a value on an axis."""
+    """The function from a value to its coordinate on a logarithmic axis between two ends."""
     least, most = log(min(values)), log(max(values))
     return lambda value: round(
         begin + (end - begin) * (log(value) - least) / (most - least or 1), 1
@@ -65,7 +65,7 @@ def _scale(values: Sequence[float], begin: float, end: float) -> Callable[[float
 
 
 def _ticks(values: Sequence[float]) -> list[float]:
-    """The values, if they are few; else round values between the least and the largest."""
+    """The values, if there are at most 6; else round values between the least and the largest."""
     found = sorted({*values})
     for steps in ((1, 2, 5), (1, 3), (1,)):
         if len(found) > 6:

@@ -22,7 +22,7 @@ WIDE = 0.35 * tau
 
 
 def laid_out(scene: Scene) -> Layout:
-    """The drawing at the positions of the scene, or that of :func:`layout` if these do not fit."""
+    """The drawing at the scene's positions; if there are none that fit, that of :func:`layout`."""
     placed = at_positions(scene.map, scene.positions) if scene.positions else None
     return placed or layout(scene.map, scene.root)
 
@@ -31,8 +31,8 @@ def laid_out(scene: Scene) -> Layout:
 def at_positions(map_: CombinatorialMap, positions: Sequence[Position]) -> Layout | None:
     """The drawing with each vertex at its position; parallel edges and loops are bent.
 
-    None if the order of the edges round a vertex is not the map's, if there is no room, or for
-    fewer than three vertices.
+    None if the edges leave a vertex in another order than the map's, if there is not enough room,
+    or if the map has fewer than three vertices.
 
     Cost: O(n m).
     """
@@ -67,7 +67,7 @@ def at_positions(map_: CombinatorialMap, positions: Sequence[Position]) -> Layou
 
 
 def _distance(point: complex, start: complex, end: complex) -> float:
-    """The distance of a point from the straight line between two others."""
+    """The distance of a point from the straight line between ``start`` and ``end``."""
     along = (point - start) / (end - start)
     return abs(along - min(max(along.real, 0), 1)) * abs(end - start)
 
@@ -77,7 +77,7 @@ def _angles(
 ) -> Iterator[tuple[Dart, float]]:
     """The darts of a vertex with their angles; none if the order of the angles is not the map's.
 
-    Parallel edges leave side by side, and loops behind the edge before them.
+    Parallel edges leave side by side, and loops next to the edge before them.
 
     Args:
         map_: a map with at least two vertices.

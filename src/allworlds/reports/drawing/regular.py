@@ -9,7 +9,7 @@ from typing import TypeAlias
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 
 Ways: TypeAlias = list[list[complex]]
-"""For each dart the control points of its edge; edges are about 1 long."""
+"""For each dart the control points of its edge, as in ``Layout``; edges are about 1 long."""
 
 
 def wheel(map_: CombinatorialMap) -> Ways:
@@ -43,13 +43,13 @@ def wheel(map_: CombinatorialMap) -> Ways:
 
 
 def lattice(map_: CombinatorialMap, root: Dart) -> tuple[Ways, dict[Dart, str]]:
-    """The drawing of a lattice, in the plane or on a torus, upright; empty for other maps.
+    """The upright drawing of a lattice, in the plane or on a torus; empty for other maps.
 
     The direction of a dart follows from the other end of its edge, and from the next dart if a
     square is between them, or if the vertex has four darts.  If nothing else decides, two darts at
     a vertex are opposite; so paths are drawn, too, and some lattices with holes.  A lattice on a
     torus, where all vertices and faces have degree 4, is cut into rows: each dart of a cut edge has
-    its own half and a letter.
+    its own half of the edge, and a letter.
 
     Cost: O(m log m).
     """
@@ -71,7 +71,8 @@ def lattice(map_: CombinatorialMap, root: Dart) -> tuple[Ways, dict[Dart, str]]:
 def _walked(map_: CombinatorialMap, root: Dart) -> dict[Dart, tuple[complex, int]]:
     """For each dart the point of its vertex, and its direction in quarter turns clockwise from 1.
 
-    Empty unless all vertices have different points, with the darts round each as in the map.
+    The result is empty unless all vertices have different points, and the darts round each vertex
+    have the map's order.
     """
     sigma = map_.sigma
     square = {dart for dart in map_.darts if map_.degree_at[dart] == 4}

@@ -24,7 +24,7 @@ from allworlds.words import escaped, harmless_json, size
 from allworlds.world.world import World
 
 Child: TypeAlias = ET.Element | str
-"""Possible children of an element."""
+"""A child of an element: another element, or a text."""
 
 # HTML allows neither control characters nor non-characters, and UTF-8 no half of a pair.
 _FORBIDDEN = re.compile(
@@ -40,7 +40,7 @@ def tag(name: str, /, *children: Child, **attributes: str | float | None) -> ET.
     """An element with its children.
 
     An attribute's name is written with ``_`` for ``-`` and may end in ``_``; an attribute that is
-    None is left out.  Only a newline stands between elements that are no part of a line.
+    None is left out.  A newline follows the element, unless it stands inside a line of text.
     """
     element = ET.Element(name)
     for key, value in attributes.items():
@@ -67,7 +67,7 @@ def record(document: object, /, **attributes: str) -> ET.Element:
 
 
 def raw(name: str, text: str, /, **attributes: str) -> ET.Element:
-    """A ``script`` or ``style``, whose text a browser reads unescaped."""
+    """A ``script`` or ``style`` element, whose text a browser reads unescaped."""
     if "</" in text or "<!--" in text:
         raise ValueError(f"the text of a {name} would end it")
     element = tag(name, **attributes)
@@ -81,7 +81,7 @@ def legal(text: str) -> str:
 
 
 def document(root: ET.Element) -> str:
-    """The text of a page."""
+    """The text of the page with this root element."""
     return "<!DOCTYPE html>\n" + ET.tostring(root, "unicode", method="html") + "\n"
 
 
@@ -93,7 +93,7 @@ COLOURS = 12
 
 
 def at(point: complex) -> str:
-    """A point, as written in a path."""
+    """A point, as it is written in a path of SVG."""
     return f"{rounded(point.real)} {rounded(point.imag)}"
 
 
@@ -110,22 +110,24 @@ MARGIN = 30.0
 """The margin of the drawing, in pixels."""
 
 SHORT = 5
-"""The longest name of a vertex that is written into its disc; longer names are beside it."""
+"""The largest number of characters of a name that is written into a vertex's disc; longer names are
+beside the disc."""
 
 BESIDE, BEYOND, WIDE = 31.0, 42.0, 7
-"""In pixels: from a vertex to a name beside it, or beyond a dart's number; a character's width."""
+"""In pixels: the distance from a vertex to a name beside it, that to a name beyond a dart's number,
+and the width of a character."""
 
 STEEP = 0.8
-"""The sine of the least angle at which a dart would run through the name of its vertex."""
+"""The sine of the least angle to the horizontal at which a dart runs through its vertex's name."""
 
 TURN = 16.5
-"""The radius of the arrow that shows the clockwise direction."""
+"""The radius, in pixels, of the arrow that shows the clockwise direction."""
 
 
 def picture(scene: Scene, name: str, title: str, drawn: Layout | None = None) -> ET.Element:
     """The scene as an SVG element; ``name`` is its id, ``title`` the text for screen readers.
 
-    ``drawn`` is its layout, by default that of :func:`laid_out`.
+    ``drawn`` is the scene's layout, by default that of :func:`laid_out`.
     """
     map_ = scene.map
     drawn = drawn or laid_out(scene)
@@ -189,7 +191,7 @@ def in_words(scene: Scene) -> str:
 
 
 def _edge(scene: Scene, drawn: Layout, dart: Dart) -> Iterator[ET.Element]:
-    """The edge, after the gaps that it makes in the edges below."""
+    """The elements of an edge, after those of the gaps that it makes in the edges below it."""
     other = scene.map.alpha[dart]
     walked = dart in scene.walked or other in scene.walked
     kind, darts = "edge walked" if walked else "edge", f"{dart} {other}"
@@ -241,7 +243,10 @@ def _vertex(scene: Scene, drawn: Layout, vertex: int, name: str) -> ET.Element:
 
 
 def _beside(along: Sequence[complex]) -> float:
-    """The distance of a vertex's name below or above it, clear of the numbers of its darts."""
+    """The distance of a vertex's name below it (or above it, if negative).
+
+    ``along`` holds the directions of the vertex's darts, whose numbers the name must not touch.
+    """
     down, up = (any(side * way.imag > STEEP for way in along) for side in (1, -1))
     far = BEYOND if down and up else BESIDE
     return -far if down and not up else far
@@ -286,7 +291,7 @@ def _number(scene: Scene, dart: Dart, point: complex) -> ET.Element:
 
 
 def _width(scene: Scene, dart: Dart) -> float:
-    """Width in pixels of the dart's number with its letter."""
+    """The width in pixels of the dart's number with its letters."""
     letters = "" if scene.labels is None else scene.labels[dart]
     marks = f"●{scene.letters[dart]}" if dart in scene.letters else ""
     return 4.0 + 7.0 * len(scene.dart_names[dart] + letters + marks)
@@ -320,7 +325,7 @@ class Drawing(Struct, frozen=True):
 
     Attributes:
         svg: an SVG document with its own style.
-        text: the same in characters.
+        text: the same picture in characters.
     """
 
     svg: str
@@ -331,7 +336,7 @@ class Drawing(Struct, frozen=True):
 
         Raises:
             InputError: if the name of the file does not end in ``.svg``.
-            OSError: if it cannot be written.
+            OSError: if the file cannot be written.
         """
         path = a_path("file", file)
         if path.suffix.lower() != SUFFIX:
@@ -355,7 +360,7 @@ def draw(shown: CombinatorialMap | World) -> Drawing:
         shown: the map, or the world, whose lighthouse and start are drawn, too.
 
     Raises:
-        InputError: for anything else.
+        InputError: if ``shown`` is neither a map nor a world.
     """
     if not isinstance(shown, CombinatorialMap | World):
         raise InputError(f"{show(shown)} is neither a CombinatorialMap nor a World")
@@ -366,7 +371,7 @@ def draw(shown: CombinatorialMap | World) -> Drawing:
 
 
 def drawing(scene: Scene, title: str) -> Drawing:
-    """The picture of a scene by itself."""
+    """The picture of a scene alone, outside of a page."""
     style = (files("allworlds.reports.drawing") / "alone.css").read_text(encoding="utf-8")
 
     def svg(name: str) -> str:

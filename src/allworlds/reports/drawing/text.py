@@ -6,8 +6,8 @@ above the row that joins its two darts.  So the map, the names of its darts and 
 be read back from the picture.  A crossing of two arcs says nothing about the surface.
 
 The order of vertices and darts is fixed by the map rooted at the start: vertices breadth
-first, each from the dart by which it is found.  Renaming the darts changes nothing but the
-printed numbers.
+first, each from the dart by which it is found.  If the darts are renamed, only the printed numbers
+change.
 """
 
 import textwrap
@@ -17,10 +17,10 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.reports.parts import Scene
 
 LONGEST_ROW = 40
-"""The most vertices in a table, and the most darts of a vertex, that are all shown."""
+"""The largest number of vertices in a table, and of darts of a vertex, that are all shown."""
 
 LONGEST_NAME = 16
-"""The most characters of a vertex's name; longer names are cut, and whole in the legend."""
+"""The largest number of characters of a vertex's name; a longer name is whole only in the legend."""
 
 _LEGEND = {
     "(": "( ) vertex with its darts clockwise",
@@ -34,11 +34,11 @@ _LEGEND = {
     "R": "R robot at the end",
     "a": "a, b, ... under darts: darts with one letter look alike",
 }
-"""The signs in the order of the legend."""
+"""The signs, each with its meaning, in the order of the legend."""
 
 
 def draw(scene: Scene, width: int = 80) -> str:
-    """The scene as an arc diagram, or as :func:`rotation_table` if that is wider than ``width``.
+    """The scene as an arc diagram, or as :func:`rotation_table` if it is wider than ``width``.
 
     The diagram begins at the start.  Vertex ``v`` is named by its index in ``map.vertices``.  Below
     the darts are their labels, the names of the vertices with their markers, and the signs of
@@ -77,11 +77,11 @@ def rotation_table(scene: Scene, width: int = 80) -> str:
     """The scene as a table: a line for each vertex with name, degree and its darts clockwise.
 
     The order is that of :func:`draw`.  Each dart is written ``dart→vertex.dart``, with the other
-    end of its edge.  The signs are before the dart, its label is in square brackets after it.  Only
-    the legend is kept within ``width``.
+    end of its edge.  The signs of a dart stand before it, its label in square brackets after it.
+    Only the legend is kept within ``width``.
 
     If there are more than :data:`LONGEST_ROW` vertices, or darts of a vertex, the first and the
-    last ones are shown, and the number of the others.
+    last of them are shown, with the number of those between.
     """
     map_, labels, signed = scene.map, scene.labels, _signed(scene)
     names, shown = _names(scene), scene.short_names(LONGEST_NAME)
@@ -107,7 +107,7 @@ def rotation_table(scene: Scene, width: int = 80) -> str:
 
 
 def _signed(scene: Scene) -> dict[str, Sequence[Dart]]:
-    """The signs of single darts, each with its darts."""
+    """The signs of single darts, each with the darts that have the sign."""
     start, robot = (() if d is None else (d,) for d in (scene.start, scene.robot))
     marked: dict[str, Sequence[Dart]] = {
         f"●{marks}": [dart for dart, its in scene.letters.items() if its == marks]
@@ -134,7 +134,10 @@ def _groups(map_: CombinatorialMap, root: Dart) -> list[list[Dart]]:
 
 
 def _cut(texts: list[str], what: str) -> list[str]:
-    """The texts; of many texts the first, the number of the others, and the last."""
+    """The texts; of many texts the first, the number of those between, and the last.
+
+    ``what`` is the noun for the number.
+    """
     if len(texts) <= LONGEST_ROW:
         return texts
     half = LONGEST_ROW // 2
@@ -157,10 +160,10 @@ def _names(scene: Scene) -> list[str]:
 
 
 def _arcs(spans: Iterable[tuple[int, int]]) -> Iterator[str]:
-    """The rows of the arcs, highest first.
+    """The rows of the arcs, the highest first; ``spans`` holds the columns of the ends of each arc.
 
-    Shorter arcs are lower, each on the lowest level without an overlap.  So an arc is above any arc
-    within it; only arcs whose ends alternate cross, and they cross once.
+    Shorter arcs are lower, each on the lowest level without an overlap.  So an arc is above every
+    arc inside it; only arcs whose ends alternate cross, and they cross once.
     """
     levels: list[list[tuple[int, int]]] = []
     for left, right in sorted(spans, key=lambda span: (span[1] - span[0], span)):
@@ -191,7 +194,7 @@ def _row(texts: Mapping[int, str]) -> str:
 
 
 def _legend(signs: set[str], scene: Scene, width: int) -> str:
-    """The meanings of these signs, and of the signs of the scene."""
+    """The meanings of these signs, and of the scene's own signs."""
     signs |= {"●"} if any(scene.marks.values()) else set()
     signs |= {"a"} if scene.labels is not None else set()
     signs |= {sign for sign, darts in _signed(scene).items() if darts}

@@ -15,7 +15,11 @@ from allworlds.words import plural
 
 
 def play_content(play: Play) -> parts.ReportContent:
-    """The path of the page, without any fact about the world; or the world and the walk in it."""
+    """The content for a game: the world, the reader's walk in it, and the costs.
+
+    If the game is a page, the content is only the path of the page, without any fact about the
+    world.
+    """
     if play.path is not None:
         headline = parts.Headline("PAGE", f"{play.path}, to be opened in a web browser")
         return parts.ReportContent(
@@ -37,7 +41,7 @@ def game(play: Play) -> str:
     """The page of the game, which hides the world at first.
 
     Raises:
-        InputError: for a lighthouse of the user's under which the robot leaves marks.
+        InputError: for a lighthouse of the user's own under which the robot leaves marks.
     """
     world = play.world
     data = world_data(world)
@@ -63,7 +67,7 @@ def game(play: Play) -> str:
 
 
 def costs_data(play: Play) -> dict[str, Any]:
-    """The cost of Algorithm 1, if it was run, and the bound, for the script."""
+    """The costs for the script: that of Algorithm 1, if it was run, and the bound or None."""
     world = play.world
     bound = bound_named(world.lighthouse.as_kind.default_bound).of(world.map, world.start)
     others = [] if play.algorithm1 is None else [["Algorithm 1", play.algorithm1]]

@@ -42,7 +42,7 @@ from allworlds.world.lighthouses import composed, kinds
 from allworlds.world.world import World
 
 LARGEST = 1_000_000
-"""The most bytes of a page; the document of a larger page is left out, and the page says so."""
+"""The largest number of bytes of a page; a larger page leaves out its document, and says so."""
 
 
 def framed(
@@ -55,7 +55,7 @@ def framed(
 ) -> str:
     """A page as an HTML document that refers to no other file.
 
-    Only its own style and script are allowed, by their hashes.
+    A browser runs no style and script but the page's own, which hashes name.
 
     Args:
         title: the command and its subject.
@@ -63,8 +63,8 @@ def framed(
             without a verdict.
         sections: the elements of the page.
         data: the document of the report, which the page also has.
-        style: a style besides that of all pages.
-        script: a script in place of the one by which keys step along walks.
+        style: a style in addition to that of all pages.
+        script: a script in place of the usual script, by which keys step along walks.
     """
     style, script = (
         read("style.css") + style,
@@ -133,7 +133,8 @@ def figure(
     """A picture with its caption and its legend.
 
     The robot in the picture follows the walk that ``follows`` names; if ``follows`` is empty, there
-    is no robot.  ``moves`` tells whether the walk has motions.
+    is no robot.  ``drawn`` is the layout, by default that of :func:`laid_out`; ``moves`` tells
+    whether the walk has motions.
     """
     walks, genus = bool(follows) and moves, scene.map.genus
     keys = (
@@ -175,11 +176,11 @@ def figure(
 
 
 NEVER = 10**9
-"""A number larger than every step, for a part that never becomes known."""
+"""A number larger than every step, as the step of a part that never becomes known."""
 
 
 def let_grow(drawn: ET.Element, map_: CombinatorialMap, seen: ShownMap) -> None:
-    """Add to a figure the step at which each part appears, and a legend of the styles."""
+    """Add to a figure the step at which each part appears, and a legend of the styles of darts."""
     for part in drawn.iter():
         if (darts := part.get("data-darts", part.get("data-cut"))) is not None:
             part.set("data-since", str(seen.edges.get(int(darts.split()[0]), NEVER)))
@@ -195,7 +196,7 @@ def let_grow(drawn: ET.Element, map_: CombinatorialMap, seen: ShownMap) -> None:
 
 
 LONGEST = 1500
-"""The most steps of a walk that are shown."""
+"""The largest number of steps of a walk that are shown."""
 
 
 def _steps(walk: ShownWalk, name: str, views: Mapping[str, View]) -> ET.Element:
@@ -204,7 +205,8 @@ def _steps(walk: ShownWalk, name: str, views: Mapping[str, View]) -> ET.Element:
     Args:
         walk: the walk.
         name: the name of the walk, with which the names of its steps begin.
-        views: the pictures, by the names of a step's attributes that have the robot's darts.
+        views: the pictures, each by the name of the attribute in which a step has the robot's dart
+            there.
     """
     items = [
         _step(walk, i, f"{name}-step-{i}") for i in range(len(walk.walked.walk.darts[:LONGEST]))
@@ -253,11 +255,11 @@ def _step(walk: ShownWalk, i: int, name: str) -> ET.Element:
 
 
 LONGEST_WORDS = 30
-"""The longest text of a cell that is never broken into lines."""
+"""The largest number of characters of a cell that is never broken into lines."""
 
 
 def element(section: Section) -> ET.Element:
-    """A section with its title."""
+    """A section of a page, with its title."""
     shown = ShownWalk | ShownRun | MapPictures
     shows = any(isinstance(block, shown) for block in section.blocks)
     tells = any(isinstance(block, FactList) for block in section.blocks)
@@ -311,7 +313,7 @@ def _facts(entries: Iterable[tuple[str, str]]) -> Iterator[ET.Element]:
 
 
 def table_element(table: Table) -> ET.Element:
-    """A table of a page."""
+    """A table as an element of a page."""
 
     def row(name: str, cells: Sequence[str], **attributes: str) -> ET.Element:
         kinds = ["sentence" if len(cell) > LONGEST_WORDS else "words" for cell in cells]
@@ -391,7 +393,7 @@ def _run(run: ShownRun, name: str) -> ET.Element:
 
 
 def _event(row: RunRow, i: int, name: str) -> ET.Element:
-    """An event, with the data for the picture: the darts of the robots, and words."""
+    """An event as an element, with data for the picture: the robots' darts, and texts at places."""
     item = tag(
         "li",
         tag("a", f"{i}*" if row.repeats else str(i), href=f"#{name}", class_="step"),
@@ -409,7 +411,7 @@ def _event(row: RunRow, i: int, name: str) -> ET.Element:
 
 
 def world_data(world: World) -> dict[str, Any] | None:
-    """The data of a world for ``world.js``.
+    """The data of a world for the script ``world.js``.
 
     None for a user's lighthouse under which the robot leaves marks.
     """
