@@ -140,8 +140,9 @@ LEVELS = {Verdict.ERROR: "error", Verdict.VACUOUS: "error", Verdict.INCONCLUSIVE
 
 
 def runner_commands(content: parts.ReportContent) -> str:
-    """Commands of GitHub's runner: one for each finding, at its line; without a finding one command
-    for the verdict.
+    """Commands of GitHub's runner: one for each finding, at its line.
+
+    Without a finding there is one command, for the verdict.
     """
     report: Any = content.result  # of a check
     head = content.headline

@@ -10,9 +10,9 @@ from allworlds.world.world import World
 def flaw(worlds: Sequence[World], bisimulation: Sequence[Sequence[int]]) -> str | None:
     """The reason why the classes do not prove the worlds indistinguishable; None if they do.
 
-    No motions distinguish the worlds if the starts are in one class, and if darts of one class have
-    equal percepts and lead, by sigma and by alpha, to darts of one class, because each motion
-    consists of sigma and alpha.
+    No motions distinguish the worlds if two conditions hold: the starts are in one class; and any
+    two darts of one class have equal percepts, and sigma leads from them to darts of one class, and
+    alpha, too.  The reason is that each motion consists of sigma and alpha.
 
     Args:
         worlds: two worlds (or any number).
@@ -37,10 +37,10 @@ def flaw(worlds: Sequence[World], bisimulation: Sequence[Sequence[int]]) -> str 
 
 
 def same_world_from(a: World, b: World) -> Dart | None:
-    """The start with which ``b`` is the same world as ``a``, if possible its own start.
+    """The start with which ``b`` is the same world as ``a``, if possible the start of ``b``.
 
-    That is, an isomorphism of the maps preserves the percepts and maps start to start.  None if
-    there is no such start: the two worlds are different.
+    The same world: an isomorphism of the maps preserves the percepts and maps start to start.  None
+    if there is no such start, because the two worlds are different.
 
     Cost: O(m) if the first start suffices, O(m^2) at worst.
     """

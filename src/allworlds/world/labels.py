@@ -11,16 +11,16 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart, Vertex
 from allworlds.world.lighthouses.options import InvalidWorld
 
 FARTHEST = 1e300
-"""The largest coordinate, so that differences are finite."""
+"""The largest legal coordinate, so that differences of coordinates are finite."""
 
 Coordinate: TypeAlias = Annotated[float, Meta(ge=-FARTHEST, le=FARTHEST)]
 
 Position: TypeAlias = tuple[Coordinate, Coordinate]
-"""Two coordinates: to the right, and up."""
+"""The position of a vertex: two coordinates, to the right and up."""
 
 
 class Labelling(Struct, frozen=True, rename={"vertices": "names"}):
-    """The names of a world and of its vertices; no percept and no verdict depends on them.
+    """The labels of a world: names and positions; no percept and no verdict depends on them.
 
     Attributes:
         name: the name of the world in its file; may be empty.
@@ -33,11 +33,11 @@ class Labelling(Struct, frozen=True, rename={"vertices": "names"}):
     positions: tuple[Position, ...] = ()
 
     def vertex(self, vertex: Vertex) -> str:
-        """The name of a vertex; ``v3`` if it has none."""
+        """The name of a vertex; ``v3`` for vertex 3 if the vertices have no names."""
         return self.vertices[vertex] if self.vertices else f"v{vertex}"
 
     def checked(self, map_: CombinatorialMap) -> "Labelling":
-        """These labels, in tuples.
+        """These labels, as tuples, after a check that they fit the map.
 
         Raises:
             InvalidWorld: naming an illegal label, and what would be legal.
@@ -69,7 +69,7 @@ class Labelling(Struct, frozen=True, rename={"vertices": "names"}):
     def relabelled(
         self, map_: CombinatorialMap, names: Sequence[Dart], other: CombinatorialMap
     ) -> "Labelling":
-        """The labels of the other map, in which dart ``d`` of the map is ``names[d]``."""
+        """The labels for the map ``other``, in which dart ``d`` of ``map_`` is ``names[d]``."""
         old = [0] * other.vertex_count
         for vertex, darts in enumerate(map_.vertices):
             old[other.vertex_of[names[darts[0]]]] = vertex
@@ -85,13 +85,17 @@ class Labelling(Struct, frozen=True, rename={"vertices": "names"}):
 
 
 PLAIN = Labelling()
-"""No labels."""
+"""The labels of a world without labels."""
 
 
 def labels_of_nodes(
     name: object, nodes: Sequence[tuple[object, Mapping[str, Any]]], map_: CombinatorialMap
 ) -> Labelling:
-    """The labels from nodes, in the order of vertices, and their attributes; else no labels."""
+    """The labels of a graph: its name, and the names and positions of its nodes.
+
+    The nodes come in the order of the vertices, each with its attributes.  If a label is illegal,
+    the result is :data:`PLAIN`.
+    """
     names = [data.get("name", node) for node, data in nodes]
     if names == [*range(map_.vertex_count)]:
         names = []

@@ -70,7 +70,7 @@ class Manifest(Document):
 
 
 class Corpus(Struct, frozen=True):
-    """A directory with its manifest."""
+    """A corpus: a directory, with the entries of its manifest."""
 
     directory: Path
     entries: tuple[CorpusEntry, ...]
@@ -86,7 +86,7 @@ class Corpus(Struct, frozen=True):
 
 @cache
 def own_corpus() -> Corpus:
-    """The corpus that ships with the package."""
+    """The corpus that comes with the package."""
     package = Path(__file__).parents[1]
     installed = package / "corpus"
     directory = installed if installed.is_dir() else package.parents[1] / "corpus"
@@ -105,7 +105,7 @@ LIGHTHOUSE = Option(
     f"The lighthouse for a WORLD that names none: {one_of(LIGHTHOUSES)}, {OWN}, or several with + "
     "between them.",
 )
-"""An option of most of these verbs."""
+"""The option for the lighthouse of most verbs that take a world."""
 
 HOLES = Option(
     RARE_SCOPE,
@@ -113,7 +113,7 @@ HOLES = Option(
     "Share of a family's edges to remove [default: none].",
     document_type=Annotated[Text | None, about("the share of a family's edges that was removed")],
 )
-"""An option of all verbs that take a family."""
+"""The option for the holes of all verbs that take a family."""
 
 
 def world_named(
@@ -124,8 +124,12 @@ def world_named(
 ) -> World:
     """The world of inline JSON, of ``@file``, of the corpus, of a named map, of a family or a code.
 
-    If no lighthouse is named, it is of this kind, at its default place: at dart 0 of a named map.
-    Seed (by default 0) and holes are those of a family.  A value that is a world is returned.
+    Args:
+        given: the text; or a world, which is returned unchanged.
+        kind: the kind of the lighthouse if the text names none; it stands at its default place, in
+            a named map at dart 0.
+        seed: the seed of a family, by default 0.
+        holes: the share of a family's edges to remove.
 
     Raises:
         InputError: naming a text that is none of these, or a seed or holes without effect.
@@ -165,7 +169,7 @@ def _world_of_text(text: str, kind: LighthouseKind, seed: int | None, holes: str
 
 
 def _names_family(given: str | World) -> bool:
-    """Whether a WORLD belongs to a family, and so depends on a seed."""
+    """Whether a WORLD names a family, and so depends on a seed."""
     if isinstance(given, World) or _is_json(given):
         return False
     return given.partition(":")[0] in _families()
@@ -177,14 +181,14 @@ _CODE = re.compile(r"[0-9.]+/[0-9.]+", re.ASCII)
 def code_of(map_: CombinatorialMap, root: Dart = 0) -> str:
     """The canonical code of a map rooted at a dart, as a WORLD: ``SIGMA/ALPHA``.
 
-    Both permutations are written as their images, with dots between.  Two rooted maps have the same
-    code exactly if they are isomorphic.
+    Both permutations are written as their images, with dots between the numbers.  Two rooted maps
+    have the same code exactly if they are isomorphic.
     """
     return "/".join(".".join(map(str, each)) for each in rooted_code(map_.sigma, map_.alpha, root))
 
 
 def map_of_code(text: str) -> CombinatorialMap:
-    """The map of :func:`code_of`, or of another numbering in the same form.
+    """The map of a text that :func:`code_of` returns, or of another numbering in the same form.
 
     Raises:
         InvalidMap: naming the part that is no map.
@@ -194,7 +198,7 @@ def map_of_code(text: str) -> CombinatorialMap:
 
 
 def names_of_worlds() -> dict[str, tuple[str, ...]]:
-    """The names of a WORLD: maps, families (a capital letter is a number), the corpus."""
+    """The names that a WORLD can be: maps, families (a capital letter is a number), the corpus."""
     plain = [name for name in named_maps() if name.removesuffix("-N") not in _families()]
     return {
         "maps": tuple(name.replace("-N", ":N") for name in plain),
@@ -204,7 +208,7 @@ def names_of_worlds() -> dict[str, tuple[str, ...]]:
 
 
 def _entries() -> dict[str, CorpusEntry]:
-    """The worlds of the corpus, by their names."""
+    """The entries of the corpus that are worlds, by their names."""
     return {entry.name: entry for entry in own_corpus().of_kind("world")}
 
 
@@ -257,11 +261,11 @@ class WorldOptions(Request):
     ] = None
 
     def meant(self, given: str | World | None, usual: GivenLighthouse) -> World:
-        """The world of a text, the given world, or the world of the family.
+        """The world of a text, the given world, or the world of the option ``family``.
 
         Args:
             given: a world, or a text for :func:`world_named`; None for the family.
-            usual: the default lighthouse.
+            usual: the default kind of lighthouse.
 
         Raises:
             InputError: naming a value that is missing, or that has no effect.
@@ -283,7 +287,7 @@ class WorldOptions(Request):
 
 
 def map_of_family(text: str, holes: str | None, seed: int) -> CombinatorialMap:
-    """The map of a family, or a named one with its number; ``holes`` is ``10%`` or ``0.1``."""
+    """The map of a family, or a named map with a number; ``holes`` is ``10%``, ``0.1`` or None."""
     kind, _, number = text.partition(":")
     names = {name.removesuffix("-N") for name in named_maps() if name.endswith("-N")}
     if holes is None and kind in names - _families():

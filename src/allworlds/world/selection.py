@@ -43,7 +43,7 @@ TRIED_EDGES = 3
 
 
 def _renamed(edges: int) -> Iterator[tuple[CombinatorialMap, Sequence[int]]]:
-    """Yield all maps with at most this number of edges, each with other names of its darts."""
+    """Yield all maps with at most this number of edges, each with random new names of its darts."""
     names = Random(edges)  # noqa: S311  # any names
     for level in range(1, edges + 1):
         for map_ in rooted_maps(level):
@@ -66,7 +66,7 @@ Predicate: TypeAlias = Callable[[CombinatorialMap], bool]
 
 
 class OwnCondition(Struct, frozen=True):
-    """A user's predicate, which is loaded in the processes that make maps."""
+    """A condition that is a user's predicate; each process that makes maps loads the predicate."""
 
     code: UserCode | LocalCode
 
@@ -77,14 +77,14 @@ class OwnCondition(Struct, frozen=True):
 
     @property
     def codes(self) -> tuple[UserCode, ...]:
-        """The predicate, if other processes can load it."""
+        """The code of the predicate, if other processes can load it; else nothing."""
         return (self.code,) if isinstance(self.code, UserCode) else ()
 
     def holds(self, map_: CombinatorialMap) -> bool:
         """Whether the predicate is true of a map.
 
         Raises:
-            InputError: if it raises, or returns no boolean.
+            InputError: if the predicate raises, or returns no boolean.
         """
         found: object = self.code(map_)
         if type(found) is not bool:
@@ -99,11 +99,11 @@ def a_condition(given: object, *, local: bool = False) -> Condition | None:
     """The condition of a name or function, or of several; users' code is tried on small maps.
 
     Args:
-        given: names, functions, or conditions.
-        local: whether only this process uses it, so that any function is legal.
+        given: names, functions, or conditions; None for no condition.
+        local: whether only this process uses the condition, so that any function is legal.
 
     Raises:
-        InputError: naming the legal conditions, or a map with two numberings of different value.
+        InputError: naming the legal conditions, or a map for which the predicate has two values.
     """
     if given is None:
         return None
@@ -127,10 +127,10 @@ def _one_condition(given: object, *, local: bool) -> Condition:
 
 
 def _tried(own: OwnCondition) -> OwnCondition:
-    """The condition, after its trial; a recorded one has been tried before.
+    """The condition, after a trial of its predicate; a recorded predicate was tried before.
 
     Raises:
-        InputError: if it is no function of the map.
+        InputError: if the predicate is no function of the map.
     """
     if own.codes and own.codes[0].recorded:
         return own
@@ -146,7 +146,7 @@ def _tried(own: OwnCondition) -> OwnCondition:
 
 
 def files_of_condition(condition: Condition | None) -> tuple[Path, ...]:
-    """The user's files that a condition needs."""
+    """The user's files that a condition needs; none for None."""
     return tuple(file for code in getattr(condition, "codes", ()) for file in code.files)
 
 
@@ -154,10 +154,11 @@ def files_of_condition(condition: Condition | None) -> tuple[Path, ...]:
 
 
 def tried_kind(given: object) -> LighthouseKind:
-    """The kind of a name or a class; a user's kind is tried in all small maps.
+    """The kind of lighthouse of a name or a class; a user's kind is tried in all small maps.
 
     Raises:
-        InvalidWorld: naming the legal kinds, or the map in which it is no function of the world.
+        InvalidWorld: naming the legal kinds, or a map in which the kind is no function of the
+            world.
     """
     kind = lighthouse_kind(given)
     if any(not code.recorded for code in kind.codes):
@@ -172,12 +173,13 @@ def _try(kind: LighthouseKind) -> None:
 
 
 def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:
-    """Yield the faults of a lighthouse in each small map in which it is no function of the world.
+    """Yield a fault of a lighthouse's kind for each small map where it is no function of the world.
 
-    It must have a place in some map with at most one more edge.  No place occurs twice.  Asked
-    twice, it senses and tells the same.  With other names of the darts, the places, their order,
-    and all that is sensed and told are the same.  It gives marks and bearings only if it says so.
-    Reading what was written yields the same lighthouse.
+    The kind must have a place in some map with at most one more edge than ``edges``.  No place
+    occurs twice.  If a lighthouse is asked twice, it senses and tells the same.  If the darts have
+    other names, the places, their order, and all that is sensed and told are the same.  The kind
+    gives marks and bearings only if its class says so.  A lighthouse that was written is read as an
+    equal one.
     """
     for map_, other in _renamed(edges):
         for wrong in islice(_flaws(kind.as_class, map_, other), 1):
@@ -243,8 +245,8 @@ def worlds(
         vertices: the largest number of vertices.
         map_class: one of :class:`~allworlds.maps.classes.MapClass`.
         lighthouse: the kind of lighthouse.
-        places: ``first``: one world for each rooted map, as reports count worlds; ``all``: one for
-            each place of the lighthouse, as reports count runs.
+        places: ``first``: one world for each rooted map, as reports count worlds; ``all``: one
+            world for each place of the lighthouse, as reports count runs.
         where: a condition on the maps, as ``--where`` takes it, or any function of a map.
 
     Raises:
@@ -291,12 +293,12 @@ class WhereOptions(Request):
 
     @property
     def condition(self) -> Condition | None:
-        """The condition, for the extent."""
+        """The condition on the maps, as an extent takes it; None without a condition."""
         return self.where
 
 
 def kind_if_any(given: object) -> LighthouseKind | None:
-    """The kind of a name, or of a class, as :func:`tried_kind` finds it; None for None."""
+    """The kind of lighthouse of a name or a class, by :func:`tried_kind`; None for None."""
     return None if given is None else tried_kind(given)
 
 

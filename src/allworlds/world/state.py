@@ -17,7 +17,8 @@ class State:
         lying: the vertices of the markers that the robot has dropped, ascending; a vertex occurs
             once for each of its markers.
         hand: the number of markers in the robot's hand.
-        written: the places with written numbers other than 0, each with its number, ascending.
+        written: pairs of a place and the number written there, ascending; a place is a vertex or a
+            dart, as the lighthouse has it, and places with the number 0 are left out.
     """
 
     dart: Dart
@@ -26,11 +27,11 @@ class State:
     written: tuple[tuple[int, int], ...] = ()
 
     def number_at(self, where: int) -> int:
-        """The number that is written there."""
+        """The number that is written at this place; 0 if none is written."""
         return dict(self.written).get(where, 0)
 
     def with_number(self, where: int, number: int) -> State:
-        """The state after this number has been written there."""
+        """The state after this number has been written at this place."""
         written = {**dict(self.written), where: number}
         kept = tuple(sorted((at, each) for at, each in written.items() if each))
         return replace(self, written=kept)

@@ -52,8 +52,8 @@ class Entry(Struct, frozen=True):
     Attributes:
         map: the map, with its darts numbered in the order of the notation.
         labels: the names of the world and of its vertices in the file.
-        start: the dart that the robot faces, if the file fixes it.
-        lighthouse: the JSON object of the lighthouse, if the file fixes it.
+        start: the dart that the robot faces; None if the file does not fix it.
+        lighthouse: the JSON object of the lighthouse; None if the file does not fix it.
     """
 
     map: CombinatorialMap
@@ -63,7 +63,9 @@ class Entry(Struct, frozen=True):
 
     @classmethod
     def from_json(cls, document: object, name: str = "") -> "Entry":
-        """The entry of a :class:`WorldDocument`, in which all but the map may be missing.
+        """The entry of a :class:`WorldDocument`; all of its keys but the map's may be missing.
+
+        ``name`` is the world's name if the document has none.
 
         Raises:
             InvalidMap, InvalidWorld: naming the offending value and what would be legal.
@@ -82,7 +84,10 @@ class Entry(Struct, frozen=True):
         return cls(map_, labels, start, document.get("lighthouse"))
 
     def world(self, kind: GivenLighthouse = Directional.kind) -> "World":
-        """The world, with a lighthouse of this kind at its default place if none is fixed."""
+        """The world; if no lighthouse is fixed, with one of this kind at its default place.
+
+        If no start is fixed, the start is dart 0.
+        """
         start = self.start or 0
         lighthouse = lighthouse_from_json(self.lighthouse, self.map, start, kind)
         return World(self.map, lighthouse, start, labels=self.labels)
@@ -95,7 +100,7 @@ class World(Pictured):
     Args:
         map: the map.
         lighthouse: a lighthouse at its place; or a kind, such as ``"position"``, which is put at
-            its default place; None stands for ``"directional"``, as in a WORLD without one.
+            its default place; None stands for ``"directional"``, the default of a WORLD.
         start: the dart.
         labels: the name of the world, and names and positions of its vertices.  The equality of
             worlds ignores them.
@@ -151,20 +156,21 @@ class World(Pictured):
 
     @property
     def in_words(self) -> str:
-        """``a world with 1 edge and 2 vertices``; the name of the world replaces ``a``."""
+        """Words such as ``a world with 1 edge and 2 vertices``; the world's name replaces ``a``."""
         called = f"the world {self.labels.name}," if self.labels.name else "a world"
         return f"{called} with {size(self.map.edge_count, self.map.vertex_count)}"
 
     @property
     def told(self) -> Told:
-        """The value that the explorer is told before the start; None if there is none."""
+        """The value that the explorer is told before the start; None if it is told nothing."""
         return self.lighthouse.told(self.map)
 
     def step(self, state: State, action: Action) -> tuple[State, Percept]:
-        """The state after the action, and the robot's percept in it.
+        """The state after the action, and the robot's percept in this state.
 
         Raises:
-            IllegalAction: for missing markers, naming the legal actions.
+            IllegalAction: if the action is illegal in this state, for example for want of a marker;
+                it names the legal actions.
         """
         if type(action) is Move:
             dart = self.map.move(state.dart, action.k)
@@ -190,17 +196,17 @@ class World(Pictured):
         return World(map_, self.lighthouse.relabelled(names), names[self.start], labels=labels)
 
     def mirrored(self) -> "World":
-        """The mirror image, with the marker and the start."""
+        """The mirror image of the world; the marker and the start stay at their darts."""
         return World(
             self.map.mirrored(), self.lighthouse, self.start, labels=self.labels.mirrored()
         )
 
     def to_networkx(self) -> Any:
-        """The graph of the map, of networkx; see :func:`allworlds.maps.networks.to_networkx`.
+        """The graph of the map for networkx; see :func:`allworlds.maps.networks.to_networkx`.
 
-        The attributes ``start`` and ``lighthouse`` of the graph are those of the world's document.
-        Its attribute ``name``, and ``name`` and ``pos`` of its nodes, are the labels, if any.
-        :meth:`from_networkx` reads all of them.
+        The graph has the attributes ``start`` and ``lighthouse``, as in the world's document.  If
+        the world has labels, the graph has an attribute ``name``, and its nodes have ``name`` and
+        ``pos``.  :meth:`from_networkx` reads all of these.
         """
         graph, labels = to_networkx(self.map), self.labels
         graph.graph.update(start=self.start, lighthouse=self.lighthouse.to_json())
@@ -223,8 +229,9 @@ class World(Pictured):
         Args:
             graph: as :func:`allworlds.maps.networks.from_networkx` takes it.
             lighthouse: as in :class:`World`, if the graph has no attribute of that name.
-            start: likewise.
-            order: as there; only ``darts`` fix the numbers of darts that these two name.
+            start: as in :class:`World`, if the graph has no attribute of that name.
+            order: as :func:`allworlds.maps.networks.from_networkx` takes it.  Lighthouse and start
+                name darts by numbers; only the graph's attributes ``darts`` fix these numbers.
 
         The labels are the nodes' attributes ``name`` and ``pos``, if they are legal labels; without
         ``name`` the nodes themselves are the names, unless they are 0, 1, ...
@@ -258,10 +265,10 @@ class World(Pictured):
     def from_json(
         cls, document: str | Mapping[str, Any], *, missing: GivenLighthouse = Directional.kind
     ) -> "World":
-        """The world that :meth:`to_json` has written, or its text; other keys are refused.
+        """The world that :meth:`to_json` has written, or its text; unknown keys are refused.
 
-        ``start`` may be missing (0), and so may the lighthouse, which is then of the kind
-        ``missing``, at its default place.
+        ``start`` may be missing (then it is 0), and so may the lighthouse, which is then of the
+        kind ``missing``, at its default place.
 
         Raises:
             InvalidMap, InvalidWorld: naming the offending value and what would be legal.
@@ -275,7 +282,7 @@ def at_place(world: World, number: int) -> World:
     """The world with its lighthouse at the place with this number.
 
     Raises:
-        InvalidWorld: naming the numbers of its places.
+        InvalidWorld: naming the numbers of the lighthouse's places.
     """
     places = list(world.lighthouse.as_kind.places(world.map, world.start))
     if number not in range(len(places)):

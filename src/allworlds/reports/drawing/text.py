@@ -20,7 +20,7 @@ LONGEST_ROW = 40
 """The largest number of vertices in a table, and of darts of a vertex, that are all shown."""
 
 LONGEST_NAME = 16
-"""The largest number of characters of a vertex's name; a longer name is whole only in the legend."""
+"""The largest number of characters of a vertex's name; the legend has longer names whole."""
 
 _LEGEND = {
     "(": "( ) vertex with its darts clockwise",

@@ -44,7 +44,7 @@ class Sensing:
 
     Attributes:
         where: the vertices at which there is such a part.
-        bearing: whether the robot senses the bearing of the vertex's reference dart there.
+        bearing: whether the robot senses there the bearing of the vertex's reference dart.
     """
 
     where: Where
@@ -63,7 +63,7 @@ class Sensing:
 
 @cache
 def _percept(degree: int, marks: int = 0, bearing: int | None = None) -> actions.Percept:
-    """A percept; equal ones are one object."""
+    """A percept; equal percepts are one object."""
     return actions.Percept(degree, marks, bearing)
 
 
@@ -75,8 +75,8 @@ class WalkInAnswer(NamedTuple):
 
     Attributes:
         map: the answered map.
-        trail: the robot's darts there at the start and after each step.
-        sensed: the percepts that the robot had.
+        trail: the robot's darts in this map, at the start and after each step.
+        sensed: the percepts that the robot had in the world.
     """
 
     map: CombinatorialMap
@@ -85,7 +85,7 @@ class WalkInAnswer(NamedTuple):
 
 
 ACTING = ("acted", "in_hand", "left_marks", "refusal")
-"""The methods by which a robot's actions change percepts."""
+"""The names of the methods by which a robot's actions change percepts."""
 
 
 class Lighthouse(ABC):
@@ -95,8 +95,9 @@ class Lighthouse(ABC):
     (:meth:`places`), and the percepts there (:meth:`sensed`).  A field named ``dart`` holds a dart,
     and a field named ``darts`` a tuple of darts; a class with darts in other fields also defines
     their renaming (:meth:`relabelled`).  An integer, boolean or text in a field with a default is
-    an option: the name on the command line may give it another default, which then ``cls.name`` and
-    every ``cls(...)`` in :meth:`places` have, but not the fields of the dataclass.
+    an option.  The name on the command line may give an option another default; ``cls.name`` and
+    every ``cls(...)`` in :meth:`places` then have this default, but the fields of the dataclass do
+    not.
 
     Attributes:
         kind: the name on the command line and in files.
@@ -105,17 +106,17 @@ class Lighthouse(ABC):
             determines the robot's dart; then the law ``folding`` applies.
         leaves_open: whether an explorer may answer with the rooted quotient if several worlds look
             alike.
-        gives_marks, gives_bearings: whether percepts can have marks, or bearings, by it; at most
-            one part of a composed lighthouse may give them.
+        gives_marks, gives_bearings: whether the lighthouse can give percepts marks, or bearings; in
+            a composed lighthouse at most one part may give marks, and at most one bearings.
         leaves_marks: whether the robot can leave marks.
         static: whether no action changes a percept, so that the percepts of all darts say
             everything; by default, whether the class has none of the :data:`ACTING` methods.
-        labels_vertices: whether its marks are the labels of vertices, not markers.
-        code: the user's code of the class, or None.
+        labels_vertices: whether the marks are the labels of vertices, not markers.
+        code: the user's code of the class; None for a class of this program.
         chosen: the options that were given to the kind.
         every_place_to: the largest number of edges of the maps in which :meth:`places` yields every
             place; None: in all maps.
-        beyond: the words for the places that it yields in larger maps.
+        beyond: the words for the places that :meth:`places` yields in larger maps.
     """
 
     kind: ClassVar[str]
@@ -138,14 +139,14 @@ class Lighthouse(ABC):
 
     @classmethod
     def tried_in_maps_of(cls, edges: int) -> str:
-        """The words for the places that are tried up to this number of edges; empty for all."""
+        """The words for the places that are tried up to this number of edges; empty: all places."""
         if cls.every_place_to is None or edges <= cls.every_place_to:
             return ""
         return f"every place up to {cls.every_place_to} edges; beyond, {cls.beyond}"
 
     @property
     def written(self) -> str:
-        """The name of its kind, as ``--lighthouse`` takes it, with its options."""
+        """The name of the lighthouse's kind with its options, as ``--lighthouse`` takes it."""
         return named_with(type(self), values_in(self))
 
     @property
@@ -185,9 +186,9 @@ class Lighthouse(ABC):
         return replace(self, **renamed) if renamed else self  # type: ignore[type-var]
 
     def to_json(self) -> dict[str, Any]:
-        """``{"kind": ...}`` with the options and the place.
+        """The object ``{"kind": ...}`` with the options and the place.
 
-        For a user's class the options are separate, together with the text or digest of the class.
+        For a user's class the options are under a key of their own, beside the digest of the class.
         """
         kind: Any = type(self)
         code = kind.code
@@ -205,7 +206,7 @@ class Lighthouse(ABC):
 
     @classmethod
     def at(cls, **where: Any) -> Lighthouse:
-        """The lighthouse at the place that a document names, by its fields."""
+        """The lighthouse at the place that a document gives by the fields of the class."""
         return cls(
             **{
                 key: tuple(value) if isinstance(value, list) and key != "dart" else value
@@ -226,16 +227,17 @@ class Lighthouse(ABC):
         raise InvalidWorld(f"the lighthouse {name} has no place in this map with start {start}")
 
     def number(self, map_: CombinatorialMap, start: Dart) -> int:
-        """The number of this place among the places of the rooted map; 0 if it is not there."""
+        """The number of this place among the places of the rooted map; 0 if it is none of them."""
         places = enumerate(self.as_kind.places(map_, start))
         return next((i for i, placed in places if placed == self), 0)
 
     def believed(
         self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer
     ) -> Lighthouse | None:
-        """The lighthouse as the robot must believe it: at the place of the same number.
+        """The lighthouse where the robot must believe it: in the answer, at the place numbered alike.
 
-        None if the answer has no such place.
+        None if the answer has no place of this number.  ``map_`` and ``start`` are those of the
+        world.
         """
         places = self.as_kind.places(walk.map, walk.trail[0])
         return next(islice(places, self.number(map_, start), None), None)
@@ -246,7 +248,7 @@ class Lighthouse(ABC):
         return 0
 
     def refusal(self, action: actions.Action, lying: int, hand: int) -> str:  # noqa: ARG002  # none
-        """A sentence about the legal actions if this one is illegal; empty if it is legal.
+        """A sentence about the legal actions if this action is illegal; empty if it is legal.
 
         Args:
             action: the robot's action, which is no motion.
@@ -261,7 +263,7 @@ class Lighthouse(ABC):
         return state
 
     def left_marks(self, map_: CombinatorialMap, state: State) -> int:  # noqa: ARG002
-        """The number of sensed marks that the robot has left."""
+        """The number of marks that the robot senses in this state because it has left them."""
         return 0
 
     def told(self, map_: CombinatorialMap) -> actions.Told:  # noqa: ARG002  # for kinds that need it
@@ -273,7 +275,7 @@ class ReferenceLighthouse(Lighthouse):
     """A lighthouse whose percepts follow from some darts, its references.
 
     Attributes:
-        sensing: the percepts that it causes.
+        sensing: the part of the percepts that the lighthouse causes.
     """
 
     sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)
@@ -284,7 +286,7 @@ class ReferenceLighthouse(Lighthouse):
         cls.gives_bearings = cls.sensing.bearing
 
     def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:  # noqa: ARG002  # none
-        """One dart of each vertex at which more than the degree is sensed, with its marks.
+        """One dart of each vertex at which more than the degree is sensed, with the vertex's marks.
 
         The dart of v0 comes first.
         """
@@ -305,7 +307,7 @@ class ReferenceLighthouse(Lighthouse):
 
 
 class PlacelessLighthouse(ReferenceLighthouse):
-    """A lighthouse without anything in the map: it has one place, in any map with any start."""
+    """A lighthouse that puts nothing into the map: it has one place, in any map with any start."""
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Lighthouse]:  # noqa: ARG003
@@ -313,5 +315,5 @@ class PlacelessLighthouse(ReferenceLighthouse):
         yield cls()
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any
-        """Raise InvalidWorld unless its options are legal; all maps and starts are legal."""
+        """Raise InvalidWorld unless the options are legal; all maps and starts are legal."""
         ensure_legal(self)

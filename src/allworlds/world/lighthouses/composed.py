@@ -50,7 +50,7 @@ class Knowledge(PlacelessLighthouse):
     """A lighthouse without marks: the robot is told some numbers of the world.
 
     Sensed: the degree alone.  ``told`` holds the numbers by their names: n (vertices), m (edges),
-    d (diameter), g (genus); n and m where none is named.
+    d (diameter), g (genus); without names n and m are told.
     """
 
     names: Annotated[
@@ -60,7 +60,7 @@ class Knowledge(PlacelessLighthouse):
     kind: ClassVar[str] = "told"
 
     def told(self, map_: CombinatorialMap) -> dict[str, int]:
-        """The numbers by their names."""
+        """The told numbers by their names."""
         return {name: TOLD[name](map_) for name in self.names}
 
 
@@ -68,9 +68,9 @@ class Knowledge(PlacelessLighthouse):
 class Movable(PlacelessLighthouse):
     """No marker stands anywhere at the start; the robot has some in its hand.
 
-    Sensed at a vertex: how many markers lie there, and the degree.  They point nowhere, and
-    one is like the other.  The options are ``markers=K``, how many there are (1),
-    ``pick=false``: what has been dropped stays, and ``distinct=true``: the markers are told
+    Sensed at a vertex: the number of markers that lie there, and the degree.  The markers point
+    nowhere, and look alike.  The options: ``markers=K``, the number of markers (1);
+    ``pick=false``, a dropped marker stays; ``distinct=true``, the robot tells the markers
     apart. Marker i then counts as 2^i marks, and of several the first is dropped and taken up.
     Source: Section II of the paper (Dudek, Jenkin, Milios, Wilkes 1991: one, with ``pick``).
     """
@@ -127,7 +127,7 @@ HowMany = Annotated[int, Meta(ge=LEAST, le=MOST), about("how many numbers there 
 
 @dataclass(frozen=True, slots=True)
 class Whiteboard(PlacelessLighthouse):
-    """At every vertex room for one number, which the robot writes there and reads there.
+    """Room for one number at every vertex; the robot writes the number there and reads it there.
 
     Sensed at a vertex: the number that was last written there (0 at first) as marks, and the
     degree.  The option is ``states=K``: the numbers are 0 to K-1 (2).
@@ -161,7 +161,7 @@ class Whiteboard(PlacelessLighthouse):
 
 @dataclass(frozen=True, slots=True)
 class Doormarks(Whiteboard):
-    """At every dart room for one number, which the robot writes and reads when it comes by it.
+    """Room for one number at every dart; the robot writes and reads it when it comes by the dart.
 
     Sensed: the number that was last written on the dart by which the robot has arrived (0 at
     first) as marks, and the degree.  The option is ``states=K``: the numbers are 0 to K-1 (2).
@@ -180,11 +180,11 @@ PLUS = "+"
 
 @dataclass(frozen=True, slots=True)
 class Composed(Lighthouse):
-    """Several lighthouses, of which one at most gives marks, one bearings, and one tells.
+    """Several lighthouses; at most one of them gives marks, one bearings, and one tells something.
 
     Attributes:
-        parts: the parts, each at its place.
-        kinds: the kinds of the parts, in the class of a kind.
+        parts: the lighthouses, each at its place.
+        kinds: the classes of the parts; only the class of a kind has them.
     """
 
     parts: tuple[Lighthouse, ...]
@@ -193,33 +193,33 @@ class Composed(Lighthouse):
 
     @property
     def kind(self) -> str:  # type: ignore[override]  # it is that of its parts
-        """The kinds of the parts."""
+        """The kinds of the parts, with ``+`` between them."""
         return PLUS.join(part.kind for part in self.parts)
 
     @property
     def static(self) -> bool:  # type: ignore[override]  # so is this
-        """Whether all parts are."""
+        """Whether no action changes a percept of any part."""
         return all(part.static for part in self.parts)
 
     @property
     def written(self) -> str:
-        """The names of the parts."""
+        """The names of the parts with their options, with ``+`` between them."""
         return PLUS.join(part.written for part in self.parts)
 
     @property
     def as_kind(self) -> type[Composed]:
-        """The kind of the kinds of the parts."""
+        """The kind that consists of the kinds of the parts."""
         names, kinds = zip(*((part.written, part.as_kind) for part in self.parts), strict=True)
         return composed(names, kinds)
 
     @property
     def _marking(self) -> Lighthouse:
-        """The part that gives marks; any part if none does."""
+        """The part that gives marks; the first part if none gives marks."""
         return next((part for part in self.parts if part.gives_marks), self.parts[0])
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Composed]:
-        """Yield all combinations of places of the parts; the place of the last changes first."""
+        """Yield all combinations of places of the parts; the last part's place changes first."""
         for parts in product(*(kind.places(map_, start) for kind in cls.kinds)):
             yield Composed(parts)
 
@@ -229,13 +229,13 @@ class Composed(Lighthouse):
         return Composed(tuple(kind.usual(map_, start) for kind in cls.kinds))
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless each part is legal there, and the parts fit together."""
+        """Raise InvalidWorld unless each part is legal in this map, and the parts fit together."""
         check_together([part.kind for part in self.parts], [*map(type, self.parts)])
         for part in self.parts:
             part.check(map_, start)
 
     def percepts(self, map_: CombinatorialMap) -> tuple[actions.Percept, ...]:
-        """The percepts with the marks of one part and the bearings of one part."""
+        """For each dart the percept, with the marks of one part and the bearing of one part."""
         marks, bearings = (
             next((part.percepts(map_) for part in self.parts if getattr(part, gives)), None)
             for gives in ("gives_marks", "gives_bearings")
@@ -250,13 +250,13 @@ class Composed(Lighthouse):
         )
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Composed | None:
-        """The parts, each where a robot must believe it."""
+        """The parts, each where a robot must believe it; None if a part has no such place."""
         parts = [part.believed(map_, start, walk) for part in self.parts]
         return None if None in parts else Composed(tuple(part for part in parts if part))
 
     @property
     def in_hand(self) -> int:
-        """The number of markers of the part that gives them."""
+        """The number of markers in the robot's hand at the start, by the part that gives marks."""
         return self._marking.in_hand
 
     @override
@@ -283,10 +283,10 @@ class Composed(Lighthouse):
 
 @cache
 def composed(names: tuple[str, ...], kinds: tuple[type[Lighthouse], ...]) -> type[Composed]:
-    """The kind that consists of these parts.
+    """The kind that consists of these kinds as parts.
 
     Raises:
-        InvalidWorld: if they do not fit together, with the reason.
+        InvalidWorld: if the parts do not fit together, with the reason.
     """
     check_together(names, kinds)
     marking = ("leaves_marks", "gives_marks", "gives_bearings")
@@ -308,7 +308,7 @@ def composed(names: tuple[str, ...], kinds: tuple[type[Lighthouse], ...]) -> typ
 
 
 def _adds(kind: type[Lighthouse]) -> set[str]:
-    """The kinds of knowledge besides degrees that a robot has by a lighthouse."""
+    """The names of what a lighthouse tells a robot besides degrees, such as ``marks`` or ``n``."""
     found = {name for name in ("marks", "bearings") if getattr(kind, f"gives_{name}")}
     if issubclass(kind, Knowledge):
         return found | {*kind.names}

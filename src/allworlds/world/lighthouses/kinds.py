@@ -83,7 +83,7 @@ GivenLighthouse: TypeAlias = str | type[Lighthouse] | LighthouseKind
 
 
 def lighthouse_kind(given: object) -> LighthouseKind:
-    """The kind of a name, or of a class.
+    """The kind of lighthouse of a name, or of a class.
 
     Raises:
         InvalidWorld: naming the legal kinds, or the option that the kind does not have.
@@ -113,12 +113,12 @@ def kind_of(lighthouse: Lighthouse) -> LighthouseKind:
 
 
 def parts_of(lighthouse: Lighthouse) -> tuple[Lighthouse, ...]:
-    """The parts of a lighthouse; a lighthouse without parts is its only part."""
+    """The parts of a composed lighthouse; any other lighthouse is its own only part."""
     return lighthouse.parts if isinstance(lighthouse, Composed) else (lighthouse,)
 
 
 def numbers_told(kind: LighthouseKind) -> tuple[str, ...]:
-    """The names of the numbers that built-in parts of a kind tell a robot.
+    """The names of the numbers that the built-in parts of a kind tell a robot.
 
     They are known before any world is made.
     """
@@ -127,7 +127,7 @@ def numbers_told(kind: LighthouseKind) -> tuple[str, ...]:
 
 
 def _part(text: str) -> str | user_code.UserCode:
-    """One part of a name: the part itself for a built-in kind, else the user's code."""
+    """One part of a name: the text itself for a built-in kind, else the user's code."""
     if text.partition(":")[0] in LIGHTHOUSES:
         return text
     parts = re.fullmatch(r"([^?]+):([^:?=]+=[^?]*)", text)
@@ -183,7 +183,7 @@ def lighthouse_from_json(
     start: Dart,
     missing: GivenLighthouse = Directional.kind,
 ) -> Lighthouse:
-    """The lighthouse of a world's JSON; if there is none, one of the kind ``missing``."""
+    """The lighthouse of a world's JSON; for None, a lighthouse of the kind ``missing``."""
     if document is None:
         return lighthouse_kind(missing).as_class.usual(map_, start)
     if not isinstance(document, Mapping) or not isinstance(document.get("kind"), str):
@@ -219,7 +219,7 @@ def _of_parts(name: str, parts: object, map_: CombinatorialMap, start: Dart) -> 
 
 
 def _own_of(document: Mapping[str, Any]) -> type[Lighthouse]:
-    """The user's class in a document, without its options unless a factory takes them.
+    """The user's class in a document, without its options unless a factory takes the options.
 
     Raises:
         InputError: if the class is missing, or its text differs from the text in the document.

@@ -26,9 +26,9 @@ StartsAt: TypeAlias = Annotated[
 
 
 class MarkedStart(base.ReferenceLighthouse):
-    """A lighthouse at one vertex v0, of which all that is sensed follows from its dart.
+    """A lighthouse at one vertex v0; all that is sensed follows from its dart there.
 
-    The robot starts at v0; under the option ``start=any`` of some kinds v0 is any vertex.
+    The robot starts at v0; under the option ``start=any`` of some kinds v0 may be any vertex.
     """
 
     dart: Dart
@@ -41,7 +41,7 @@ class MarkedStart(base.ReferenceLighthouse):
 
     @classmethod
     def homes(cls, map_: CombinatorialMap, start: Dart) -> Sequence[Dart]:
-        """One dart of each vertex that may be v0, the first in canonical numbering."""
+        """One dart of each vertex that may be v0: its first dart in canonical numbering."""
         return [*first_darts(map_, start).values()] if cls.start == "any" else [start]
 
     @classmethod
@@ -63,7 +63,7 @@ class MarkedStart(base.ReferenceLighthouse):
         return [dart for home in homes for dart in map_.vertices[map_.vertex_of[home]]]
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless its options and its dart are legal."""
+        """Raise InvalidWorld unless the options and the dart are legal."""
         ensure_legal(self)
         legal = self.legal_darts(map_, start)
         if the_integer("lighthouse.dart", self.dart) not in legal:
@@ -99,7 +99,7 @@ class Position(MarkedStart):
     """One marker at the start vertex v0 that points nowhere.
 
     Sensed at v0: one mark; at every vertex the degree.  ``dart`` is any dart of v0.  It is
-    not compared: in worlds with one start, two of these stand at one vertex.
+    not compared: in worlds with one start, two such lighthouses stand at one vertex.
     Source: Section III of the paper ('unique position information').
     """
 
@@ -117,7 +117,7 @@ class Position(MarkedStart):
 
 @dataclass(frozen=True)
 class Directional(MarkedStart):
-    """One marker at the start vertex v0 that points to one of its darts.
+    """One marker at the start vertex v0 that points along one dart of v0.
 
     Sensed at v0: one mark, and the bearing of ``dart``; elsewhere only the degree.
     Source: Section IV of the paper.
@@ -148,7 +148,7 @@ def word_of(pattern: str, degree: int) -> tuple[int, ...]:
 
 
 class SensedByBearing(MarkedStart):
-    """A lighthouse at v0 of which one letter is sensed: that of the bearing of its dart."""
+    """A lighthouse at v0 that shows one letter: the letter of the bearing of its dart."""
 
     pattern: str
 
@@ -163,7 +163,7 @@ class SensedByBearing(MarkedStart):
 
 @dataclass(frozen=True)
 class Door(SensedByBearing):
-    """One marked dart of the start vertex v0, sensed only by who has just come in by it.
+    """One marked dart of the start vertex v0, sensed only by a robot that has just come in by it.
 
     Sensed there: one mark; elsewhere, and at v0 by every other dart, only the degree.
     """
@@ -177,7 +177,7 @@ class Door(SensedByBearing):
 
 @dataclass(frozen=True)
 class Word(SensedByBearing):
-    """A letter for each bearing of one dart of the start vertex v0, the same at each such vertex.
+    """A letter for each bearing of one dart of the start vertex v0, by one pattern for all worlds.
 
     Sensed at v0: the letter of the bearing as marks, a digit; elsewhere no mark; the degree.
     ``word:1`` tells as much as ``position``, ``word:10*`` as ``door``.
@@ -198,7 +198,7 @@ class Cluster(TowardsNeighbour):
     """One marker at the start vertex v0 and two at a neighbour v1 of it; they point nowhere.
 
     Sensed: one mark at v0, two at v1; at every vertex the degree.  ``dart`` leads from v0 to
-    v1.  With the option ``single=true`` it stands only where exactly one edge joins the two.
+    v1.  With the option ``single=true`` it stands only where exactly one edge joins v0 and v1.
     Source: Sections IV and VIII of the paper.
     """
 
@@ -230,10 +230,10 @@ class Cluster(TowardsNeighbour):
 
 @dataclass(frozen=True, slots=True)
 class Natural(TowardsNeighbour):
-    """The start vertex v0 and a neighbour v1 of it; no other vertex has the degree of either.
+    """The start vertex v0 and a neighbour v1 of it; no other vertex has the degree of v0 or of v1.
 
-    Only the degree is sensed.  The explorer is told the degree of v1: that it is unique could
-    not be sensed.  ``dart`` is any dart that leads from v0 to v1.
+    Only the degree is sensed.  The explorer is told the degree of v1, because no percept can show
+    that this degree is unique.  ``dart`` is any dart that leads from v0 to v1.
     Source: Section VIII of the paper.
     """
 
@@ -264,7 +264,7 @@ class Natural(TowardsNeighbour):
 
 
 def first_darts(map_: CombinatorialMap, start: Dart) -> dict[int, Dart]:
-    """The first dart of each vertex in canonical numbering from the start."""
+    """For each vertex its first dart in canonical numbering from the start."""
     first: dict[int, Dart] = {}
     for dart in numbering(map_.sigma, map_.alpha, start):
         first.setdefault(map_.vertex_of[dart], dart)
@@ -277,7 +277,7 @@ class AtEveryVertex(base.ReferenceLighthouse):
     darts: tuple[Dart, ...]
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any start
-        """Raise InvalidWorld unless the reference darts are one of each vertex."""
+        """Raise InvalidWorld unless the reference darts are one dart of each vertex."""
         values: Any = self.darts
         if not isinstance(values, list | tuple):
             raise InvalidWorld(f"lighthouse.darts must be a list of darts, not {show(values)}")
@@ -293,7 +293,7 @@ class AtEveryVertex(base.ReferenceLighthouse):
 def _first_sensed(walk: base.WalkInAnswer) -> dict[int, tuple[Dart, int]]:
     """The reference dart and the marks sensed at the first visit of each vertex of an answer.
 
-    For a vertex that was never visited they are its first dart and 0.
+    A vertex that was never visited has its first dart and 0 marks.
     """
     answer = walk.map
     found = {vertex: (darts[0], 0) for vertex, darts in enumerate(answer.vertices)}
@@ -325,10 +325,10 @@ class Compass(AtEveryVertex):
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Compass]:
-        """Every choice of reference darts up to three edges; beyond, the first choice alone.
+        """Every choice of reference darts up to three edges; in larger maps the first choice alone.
 
-        Vertices and their darts come in canonical numbering from ``start``.  So in a map that
-        is numbered so itself, the first choice is the smallest dart of each vertex.
+        Vertices and their darts come in canonical numbering from ``start``.  So if the map itself
+        has canonical numbers, the first choice is the smallest dart of each vertex.
         """
         around: dict[int, list[Dart]] = {}
         for dart in numbering(map_.sigma, map_.alpha, start):
@@ -356,12 +356,12 @@ class Compass(AtEveryVertex):
 class Labels(AtEveryVertex):
     """Every vertex has a number of its own, and a reference dart.
 
-    Sensed at a vertex: as many marks as its number, the bearing of its reference dart, and
-    the degree.  So all vertices are told apart: other lighthouses are compared with this one.
+    Sensed at a vertex: as many marks as its number, the bearing of its reference dart, and the
+    degree.  So the robot tells all vertices apart; other lighthouses are compared with this one.
 
     Attributes:
         darts: the reference dart of each vertex, in the order of their numbers.
-        numbers: the numbers of the vertices; empty: 1, 2, 3 ..., as in every world.
+        numbers: the numbers of the vertices; empty in every world: the numbers are 1, 2, 3 ...
     """
 
     darts: Annotated[

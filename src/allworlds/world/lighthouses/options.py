@@ -14,18 +14,18 @@ from allworlds.protocol.importing import pairs_in
 
 
 class InvalidWorld(InputError):
-    """A map, a start and a lighthouse that do not make a world."""
+    """Raised if a map, a start and a lighthouse do not make a world."""
 
 
 def refuse_other_keys(what: str, document: Mapping[str, Any], legal: Sequence[str]) -> None:
-    """Raise InvalidWorld unless all keys are legal: a misspelt one would have no effect."""
+    """Raise InvalidWorld unless all keys are legal, since a misspelt key would have no effect."""
     for key in document:
         if key not in legal:
             raise InvalidWorld(f"{show(key)} is no key of a {what}; legal are {', '.join(legal)}")
 
 
 def the_integer(what: str, value: object) -> int:
-    """The value as an ``int``; raise InvalidWorld, naming it, if it is none."""
+    """The value as an ``int``; raise InvalidWorld, naming the value, if it is no integer."""
     try:
         return integer(value)
     except TypeError:
@@ -42,10 +42,10 @@ class FieldOption(NamedTuple):
     """An option of a kind.
 
     Attributes:
-        default: the default value; all values have its type.
-        limits: the limits of an integer, or the pattern of a text; or None.
-        legal: the legal words; a tuple may hold each of them once.
-        always: whether a document also holds the default.
+        default: the default value; all values have the same type as the default.
+        limits: the limits of an integer, or the pattern of a text; None without limits.
+        legal: the legal words; an option that is a tuple may hold each of them once.
+        always: whether a document holds the option even if it has its default.
     """
 
     default: OptionValue
@@ -55,7 +55,7 @@ class FieldOption(NamedTuple):
 
     @property
     def alone(self) -> bool:
-        """Whether it is the kind's only option, whose value is written without its name."""
+        """Whether this is the kind's only option, whose value is written without its name."""
         return type(self.default) is tuple or bool(self.limits and self.limits.pattern)
 
     def of_text(self, what: str, text: str) -> OptionValue:
@@ -117,7 +117,7 @@ class FieldOption(NamedTuple):
 def options_of(kind: Any) -> dict[str, FieldOption]:
     """The options of a class of lighthouses, in the order of its fields.
 
-    A class that a factory makes has no options but the factory's arguments.
+    A class that a factory has made has no options; only the factory has arguments.
     """
     if kind.code is not None and kind.code.arguments:
         return {}
@@ -143,14 +143,14 @@ def _option(field: Any, hint: Any) -> FieldOption | None:
 
 
 def _words_in(hint: Any) -> tuple[str, ...]:
-    """The words of the ``Literal`` in a type."""
+    """The words of the ``Literal`` in a type; empty if the type has no ``Literal``."""
     if get_origin(hint) is Literal:
         return get_args(hint)
     return next((words for part in get_args(hint) if (words := _words_in(part))), ())
 
 
 def kind_with(kind: Any, options: Mapping[str, OptionValue]) -> Any:
-    """The kind with other, legal values of some options; a class for each choice of them.
+    """The kind with other, legal values of some options; a class for each choice of values.
 
     Its instances are lighthouses of class ``kind`` with these values in their fields.
     """
@@ -176,7 +176,7 @@ def options_in(kind: Any, name: str, text: str) -> dict[str, OptionValue]:
     """The options of a kind in the text ``key=value,...`` after its name.
 
     Raises:
-        InvalidWorld: naming the option, or the value, that the kind does not have.
+        InvalidWorld: naming the option, or the value, that is not legal for the kind.
     """
     for key, option in options_of(kind).items():
         if option.alone:
@@ -192,7 +192,7 @@ def ensure_options(kind: Any, name: str, given: Mapping[str, object]) -> dict[st
     """The options in a document, if they are legal.
 
     Raises:
-        InvalidWorld: naming the option, or the value, that the kind does not have.
+        InvalidWorld: naming the option, or the value, that is not legal for the kind.
     """
     return {
         key: _legal(kind, name, key).checked(f"lighthouse.{key}", value)
@@ -210,7 +210,10 @@ def _legal(kind: Any, name: str, key: str) -> FieldOption:
 
 
 def values_in(placed: Any) -> dict[str, OptionValue]:
-    """The options of a lighthouse whose values differ from the default, or are its only text."""
+    """The options of a lighthouse whose values differ from their defaults.
+
+    An option that is :attr:`~FieldOption.alone` and a text is always included.
+    """
     kind: Any = type(placed)
     values = {key: (getattr(placed, key), option) for key, option in options_of(kind).items()}
     return {
@@ -237,7 +240,7 @@ def named_with(kind: Any, options: Mapping[str, OptionValue]) -> str:
 
 
 def with_arguments(name: str, arguments: Mapping[str, Any], mark: str = "?") -> str:
-    """A name, a mark, and arguments; the words of a tuple are written without its key."""
+    """A name, the mark, and the arguments as ``key=value``; a tuple stands without its key."""
     texts = [
         ",".join(value)
         if isinstance(value, tuple)
@@ -249,7 +252,7 @@ def with_arguments(name: str, arguments: Mapping[str, Any], mark: str = "?") -> 
 
 @cache
 def place_keys(kind: Any) -> tuple[str, ...]:
-    """The fields that a document holds beside the kind: for a user's kind, all but options."""
+    """The keys that a document holds beside the kind; for a user's kind, all fields but options."""
     if kind.code is not None:
         return tuple(each.name for each in fields(kind) if each.name not in options_of(kind))
     hints = get_type_hints(kind, include_extras=True)

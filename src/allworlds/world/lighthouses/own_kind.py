@@ -20,10 +20,10 @@ SHAPE = "a class with the base allworlds.Lighthouse and a class method places"
 
 
 def own_kind(code: user_code.UserCode) -> type[Lighthouse]:
-    """The class of the code, with its options, in a form like a built-in kind.
+    """The class of the user's code, with its options, in a form like a built-in kind.
 
     Raises:
-        InvalidWorld: if there is no such class, or it has no such options.
+        InvalidWorld: if there is no class of this name, or the class has no such options.
     """
     if code.arguments and isinstance(code.load(), type):
         kind = _kind(code.bare)
@@ -65,9 +65,9 @@ NOT_INHERITED = {"__dict__", "__weakref__", "__slots__", "__abstractmethods__", 
 
 
 def _subclass(theirs: Any, code: user_code.UserCode) -> type[Lighthouse]:
-    """A subclass with its own name for errors, files and pickles; the user's class is unchanged.
+    """A subclass with its own name for errors, files and pickles; the user's class stays unchanged.
 
-    It has the same body, and is a dataclass even if the user's class is none.
+    The subclass has the same body, and is a dataclass even if the user's class is none.
     """
     body = {name: part for name, part in vars(theirs).items() if name not in NOT_INHERITED}
     body |= {"kind": code.plain, "code": code}
@@ -76,7 +76,7 @@ def _subclass(theirs: Any, code: user_code.UserCode) -> type[Lighthouse]:
 
 
 def own_place(placed: Lighthouse) -> Lighthouse:
-    """The lighthouse in the kind that was made from its class; itself without such a kind."""
+    """The lighthouse as an instance of the kind that was made from its class, if there is one."""
     own = _OF_THEIRS.get(type(placed))
     if own is None:
         return placed
@@ -103,7 +103,7 @@ METHODS = [
 
 
 def _check_methods(kind: type[Lighthouse], code: user_code.UserCode) -> None:
-    """Check the methods that the user has written."""
+    """Wrap the methods that the user has written with checks, by :func:`_check`."""
     for name in METHODS:
         owner = next((each for each in kind.__mro__ if name in vars(each)), Lighthouse)
         theirs = not owner.__module__.startswith("allworlds.")
@@ -112,7 +112,10 @@ def _check_methods(kind: type[Lighthouse], code: user_code.UserCode) -> None:
 
 
 def _check(kind: type[Lighthouse], name: str, method: str, *, theirs: bool) -> None:
-    """Make errors of a user's method name the lighthouse, and check the values that it returns."""
+    """Make errors of a user's method name the lighthouse, and check the values that it returns.
+
+    ``theirs`` tells whether the user wrote the method, so that its errors are the user's.
+    """
     found = inspect.getattr_static(kind, method)
     if not _is_method(found):  # a plain value instead of a property
         value = found
@@ -139,13 +142,13 @@ def _check(kind: type[Lighthouse], name: str, method: str, *, theirs: bool) -> N
 
 
 USUAL = ("dart", "darts")
-"""The fields of a lighthouse with one place, whose marks and bearings show it."""
+"""The fields whose darts need no name in pictures, because marks and bearings show them."""
 
 
 def named_darts(placed: Lighthouse, map_: CombinatorialMap) -> dict[str, tuple[int, ...]]:
     """The darts in further fields of a user's lighthouse, such as ``hole``, by the fields' names.
 
-    A field holds darts if it is renamed with them.
+    A field holds darts if its numbers change when the darts are renamed.
     """
     if type(placed).code is None:
         return {}
@@ -159,7 +162,7 @@ def named_darts(placed: Lighthouse, map_: CombinatorialMap) -> dict[str, tuple[i
 
 
 def _several(value: Any) -> tuple[int, ...]:
-    """The integers in a field that holds one or several integers; else none."""
+    """The integers in a field that holds one or several integers; empty for any other field."""
     values = value if isinstance(value, tuple) else (value,)
     return values if all(type(each) is int for each in values) else ()
 
@@ -168,7 +171,7 @@ def _several(value: Any) -> tuple[int, ...]:
 
 
 def _places(places: tuple[Any, ...], kind: type[Lighthouse], *_asked: object) -> Iterator[Any]:
-    """The places, if all of them are of the class with the given options."""
+    """The places, if all of them are of the class with the given options; else raise TypeError."""
     made = [own_place(placed) if isinstance(placed, Lighthouse) else placed for placed in places]
     for placed in made:
         ours = isinstance(placed, Lighthouse) and placed.code is kind.code
@@ -180,7 +183,7 @@ def _places(places: tuple[Any, ...], kind: type[Lighthouse], *_asked: object) ->
 def _percepts(
     sensed: tuple[Any, ...], _place: Lighthouse, map_: CombinatorialMap
 ) -> tuple[actions.Percept, ...]:
-    """A percept for each dart, with its degree, in plain integers."""
+    """A percept for each dart, with the dart's degree, in plain integers; else raise TypeError."""
     if len(sensed) != len(map_.darts):
         raise TypeError
     return tuple(map(_percept, map_.degree_at, sensed))
@@ -212,7 +215,7 @@ def _refusal(text: Any, *_asked: object) -> str:
 
 
 def _state(after: Any, _place: Lighthouse, _map: object, before: State, _action: object) -> State:
-    """A state of plain integers, in which the robot has not moved."""
+    """A state of plain integers, in which the robot has not moved; else raise TypeError."""
     plain = convert(to_builtins(after), State) if type(after) is State else None
     if plain is None or plain.dart != before.dart:
         raise TypeError
@@ -231,14 +234,15 @@ RETURNS: dict[str, tuple[Callable[..., Any], str]] = {
     "refusal": (_refusal, "a text, empty if the action is legal"),
     "acted": (_state, "a State with the dart of the one before"),
 }
-"""For each method the function to plain values, or a TypeError, and words for legal values."""
+"""For each method the function from the returned value to a plain value, which raises TypeError for
+an illegal value, and the words for legal values."""
 
 
 # ---------------------------------------------------------------- in other processes
 
 
 def _reduced(placed: Lighthouse) -> tuple[Any, ...]:
-    """The content of a pickle: the code with its text, from which each process makes the class."""
+    """The content of a pickle: the code with its text, from which a process makes the class."""
     state = {each.name: getattr(placed, each.name) for each in fields(placed)}  # type: ignore[arg-type]
     return _placed, (type(placed).code, state)
 
