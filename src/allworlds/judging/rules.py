@@ -58,7 +58,7 @@ SIZE = {"n", "m"}
 
 
 def law_names(text: str) -> tuple[str, ...]:
-    """The names of laws in a list with commas."""
+    """The names of laws in a text, in which commas separate them."""
     return tuple(part.strip() for part in text.split(","))
 
 
@@ -384,7 +384,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @cached_property
     def recorded(self) -> "RecordedRules":
-        """The options as they stand in a finding."""
+        """The options in the form in which a finding holds them."""
         options = {key: value for key, value in self.in_effect.items() if key != "lighthouse"}
         return RecordedRules(
             **options,

@@ -42,12 +42,12 @@ class TaskKind(Struct, frozen=True):
 
 
 def visits_everything(world: World, walk: Walk, _answer: object) -> str | None:
-    """The complaint that a vertex was not visited; None if all vertices were."""
+    """The complaint that a vertex was not visited; None if all vertices were visited."""
     return _left(len(walk.visited), world.map.vertex_count, "vertices not visited")
 
 
 def walks_everything(world: World, walk: Walk, _answer: object) -> str | None:
-    """The complaint that an edge was not walked along; None if all edges were."""
+    """The complaint that an edge was not walked along; None if every edge was."""
     return _left(len(walk.walked), world.map.edge_count, "edges not walked along")
 
 
@@ -130,7 +130,7 @@ class Task(Struct, frozen=True):
 
     @property
     def codes(self) -> tuple[UserCode, ...]:
-        """The user's function, if there is one."""
+        """The user's function, as a tuple; empty for a task of this program."""
         return (self.code,) if self.code else ()
 
     @property
@@ -154,7 +154,7 @@ class Task(Struct, frozen=True):
 
     @property
     def over(self) -> Callable[[Walk], bool] | None:
-        """The function that tells after each step whether the run ends; None if it never does."""
+        """The function that tells after each step whether the run ends; None if no step ends it."""
         return self.is_over if self.ends_runs else None
 
     def is_over(self, walk: Walk) -> bool:

@@ -267,7 +267,7 @@ class Wrote(Document, forbid_unknown_fields=False):
 
 
 class _Sensed(Document):
-    """The percepts of a transcript."""
+    """The rows of a transcript, of which only the percepts are read."""
 
     transcript: Entries[AtStart]
 

@@ -37,7 +37,7 @@ T = TypeVar("T")
 
 
 class SourceText(Struct, frozen=True):
-    """The text of a user's file, which is read only once, so that later changes do no harm.
+    """The text of a user's file; it is read only once, so later changes of the file do no harm.
 
     Attributes:
         path: the given path, made absolute.

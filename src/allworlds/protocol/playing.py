@@ -67,11 +67,11 @@ class Surroundings(Protocol):
 
     @property
     def told(self) -> actions.Told:
-        """Return the value that the lighthouse tells before the start."""
+        """Return the value that the lighthouse tells before the start, or None."""
 
     @property
     def over(self) -> bool:
-        """Return whether the run ends here."""
+        """Return whether the task is done, so that the run ends here."""
 
     def move(self, k: int) -> actions.Percept:
         """Return a copy of the percept after a motion ``k``, which is below the degree."""
@@ -134,7 +134,7 @@ def play_run(
 
 
 class _Turns(Struct):
-    """The turns of one run."""
+    """The play of one run, turn by turn: a message of the explorer, and its entry in the log."""
 
     log: bytearray
     around: Surroundings
@@ -376,7 +376,7 @@ def _no_map(error: InvalidMap) -> bytes:
 
 
 def closed(generator: Generator[Any, Any, Any] | None) -> None:
-    """Close the generator, and ignore each exception that it then raises."""
+    """Close the generator, if there is one, and ignore each exception that it then raises."""
     try:
         if generator is not None:
             generator.close()

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 
 class OtherText(InputError):
-    """Raised for a user's code whose text differs from the recorded text."""
+    """Raised if the text of a user's code differs from the recorded text."""
 
 
 class Role(Struct, frozen=True):
@@ -51,10 +51,10 @@ class Role(Struct, frozen=True):
     known: tuple[str, ...] = ()
 
     def find(self, name: str) -> UserCode:
-        """The code of that name with its text; the code is not run.
+        """The code of that name with its text; the code does not run.
 
         Raises:
-            InputError: if the name is incomplete, or there is no such file or module.
+            InputError: if the name is incomplete, or there is no file or module of this name.
         """
         plain, _ = importing.arguments_of(name)
         if (record := _RECORDED.get().get(plain)) is not None:
@@ -115,7 +115,7 @@ class UserCode(Struct, frozen=True):
 
     @property
     def arguments(self) -> dict[str, importing.Argument]:
-        """The arguments at the end of the name."""
+        """The arguments at the end of the name, by their keys; empty if there are none."""
         return importing.arguments_of(self.name)[1]
 
     @property
@@ -213,7 +213,11 @@ class LocalCode(Struct, frozen=True):
         return str(getattr(self.function, "__name__", show(self.function)))
 
     def __call__(self, *values: Any) -> Any:
-        """Call the function as :class:`UserCode` does."""
+        """Call the function of a model.
+
+        Raises:
+            InputError: naming the model, if it raises.
+        """
         return importing.attempted(
             f"{self.role.noun} {show(self.name)} raises", lambda: self.function(*values)
         )

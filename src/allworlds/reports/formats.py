@@ -75,7 +75,7 @@ def _table(header: Sequence[str], rows: Sequence[Sequence[str]], right: str) -> 
 
 
 def fenced(text: str) -> str:
-    """The text as a block of Markdown, in a fence that is longer than any in the text."""
+    """The text as a block of Markdown, in a fence that is longer than any fence in the text."""
     longest = max((len(run) for run in re.findall("`+", text)), default=0)
     fence = "`" * max(3, longest + 1)
     return f"{fence}text\n{text}\n{fence}"
@@ -407,7 +407,7 @@ LATEX |= {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasci
 
 
 def latex_rows(content: parts.ReportContent) -> str:
-    """The rows as a table of LaTeX that needs no package; empty if there are no rows."""
+    """The rows for programs as a table of LaTeX that needs no package; empty without rows."""
     found = parts.rows_of(content)
     if not found.columns:
         return ""
@@ -445,7 +445,10 @@ def lone_picture(content: parts.ReportContent) -> str:
 
 
 def sequence_diagram(content: parts.ReportContent) -> str:
-    """The run of the smallest finding of a team as a sequence diagram of PlantUML."""
+    """The run of the smallest finding of a team as a sequence diagram of PlantUML.
+
+    Without a finding it is the run that the budget cuts off, or an empty diagram.
+    """
     from allworlds.reports.content.team import sequence_of
 
     report: Any = content.result
@@ -500,7 +503,7 @@ FORMATS = {
     "plantuml": Format(sequence_diagram, ".puml", (verbs.RUNS,)),
     "annotations": Format(runner_commands, "", (verbs.FINDINGS,), read_by="GITHUB_ACTIONS"),
 }
-"""Every format by its name."""
+"""Every format of reports, by its name."""
 
 
 def formats_of(verb: str) -> dict[str, Format]:

@@ -50,12 +50,12 @@ def short_text_of(value: Report | Finding) -> str:
 
 
 def records(report: Report) -> list[dict[str, Any]]:
-    """The rows of ``-o FILE.csv``, by the names of their columns."""
+    """The rows of ``-o FILE.csv`` as dictionaries, by the names of their columns."""
     return rows_of(formats.content_of(report)).records
 
 
 def shown(value: Report | Finding | Transcript) -> str:
-    """An element of a page: a table of steps, or a whole page in a frame of its own.
+    """The HTML of a value: a table for a transcript, else a whole page in a frame of its own.
 
     The style and the keys of a page in a frame do not affect the notebook.
     """

@@ -73,12 +73,12 @@ class Scene(Struct, frozen=True):
 
     @property
     def dart_names(self) -> Sequence[str]:
-        """The name of each dart."""
+        """The name of each dart; by default its number."""
         return self.darts or [*map(str, self.map.darts)]
 
     @property
     def vertex_names(self) -> Sequence[str]:
-        """The name of each vertex."""
+        """The name of each vertex; by default ``v0``, ``v1``, and so on."""
         return self.vertices or [f"v{vertex}" for vertex in range(self.map.vertex_count)]
 
     def short_names(self, width: int) -> Sequence[str]:
@@ -129,7 +129,7 @@ class Scene(Struct, frozen=True):
 
 
 def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
-    """The scene of a world, with everything that can be sensed in it.
+    """The scene of a world, with everything that a robot can sense there.
 
     ``dropped`` holds the vertices at which the robot has dropped markers, one entry a marker.
     """
@@ -208,7 +208,7 @@ class CsvRows(Struct, frozen=True):
 
 
 class RightText(Struct, frozen=True):
-    """A text in a table that is flushed right like a number."""
+    """A text in a table that stands at the right of its column, like a number."""
 
     text: str
 
@@ -392,7 +392,7 @@ class ShownWalk(Struct, frozen=True):
 
     @property
     def table(self) -> Table:
-        """A row for each step; if all lines are in one file, only their numbers are shown."""
+        """A row for each step; if all lines of code are in one file, its name is not shown."""
         walked, elsewhere = self.walked, self.elsewhere
         header = ["step", "motion", "arrives at", "sensed"]
         motions = ["start", *map(str, walked.walk.actions)]
@@ -485,7 +485,7 @@ class DataRecord(Struct, frozen=True):
 Block: TypeAlias = (
     Paragraph | FactList | Table | Curve | MapPictures | ShownWalk | ShownRun | Quote | DataRecord
 )
-"""A part of a section."""
+"""A part of a section: one of the classes above."""
 
 
 class Section(Struct, frozen=True):

@@ -49,7 +49,7 @@ WRITTEN_AS = {
 class OwnLighthouse(Struct):
     """Lighthouse of the user's own.
 
-    The fields that say where it stands are keys beside these.
+    The fields that say where it stands are further keys of the same object.
     """
 
     kind: Annotated[doc.Text, doc.about("the name by which it is found")]
@@ -236,7 +236,7 @@ class Shapes:
 
 
 def members(tp: Any) -> tuple[Any, ...]:
-    """The types of a union; any other type itself."""
+    """The types of a union; for any other type, this type alone."""
     return get_args(tp) if get_origin(tp) in (Union, UnionType) else (tp,)
 
 

@@ -6,7 +6,7 @@ from allworlds.explorers.loading import is_library, is_program
 from allworlds.judging.findings.finding import Finding
 
 MEMORY = re.compile(r"\(signal (7|8|11)\)")
-"""The end of a process by SIGBUS, SIGFPE or SIGSEGV."""
+"""The words for the end of a process by SIGBUS, SIGFPE or SIGSEGV."""
 
 SANITIZER = (
     "Mostly the cause is an access outside of an array, or to memory that was freed, perhaps long "

@@ -47,7 +47,7 @@ EXPECTED, SEEN = (doc.read_by(Value, partial(_value, name)) for name in ("expect
 class Believed(doc.Document, forbid_unknown_fields=False):
     """Believed.
 
-    A checkpoint of a refuting run: S, in the explorer's own darts.
+    A checkpoint of a refuting run: S, with the explorer's own numbers of the darts.
     """
 
     number: Annotated[doc.Natural, doc.about("of the checkpoint in its run, from 0 on")]

@@ -52,7 +52,7 @@ def fold(transcript: Transcript) -> Folded:
 
 
 class _Folding:
-    """Nodes in a union-find forest; a merged node keeps its turn relative to its parent.
+    """Nodes in a union-find forest; a merged node keeps the turn of its darts against its parent's.
 
     Node v owns the darts ``first[v] .. first[v] + degree[v] - 1``.  If ``parent[v] = w``,
     dart i of v is dart ``i + shift[v]`` (modulo the degree) of w.

@@ -109,7 +109,11 @@ def map_law(case: Case) -> Violation | None:
 
 
 def pose_law(case: Case) -> Violation | None:
-    """Require that ``here`` stands for the robot's dart: both rooted maps are the same."""
+    """Require that ``here`` stands for the robot's dart.
+
+    That is: the answer's map rooted at ``here`` is the same as the world's rooted at the robot's
+    dart.
+    """
     return _wrong_answer(case, "pose") if case.answer == "pose" else None
 
 
@@ -122,8 +126,8 @@ def _wrong_answer(case: Case, law: str) -> Violation:
 def ambiguity_law(case: Case) -> Violation | None:
     """Require that an answer without a map is the rooted quotient of a world that has lookalikes.
 
-    A percept is the degree, and one mark at the vertex of the start.  Lookalikes are all maps of
-    any class with the same percepts.
+    A percept is here the degree, and one mark at the vertex of the start.  Lookalikes are all other
+    worlds, with maps of any class, in which every walk has the same percepts.
     Cost: O(m log m).
     """
     answer = case.estimate
@@ -179,7 +183,7 @@ def bound_law(case: Case) -> Violation | None:
 
 
 def folding_law(case: Case) -> Violation | None:
-    """Require that the log alone determines the map: its folding has no open dart.
+    """Require that the log alone determines the map: the folded log has no open dart.
 
     If a dart is open, two different worlds agree with the log, so that an explorer with the right
     answer has guessed.

@@ -119,7 +119,7 @@ def size_table(report: CheckReport) -> parts.Table:
 
 
 def covered_table(report: CheckReport) -> parts.Table:
-    """The ranges of the features of a sample's worlds."""
+    """A table with the range of each feature of a sample's worlds."""
     rows: list[list[parts.Cell]] = [
         [row.feature, row.least, row.median, row.most] for row in report.covered
     ]
@@ -127,7 +127,7 @@ def covered_table(report: CheckReport) -> parts.Table:
 
 
 def verdict_of(report: CheckReport) -> parts.Headline:
-    """The verdict and its explanation."""
+    """The verdict in a word, with its explanation."""
     done = (
         f"{plural(report.worlds, 'world')}, {plural(report.runs, 'run')}, "
         f"{plural(report.tally.traversals, 'traversal')}"
@@ -275,7 +275,10 @@ def _gate(report: CheckReport) -> str:
 
 
 def _listed(cells: Sequence[GateCell]) -> str:
-    """The number of edges up to which another enumeration has listed the same worlds, in words."""
+    """Words for the number of edges up to which another enumeration has listed the same worlds.
+
+    Empty if there is no such number.
+    """
     most = max((cell.edges for cell in cells if cell.listed), default=0)
     return f"; up to {plural(most, 'edge')} listed" if most else ""
 
@@ -406,7 +409,7 @@ def _estimate(guess: time_estimate.TimeEstimate) -> parts.ReportContent:
 
 
 def most_expensive(runs: Iterable[single.SingleRun]) -> Iterator[parts.Section]:
-    """A section about the most expensive of some runs; no section without runs."""
+    """A section about the run that costs most; no section without runs."""
     if most := max(runs, key=lambda run: run.outcome.cost, default=None):
         map_ = most.world.map
         where = size(map_.edge_count, map_.vertex_count)

@@ -75,7 +75,7 @@ end of the interval."""
 
 
 def _lines_of_levels(report: comparison.Comparison) -> Lines:
-    """A line for each explorer."""
+    """The lines of a curve: one for each explorer."""
     lines: Lines = {}
     shown = dict(zip(report.names, _short_names(report), strict=True))
     for edges in sorted({row.edges for row in report.rows}):
@@ -88,7 +88,7 @@ def _lines_of_levels(report: comparison.Comparison) -> Lines:
 
 
 def _lines_of_families(report: growth.Growth) -> Lines:
-    """A line for each explorer and family, and a line for the explorer's bound there."""
+    """The lines of a curve: for each explorer and family one, and one for the explorer's bound."""
     lines: Lines = {}
     shown = dict(zip(report.names, _short_names(report), strict=True))
     for row in report.rows:
@@ -225,7 +225,7 @@ GROWTH_SAID = (*SAID, "to", "draws", "places")
 
 
 def _walks(report: comparison.Comparison) -> Iterator[parts.Section]:
-    """A walk of each explorer in the world that differs most."""
+    """A section for each explorer: its walk in the world where the costs differ most."""
     for i, run in enumerate(report.walks(), 1):
         cost = plural(run.outcome.cost, "traversal")
         title = f"Where the costs differ most: {run.explorer}, {cost}"
@@ -240,7 +240,7 @@ SIZES = (
 
 
 def _rows(report: comparison.Comparison) -> parts.CsvRows:
-    """A row for each size and explorer; or for each world or run, if the request wants that."""
+    """A row for each size and explorer; or for each world or run, if the request asks for these."""
     if report.by in ("world", "run"):
         return rows_of_worlds(report.in_worlds, report.names[0], report.by)
     return parts.CsvRows(SIZES, _by_size(report, report.names))

@@ -67,7 +67,7 @@ def _rows(report: LedgerReport) -> parts.CsvRows:
 
 
 def _heading(section: str) -> str:
-    """``Section IV``; a section that is no number is its own heading."""
+    """The heading of a section: ``Section IV`` for ``IV``; a text that is no number stays."""
     return f"Section {section}" if re.fullmatch(r"[IVXLC]+|[0-9.]+|[A-Z]", section) else section
 
 
@@ -122,7 +122,7 @@ def _case(one: CheckedClaim, *, required: bool) -> parts.SuiteCase:
 
 
 def _details(one: CheckedClaim) -> list[tuple[str, str]]:
-    """Further named facts about a claim."""
+    """Further named facts about a claim: its method, scope and source, and what was seen."""
     facts = [(name, getattr(one, name)) for name in ("method", "scope", "expected", "source")]
     if one.standing == "not-checked":
         return [*facts, ("reason", one.told)]

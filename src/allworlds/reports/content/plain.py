@@ -12,7 +12,7 @@ from allworlds.reports import parts
 from allworlds.studies import init, merge
 
 NOT_IN_DOCUMENT = ("schema", "made_by", "verdict", "exit_code")
-"""The keys that are in the headline, or are of no use to people."""
+"""The keys that are not shown as facts: they are in the headline, or are of no use to people."""
 
 
 def plain_content(report: Report) -> parts.ReportContent:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from allworlds.studies.compare.entrants import ContestReport
 
 OfWorlds: TypeAlias = SweptReport | CheckReport
-"""A report about the worlds of an extent."""
+"""A report about the worlds of a class of maps of bounded size."""
 
 SAID = (
     *("edges", "vertices", "map_class", "where", "lighthouse", "policy", "bound"),
@@ -51,7 +51,7 @@ def each_of(given: MapSource) -> str:
 
 
 def maps_in_words(report: OfWorlds) -> str:
-    """The maps that a report is about, or their shard, in words."""
+    """The maps of a report in words, with the shard if the report is about a shard."""
     shard = f", shard {report.portion}" if report.portion != units.WHOLE else ""
     given = report.extent.given
     maps = "every rooted map" if given is None else f"every start in {each_of(given)}"

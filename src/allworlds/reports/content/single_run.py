@@ -122,7 +122,7 @@ def replay_content(replay: Replay) -> parts.ReportContent:
 
 
 def cost_words(run: SingleRun) -> str:
-    """The cost of the run, and the bound on it."""
+    """The cost of the run in words, with the bound if there is one."""
     bound = "" if run.outcome.bound is None else f" of at most {words.number(run.outcome.bound)}"
     return f"{words.plural(run.outcome.cost, 'traversal')}{bound}"
 
@@ -166,7 +166,7 @@ def run_section(run: SingleRun, name: str, title: str = "") -> parts.Section:
 
 
 def _quotient(answer: Ambiguous) -> list[parts.Block]:
-    """An ambiguous answer: the quotient that all worlds with equal percepts share."""
+    """The blocks for an answer without a map, which is the quotient of all worlds with its percepts."""
     header = ["dart", "sigma", "alpha", "degree", "marks", ""]
     columns = (range(len(answer.sigma)), answer.sigma, answer.alpha, answer.degree, answer.marks)
     rows = [[*row, "here" if row[0] == answer.here else ""] for row in zip(*columns, strict=True)]
@@ -215,7 +215,7 @@ def finding_section(
 
 
 def _detail(finding: Finding) -> list[parts.Block]:
-    """The detail of the finding, under a title that says what the detail is."""
+    """The detail of the finding under a title, such as ``traceback``; no block without a detail."""
     detail = finding.detail
     if finding.law == "no-estimate":
         # The explanation names the line of the call.

@@ -65,7 +65,7 @@ def _command(report: TeamReport) -> str:
 
 
 def verdict_of(report: TeamReport) -> parts.Headline:
-    """The verdict and its explanation."""
+    """The verdict in a word, with its explanation."""
     total, timing = report.total, report.asked.timing
     done = (
         f"{plural(total.worlds, 'world')} with starts, {plural(len(report.explorers), 'robot')}, "
@@ -328,7 +328,7 @@ def _moved(
 
 
 def _cases(report: TeamReport) -> Iterable[parts.SuiteCase]:
-    """A case for each number of edges."""
+    """A test case for each number of edges."""
     for edges in report.extent.levels:
         name = f"every world with {plural(edges, 'edge')}"
         found = [i for i, each in enumerate(report.findings, 1) if each.key[0] == edges]

@@ -113,7 +113,8 @@ MOST_DARTS = 200
 a circle."""
 
 STUB, NARROWEST, WIDEST = 24.0, 130.0, 900.0
-"""In pixels: the least straight beginning of an edge; the least and the largest drawing."""
+"""In pixels: the least length of the straight beginning of an edge; the least and the largest size
+of a drawing."""
 
 DISC, CHIP, HIGH, GAP, FAR = 12.0, 10.0, 14.0, 16.0, 46.0
 """In pixels: the radii of a vertex and of the robot, the height of a number, the least distance of
@@ -227,7 +228,10 @@ def _ways(map_: CombinatorialMap) -> list[list[complex]]:
 
 
 def _round_a_circle(map_: CombinatorialMap) -> list[list[complex]]:
-    """The vertices on a circle, the darts round each at equal angles, the first outwards."""
+    """The ways of a drawing with the vertices on a circle.
+
+    The darts round each vertex leave at equal angles, its first dart outwards.
+    """
     count = map_.vertex_count
     outwards = [exp(1j * tau * vertex / count) for vertex in map_.vertex_of]
     first = [map_.vertices[vertex][0] for vertex in map_.vertex_of]
@@ -323,7 +327,7 @@ def extended(
 ) -> dict[Dart, Dart]:
     """Match darts of two maps by following sigma and alpha from the tied pairs.
 
-    In a conflict a dart keeps its first partner; no dart of the other map is used twice.
+    In a conflict a dart keeps its first partner; no dart of the map ``other`` is used twice.
 
     Args:
         tied: the pairs to begin with, which are whole vertices of equal degree.

@@ -131,7 +131,7 @@ class _Plane:
         self._link(end, b)
 
     def bend(self, a: Dart, b: Dart) -> None:
-        """Put a vertex in the middle of an edge."""
+        """Put a vertex of degree 2 in the middle of the edge of a and b, as a bend."""
         near, far = self.next, self.next + 1
         self.next += 2
         self.sigma |= {near: far, far: near}
@@ -158,7 +158,7 @@ class _Plane:
         return face_of[self.sigma[before]]
 
     def _faces(self) -> tuple[dict[Dart, int], list[list[Dart]]]:
-        """The face to the left of each dart, and the darts of each face."""
+        """The number of the face to the left of each dart, and the darts of each face."""
         face_of: dict[Dart, int] = {}
         faces: list[list[Dart]] = []
         for first in self.sigma:
@@ -250,10 +250,10 @@ def mesh(drawn: PlanarMap) -> Mesh:
 
 
 def coordinates(net: Mesh) -> list[complex]:
-    """Coordinates of each point, such that no triangle is turned over.
+    """The coordinates of each point, such that no triangle is turned over.
 
-    The plane has y downwards, so clockwise is the sense of growing angles.  The unit is about
-    the side of a triangle.
+    The coordinate y grows downwards, so clockwise is the sense of growing angles.  The unit is
+    about the side of a triangle.
 
     Cost: O(SWEEPS) times the points, for small maps.
     """

@@ -12,10 +12,10 @@ from allworlds.reports.parts import Scene
 from allworlds.world.labels import Position
 
 SHORTEST = 3 * STUB
-"""The least length of an edge, and the reach of a loop, in pixels."""
+"""In pixels: the least length of an edge, and how far a loop reaches."""
 
 APART = 0.5
-"""The largest angle between parallel edges."""
+"""The largest angle between neighbouring parallel edges, in radians."""
 
 WIDE = 0.35 * tau
 """The largest angle between the ends of a loop, since a wider loop would run over its vertex."""

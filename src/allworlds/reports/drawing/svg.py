@@ -253,7 +253,7 @@ def _beside(along: Sequence[complex]) -> float:
 
 
 def _flag(along: complex, far: float) -> ET.Element:
-    """The marker's arrow, behind the number of the dart that it points along."""
+    """The arrow of a marker, behind the number of the dart along which it points."""
     base, wing = (far + CHIP) * along, along * 1j * FLAG * 0.55
     head = f"M{at(base + FLAG * along)} L{at(base + wing)} L{at(base - wing)} Z"
     return tag(
@@ -317,7 +317,7 @@ def _clockwise(along: Sequence[complex]) -> ET.Element:
 
 
 SUFFIX = ".svg"
-"""The end of the names of files of drawings."""
+"""The suffix of the files of drawings."""
 
 
 class Drawing(Struct, frozen=True):

@@ -117,10 +117,10 @@ def _signed(scene: Scene) -> dict[str, Sequence[Dart]]:
 
 
 def _groups(map_: CombinatorialMap, root: Dart) -> list[list[Dart]]:
-    """The vertices breadth first from the root, each clockwise from the dart that found it.
+    """The vertices breadth first from the root, each clockwise from the dart by which it is found.
 
-    A vertex finds its neighbours from its last dart back: so the nearer neighbour hangs at
-    the dart further right, and the arcs to them nest instead of crossing.
+    A vertex finds its neighbours from its last dart to its first: so the nearer neighbour hangs at
+    the dart further right, and the arcs to the neighbours nest instead of crossing.
     """
     found = {map_.vertex_of[root]}
     groups = [_turned(map_, root)]

@@ -225,7 +225,7 @@ def _steps(walk: ShownWalk, name: str, views: Mapping[str, View]) -> ET.Element:
 
 
 def _at(walked: Walked) -> str:
-    """The word before the robot's vertex: ``at``, or none if vertices have names."""
+    """The word before the name of the robot's vertex: ``at``; empty if vertices have labels."""
     return "" if walked.world.labels.vertices else "at "
 
 

@@ -161,7 +161,7 @@ class Lighthouse(ABC):
         """Yield the places in the map rooted at ``start``; a renaming of darts keeps the order."""
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless the lighthouse is at one of its places in the map."""
+        """Raise InvalidWorld unless this place is a place of the lighthouse's kind in the map."""
         if self not in self.as_kind.places(map_, start):
             raise InvalidWorld(
                 f"the lighthouse {self.kind} cannot stand at {show(self)} in this map with start "
@@ -219,7 +219,7 @@ class Lighthouse(ABC):
         """The lighthouse at its first place, for a document that names no place.
 
         Raises:
-            InvalidWorld: if it has no place in the map.
+            InvalidWorld: if this kind of lighthouse has no place in the map.
         """
         for placed in cls.places(map_, start):
             return placed
@@ -234,7 +234,7 @@ class Lighthouse(ABC):
     def believed(
         self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer
     ) -> Lighthouse | None:
-        """The lighthouse where the robot must believe it: in the answer, at the place numbered alike.
+        """The lighthouse where the robot must believe it: in the answer, at its place's number.
 
         None if the answer has no place of this number.  ``map_`` and ``start`` are those of the
         world.

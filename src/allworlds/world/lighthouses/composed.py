@@ -84,7 +84,7 @@ class Movable(PlacelessLighthouse):
 
     @property
     def in_hand(self) -> int:
-        """The number of all markers."""
+        """The number of markers in the robot's hand at the start, which is that of all markers."""
         return self.markers
 
     @override
@@ -119,7 +119,7 @@ class Movable(PlacelessLighthouse):
 
 
 LEAST, MOST = 2, 2**31
-"""The least and the largest legal number of states."""
+"""The least and the largest legal value of the option ``states``."""
 
 
 HowMany = Annotated[int, Meta(ge=LEAST, le=MOST), about("how many numbers there are")]

@@ -87,7 +87,7 @@ class TowardsNeighbour(MarkedStart):
     def believed(
         self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer
     ) -> base.Lighthouse | None:
-        """The lighthouse in the same direction from the start, even if it is illegal there."""
+        """The lighthouse in the same direction from the start, even if this is no legal place."""
         if self.start == "any":
             return super().believed(map_, start, walk)
         dart = walk.map.turn(walk.trail[0], map_.offset(start, self.dart))

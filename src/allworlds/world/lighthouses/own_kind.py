@@ -33,7 +33,7 @@ def own_kind(code: user_code.UserCode) -> type[Lighthouse]:
 
 @cache
 def _kind(code: user_code.UserCode) -> type[Lighthouse]:
-    """The class, loaded once in a process; a factory makes one for each choice of arguments."""
+    """The class, loaded once in a process; a factory makes a class for each choice of arguments."""
     made = code.made()
     if not isinstance(made, type) or not issubclass(made, Lighthouse) or inspect.isabstract(made):
         raise InvalidWorld(f"{show(code.name)} is no lighthouse, but {shown(made)}; one is {SHAPE}")
