@@ -166,7 +166,7 @@ def run_section(run: SingleRun, name: str, title: str = "") -> parts.Section:
 
 
 def _quotient(answer: Ambiguous) -> list[parts.Block]:
-    """The blocks for an answer without a map, which is the quotient of all worlds with its percepts."""
+    """The blocks for an answer without a map: the quotient of all worlds with its percepts."""
     header = ["dart", "sigma", "alpha", "degree", "marks", ""]
     columns = (range(len(answer.sigma)), answer.sigma, answer.alpha, answer.degree, answer.marks)
     rows = [[*row, "here" if row[0] == answer.here else ""] for row in zip(*columns, strict=True)]
