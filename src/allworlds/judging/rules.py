@@ -294,7 +294,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def _met(self) -> set[str]:
-        """Those conditions of :data:`LAWS` (maps, folds, bounded) that these rules meet."""
+        """The conditions of laws (``maps``, ``folds``, ``bounded``) that these rules meet."""
         met = {MAPS} if self.task.is_map else set[str]()
         met |= {FOLDS} if met and self.kind.folds and not self.promised else set()
         return met | ({BOUNDED} if self._named_bound != NO_BOUND else set())

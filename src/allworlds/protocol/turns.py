@@ -2,10 +2,10 @@
 
 This module knows no worlds and no schedules.  A *history* is a told value and the percepts after
 it.  A *turn* is a tuple ``(number, before, percept)``: it adds a percept to the history that ended
-with the turn number ``before``.  A generator is kept alive after a turn, and gets the next percept;
-if the same history goes on with another percept, it is replayed, since a generator cannot be
-copied.  An automaton steps from a memory.  The memory itself is never sent; it has a number, and
-``before`` is this number.
+with the turn number ``before``.  A generator is kept alive after a turn, and gets the next percept.
+If the same history also goes on with another percept, a new generator replays it, since a generator
+cannot be copied.  An automaton steps from a memory.  The memory itself is never sent; it has a
+number, and ``before`` is this number.
 """
 
 from __future__ import annotations

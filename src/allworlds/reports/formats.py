@@ -228,8 +228,8 @@ def _rule(law: str, asked: str) -> dict[str, Any]:
 def sarif(content: parts.ReportContent) -> str:
     """The report as a SARIF log with one run.
 
-    Every law is a rule.  Every finding is a result, whose message has the picture and the walk; its
-    place is the line of the explorer, or, if the explorer is no file of the repository, the line
+    Every law is a rule.  Every finding is a result, whose message has the picture and the walk.
+    Its place is the line that :func:`_at` finds, or, if this is no line of the repository, the line
     that :func:`_source_of_check` finds.  A verdict that is not good and has no finding is a
     notification.
     """

@@ -87,7 +87,7 @@ class CodeLines(doc.Document, forbid_unknown_fields=False, kw_only=True):
 class EarlierRun(doc.Document, forbid_unknown_fields=False):
     """Earlier run.
 
-    A run after which a later run in the same process differs.
+    A run after which a later run in the same process has another result.
     """
 
     world: Annotated[doc.FromJson[World], doc.about("its world, in canonical numbering")]

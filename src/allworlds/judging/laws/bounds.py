@@ -1,4 +1,4 @@
-"""Bounds on the number of traversals: those of the paper and of two vertices, none, expressions."""
+"""Bounds on the number of traversals: those with names (paper, two-vertices, none), expressions."""
 
 import ast
 import operator

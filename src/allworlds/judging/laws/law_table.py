@@ -215,9 +215,10 @@ def invariant_1(case: Case) -> Violation | None:
 
 
 def _wrong_s(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
-    """The reason why S is wrong after this number of steps; None if S is right.
+    """The reason why the S of a checkpoint is wrong; None if S is right.
 
-    If S would be right with another ``here``, the reason says so.
+    ``steps`` is the number of steps before the checkpoint.  If S would be right with another
+    ``here``, the reason says so.
     """
     broken = _wrong_part(case, steps, checkpoint)
     darts = len(checkpoint.sigma)
@@ -292,7 +293,9 @@ def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Da
 
     ``dart`` is the robot's dart in the world, the image of ``here``.  A dart in U may be the
     partner of a dart d that is not in U (which breaks I-2); its image is then the other end of the
-    image of d.  Cost: O(|S|).
+    image of d.
+
+    Cost: O(|S|).
     """
     sigma, alpha = checkpoint.sigma, checkpoint.alpha
     size, here = len(sigma), checkpoint.here
@@ -416,7 +419,10 @@ OF_CHECKPOINTS = ("invariant-1", "invariant-2", "variant")
 
 
 def checked_laws(laws: Iterable[str], runs: int, checkpoints: int) -> tuple[str, ...]:
-    """Those of the laws that were checked; without a checkpoint, the laws about them were not."""
+    """Those of the laws that were checked: none without a run.
+
+    Without a checkpoint the laws about checkpoints were not checked.
+    """
     if not runs:
         return ()
     return tuple(law for law in laws if checkpoints or law not in OF_CHECKPOINTS)

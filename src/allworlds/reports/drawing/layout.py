@@ -118,7 +118,7 @@ of a drawing."""
 
 DISC, CHIP, HIGH, GAP, FAR = 12.0, 10.0, 14.0, 16.0, 46.0
 """In pixels: the radii of a vertex and of the robot, the height of a number, the least distance of
-two numbers, and the largest distance from a vertex to which a number is moved to keep it."""
+two numbers, and the largest distance of a number from its vertex, if it is moved for that."""
 
 
 class Layout(Struct, frozen=True):

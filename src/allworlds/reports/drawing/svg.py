@@ -114,8 +114,8 @@ SHORT = 5
 beside the disc."""
 
 BESIDE, BEYOND, WIDE = 31.0, 42.0, 7
-"""In pixels: the distance from a vertex to a name beside it, that to a name beyond a dart's number,
-and the width of a character."""
+"""In pixels: the distance from a vertex to a name beside it, the distance to a name that is beyond
+a dart's number, and the width of a character."""
 
 STEEP = 0.8
 """The sine of the least angle to the horizontal at which a dart runs through its vertex's name."""

@@ -1,6 +1,6 @@
 """The sections of a page, the frame of every page, and pictures with a walk.
 
-The arrow keys of the reader step along a walk, in all pictures of this walk at the same time.
+The reader's keys step along a walk, in all pictures of this walk at the same time.
 """
 
 import json
