@@ -30,7 +30,7 @@ canonical code
     the root (see :mod:`allworlds.maps.combinatorial`).  Of a map: the least code of its
     rootings.
 class
-    A set of maps: one of :class:`allworlds.maps.classes.MapClass`.
+    A set of maps: a member of :class:`allworlds.maps.classes.MapClass`.
 
 Modules
 -------
@@ -43,8 +43,8 @@ Modules
 ``enumeration``, ``counting``
     all maps of a class, glued together; their number, computed without making a map;
 ``count_source``
-    the source with which the enumeration of an extent is compared, and the number of maps that
-    complete a partial gluing;
+    the source with which the enumeration of an extent (a class of bounded size, under a condition)
+    is compared, and the number of maps that complete a partial gluing;
 ``build``, ``families``
     maps by hand and by name, small changes to a map, and the shortest walk along all edges; large
     maps by a text and a seed;
@@ -53,8 +53,8 @@ Modules
 ``quotient``
     indistinguishable darts, the quotient by them, and the number of worlds that share a quotient.
 
-Code of this package that must be fast has maps as bare pairs of tuples or lists; all other code
-has a :class:`CombinatorialMap`.
+Code of this package that must be fast takes maps as bare pairs of tuples or lists; all other code
+takes a :class:`CombinatorialMap`.
 
 ``dir(allworlds.maps)`` lists the names for users' programs.  The other names are for this program,
 and a few of them only for its tests.

@@ -5,16 +5,16 @@ here are generating functions, recurrences and sums from the literature.  They s
 the enumeration of maps, nor with the maps themselves.
 
 All functions return exact integers by number of vertices (or genus) for one number of edges
-``m >= 1``.  A connected map with m edges has ``1..m+1`` vertices: these are the keys.
+``m >= 1``.  A connected map with m edges has ``1..m+1`` vertices: these numbers are the keys.
 
 ============================  ===========================================================
-all maps                      pairs of permutations
+all maps                      the logarithm of the series of all pairs of permutations
 planar maps                   the recurrence of Carrell and Chapuy at genus 0
 simple maps                   degree sequences
 simple planar maps            substitution into planar maps
 trees (one class in all)      Catalan numbers
-cubic, regular, eulerian      the same log-series, and in the plane the recurrence of Walsh and
-                              Lehman, at these degrees; in simple maps their degree sequences
+cubic, regular, eulerian      at these degrees alone: this logarithm, in the plane the recurrence
+                              of Walsh and Lehman, in simple maps the degree sequences
 triangulation, quadrangu-     the recurrence at the degrees of the dual maps; simple planar
 lation                        triangulations by Tutte's formula
 ============================  ===========================================================
