@@ -53,7 +53,7 @@ _OF_MAPS = sys.modules[CombinatorialMap.__module__].__file__.rpartition("combina
 
 
 class Surroundings(Protocol):
-    """What answers an explorer's actions: a world, or recorded percepts in place of a world.
+    """The world in which an explorer plays, or recorded percepts in place of a world.
 
     Attributes:
         first: the percept before any action.
