@@ -12,6 +12,7 @@ from allworlds.studies.merge import merge, status
 from allworlds.studies.run import replay
 from allworlds.world.world import World
 from models import PARITY
+from small import slowest
 
 pytestmark = pytest.mark.processes
 
@@ -73,12 +74,14 @@ def test_replay_plays_both_runs_and_explain_names_both(latch, tmp_path):
     assert replay(read).outcome == "not-reproduced"
 
 
+@pytest.mark.slowest
 def test_a_corpus_tries_both_runs_again(latch, tmp_path):
     check(latch(), edges=3, corpus=tmp_path / "corpus")
     report = check(latch(), edges=1, corpus=tmp_path / "corpus")
     assert (len(report.corpus.beyond_scope), report.corpus.fixed) == (1, ())
 
 
+@pytest.mark.slowest
 def test_shards_that_are_merged_and_a_check_that_goes_on_find_it_too(latch, tmp_path):
     runs = [tmp_path / "0", tmp_path / "1"]
     for k, run in enumerate(runs):
@@ -179,7 +182,7 @@ def explore(first):
 
 
 @pytest.mark.parametrize(
-    "options", [{"task": "cover"}, {"lighthouse": "parity.py:Parity:modulus=9"}], ids=str
+    "options", [slowest({"task": "cover"}), {"lighthouse": "parity.py:Parity:modulus=9"}], ids=str
 )
 def test_a_task_and_a_lighthouse_of_ones_own_find_it_too(tmp_path, monkeypatch, options):
     monkeypatch.chdir(tmp_path)

@@ -9,6 +9,7 @@ from allworlds.engines.limits import models_bounded
 from allworlds.inputs.checks import InputError
 from allworlds.maps import counting
 from allworlds.reports.formats import text
+from small import slowest
 
 PREDICATES = """
 import os
@@ -210,9 +211,9 @@ def test_what_is_no_condition_is_refused_in_one_line(folder, where, said):
         lambda where: allworlds.count(edges=3, where=where),
         lambda where: allworlds.check(edges=3, where=where),
         lambda where: allworlds.check("alone.py:explore", edges=3, where=where, workers=2),
-        lambda where: allworlds.compare("algorithm1", "alone.py:explore", edges=3, where=where),
-        lambda where: allworlds.fuzz(edges=3, runs=16, where=where),
-        lambda where: allworlds.ambiguity.census(edges=3, where=where),
+        slowest(lambda where: allworlds.compare("algorithm1", "alone.py:explore", where=where)),
+        slowest(lambda where: allworlds.fuzz(edges=3, runs=16, where=where)),
+        slowest(lambda where: allworlds.ambiguity.census(edges=3, where=where)),
     ],
 )
 def test_a_predicate_that_is_another_one_in_other_processes_is_refused_by_name(folder, asked):
@@ -220,6 +221,7 @@ def test_a_predicate_that_is_another_one_in_other_processes_is_refused_by_name(f
         asked("mine.py:by_hash")
 
 
+@pytest.mark.slowest
 @pytest.mark.processes
 def test_a_predicate_is_asked_again_in_large_maps_too(folder):
     with pytest.raises(InputError, match=r"same maps of the unit 5:"):

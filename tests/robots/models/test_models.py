@@ -110,7 +110,7 @@ CASES = {
 }
 
 
-MORE_SCHEDULES = {"snapshot:local=true,apart=false": 5, "snapshot": 3}
+MORE_SCHEDULES = {"snapshot:local=true,apart=false": 11, "snapshot": 7}
 """Where the adversary has more choices: so many times fewer starts are tried."""
 
 

@@ -50,6 +50,7 @@ def test_an_explorer_that_chooses_for_ever_is_silent(wrong, name):
     assert (told.finding.law, told.finding.choices) == ("timeout", finding.choices)
 
 
+@pytest.mark.slowest
 def test_a_program_that_plays_one_episode_is_told_that_there_are_more(program):
     finding = only_finding(program("dies-between"))
     assert finding.law == "nondeterministic"
@@ -165,17 +166,17 @@ def test_a_crash_in_one_of_two_plays_is_nondeterministic(wrong):
     [
         ("os_exit", "crash", "exit code 0"),
         ("segfault", "crash", "signal 11"),
-        ("closes", "crash", "end of the process"),
-        ("raises", "crash", "ZeroDivisionError"),
+        small.slowest("closes", "crash", "end of the process"),
+        small.slowest("raises", "crash", "ZeroDivisionError"),
         ("hang", "timeout", "silent for 4 s"),
         small.slowest("hang_gil", "timeout", "silent for 4 s"),
         small.slowest("hang_regex", "timeout", "silent for 4 s"),
-        ("reads", "crash", "EOFError"),
+        small.slowest("reads", "crash", "EOFError"),
         small.slowest("closes_and_hangs", "crash", "the process's pipe"),
-        ("sys_exit", "crash", "SystemExit"),
-        ("interrupt", "crash", "KeyboardInterrupt"),
-        ("deep", "crash", "RecursionError"),
-        ("orphan", "crash", "exit code 3"),
+        small.slowest("sys_exit", "crash", "SystemExit"),
+        small.slowest("interrupt", "crash", "KeyboardInterrupt"),
+        small.slowest("deep", "crash", "RecursionError"),
+        small.slowest("orphan", "crash", "exit code 3"),
     ],
 )
 def test_the_law_that_is_broken_at_a_vertex_of_degree_1(wrong, name, law, seen):

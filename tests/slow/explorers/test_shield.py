@@ -23,7 +23,7 @@ def test_an_explorer_that_does_not_yield_is_silent_with_a_shield_too(mine):
     assert again.exit_code == 0
 
 
-@pytest.mark.early
+@pytest.mark.slowest
 def test_a_silent_program_is_silent_with_a_shield_too(tmp_path):
     name = f"shield:{program(tmp_path, silent=True)}"
     report = allworlds.check(name, edges=1, answer_timeout=1)

@@ -51,6 +51,7 @@ def test_bred_worlds_depend_on_neither_workers_nor_shards(tmp_path):
     assert merge(*(tmp_path / "runs").iterdir()).to_json() == whole.to_json()
 
 
+@pytest.mark.slowest
 def test_a_sample_without_a_finding_tells_how_many_were_bred():
     report = fuzz(f"{__file__}:right", edges=3, runs=DRAWS_PER_BLOCK)
     assert (report.verdict, report.runs, report.bred) == (

@@ -76,6 +76,7 @@ def test_a_hundred_thousand_worlds_stream(tmp_path):
     assert (report.worlds, report.verdict.value) == (20_000, "holds")
 
 
+@pytest.mark.slowest
 def test_past_findings_of_other_worlds_are_beyond_the_scope(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "mine.py").write_text(WRONG)
