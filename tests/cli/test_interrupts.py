@@ -69,7 +69,7 @@ def test_the_text_of_what_was_interrupted_says_so(cli, interrupt, verb):
     code, out, _ = cli(*verb.split(), *words.split())
     assert code == 130
     head = " ".join(out.partition("\n\n")[0].split())
-    assert head.startswith("INCONCLUSIVE interrupted; finished before: ")
+    assert head.startswith("INCONCLUSIVE interrupted; before that: ")
 
 
 SEARCH = "ambiguity search --lighthouse position --class simple --vertices 4 --edges 6 --json --out"

@@ -210,7 +210,7 @@ def test_the_bound_with_the_tests_is_told_with_both_parts(finding_of):
     rules = Rules(bound="two-vertices")
     told = tell_whose_bound(replace(finding, under=rules, expected=20))
     assert "two traversals for each test" in " ".join(told)
-    assert "in all 20." in " ".join(told)
+    assert "the bound 20." in " ".join(told)
 
 
 @pytest.mark.parametrize("name", sorted(BOUNDS.keys() - {"none"}))

@@ -196,7 +196,7 @@ def test_a_wrong_checkpoint_is_told_with_the_step_place_and_percept_before_it():
         assert said.sentences[1:] == (f"The checkpoint came after step 1, {shown}",)
         assert said.step == step
     (only,) = explain(replace(ended, law="variant", step=None)).sentences
-    assert only.startswith("A pass brought no progress")
+    assert only.startswith("The explorer made no progress")
 
 
 def test_the_first_wrong_checkpoint_goes_before_what_followed():
@@ -265,12 +265,12 @@ def test_whose_the_budget_is_and_of_what_it_is_the_sum(world, name, new, closing
     budget = 8 * (new + closing) + 100
     assert len(finding.transcript.steps) == budget
     assert explain(finding).sentences[-1] == (
-        f"In a world with {name} the budget is {budget} traversals, 8 times the paper's bound "
-        f"(1) + (2), and 100 more: 8 x ({new} + {closing}) + 100."
+        f"In a world with {name} the budget is {budget} traversals, 8 x ({new} + {closing}) + 100, "
+        f"where {new} + {closing} is the paper's bound."
     )
     tried = tell_whose_budget(replace(finding, tried="--bound none"))
     assert tried.endswith(
-        "100. Tried with --bound none: no law is broken in this world or any other one tried."
+        "bound. Tried with --bound none: no law is broken in this world or any other one tried."
     )
     named = tell_whose_budget(replace(finding, under=Rules(own_bound="1000*n")))
     value = 1000 * world.map.vertex_count
@@ -301,7 +301,8 @@ def test_whose_the_bound_is_and_how_its_value_comes_about(world, name, new, clos
     assert whose(bound="paper") == f"The bound 'paper' is {what}. {sums} = {new + closing}."
     assert whose(bound="two-vertices") == (
         f"The bound 'two-vertices' is {what}; it adds two traversals for each test of a "
-        f"hypothesis, and the search among the darts of the start. {sums}, in all {new + closing}."
+        f"hypothesis, and the search among the darts of the start. {sums}, "
+        f"the bound {new + closing}."
     )
     value = f"which is {new + closing} in a world with {name}."
     assert whose(bound="3*m") == f"The bound is the one that was asked for: 3*m, {value}"

@@ -23,7 +23,7 @@ class Size(NamedTuple):
     lines: int
 
 
-MOST = 31_757
+MOST = 31_747
 """Lines of code of ``src/allworlds``."""
 
 MOST_OF_WING = {
@@ -35,7 +35,7 @@ MOST_OF_WING = {
     "judging": 2_300,
     "engines": 6_300,
     "robots": 2_400,
-    "studies": 6_671,
+    "studies": 6_672,
     "reports": 4_300,
     "doors": 300,
     "cli": 900,

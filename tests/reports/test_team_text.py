@@ -49,11 +49,11 @@ edges  vertices  maps  worlds  configurations  most  longest
 """
 
 ASYNC = """\
-REFUTED    law progress is broken: for ever without the goal; 14 configurations
+REFUTED    law progress is broken: the run goes on for ever without the goal; 14 configurations
 
 Finding 1: progress, 1 edge and 2 vertices
 
-broken     progress: for ever without the goal
+broken     progress: the run goes on for ever without the goal
 map        sigma [0, 1], alpha [1, 0]
 starts     robot 0 at dart 0 of v0, robot 1 at dart 1 of v1
 model      meeting, scheduler async
@@ -88,7 +88,7 @@ edges  vertices  maps  worlds  configurations  most  longest
 
 SEQUENCE = """\
 @startuml
-title progress: for ever without the goal
+title progress: the run goes on for ever without the goal
 participant "robot 0" as r0
 participant "robot 1" as r1
 participant "world" as w
@@ -243,7 +243,7 @@ def test_each_number_of_edges_is_a_case(holds, refuted, cut_off):
     ]
     (failed,) = _cases(refuted)
     assert (failed.result, failed.kind) == ("failure", "progress")
-    assert failed.message == "for ever without the goal"
+    assert failed.message == "the run goes on for ever without the goal"
     assert [section.name for section in failed.sections] == ["finding-1"]
     (left,) = _cases(cut_off)
     assert (left.result, left.message) == ("skipped", "the budget is too small for a verdict")

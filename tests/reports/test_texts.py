@@ -138,7 +138,7 @@ def test_one_is_singular():
     assert "1 rooted map of" in count_text(simple, 100)
     row = structs.replace(simple.rows[0], counted={2: 2})
     wrong = structs.replace(simple, rows=(row,))
-    assert "with 1 edge {" in count_text(wrong, 100)
+    assert "maps with 1 edge and 2 vertices: 1 were" in count_text(wrong, 100)
 
 
 def test_the_text_of_a_run_has_a_row_for_every_step():

@@ -196,7 +196,7 @@ class Nudges(Harmless):
 def test_a_cycle_with_activations_is_found_beside_a_harmless_one():
     still = Automaton(None, lambda memory, percept: (memory, Watch()))
     found = search(EDGE, (0,), Nudges(), [still], "fsync")
-    assert (found.law, found.seen) == ("progress", "for ever without the goal")
+    assert (found.law, found.seen) == ("progress", "the run goes on for ever without the goal")
     assert any(event.turns for event in found.events[-found.loop :])
 
 

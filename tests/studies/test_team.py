@@ -167,7 +167,7 @@ def test_one_schedule_is_played_and_told():
 def test_a_team_is_asserted():
     programs = [f"{PROGRAMS}:{name}" for name in ("waits", "searches")]
     assert_team(*programs, edges=2, model=ANYWHERE, scheduler="async")
-    with pytest.raises(AssertionError, match="for ever without the goal"):
+    with pytest.raises(AssertionError, match="the run goes on for ever without the goal"):
         assert_team(f"{PROGRAMS}:other_end")
 
 

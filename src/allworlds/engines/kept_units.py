@@ -49,7 +49,7 @@ class Identity(doc.Document):
 
     @property
     def digest(self) -> str:
-        """SHA-256 of the text, in hexadecimal."""
+        """SHA-256 of :attr:`text`, in hexadecimal."""
         return hashlib.sha256(self.text.encode()).hexdigest()
 
     @classmethod

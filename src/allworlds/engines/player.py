@@ -131,7 +131,7 @@ def _loaded(setup: dict[str, Any]) -> Subject:
 
 
 class _Server:
-    """The part of the program that answers the owner's messages with the loaded explorer."""
+    """Answers the messages of the process that started this player, with the loaded explorer."""
 
     def __init__(self, subject: Subject, beat: Any) -> None:
         self._subject, self._beat, self._pid = subject, beat, os.getpid()
@@ -360,7 +360,7 @@ def _flush() -> None:
 
 
 def _leave(program: Program) -> None:
-    """End the user's program, and then this process, as the signal would have ended it."""
+    """End the user's program, and then this process, as SIGTERM does without a handler."""
     program.close()
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     signal.raise_signal(signal.SIGTERM)

@@ -220,8 +220,8 @@ class RunCounter(Struct, frozen=True):
     Attributes:
         scope: the worlds and the rules of the check.
         keep: the number of findings that are kept.
-        compiled_from: the number of worlds from which on compiled code judges the runs of a level,
-            if the explorer is a user's; None if compiled code judges no run.
+        compiled_from: the least number of worlds of a level whose runs compiled code judges, if
+            the explorer is a user's; in smaller levels Python judges.  None: Python judges always.
     """
 
     scope: units.Scope

@@ -498,7 +498,7 @@ class Sample(Struct, frozen=True):
     mix: tuple[str, ...] = ()
 
     drawn: ClassVar[bool] = True
-    finished: ClassVar[str] = "drawn worlds"
+    finished: ClassVar[str] = "random worlds"
 
     def __post_init__(self) -> None:
         for name in ("runs", "seed", "min_edges"):

@@ -63,8 +63,9 @@
  *
  * A library that is built with version 2 is accepted by every later release whose header says
  * version 2, and behaves in the same way.  New kinds of actions may come, which no library need
- * use; existing names, numbers, structures and functions do not change.  If one of them must, the
- * version becomes 3, and a library of version 2 is refused in one line or goes on as it did.
+ * use; existing names, numbers, structures and functions do not change.  If one of these has to
+ * change, the version becomes 3; a library of version 2 then goes on as before, or is refused in
+ * one line.
  */
 #ifndef ALLWORLDS_H
 #define ALLWORLDS_H

@@ -567,10 +567,10 @@ def so_far(report: Any, headline: Headline | None) -> Headline | None:
         return headline
     why = report.ending.reason
     if headline is None or not headline.text:
-        return Headline("INCONCLUSIVE", f"{why}; nothing was finished before")
+        return Headline("INCONCLUSIVE", f"{why}; before that nothing was finished")
     if headline.verdict in ("refuted", "error"):
         return doc.replace(headline, text=f"{headline.text}; {why}, and the rest was not tried")
-    return Headline("INCONCLUSIVE", f"{why}; finished before: {headline.text}")
+    return Headline("INCONCLUSIVE", f"{why}; before that: {headline.text}")
 
 
 _SENSED = ("degree", "marks", "bearing")

@@ -479,7 +479,8 @@ class Search:
         if self.world.says_progress:
             for condition in self.world.progress():
                 if condition.holds is not None and not self.world.holds(condition, state):
-                    return Broken("progress", f"for ever without {condition.name}", number)
+                    words = f"the run goes on for ever without {condition.name}"
+                    return Broken("progress", words, number)
         answers = [value.answer if type(value) is Ended else None for value in values]
         seen = self.world.flaw(state, answers)
         return Broken(law, seen, number) if seen else None

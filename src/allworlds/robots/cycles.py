@@ -97,8 +97,9 @@ def _broken(search: Search, condition: Liveness, at: int, cycle: tuple[int, ...]
     if not any(search.graph.bits(index) for index in cycle):
         return search.stopped(at)  # nobody is able, while the world changes
     forever = condition.forever or condition.holds is None
-    words = "again and again not" if forever else "for ever without"
-    return Broken("progress", f"{words} {condition.name}", at, cycle=cycle)
+    without = "and again and again without" if forever else "without"
+    words = f"the run goes on for ever {without} {condition.name}"
+    return Broken("progress", words, at, cycle=cycle)
 
 
 def _activated(search: Search) -> Criterion:

@@ -32,7 +32,10 @@ LAWS: dict[str, str] = {
     "never": "What must never happen does not happen.",
     "deadlock": "Robots do not wait for what will never happen.",
     "answer": "When all robots have ended, nothing is wrong.",
-    "progress": "What must happen again and again happens in every fair run that never ends.",
+    "progress": (
+        "A fair run that never ends reaches the goal, again and again or for good; in a fair run "
+        "no robot that can act is left out for ever."
+    ),
     "budget": "The goal is reached within the activations that were asked for.",
 }
 """Every law of teams by its name, with a sentence that says what it demands."""

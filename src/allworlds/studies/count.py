@@ -88,18 +88,16 @@ class CountRow(doc.Document, kw_only=True):
 
     @property
     def miscounts(self) -> list[tuple[int, int, int]]:
-        """The numbers of vertices for which they disagree.
+        """The numbers of vertices for which enumeration and source disagree.
 
-        Each stands with the number of maps that were enumerated, and the number of the source.
+        An entry is a number of vertices, the number of maps that were enumerated, and the number of
+        the source.
         """
         if self.counted is None:
             return []
-        found = list[tuple[int, int, int]]()
-        for vertices in sorted({*self.by_vertices, *self.counted}):
-            met, counted = self.by_vertices.get(vertices, 0), self.counted.get(vertices, 0)
-            if met > counted or (met < counted and self.whole):
-                found.append((vertices, met, counted))
-        return found
+        sizes = sorted({*self.by_vertices, *self.counted})
+        both = [(n, self.by_vertices.get(n, 0), self.counted.get(n, 0)) for n in sizes]
+        return [each for each in both if each[1] > each[2] or (self.whole and each[1] < each[2])]
 
 
 @doc.with_options(CountRequest)

@@ -227,9 +227,6 @@ Standing: TypeAlias = Literal["as-expected", "unexpected", "vacuous", "not-check
 LEDGER, CLAIMS = "ledger.toml", "claims.py"
 """The files of a ledger: the claims, and a function for each claim."""
 
-NOTHING = "nothing"
-"""The word for a figure that is not there."""
-
 FAULTS = (Unfinished, outcome.Disagreement, tally.EnginesDisagree)
 """The errors of this program that refute the claim in whose check they are raised."""
 
@@ -303,14 +300,14 @@ class CheckedClaim(Sentence):
         differ = []
         if self.verdict != self.expected:
             differ.append(f"verdict: {self.expected} expected, {self.verdict} found")
-        for expected, seen in (
+        for wanted, seen in (
             (self.expected_witnesses, self.witnesses),
             (self.expected_figures, self.figures),
         ):
             differ += [
-                f"{name}: {expected.get(name, NOTHING)} expected, {seen.get(name, NOTHING)} found"
-                for name in sorted({*expected, *seen})
-                if expected.get(name) != seen.get(name)
+                f"{name}: {wanted.get(name, 'nothing')} expected, {seen.get(name, 'nothing')} found"
+                for name in sorted({*wanted, *seen})
+                if wanted.get(name) != seen.get(name)
             ]
         return tuple(differ)
 

@@ -294,9 +294,10 @@ def _arrive(w, s):
 
 @inlined
 def _test_all(w, s):
-    """Do lines 7-17 and 20-21; return whether the pass is done.
+    """Do lines 7-17 and 20-21 of the paper's Algorithm 1; return whether this pass is done.
 
-    The pass is not done if the walk has failed, or if a dart of W must be decided first.
+    A pass explores one new edge.  It is not done if the walk has failed, or if a dart of W, the
+    part of the world that is decided so far, must be decided first.
     """
     while s.stage != FAILED:
         if s.stage == NEXT:

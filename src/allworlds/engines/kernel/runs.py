@@ -61,11 +61,13 @@ class UnitArrays(NamedTuple):
 
 @entry
 def examine(job, player, unit, halt):
-    """Play and judge the runs of a unit; return True after the last run.
+    """Play and judge the runs of a unit; return whether the unit is finished.
 
-    Return False if the work was given up, or if all runs before the run number ``job.until`` are
-    done.  Return True also at a run for which the bound has no value; ``job.undefined`` is then 1.
-    The player is an explorer or a reader.  The work is given up once ``halt[0]`` is not 0.
+    True: all runs are done, or the bound has no value for a run; ``job.undefined`` is then 1.
+    False: the work was given up, because ``halt[0]`` is not 0, or all runs before the run number
+    ``job.until`` are done.
+
+    ``player`` is an explorer, or the reader of logs that an explorer has left.
     """
     g, world, counts = job.gluing, job.world, unit.counts
     while halt[0] == 0 and job.number < job.until:

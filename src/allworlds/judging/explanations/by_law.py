@@ -139,7 +139,7 @@ def tell_whose_budget(finding: Finding) -> str:
     if value == rules.budget_of_bound(map_.vertex_count, map_.edge_count):
         origin = f"100 times the bound {rules.the_bound}, and 100 more: no run may cost so much"
     elif value == default_step_budget(new + closing):
-        origin = f"8 times the paper's bound (1) + (2), and 100 more: 8 x ({new} + {closing}) + 100"
+        origin = f"8 x ({new} + {closing}) + 100, where {new} + {closing} is the paper's bound"
     budget = f"In a world with {world} the budget is {plural(value, 'traversal')}, {origin}."
     return " ".join([budget, *_say_tried(finding)])
 
@@ -488,7 +488,7 @@ def _whose(finding: Finding) -> str:
     if name == "two-vertices":
         return (
             f"The bound 'two-vertices' is {paper}; it adds two traversals for each test of a "
-            f"hypothesis, and the search among the darts of the start. {sums}, in all {value}."
+            f"hypothesis, and the search among the darts of the start. {sums}, the bound {value}."
         )
     own = rules.the_bound == rules.own_bound
     owner = "the explorer's own" if own else "the one that was asked for"
@@ -514,8 +514,9 @@ TELLERS: dict[str, Teller] = {
         "The U of a checkpoint, the unexplored darts, holds an explored dart."
     ),
     "variant": checkpoint(
-        "A pass brought no progress: from each checkpoint to the next, S, the explored part, must "
-        "gain an edge, and at the last checkpoint S must have all edges."
+        "The explorer made no progress between two checkpoints, or ended too early: from each "
+        "checkpoint to the next, S, the explored part, must gain an edge, and the last S must have "
+        "all edges."
     ),
     "folding": tell_folding,
     "bound": tell_bound,

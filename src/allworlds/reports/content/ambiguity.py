@@ -19,6 +19,7 @@ from allworlds.studies.ambiguity.members import AmbiguityClass, ComparedWorlds, 
 from allworlds.world.lighthouses.marked import Position
 from allworlds.world.world import World
 
+FIRST_DIFFER = "by the first percepts, before any motion"
 DRAWN = 6
 """The largest number of worlds of a class that are drawn."""
 
@@ -74,9 +75,10 @@ def _answer(comparison: ComparedWorlds) -> parts.Headline:
         said = f"by 0 motions: before the start the robot is told {one} in A, {other} in B"
         return parts.Headline("TOLD APART", said, "holds")
     if comparison.motions is not UNSET:
-        motions = ", ".join(map(str, comparison.motions)) or "none: the first percepts differ"
         count = words.plural(len(comparison.motions), "motion")
-        return parts.Headline("TOLD APART", f"by {count}, and by no fewer: {motions}", "holds")
+        motions = ", ".join(map(str, comparison.motions))
+        said = f"by {count}, and by no fewer: {motions}" if motions else FIRST_DIFFER
+        return parts.Headline("TOLD APART", said, "holds")
     word, what = {
         "same": ("SAME", "the two are one world, start included; "),
         "same-map": ("ALIKE", "one world, entered at two darts that look alike; "),

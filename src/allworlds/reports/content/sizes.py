@@ -93,7 +93,8 @@ def _worst(report: WorstReport) -> parts.Headline | None:
     done = None
     if report.rows:
         most = max(report.rows, key=lambda row: row.worst)
-        said = f"{plural(most.worst, 'traversal')}, with {size(most.edges, most.vertices)}"
+        where = size(most.edges, most.vertices)
+        said = f"the largest cost is {plural(most.worst, 'traversal')}, in a world with {where}"
         done = parts.Headline("WORST", said)
     return parts.so_far(report, done)
 

@@ -38,7 +38,10 @@ Letters are the numbers 0, 1, ... in the order of their first occurrence.
 
 
 class WeakestRequest(ManyWorldsOptions, kw_only=False):
-    """Request of ``ambiguity weakest``: the finest sensor, and the worlds."""
+    """Request of ``ambiguity weakest``: a sensor whose coarsenings are compared, and the worlds.
+
+    A coarsening gives one letter to several percepts of this finest sensor, so it senses less.
+    """
 
     finest: Annotated[kinds.GivenLighthouse, requests.Argument("", "FILE.py:Finest", f"{SHAPE}.")]
     _: KW_ONLY

@@ -215,9 +215,10 @@ class LeastRooting(NamedTuple):
 def least_rooting(map_: CombinatorialMap, darts: Sequence[Dart]) -> LeastRooting:
     """The least code of a map with one marked vertex, rooted at one of ``darts``.
 
-    ``darts`` are all darts of the marked vertex, or all of them that look alike to a robot; an
-    isomorphism of marked maps preserves either set, so isomorphic ones have equal codes.  ``times``
-    is the number of automorphisms that fix the marked vertex.
+    ``darts`` are all darts of the marked vertex, or a class of darts there that look alike to a
+    robot.  An isomorphism of marked maps takes such a set to such a set, so isomorphic marked maps
+    have equal codes.  The field ``times`` of the result is the number of automorphisms that fix the
+    marked vertex.
 
     Cost: O(m) for each dart.
     """

@@ -153,7 +153,7 @@ class RupChecker:
             self._watched[literal].append(number)
 
     def _settle(self, number: int) -> None:
-        """Derive what follows from a clause by unit propagation, each literal as a unit clause."""
+        """Derive the unit clauses that follow from a clause, by its number, by unit propagation."""
         free = [literal for literal in self._clauses[number] if self._value[literal] >= 0]
         if len(free) > 1 or (free and self._value[free[0]] > 0):
             return

@@ -192,7 +192,8 @@ class Sensor(Struct):
 
         Args:
             edges: the number of edges of the largest maps.
-            places: the number of the first sensor, from 0 on, that has the same places.
+            places: the index, from 0 on, of the first sensor of the table whose lighthouse can
+                stand in the same places as the lighthouse of this sensor.
         """
         first: dict[str, int] = {}
         fails, alike, roots = None, list[tuple[int, int]](), set[int]()

@@ -300,8 +300,10 @@ class CheckReport(PortionReport):
 
     ``asked`` is the scope that was to be checked, ``tally`` holds the counts of the finished levels
     and the smallest findings, ``levels`` are the finished numbers of edges, ``cells`` the
-    comparisons of the count gate, ``past`` is the user's corpus, ``seconds`` are the durations of
-    the levels, and ``offspring`` is the number of bred worlds.
+    comparisons of the count gate, ``past`` tells what became of the
+    findings in the user's corpus, ``seconds`` are the durations of
+    the levels, and ``offspring`` is the number of worlds that ``fuzz`` has bred: made by small
+    changes from drawn worlds, to reach lines of code that few runs reach.
     """
 
     explorer: Annotated[doc.Text, doc.about("its name")]
