@@ -2,8 +2,9 @@
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Literal, get_type_hints
 
+import numpy as np
 import pytest
 from msgspec import UNSET, UnsetType
 
@@ -21,9 +22,11 @@ from allworlds.documents.document import (
     keys_of,
     plain,
     replace,
+    with_options,
 )
 from allworlds.documents.reading import parse
 from allworlds.inputs.checks import InputError
+from allworlds.inputs.requests import SCOPE, Option, Request
 from allworlds.outcome import Exit, Verdict
 
 
@@ -104,6 +107,9 @@ class Point(WrittenByFields):
         ({2: (Point(1, 2),)}, {"2": [{"x": 1, "y": 2}]}),
         ([None, True, 1.5, "text"], [None, True, 1.5, "text"]),
         (10**40, 10**40),
+        (7, 7),
+        (np.float64(1.5), np.float64(1.5)),
+        (np.int64(3), 3),
     ],
 )
 def test_a_value_becomes_what_json_holds(value, expected):
@@ -126,10 +132,12 @@ class Read(Document):
     name: str
     rows: tuple[Part, ...] = ()
     count: Positive = 1
+    sizes: dict[str, int] | None = None
+    verdict: Verdict | None = None
 
 
 def test_what_is_written_is_read():
-    read = Read(name="a", rows=WHOLE.parts, count=7)
+    read = Read(name="a", rows=WHOLE.parts, count=7, sizes={"x": 1}, verdict=Verdict.REFUTED)
     assert parse(read.to_json(), Read, "reading") == read
 
 
@@ -147,6 +155,16 @@ def test_what_is_written_is_read():
             {"name": "a", "rows": [{"size": 1, "kind": "flat"}]},
             "rows[0].kind = 'flat' is not one of round, square",
         ),
+        (
+            {"name": "a", "sizes": {"x": 1, "y": "b"}},
+            "sizes[...] = {'x': 1, 'y': 'b'}: expected int, got str",
+        ),
+        (
+            {"name": "a", "verdict": "true"},
+            "verdict = 'true' is not one of holds, refuted, inconclusive, vacuous, error, not-refu",
+        ),
+        ({"name": "a", "verdict": "\ud800"}, "reading: a key or a word in it is no text"),
+        ({"name": "a", "\ud800": 1}, "reading: a key or a word in it is no text"),
     ],
 )
 def test_what_is_none_is_refused_by_its_place_and_value(document, said):
@@ -168,3 +186,33 @@ def test_what_is_computed_is_told_with_its_own_note_or_its_docstring():
     hints = {key.name: key.type for key in (*keys_of(Sums), *keys_of(Whole))}
     told = {name: hints[name].__metadata__[-1].description for name in ("small", "total")}
     assert told == {"small": "of a few", "total": "of all parts"}
+
+
+class Asked(Request):
+    """Options of a scope."""
+
+    size: Annotated[int, Option(SCOPE, "N", "How large.")] = 1
+    form: Annotated[Literal["round", "square"] | None, Option(SCOPE, "WORD", "Of form.")] = None
+    place: Annotated[Path, Option(SCOPE, "PATH", "Where.")] = Path("here")
+    way: Annotated[Path | None, Option(SCOPE, "PATH", "How.")] = None
+
+
+@with_options(Asked)
+class WithOptions(Document):
+    """A document of options."""
+
+
+def test_the_key_of_an_option_has_its_type_or_is_a_text():
+    assert get_type_hints(WithOptions) == {
+        "size": int,
+        "form": Literal["round", "square"] | None,
+        "place": str,
+        "way": str | None,
+    }
+    told = {key.name: key.type.__metadata__[-1].description for key in keys_of(WithOptions)}
+    assert told == {"size": "How large", "form": "Of form", "place": "Where", "way": "How"}
+    told = {"size": 2, "form": None, "place": "there", "way": None}
+    assert parse(told, WithOptions, "it").to_json() == told
+    for wrong in ({"form": "flat"}, {"place": ""}, {"way": ""}, {"place": None}, {"size": None}):
+        with pytest.raises(InputError):
+            parse({**told, **wrong}, WithOptions, "it")

@@ -97,3 +97,8 @@ def test_a_motion_is_one_byte_as_far_as_there_are_bytes_for_it():
 def test_a_map_that_is_cut_off_is_no_entry(code):
     with pytest.raises(ValueError, match="the log has no end"):
         Log(bytes((code, 2, 0, 0, 1, 1)))
+
+
+def test_a_fault_of_compiled_code_has_no_words():
+    read = Log(bytes((3, log.FAULT)))
+    assert (read.actions, read.ending) == ([3], (log.FAULT, "illegal-action", "", "", "", False))
