@@ -2,12 +2,16 @@
 
 import io
 import json
+import os
+import select
 import sys
+from contextlib import suppress
 
 import pytest
 
 from allworlds import check, run
-from allworlds.explorers.program import Program, message_of
+from allworlds.explorers import program as programs
+from allworlds.explorers.program import Program, answering, message_of
 from allworlds.inputs.checks import InputError
 from allworlds.protocol.actions import Checkpoint, ExplorerFault, Move, Percept
 from processes import PATIENCE
@@ -270,3 +274,95 @@ def test_what_a_program_says_without_a_newline_is_told_at_once(program, monkeypa
     program._err[:] = b"half a line"
     PASS_STDERR_ON(program)
     assert stream.buffer.getvalue() == b"half a line"
+
+
+@pytest.mark.parametrize(
+    ("percept", "line"),
+    [
+        (Percept(3, 1, 0), b'{"percept": {"degree": 3, "marks": 1, "bearing": 0}}\n'),
+        ([1, {"a": None}], b'{"percept": [1, {"a": null}]}\n'),
+        (False, b'{"percept": false}\n'),
+    ],
+)
+def test_the_percept_of_a_model_may_be_any_value(percept, line):
+    assert answering(percept) == line
+
+
+def test_an_estimate_of_no_map_is_told_with_what_was_tried():
+    line = b'{"estimate": {"sigma": [0, 1], "alpha": [0, 1], "here": 0}}'
+    with pytest.raises(ExplorerFault, match=r"^no map: alpha\[0\] = 0, but alpha must") as fault:
+        message_of(line)
+    assert fault.value.law == "no-estimate"
+    assert fault.value.detail
+
+
+def test_a_number_with_too_many_digits_for_python_to_print_is_shown():
+    least = -(10 ** sys.get_int_max_str_digits())
+    with pytest.raises(ExplorerFault, match=r"an object of type dict whose repr fails") as fault:
+        programs._values({"here": least}, "an estimate", "no-estimate", "sigma")
+    assert fault.value.law == "no-estimate"
+
+
+def test_a_line_before_the_first_percept_is_illegal(program):
+    episode(program)
+    program._out += b'{"move": 1}\n'
+    with pytest.raises(ExplorerFault) as fault:
+        next(program.explore(Percept(1)))
+    assert fault.value.law == "illegal-action"
+    assert fault.value.seen == "a line before it was asked: '{\"move\": 1}\\n'"
+
+
+def test_a_line_has_so_many_bytes_at_most(program, monkeypatch):
+    monkeypatch.setattr(programs, "LONGEST_LINE", 8)
+    program._timeout = 0
+    for length, law, seen in (
+        (8, "timeout", "no whole line in 0 s (8 bytes of one)"),
+        (9, "illegal-action", "a line of over 8 bytes"),
+    ):
+        program._out[:] = b"x" * length
+        with pytest.raises(ExplorerFault) as fault:
+            program._line()
+        assert (fault.value.law, fault.value.seen) == (law, seen)
+
+
+@pytest.fixture
+def full_pipe(program):
+    """The end from which nobody has read what fills the pipe to a program."""
+    reading, writing = os.pipe()
+    os.set_blocking(writing, False)
+    with suppress(BlockingIOError):
+        while True:
+            os.write(writing, bytes(1 << 12))
+    program._in_to = writing
+    yield reading
+    os.close(reading)
+    os.close(writing)
+
+
+def test_a_program_that_reads_no_answers_is_given_up(program, full_pipe):
+    program._timeout = 0.01
+    with pytest.raises(ExplorerFault) as fault:
+        program._send(b"line\n")
+    seen = "it writes on, and for 0.01 s it has read nothing of the answers"
+    assert (fault.value.law, fault.value.seen) == ("illegal-action", seen)
+    assert fault.value.machine
+
+
+def test_a_line_is_sent_when_earlier_lines_are_read(program, full_pipe, monkeypatch):
+    asked = []
+
+    class Poll:
+        def register(self, *what):
+            asked.append(what)
+
+        def poll(self, milliseconds):
+            asked.append(milliseconds)
+            os.read(full_pipe, 1 << 20)  # now the program reads
+            return asked
+
+    monkeypatch.setattr(programs.select, "poll", Poll)
+    program._timeout = 3
+    program._send(b"line\n")
+    monkeypatch.undo()
+    assert asked == [(program._in_to, select.POLLOUT), 3000]
+    assert os.read(full_pipe, 100) == b"line\n"

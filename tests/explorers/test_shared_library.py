@@ -2,6 +2,7 @@
 
 import _ctypes
 import ctypes
+import errno
 import json
 import re
 
@@ -23,7 +24,7 @@ from allworlds.explorers.shared_library import (
     threads_left,
 )
 from allworlds.inputs.checks import InputError
-from allworlds.protocol.actions import ExplorerFault, Percept
+from allworlds.protocol.actions import Ambiguous, ExplorerFault, Percept
 from allworlds.protocol.choices import KINDS, Choices
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.run import replay, run
@@ -273,3 +274,104 @@ def test_where_threads_cannot_be_counted_there_are_none(monkeypatch):
     assert abi.threads_now() > 0
     monkeypatch.setattr("os.listdir", lambda _: (_ for _ in ()).throw(OSError()))
     assert abi.threads_now() == 0
+
+
+class Fake:
+    """A library in Python, without choices, whose actions are of these kinds."""
+
+    choose = None
+
+    def __init__(self, *kinds, quotient=None):
+        self.kinds, self.quotient, self.rooms = list(kinds), quotient, []
+
+    def new(self):
+        return 1
+
+    def start(self, state, here, told, there):
+        CAction.from_address(there).kind = self.kinds.pop(0)
+
+    def step(self, state, here, there):
+        self.start(state, here, None, there)
+
+    def answer(self, state, capacity, sigma, alpha, here):
+        self.rooms.append(capacity)
+        for address, numbers in ((sigma, (0, 1)), (alpha, (1, 0)), (here, (1,))):
+            (ctypes.c_int32 * len(numbers)).from_address(address)[:] = numbers
+        return 2
+
+
+def answer_of(library, *answers, first=FIRST):
+    going = NativeExplorer(library).explore(first)
+    *before, last = (None, *answers)
+    for each in before:
+        going.send(each)
+    with pytest.raises(StopIteration) as end:
+        going.send(last)
+    return end.value.value
+
+
+def one_dart(state, capacity, sigma, alpha, degree, marks, here):
+    for number, address in enumerate((sigma, alpha, degree, marks, here)):
+        ctypes.c_int32.from_address(address).value = number if number in (2, 3) else 0
+    return 1
+
+
+def test_a_quotient_is_what_the_library_says():
+    answer = answer_of(Fake(abi.AMBIGUOUS, quotient=one_dart))
+    assert answer == Ambiguous((0,), (0,), (2,), (3,), 0)
+    with pytest.raises(
+        ExplorerFault, match=f"{ROOM + 1} darts, where there is room for {ROOM}$"
+    ) as e:
+        answer_of(Fake(abi.AMBIGUOUS, quotient=lambda *_: ROOM + 1))
+    assert e.value.law == "no-estimate"
+
+
+def test_a_quotient_of_a_library_without_the_function_is_illegal():
+    with pytest.raises(ExplorerFault) as error:
+        answer_of(Fake(abi.AMBIGUOUS))
+    assert error.value.law == "illegal-action"
+    assert error.value.seen == "an action of kind 6, but no function allworlds_quotient"
+
+
+@pytest.mark.parametrize(("left", "words"), [(1, "a thread"), (2, "2 threads")])
+def test_threads_that_are_left_behind_are_a_crash(left, words, monkeypatch):
+    monkeypatch.setattr(libraries, "threads_left", lambda before: left)
+    with pytest.raises(ExplorerFault) as error:
+        answer_of(Fake(abi.ANSWER))
+    assert (error.value.law, error.value.seen) == ("crash", f"{words} left behind")
+
+
+@pytest.mark.parametrize(("degree", "room"), [(3, 4), (4, 10)])
+def test_there_is_room_for_all_darts_that_were_sensed(degree, room, monkeypatch):
+    """The capacity is at least the least one, and the sum of all degrees."""
+    monkeypatch.setattr(libraries, "ROOM", 4)
+    library = Fake(abi.MOVE, abi.ANSWER)
+    answer = answer_of(library, Percept(degree))
+    assert (answer.map.sigma, answer.map.alpha, answer.here) == ((0, 1), (1, 0), 1)
+    assert library.rooms == [room]
+    assert answer_of(Fake(abi.MOVE, abi.AMBIGUOUS, quotient=one_dart), Percept(degree)).marks == (
+        3,
+    )
+
+
+def test_what_is_handed_to_compiled_code_has_its_lengths():
+    handed = NativeExplorer(Fake()).handed()
+    assert [*map(len, handed)] == [3, 2, 1, ROOM, ROOM]
+    assert {each._type_ for each in handed} == {ctypes.c_int32}
+
+
+def test_the_addresses_of_a_library_are_those_of_its_functions():
+    path = attack("")
+    loaded = ctypes.CDLL(path)
+    found = [
+        ctypes.cast(getattr(loaded, f"allworlds_{name}"), ctypes.c_void_p).value
+        for name in ("start", "step", "answer")
+    ]
+    assert Library(path).addresses() == [*found, 0]
+
+
+def test_memory_that_cannot_be_guarded_is_an_error(monkeypatch):
+    monkeypatch.setattr(libraries, "_NO_ACCESS", 1 << 16)
+    with pytest.raises(OSError, match="a page cannot be protected") as error:
+        guarded(ctypes.c_int32)
+    assert error.value.errno == errno.EINVAL

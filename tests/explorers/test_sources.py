@@ -2,7 +2,15 @@ from pathlib import Path
 
 import pytest
 
-from allworlds.explorers.sources import files_of_explorer, place_of_explorer
+from allworlds.explorers.loading import Subject, in_process_subject, shield, source_of
+from allworlds.explorers.sources import (
+    content_digest,
+    files_of_explorer,
+    no_explorer,
+    place_of_explorer,
+    with_content,
+)
+from allworlds.inputs.checks import InputError
 
 TEXT = '''\
 """An explorer."""
@@ -125,3 +133,50 @@ def test_where_nobody_can_say_there_is_no_place(folder, name):
     (folder / "broken.py").write_text("def (")
     (folder / "binary.py").write_bytes(b"\xff\xfe")
     assert place_of_explorer(name) is None
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("placd.py", "; did you mean 'placed.py'?"),
+        ("./placd.py", "; did you mean './placed.py'?"),
+        ("far", ""),
+    ],
+)
+def test_a_file_of_a_similar_name_is_told(folder, name, said):
+    told = no_explorer(name, name, ["folding"])
+    assert told.endswith(said or "path/to/file.py:attribute")
+
+
+def test_a_folder_whose_name_is_too_long_has_no_files(folder):
+    name = f"{'x' * 5000}/placed.py"
+    assert no_explorer(name, name, ["folding"]).endswith("xxx...")
+
+
+def test_an_explorer_of_this_process_alone_has_no_digest():
+    subject = in_process_subject(lambda first: (yield))
+    with pytest.raises(InputError, match=r"lives in this process alone.*; put it into a file of"):
+        content_digest(subject)
+
+
+def test_a_module_of_one_file_travels_as_its_text_and_others_do_not(folder, monkeypatch):
+    monkeypatch.syspath_prepend(str(folder))
+    for name in ("package", "compiled"):
+        (folder / name).mkdir()
+    (folder / "package" / "__init__.py").touch()
+    assert with_content(Subject("placed:explore", frozenset())).source.text == TEXT
+    for name in ("package:explore", "_ctypes:explore", "package.inner:explore", "algorithm1"):
+        subject = Subject(name, frozenset())
+        assert with_content(subject) is subject
+
+
+def test_a_built_in_explorer_has_no_file_and_takes_no_arguments():
+    assert source_of("algorithm1") is None
+    with pytest.raises(
+        InputError, match=r"^the built-in explorer algorithm1 takes no arguments, n"
+    ):
+        source_of("algorithm1?budget=3")
+
+
+def test_the_shield_of_a_name_is_a_name():
+    assert shield("folding") == "shield:folding"
