@@ -1,3 +1,4 @@
+import inspect
 import pickle
 import subprocess
 import sys
@@ -420,3 +421,15 @@ def test_a_bound_has_4096_bits_at_most(text, legal):
     else:
         with pytest.raises(InputError, match="has a value of over 4096 bits"):
             bound.value(2, 1, 1, 1, 1, 0)
+
+
+def test_a_bound_that_is_nested_too_deeply_for_what_is_left_of_the_stack_is_refused():
+    bound = bound_named("+".join("n" * 100))
+
+    def value(frames):
+        return value(frames - 1) if frames else bound.value(2, 2, 1, 3, 1, 0)
+
+    assert value(0) == 200
+    left = sys.getrecursionlimit() - len(inspect.stack())
+    with pytest.raises(InputError, match=r"^bound of 199 characters is nested too deeply$"):
+        value(left - 50)

@@ -8,10 +8,12 @@ import pytest
 from allworlds.documents.document import replace
 from allworlds.inputs.checks import InputError
 from allworlds.judging.explanations.by_law import TELLERS, _say_sizes, tell_whose_bound
+from allworlds.judging.explanations.story import Story
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.bounds import BOUNDS
 from allworlds.judging.laws.law_table import PRECEDENCE
 from allworlds.judging.rules import Rules
+from allworlds.maps import CombinatorialMap
 from allworlds.protocol.actions import Estimate, Move
 from allworlds.studies.explain import explain
 from allworlds.studies.run import run
@@ -118,6 +120,31 @@ def test_a_robot_at_another_vertex_is_told_so(explained, answering):
     assert explanation.law == "pose"
     assert "the answer says v1, dart 3, which is another vertex" in explanation.sentences[0]
     assert explanation.slip == "another vertex"
+
+
+def test_where_bearings_may_be_counted_the_wrong_way_a_pose_finding_says_so():
+    # Two vertices with a loop each; read anticlockwise, the bearings fit a walk to dart 1.
+    map_ = CombinatorialMap((1, 2, 0, 4, 5, 3), (2, 3, 0, 1, 5, 4))
+
+    def explore(_):
+        yield Move(0)
+        yield Move(1)
+        return Estimate(map_, 1)
+
+    explanation = explain(run(explore, World(map_, Directional(0)), laws=["pose"]).finding)
+    assert explanation.slip == "bearings anticlockwise"
+    assert explanation.sentences[0].startswith("The map is right, but 'here' is wrong: the robot s")
+    assert explanation.sentences[1].startswith("Or: The explorer seems to count bearings anticlock")
+
+
+def test_a_checkpoint_behind_the_walk_is_refused(finding_of):
+    finding = finding_of("pose-lost")
+    steps = len(finding.transcript.steps)
+    assert Story(replace(finding, step=steps)).checkpoint == steps
+    with pytest.raises(
+        InputError, match=rf"^step = {steps + 1} is behind the walk, which has {steps} steps$"
+    ):
+        Story(replace(finding, step=steps + 1))
 
 
 def test_a_pose_finding_whose_answer_is_another_map_is_refused(finding_of):

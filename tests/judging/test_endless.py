@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 import allworlds
-from allworlds import Checkpoint, CombinatorialMap, Move
+from allworlds import Checkpoint, CombinatorialMap, Drop, Move, Pick
 from allworlds.documents.document import replace
 from allworlds.judging.explanations.by_law import SHOW
 from allworlds.judging.explanations.endless import TIMES, Round, round_of
@@ -19,8 +19,8 @@ from allworlds.studies.run import run
 from allworlds.world import Directional, World, world_named
 
 
-def explained(explore, world):
-    finding = run(explore, world_named(world, "directional")).finding
+def explained(explore, world, lighthouse="directional"):
+    finding = run(explore, world_named(world, lighthouse)).finding
     assert finding.law == "budget"
     return explain(finding).sentences
 
@@ -318,3 +318,27 @@ def test_the_way_back_through_a_loop_is_counted_from_the_door_before_it():
     (sentence,) = [said for said in told if said.startswith("Before step")]
     assert sentence.startswith("Before step 5 it was back at v0 and faced dart 5, by which it had")
     assert "led along dart 3, which was walked before. Counted from dart 0" in sentence
+
+
+def test_who_only_lays_markers_down_and_takes_them_up_is_told_its_last_step():
+    def explore(_):
+        while True:
+            yield Drop()
+            yield Pick()
+
+    sentences = explained(explore, "edge", "movable")
+    assert sentences[1].startswith("Its last step was step 1090, pick: to v0, dart 0, where it sen")
+
+
+@pytest.mark.parametrize(("rooms", "more"), [(9, ""), (10, " and 1 more"), (11, " and 2 more")])
+def test_of_the_edges_that_were_left_out_eight_are_named(rooms, more):
+    def explore(_):
+        while True:
+            yield Move(0)
+
+    told = explained(explore, f"bouquet-{rooms}")[3]
+    assert told.startswith(
+        "It never walked along the edge from v0, dart 2, to v0, dart 3, the edge"
+    )
+    assert told.count("the edge from") == 8
+    assert told.endswith(f"dart 17{more}.")

@@ -4,9 +4,10 @@ import signal
 
 import pytest
 
+from allworlds import log
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.inputs import checks
-from allworlds.judging.episode import Answered, Fault, play
+from allworlds.judging.episode import Answered, Fault, followed, play
 from allworlds.maps import CombinatorialMap, InvalidMap, from_cycles, rooted_maps
 from allworlds.protocol.actions import (
     Ambiguous,
@@ -14,12 +15,13 @@ from allworlds.protocol.actions import (
     Drop,
     Estimate,
     ExplorerFault,
+    IllegalAction,
     Move,
     Percept,
     Pick,
 )
 from allworlds.protocol.choices import Choices
-from allworlds.protocol.playing import FRAMES, MOST_DARTS, any_answer_entry
+from allworlds.protocol.playing import A_VALUE, FRAMES, MOST_DARTS, any_answer_entry
 from allworlds.world import Directional, World
 from interrupts import Unshown, interrupted_at_its_close
 from small import EDGE, PATH
@@ -870,3 +872,32 @@ def test_an_invalid_map_that_raises_when_it_is_looked_at_is_a_crash():
             raise ZeroDivisionError
 
     assert fault(raising(Odd("odd")), "crash").seen == "Odd, which cannot be shown"
+
+
+# ---------------------------------------------------------------- logs that nobody has played
+
+
+@pytest.mark.parametrize(
+    "entries",
+    [(log.DROP, 0, log.OVER), (log.DROP, 0, log.REFUSED), (log.DROP, log.PICK, log.FREE_TOO_OFTEN)],
+)
+def test_a_log_that_goes_on_after_an_illegal_action_is_no_walk(entries):
+    with pytest.raises(IllegalAction) as error:
+        followed(log.Log(bytes(entries)), WORLD, BUDGET)
+    assert "markers" in str(error.value)
+
+
+def test_a_log_may_end_with_an_illegal_action_or_with_one_that_is_one_too_many():
+    illegal = followed(log.Log(bytes((0, log.DROP, log.REFUSED))), WORLD, BUDGET)
+    assert (illegal.ending.law, illegal.ending.seen) == ("illegal-action", "Drop()")
+    too_many = followed(log.Log(bytes((0, log.DROP, log.FREE_TOO_OFTEN))), WORLD, BUDGET)
+    assert too_many.ending.law == "budget"
+    for episode in (illegal, too_many):
+        assert episode.transcript.actions == (Move(0),)
+
+
+@pytest.mark.parametrize("text", ["{", "", "[" * 100_000])
+def test_a_value_that_is_no_json_is_no_answer(text):
+    episode = followed(log.Log(log.value(text)), WORLD, BUDGET)
+    assert episode.ending == Fault("no-estimate", A_VALUE, checks.show(text))
+    assert followed(log.Log(log.value("[1]")), WORLD, BUDGET).ending == Answered([1])

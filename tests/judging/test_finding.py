@@ -160,3 +160,15 @@ def test_a_checkpoint_with_what_is_no_dart_is_a_finding_that_can_be_written(show
     assert finding.law == "invariant-1"
     again = Finding.from_json(json.dumps(finding.to_json()))
     assert (again.believed.sigma, again.believed.alpha, again.believed.here) == kept
+
+
+@pytest.mark.parametrize("value", ["text", "", 0, -3])
+def test_what_was_expected_may_be_a_text_or_a_number(finding, value):
+    again = Finding.from_json(finding.to_json() | {"expected": value, "seen": value})
+    assert (again.expected, again.seen) == (value, value)
+
+
+@pytest.mark.parametrize("value", [1.5, None, [1]])
+def test_what_was_expected_is_nothing_else(finding, value):
+    with pytest.raises(InputError, match=r"^expected is a rooted map, an integer or a text, not "):
+        Finding.from_json(finding.to_json() | {"expected": value})

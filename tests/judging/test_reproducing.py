@@ -145,3 +145,17 @@ def test_a_line_of_python_gives_the_choices_again():
     again = eval(finding.reproduce, {"picks": picks, "allworlds": allworlds}).finding
     assert again.choices == finding.choices == (1, 2)
     assert again.transcript == finding.transcript
+
+
+@pytest.mark.parametrize(
+    ("laws", "bound", "checked"),
+    [
+        (("map", "bound"), "7", (("map", "bound"), "7")),
+        (("map", "bound"), "none", (("map",), "none")),
+        (("map",), "7", (("map",), None)),
+    ],
+)
+def test_a_bound_that_was_not_checked_is_left_out(laws, bound, checked):
+    recorded = replace(Rules().recorded, laws=laws, bound=bound)
+    rules = recorded.rules(World(EDGE, Directional(0)))
+    assert (rules.laws, rules.bound and str(rules.bound)) == checked

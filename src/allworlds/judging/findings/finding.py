@@ -35,8 +35,6 @@ def _value(name: str, given: Any) -> Value:
             return actions.Estimate.from_json(given)
         except InputError as error:
             raise InputError(f"{name}.{error}") from None
-    if isinstance(given, str) or type(given) is int:
-        return given
     raise InputError(f"{name} is a rooted map, an integer or a text, not {show(given)}")
 
 
