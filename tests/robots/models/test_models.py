@@ -5,11 +5,23 @@ from random import Random
 
 import pytest
 
+from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap, rooted_code
 from allworlds.maps.families import family
-from allworlds.protocol.actions import Do, Drop, Move, Percept, Pick, Wait, Watch, Write
+from allworlds.protocol.actions import (
+    Do,
+    Drop,
+    IllegalAction,
+    Move,
+    Percept,
+    Pick,
+    Wait,
+    Watch,
+    Write,
+)
 from allworlds.protocol.turns import Automaton
-from allworlds.robots.model import SCHEDULERS
+from allworlds.robots.model import QUIET, SCHEDULERS, Model, Places
+from allworlds.robots.models.faults import Crash
 from allworlds.robots.models.snapshot import Snapshot
 from allworlds.robots.models.table import model_of
 from allworlds.robots.models.views import Eyes
@@ -310,3 +322,87 @@ def test_a_view_is_clockwise_unless_it_is_said_to_be_the_other_way():
     eyes, map_ = Eyes(1, 1), family("corridor:2")
     views = {way: [eyes.view(map_, [0], dart, way) for dart in map_.darts] for way in (1, -1)}
     assert [eyes.view(map_, [0], dart) for dart in map_.darts] == views[1] != views[-1]
+
+
+# ---------------------------------------------------------------- refusals and pictures
+
+
+@pytest.mark.parametrize(
+    ("name", "action", "told"),
+    [
+        ("shared-whiteboard:apart=false", Drop(), "legal is Do with the keys write and move, not "),
+        ("shared-whiteboard:apart=false", Do({}), "legal is Do with the keys write and move, not "),
+        ("shared-whiteboard:apart=false", Do({"go": 1}), "legal is Do with the keys write and"),
+        ("shared-whiteboard:apart=false", Do({"move": True}), "legal is Do with the keys write"),
+        ("face-to-face", Drop(), "legal are Move and Do, not "),
+        ("one-interval", Do(1), "legal is a Move, not "),
+        ("snapshot", Do(1), r"legal is Do\(k\), and k from 0 to 0, not "),
+        ("snapshot", Do(-1), r"legal is Do\(k\), and k from 0 to 0, not "),
+        ("snapshot", Do(False), r"legal is Do\(k\), and k from 0 to 0, not "),
+        ("snapshot", Move(0), r"legal is Do\(k\), and k from 0 to 0, not "),
+        ("snapshot:chirality=true", Do("either"), r"legal is Do\(k\), and k from 0 to 0, not "),
+        ("meeting", Do(1), "legal is a Move, not "),
+    ],
+)
+def test_an_action_without_a_meaning_is_refused_with_the_legal_ones(name, action, told):
+    model, _ = model_of(name)
+    state, *_ = model.initial(EDGE, (0, 1))
+    with pytest.raises(IllegalAction, match=told):
+        [*model.step(EDGE, state, {0: action})]
+
+
+@pytest.mark.parametrize(("walk", "right"), [([0], True), ([], False), (0, False), ([True], False)])
+def test_an_answer_about_a_black_hole_is_a_list_of_numbers(walk, right):
+    model, _ = model_of("black-hole")
+    (state,) = model.initial(EDGE, (0, 0))
+    told = model.flaw(EDGE, state, [walk, None])
+    assert told == ("" if right else f"the walk {walk!r} does not lead to the hole")
+
+
+def test_nobody_answers_about_a_black_hole():
+    model, _ = model_of("black-hole")
+    (state,) = model.initial(EDGE, (0, 0))
+    assert model.flaw(EDGE, state, [None, None]) == "nobody answers"
+
+
+def test_a_picture_shows_visited_vertices_and_tokens():
+    one, _ = model_of("one-interval")
+    (state,) = one.initial(PATH, (0, 1))
+    assert one.places(PATH, state) == Places((0, 1), {0: "visited", 1: "visited"})
+    laying, _ = model_of("tokens:tokens=2")
+    (state,) = laying.initial(PATH, (0, 1))
+    for _ in range(2):
+        ((state, _),) = laying.step(PATH, state, {1: Drop()})
+    assert laying.places(PATH, state) == Places((0, 1), {1: "2 tokens"})
+
+
+@pytest.mark.parametrize("goal", ["gather", "explore"])
+def test_a_snapshot_has_at_most_eight_robots(goal):
+    model = Snapshot(goal=goal)
+    assert [*model.initial(EDGE, (0,) * 8)]
+    with pytest.raises(InputError, match="robots = 9 are more than 8, the most of this goal"):
+        [*model.initial(EDGE, (0,) * 9)]
+
+
+def test_a_condition_of_a_wrapped_model_is_of_the_states_inside():
+    model, _ = model_of("crash:1+snapshot")
+    (condition,) = model.progress(EDGE)
+    assert condition[:2] == ("all robots at one vertex", True)
+    held = [condition.holds(next(model.initial(EDGE, starts))) for starts in ((0, 0), (0, 1))]
+    assert held == [True, False]
+    assert model.says_progress
+
+
+def test_a_condition_without_a_predicate_is_that_of_the_wrapped_model():
+    class Still(Model):
+        def progress(self, map_):
+            yield QUIET
+
+    assert [*Crash(Still()).progress(EDGE)] == [QUIET]
+
+
+def test_markers_are_hidden_in_models_with_marks_alone():
+    model, _ = model_of("hidden:1+tokens")
+    (state,) = model.initial(EDGE, (0, 1))
+    with pytest.raises(InputError, match=r"hidden is of models with percepts that have marks, not"):
+        model.sensed(EDGE, state, 0)

@@ -1,5 +1,7 @@
 """Models by their names: options, wrappers, those of the user; each error is one clear line."""
 
+import pickle
+
 import pytest
 
 from allworlds.inputs.checks import InputError
@@ -7,7 +9,7 @@ from allworlds.robots.models.faults import Crash, Hidden
 from allworlds.robots.models.lighthouse import LighthouseModel
 from allworlds.robots.models.meeting import Meeting
 from allworlds.robots.models.one_interval import OneInterval
-from allworlds.robots.models.table import MODELS, codes_of, model_of
+from allworlds.robots.models.table import MODELS, NamedModel, codes_of, model_of, named_model
 
 OWN = '''
 from dataclasses import dataclass
@@ -127,3 +129,36 @@ def test_a_wrong_name_is_refused_in_one_line(own, text, told):
     with pytest.raises(InputError, match=told) as refused:
         model_of(text)
     assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("tokens:tokens=0", "tokens:tokens=0"),
+        ("crash:1+meeting", "crash:1+meeting"),
+        ("crash:999+meeting", "crash:999+meeting"),
+        ("crash:1000+meeting", None),
+        ("crash:01+meeting", None),
+    ],
+)
+def test_the_bounds_of_options_are_legal(text, told):
+    if told is None:
+        with pytest.raises(InputError, match="with F from 1 on"):
+            model_of(text)
+    else:
+        assert model_of(text)[1] == told
+
+
+def test_a_model_is_sent_by_its_name_and_with_the_text_of_its_code(own, tmp_path):
+    plain, mine = named_model("meeting:labels=true"), named_model("own.py:Own:faults=2")
+    assert pickle.loads(pickle.dumps(plain)) == plain
+    sent = pickle.dumps(mine)
+    (tmp_path / "own.py").write_text(OWN.replace("loud", "quiet"))
+    again = pickle.loads(sent)
+    assert (again.name, again.digest) == (mine.name, mine.digest)
+    assert again.model.loud is False
+
+
+def test_a_model_of_this_process_is_sent_as_it_is():
+    here = NamedModel("Meeting", Meeting(labels=True), here=True)
+    assert pickle.loads(pickle.dumps(here)) == here
