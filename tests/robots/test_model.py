@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from allworlds.protocol.actions import Move, Percept
-from allworlds.robots.model import Model, ModelError
+from allworlds.robots.model import Liveness, Model, ModelError, ModelInMap
 from allworlds.robots.single_search import search
 from small import EDGE
 
@@ -23,6 +23,11 @@ class Given(Model):
     percept: Any = 0
     following: tuple = ((0, ""),)
     first: Any = 0
+    begins: Any = ((0,),)
+    reason: Any = ""
+
+    def starts(self, map_, robots):
+        return self.begins
 
     def initial(self, map_, starts):
         yield self.first
@@ -32,6 +37,16 @@ class Given(Model):
 
     def step(self, map_, state, acts):
         yield from self.following
+
+    def bad(self, map_, state):
+        return self.reason
+
+    def told(self, map_, robot):
+        if robot:
+            raise ValueError("only one")
+
+    def progress(self, map_):
+        yield Liveness("lit", forever=False, holds=lambda state: state.lit)
 
 
 @pytest.mark.parametrize(
@@ -52,3 +67,50 @@ def test_a_mistake_of_a_model_is_told_with_its_method(model, told):
 
     with pytest.raises(ModelError, match=told):
         search(EDGE, (0,), model, [move])
+
+
+EVERY = [
+    lambda model: model.initial(EDGE, (0,)),
+    lambda model: model.sensed(EDGE, 0, 0),
+    lambda model: model.step(EDGE, 0, {}),
+]
+
+
+@pytest.mark.parametrize("call", EVERY)
+def test_a_model_has_a_start_percepts_and_steps_of_its_own(call):
+    with pytest.raises(NotImplementedError):
+        call(Model())
+
+
+@pytest.mark.parametrize(
+    ("begins", "shown"),
+    [
+        (((0, 2),), "(0, 2)"),
+        (((-1, 0),), "(-1, 0)"),
+        (((0,),), "(0,)"),
+        (((0, 0), (0, 0, 0)), "(0, 0, 0)"),
+        (([0, 1],), "[0, 1]"),
+    ],
+)
+def test_a_start_of_a_model_is_a_dart_for_each_robot(begins, shown):
+    assert ModelInMap(Given(begins=((0, 1),)), EDGE, "own").starts(2) == [(0, 1)]
+    legal = "which is not a tuple of 2 darts, each from 0 to 1, in its method starts"
+    with pytest.raises(ModelError) as refused:
+        ModelInMap(Given(begins=begins), EDGE, "own").starts(2)
+    assert f"the model 'own' yields {shown}, {legal}; sigma=[0, 1] alpha=[1, 0]" in str(refused.value)
+
+
+def test_a_reason_why_a_state_is_bad_is_a_text():
+    assert ModelInMap(Given(reason="dark"), EDGE, "own").bad(0) == "dark"
+    with pytest.raises(ModelError, match="returns True, which is not a text, in its method bad"):
+        ModelInMap(Given(reason=True), EDGE, "own").bad(0)
+
+
+def test_an_error_in_a_condition_or_in_an_answer_is_told_with_its_method():
+    world = ModelInMap(Given(), EDGE, "own")
+    (condition,) = world.progress()
+    with pytest.raises(ModelError, match="raises AttributeError, line .*, in its method progress"):
+        world.holds(condition, 0)
+    assert world.told(0) is None
+    with pytest.raises(ModelError, match="raises ValueError, line .*: only one, in its method told"):
+        world.told(1)

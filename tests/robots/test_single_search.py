@@ -6,6 +6,7 @@ from allworlds.inputs.checks import InputError
 from allworlds.protocol.actions import End, Move
 from allworlds.protocol.turns import Automaton
 from allworlds.robots.graph import MOST_ROBOTS
+from allworlds.robots.models.one_interval import OneInterval
 from allworlds.robots.single_search import search
 from small import EDGE
 from worlds_that_change import Never
@@ -34,3 +35,21 @@ def test_more_robots_than_a_set_of_them_has_bits_are_refused():
     assert searched(MOST_ROBOTS).law == "progress"
     with pytest.raises(InputError, match="robots = 13 are more than 12"):
         searched(MOST_ROBOTS + 1)
+
+
+def test_a_scheduler_that_the_model_has_not_and_starts_of_others_are_refused():
+    walk = Automaton(0, lambda memory, _: (memory, Move(0)))
+    with pytest.raises(InputError, match="scheduler 'async' is not one of fsync, ssync"):
+        search(EDGE, (0,), OneInterval(), [walk], "async")
+    with pytest.raises(InputError, match=r"starts = \(0, 1\) are not 1, one for each robot"):
+        search(EDGE, (0, 1), OneInterval(), [walk])
+
+
+def test_an_automaton_without_a_memory_at_the_start_breaks_a_law_before_any_step():
+    def begins(told):
+        raise ValueError("no")
+
+    walks = Automaton(0, lambda memory, _: (memory, Move(0)))
+    fails = Automaton(begins, lambda memory, _: (memory, Move(0)))
+    found = search(EDGE, (0, 1), Never(), [walks, fails], "fsync")
+    assert (found.law, found.events, found.search.broken.robot) == ("crash", (), 1)

@@ -3,8 +3,11 @@
 import json
 from pathlib import Path
 
+import pytest
+
 import allworlds
 from allworlds.documents.document import replace
+from allworlds.inputs.checks import InputError
 from allworlds.robots.team_finding import TeamFinding
 
 PROGRAMS = Path(__file__).parents[1] / "support" / "teams.py"
@@ -37,3 +40,17 @@ def test_its_command_searches_that_world_again(cli):
     code, out, _ = cli(*words[1:], "--json")
     (again,) = json.loads(out)["findings"]
     assert (code, again["law"], again["schedule"]) == (1, "progress", finding().schedule)
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "told"),
+    [
+        ("law", "map", "law 'map' is not one of "),
+        ("version", 2, "finding of a team of version 2; this program reads 1"),
+        ("version", None, "finding of a team of version None; this program reads 1"),
+    ],
+)
+def test_a_finding_of_another_law_or_version_is_refused(key, value, told):
+    document = json.loads(finding().text) | {key: value}
+    with pytest.raises(InputError, match=told):
+        TeamFinding.from_json(document)

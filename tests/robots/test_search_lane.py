@@ -1,0 +1,85 @@
+"""Two plays of a program that differ: who is blamed, and in which world; what a lane tells."""
+
+from dataclasses import dataclass
+
+import pytest
+
+import allworlds
+from allworlds.robots import search_lane
+from allworlds.robots.models.meeting import Meeting
+from allworlds.robots.program_player import ProgramPlayer
+from allworlds.robots.search_lane import SearchLane
+from allworlds.robots.team import Team, TeamTally
+
+PROGRAMS = """
+import random
+
+from allworlds import Automaton, Move, Watch
+
+steady = Automaton(0, lambda memory, percept: (0, Watch()))
+wavering = Automaton(0, lambda memory, percept: (0, Move(random.getrandbits(60))))
+
+def wavers(first):
+    yield Move(random.getrandbits(60))
+    yield Watch()
+
+def waits(first):
+    yield Watch()
+"""
+
+
+@dataclass(frozen=True)
+class TwoFaces(Meeting):
+    """A model that has no start in a map with another number of faces."""
+
+    apart: bool = False
+
+    def starts(self, map_, robots):
+        return super().starts(map_, robots) if len(map_.faces) == 2 else ()
+
+
+@pytest.fixture
+def team(tmp_path):
+    (tmp_path / "programs.py").write_text(PROGRAMS)
+
+    def searched(*names, **options):
+        programs = [f"{tmp_path / 'programs.py'}:{name}" for name in names]
+        return allworlds.team(*programs, budget=6, max_findings=99, **options)
+
+    return searched
+
+
+@pytest.mark.parametrize("names", [("waits", "wavers"), ("steady", "wavering")])
+def test_the_robot_whose_program_differs_is_blamed(team, names):
+    found = team(*names, model="meeting", edges=1, scheduler="central").findings
+    (blamed,) = [each for each in found if each.law == "nondeterministic"]
+    (turn,) = blamed.events[-1].robots
+    assert blamed.robot == turn.robot == 1
+    first, second = blamed.seen.removesuffix(" in another").split(" in one play, ")
+    assert first != second
+
+
+def test_maps_without_a_start_are_passed_by_when_a_world_is_sought(team):
+    found = team("waits", "wavers", model=TwoFaces(), edges=3, scheduler="central").findings
+    blamed = [each for each in found if each.law == "nondeterministic"]
+    assert blamed
+    assert {len(each.map.faces) for each in blamed} == {2}
+
+
+def test_a_process_of_the_second_play_that_is_lost_once_is_a_remark(team, monkeypatch):
+    class Losing(ProgramPlayer):
+        def plays(self, histories):
+            self._remark("a process was lost once: signal 9")
+            return super().plays(histories)
+
+    monkeypatch.setattr(search_lane, "ProgramPlayer", Losing)
+    remarks = team("waits", "waits", model="meeting", edges=1).remarks
+    assert remarks == ("a process was lost once: signal 9",)
+
+
+def test_nothing_is_left_at_the_end_of_a_lane():
+    class Scope:
+        def tally(self):
+            return TeamTally(3)
+
+    assert SearchLane(Team((), ()), Scope(), None).end() == TeamTally(3)
