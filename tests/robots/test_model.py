@@ -97,7 +97,9 @@ def test_a_start_of_a_model_is_a_dart_for_each_robot(begins, shown):
     legal = "which is not a tuple of 2 darts, each from 0 to 1, in its method starts"
     with pytest.raises(ModelError) as refused:
         ModelInMap(Given(begins=begins), EDGE, "own").starts(2)
-    assert f"the model 'own' yields {shown}, {legal}; sigma=[0, 1] alpha=[1, 0]" in str(refused.value)
+    assert f"the model 'own' yields {shown}, {legal}; sigma=[0, 1] alpha=[1, 0]" in str(
+        refused.value
+    )
 
 
 def test_a_reason_why_a_state_is_bad_is_a_text():
@@ -112,5 +114,7 @@ def test_an_error_in_a_condition_or_in_an_answer_is_told_with_its_method():
     with pytest.raises(ModelError, match="raises AttributeError, line .*, in its method progress"):
         world.holds(condition, 0)
     assert world.told(0) is None
-    with pytest.raises(ModelError, match="raises ValueError, line .*: only one, in its method told"):
+    with pytest.raises(
+        ModelError, match="raises ValueError, line .*: only one, in its method told"
+    ):
         world.told(1)

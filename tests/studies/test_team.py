@@ -10,7 +10,9 @@ import pytest
 import allworlds
 from allworlds.documents.document import replace
 from allworlds.engines.limits import Limits, TimeoutOptions
+from allworlds.engines.listeners import Listener
 from allworlds.engines.single import subject_of
+from allworlds.engines.units import SweptLevel
 from allworlds.inputs.checks import InputError
 from allworlds.outcome import Verdict
 from allworlds.reports.content.team import diagram
@@ -413,3 +415,73 @@ def test_a_schedule_needs_a_world_and_its_starts():
 def test_what_is_no_model_is_refused():
     with pytest.raises(InputError, match="model = 5 is neither a name nor a model"):
         team("waits", "polls", model=5)
+
+
+def test_a_team_has_the_digest_of_each_program_and_is_sent_if_all_can_be(tmp_path):
+    def waits_here(first):
+        yield from ()
+
+    file = tmp_path / "mine.py"
+    file.write_text("def mine(first):\n    yield\n")
+    mine, here = (subject_of(each, Limits()) for each in (f"{file}:mine", waits_here))
+    built_in = subject_of("algorithm1", Limits())
+    digest, other = Team((mine, built_in), (0, 1)).digests
+    assert digest != other
+    file.write_text("def mine(first):\n    yield 1\n")
+    assert Team((subject_of(f"{file}:mine", Limits()),), (0,)).digests[0] != digest
+    assert Team((mine, built_in), (0, 1)).importable
+    assert not Team((mine, here), (0, 1)).importable
+
+
+def test_a_corpus_that_cannot_be_written_is_a_remark_and_a_notice(tmp_path):
+    (tmp_path / "file").touch()
+    heard = []
+
+    class Hears(Listener):
+        def notice(self, text):
+            heard.append(text)
+
+    directory = tmp_path / "file" / "directory"
+    report = team("waits", edges=1, model="meeting", corpus=directory, listener=Hears())
+    (found,) = report.findings
+    lost = f"the corpus could not take {found.file_name}: Not a directory"
+    assert (report.remarks, heard) == ((lost,), [lost])
+
+
+def test_a_finding_of_an_unfinished_level_is_kept_and_not_the_smallest():
+    request = TeamRequest(explorers=[f"{PROGRAMS}:waits"], edges=1, model="meeting")
+    sweep = TeamSweep(request, request.team())
+    tally = sweep.empty()
+    tally.find(finding())
+    sweep.leave(SweptLevel(1, 2, ()), tally)
+    (kept,) = sweep._tally.findings
+    assert kept == replace(finding(), minimal=False)
+    assert sweep._tally.rows == {}
+
+
+def test_a_library_is_not_asked_turn_by_turn(monkeypatch):
+    compiled = SimpleNamespace(compiled=True, name="mine.so")
+    monkeypatch.setattr("allworlds.engines.single.subject_of", lambda *_: compiled)
+    told = "'mine.so' is a shared library, which cannot be asked turn by turn; legal are functions"
+    with pytest.raises(InputError, match=told):
+        TeamRequest(explorers=["mine.so"], model="meeting").team()
+
+
+def test_a_worker_of_a_cluster_has_one_lane_without_a_time_limit(monkeypatch):
+    made = SimpleNamespace()
+
+    def transport(address, workers, deadline, *, inside, probe):
+        made.__dict__.update(address=address, workers=workers, inside=inside, probe=probe)
+        return made
+
+    monkeypatch.setattr("allworlds.engines.dask.Dask", transport)
+    request = TeamRequest(
+        explorers=[f"{PROGRAMS}:waits"], edges=1, dask="there:1", workers=3, time_limit=7
+    )
+    ready = TeamSweep(request, request.team()).ready()
+    assert ready.transport is made
+    assert (made.address, made.workers) == ("there:1", 3)
+    sent, alone = made.inside.args
+    assert "def waits" in str(sent.subjects[0])
+    assert (alone.workers, alone.time_limit) == (1, None)
+    assert made.probe() == ""
