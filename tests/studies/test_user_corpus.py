@@ -26,9 +26,11 @@ def test_a_finding_of_another_text_is_stale_and_the_others_are_tried(tmp_path):
 
 def test_what_is_no_file_or_no_text_is_refused(tmp_path):
     (tmp_path / "a.json").write_bytes(b"\xff")
-    with pytest.raises(InputError, match="^corpus file 'a.json' cannot be read: it is no text$"):
+    with pytest.raises(InputError, match=r"^corpus file 'a.json' cannot be read: it is no text$"):
         UserCorpus(tmp_path, str).retry(lambda each: each, lambda _: True)
     (tmp_path / "a.json").unlink()
     (tmp_path / "b.json").mkdir()
-    with pytest.raises(InputError, match="corpus file 'b.json' is no regular file; legal are find"):
+    with pytest.raises(
+        InputError, match=r"corpus file 'b.json' is no regular file; legal are find"
+    ):
         UserCorpus(tmp_path, str).retry(lambda each: each, lambda _: True)

@@ -338,7 +338,7 @@ def test_a_view_is_clockwise_unless_it_is_said_to_be_the_other_way():
         ("one-interval", Do(1), "legal is a Move, not "),
         ("snapshot", Do(1), r"legal is Do\(k\), and k from 0 to 0, not "),
         ("snapshot", Do(-1), r"legal is Do\(k\), and k from 0 to 0, not "),
-        ("snapshot", Do(False), r"legal is Do\(k\), and k from 0 to 0, not "),
+        ("snapshot", Do(value=False), r"legal is Do\(k\), and k from 0 to 0, not "),
         ("snapshot", Move(0), r"legal is Do\(k\), and k from 0 to 0, not "),
         ("snapshot:chirality=true", Do("either"), r"legal is Do\(k\), and k from 0 to 0, not "),
         ("meeting", Do(1), "legal is a Move, not "),
