@@ -89,3 +89,12 @@ def test_a_map_that_agrees_in_part_is_drawn_by_itself():
     drawn = layout(b, 0)
     assert layout_like({0: 0, 1: 1, 2: 2}, a, 0, b, drawn) == layout(a, 0)
     assert layout_like({}, a, 0, b, drawn) == layout(a, 0)
+
+
+def test_edges_alone_are_no_likeness():
+    """A vertex of the one is turned as in the other map, a vertex as in its mirror image."""
+    a, b = named_map("theta-torus"), named_map("theta")
+    ties = {dart: dart for dart in a.darts}
+    assert a.alpha == b.alpha
+    assert a.sigma != b.sigma
+    assert layout_like(ties, a, 0, b, layout(b, 0)) == layout(a, 0)

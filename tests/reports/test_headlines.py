@@ -4,9 +4,11 @@ from types import SimpleNamespace
 
 import pytest
 
-from allworlds import compare
+from allworlds import compare, run
+from allworlds.documents.document import replace
 from allworlds.maps import named_map
 from allworlds.reports.content import ambiguity, ledger, scope, sizes
+from allworlds.reports.content.compare import _exponents
 from allworlds.reports.content.scope import explorer_facts, gate_facts
 from allworlds.reports.content.single_run import (
     LONGEST_LIST,
@@ -14,9 +16,11 @@ from allworlds.reports.content.single_run import (
     _belief,
     _lines,
     _remarks,
+    run_content,
     wrong_line,
 )
 from allworlds.reports.formats import text as text_of
+from allworlds.reports.parts import Headline, so_far
 from allworlds.world import Directional, World
 
 
@@ -80,22 +84,22 @@ def test_a_tour_goes_the_nearest_way_to_what_is_left():
     assert ambiguity._nearest(cube, 0, {cube.move(0, 1), cube.move(0, 2)}) == [1]
 
 
-MISCOUNTS = (
-    "maps with 2 edges and 1 vertex: 3 were enumerated, but T counts 4; "
-    "maps with 2 edges and 2 vertices: 5 were enumerated, but T counts 0"
+MISCOUNTED = (
+    "maps with 2 edges and 1 vertex: 1 were enumerated, but T counts 3; "
+    "maps with 2 edges and 3 vertices: 2 were enumerated, but T counts 1"
 )
 
 
 @pytest.mark.parametrize(
     ("given", "what"),
     [
-        ({"agrees": False}, ("MISMATCH", MISCOUNTS)),
+        ({"agrees": False}, ("MISMATCH", MISCOUNTED)),
         ({"agrees": True}, ("VACUOUS", "there is no such map")),
     ],
 )
 def test_the_first_line_of_a_count(given, what):
     rows = [
-        SimpleNamespace(edges=2, miscounts=[(1, 3, 4), (2, 5, 0)]),
+        SimpleNamespace(edges=2, miscounts=[(1, 1, 3), (3, 2, 1)]),
         SimpleNamespace(edges=3, miscounts=[]),
     ]
     census = SimpleNamespace(rows=rows, source="T", complete=True, whole=True, empty=True, **given)
@@ -302,3 +306,63 @@ def test_in_the_map_of_a_checkpoint_the_vertices_that_are_not_explored_have_no_n
     shown.here = 9
     (block,) = _belief(story)
     assert "is no map: sigma [1, 0], alpha [0, 1], here 9" in str(block)
+
+
+def grown(exponent, lack=""):
+    interval = None if lack else (1.2, 1.8)
+    return SimpleNamespace(
+        family="cubic", explorer="mine", sizes=6, exponent=exponent, interval=interval, lack=lack
+    )
+
+
+def test_exponents_are_a_table_if_one_of_them_is_known():
+    few = grown(None, "fewer than 5 sizes")
+    assert [*_exponents(SimpleNamespace(exponents=[few]))] == []
+    (table,) = _exponents(SimpleNamespace(exponents=[few, grown(1.5)]))
+    assert table.header == ["family", "explorer", "sizes", "exponent", "interval"]
+    assert [row[0] for row in table.texts] == ["cubic", "cubic"]
+    few, known = (row[3:] for row in table.texts)
+    assert (few, known) == (["-", "fewer than 5 sizes"], ["1.50", "1.20..1.80"])
+
+
+@pytest.mark.parametrize(
+    ("complete", "done", "told"),
+    [
+        (True, Headline("HOLDS", "2 worlds", "holds"), ("HOLDS", "2 worlds", "holds")),
+        (True, None, None),
+        (False, None, ("INCONCLUSIVE", "late; nothing was finished before", "")),
+        (
+            False,
+            Headline("HOLDS", "", "holds"),
+            ("INCONCLUSIVE", "late; nothing was finished before", ""),
+        ),
+        (
+            False,
+            Headline("HOLDS", "2 worlds", "holds"),
+            ("INCONCLUSIVE", "late; finished before: 2 worlds", ""),
+        ),
+        (
+            False,
+            Headline("REFUTED", "1 world", "refuted"),
+            ("REFUTED", "1 world; late, and the rest was not tried", "refuted"),
+        ),
+        (
+            False,
+            Headline("MISMATCH", "1 row", "error"),
+            ("MISMATCH", "1 row; late, and the rest was not tried", "error"),
+        ),
+    ],
+)
+def test_the_first_line_of_a_job_that_ended_early_has_the_reason(complete, done, told):
+    report = SimpleNamespace(complete=complete, ending=SimpleNamespace(reason="late"))
+    found = so_far(report, done)
+    assert (found and said(found)) == told
+
+
+def test_a_run_without_its_walk_has_the_laws_and_its_rows():
+    ran = run("algorithm1", "dipole-2")
+    (whole,) = run_content(ran).sections
+    content = run_content(replace(ran, shows_walk=False))
+    (shown,) = content.sections
+    assert [*shown.blocks] == [*whole.blocks][1:]
+    assert len(content.rows().rows) == len(ran.walk.darts)

@@ -10,6 +10,7 @@ import pytest
 import allworlds
 from allworlds import maps
 from allworlds.inputs.checks import InputError
+from allworlds.reports import notebook
 from allworlds.reports.drawing import svg as drawn_by
 from allworlds.reports.drawing.svg import draw
 from allworlds.reports.formats import text
@@ -123,3 +124,23 @@ def test_a_page_in_a_frame_cannot_end_it():
     shown = finding._repr_html_()
     assert shown.count("</iframe>") == 1
     assert "<script" not in shown
+
+
+def test_a_notebook_shows_a_transcript_as_a_table():
+    (finding,) = allworlds.check("dudek91", edges=2).findings
+    table = ET.fromstring(finding.transcript._repr_html_()).find(".//thead/..")
+    assert [cell.text for cell in table.find("thead").iter("th")] == ["step", "action", "sensed"]
+    rows = [["".join(c.itertext()) for c in row] for row in table.find("tbody")]
+    assert len(rows) == len(finding.transcript.percepts)
+    assert rows[0] == ["0", "start", str(finding.transcript.first)]
+
+
+@pytest.mark.parametrize(("lines", "more"), [(19, 0), (20, 0), (21, 2), (22, 3)])
+def test_a_shell_shows_at_most_twenty_lines(lines, more, monkeypatch):
+    whole = [f"line {number}" for number in range(lines)]
+    monkeypatch.setattr(notebook, "text_of", lambda _: "\n".join(whole))
+    shown = notebook.short_text_of(None).split("\n")
+    if more:
+        assert shown == [*whole[:18], f"... ({more} lines more: print it)", whole[-1]]
+    else:
+        assert shown == whole

@@ -96,3 +96,11 @@ def test_without_a_walk_there_is_no_robot():
     assert "R" not in draw(scene)
     assert in_words(scene).endswith("The start is dart 4.")
     assert "here" not in {g.get("class") for g in picture(scene, "p", "a map").iter("g")}
+
+
+def test_marks_of_single_darts_are_told_and_drawn():
+    theta = named_map("theta")
+    scene = Scene(theta, 0, letters={2: 3, 1: 1})
+    assert "Marks that are sensed by single darts: 1 by 1, 3 by 2." in in_words(scene)
+    drawn = picture(scene, "p", "a map").iter("tspan")
+    assert [each.text for each in drawn if each.get("class") == "letter"] == ["●1", "●3"]

@@ -94,6 +94,19 @@ def test_a_map_is_drawn_with_care_up_to_a_number_of_darts(monkeypatch):
     layouts.layout.cache_clear()
 
 
+@pytest.mark.parametrize(("most", "plain"), [(32, False), (31, True)])
+def test_a_map_with_many_crossings_is_drawn_in_the_plain_way(most, plain, monkeypatch):
+    """Four loops, each two of which cross: 8 darts, and 4 at each of the 6 crossings."""
+    map_ = CombinatorialMap((1, 2, 3, 4, 5, 6, 7, 0), (4, 5, 6, 7, 0, 1, 2, 3))
+    monkeypatch.setattr(layouts, "MOST_DARTS", most)
+    for kept in (layouts.layout, layouts._ways):
+        kept.cache_clear()
+    drawn_ = layouts.layout(map_, 0)
+    assert ([*drawn_.ways[0]] == [*_on_a_circle(map_).ways[0]]) == plain
+    for kept in (layouts.layout, layouts._ways):
+        kept.cache_clear()
+
+
 def _on_a_circle(map_):
     return layouts._finished(map_, 0, layouts._round_a_circle(map_))
 

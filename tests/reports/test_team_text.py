@@ -4,6 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from allworlds.documents.document import replace
 from allworlds.outcome import Verdict
 from allworlds.reports.content import team as content
 from allworlds.reports.content.team import (
@@ -142,6 +143,14 @@ def test_a_finding_is_told_with_its_run(refuted):
 
 def test_a_run_is_a_sequence_diagram_of_plantuml(refuted):
     assert sequence_of(refuted.findings[0]) == SEQUENCE
+
+
+def test_what_the_world_does_is_a_note_of_the_diagram(refuted):
+    found = refuted.findings[0]
+    events = [replace(event, world="edge 0 is missing") for event in found.events]
+    lines = sequence_of(replace(found, events=events)).splitlines()
+    assert lines.count("note over w : edge 0 is missing") == len(events)
+    assert lines[-3:] == ["note over w : edge 0 is missing", "end", "@enduml"]
 
 
 def test_a_finding_has_a_line_of_its_own(refuted):

@@ -19,9 +19,10 @@ from allworlds.documents.document import (
 )
 from allworlds.maps import MapClass
 from allworlds.outcome import Verdict
-from allworlds.reports.schemas import schema_of, schemas
+from allworlds.reports import schemas as generator
+from allworlds.reports.schemas import Shapes, schema_of, schemas
 from allworlds.verbs import VERBS
-from allworlds.world import World
+from allworlds.world import Door, World
 
 
 def test_the_package_holds_the_schemas():
@@ -185,3 +186,24 @@ def test_each_kind_of_type_has_its_schema():
 )
 def test_a_plain_type_has_a_plain_schema(tp, expected):
     assert schema_of(tp) == (expected, {})
+
+
+def test_the_schemas_are_written_anew_and_old_ones_go(tmp_path, monkeypatch):
+    monkeypatch.setattr(generator, "schemas", lambda: {"one": {"title": "One"}})
+    there = tmp_path / "schemas"
+    generator.main(there)
+    for name in ("one.schema.json", "gone.schema.json", "notes.txt"):
+        (there / name).write_text("old")
+    generator.main(there)
+    assert {file.name: file.read_text() for file in there.iterdir()} == {
+        "one.schema.json": '{\n  "title": "One"\n}\n',
+        "notes.txt": "old",
+    }
+
+
+def test_what_is_read_of_a_dataclass_may_leave_out_its_defaults():
+    needed = {
+        written: {name for name, _, required in Shapes(written=written)._keys(Door) if required}
+        for written in (True, False)
+    }
+    assert needed == {True: {"dart", "start"}, False: {"dart"}}

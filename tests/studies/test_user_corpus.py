@@ -30,7 +30,5 @@ def test_what_is_no_file_or_no_text_is_refused(tmp_path):
         UserCorpus(tmp_path, str).retry(lambda each: each, lambda _: True)
     (tmp_path / "a.json").unlink()
     (tmp_path / "b.json").mkdir()
-    with pytest.raises(
-        InputError, match=r"corpus file 'b.json' is no regular file; legal are find"
-    ):
+    with pytest.raises(InputError, match=r"corpus file 'b.json' is no regular file; legal are"):
         UserCorpus(tmp_path, str).retry(lambda each: each, lambda _: True)

@@ -131,9 +131,6 @@ class Shapes:
                     inner = Literal[*map(doc.plain, values)]
                     shown.remove(note)
             return Annotated[inner, *shown] if shown else inner
-        if tp is outcome.Result:
-            files = [{"$ref": f"{name}.schema.json"} for name in reports()]
-            return Annotated[Any, Meta(extra_json_schema={"anyOf": files})]
         if tp in WRITTEN_AS:
             return self.of(WRITTEN_AS[tp])
         if tp is actions.Transcript:
