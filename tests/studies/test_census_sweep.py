@@ -3,13 +3,15 @@ from itertools import permutations
 import pytest
 
 from allworlds.documents.document import replace
+from allworlds.engines.units import units_of_level
 from allworlds.inputs.checks import InputError
 from allworlds.maps import rooted_maps
 from allworlds.outcome import Disagreement, Stopped
 from allworlds.reports.formats import brief
-from allworlds.studies.ambiguity import census
+from allworlds.studies.ambiguity import census, census_sweep
 from allworlds.studies.ambiguity.census_sweep import SensedParts
 from allworlds.studies.ambiguity.members import least_rooting
+from allworlds.world.lighthouses.kinds import lighthouse_kind
 from listeners import Hears
 
 
@@ -129,3 +131,17 @@ def test_why_rows_are_missing_is_told():
 def test_the_worlds_of_all_sizes_are_added_up_in_the_headline():
     assert brief(census(edges=2), 100).startswith("AMBIGUOUS: 2 of 9 marked worlds")
     assert brief(census(edges=1), 100).startswith("TOLD APART: 2 marked worlds")
+
+
+@pytest.mark.parametrize(
+    ("batch", "sizes"), [(2000, [10]), (11, [10]), (10, [10, 0]), (4, [4, 4, 2]), (5, [5, 5, 0])]
+)
+def test_worlds_come_in_batches_and_each_once(batch, sizes, monkeypatch):
+    kind = lighthouse_kind("position")
+    extent = census_sweep.CensusRequest(lighthouse=kind, edges=3).extent
+    unit = next(iter(units_of_level(extent, 3)))
+    ((_, every),) = census_sweep.batches(unit, extent, kind)
+    monkeypatch.setattr(census_sweep, "BATCH", batch)
+    made = [*census_sweep.batches(unit, extent, kind)]
+    assert [(maps, len(worlds)) for maps, worlds in made] == [(size, size) for size in sizes]
+    assert [each for _, worlds in made for each in worlds] == every

@@ -1,6 +1,7 @@
 """Sensors side by side, the weakest ones, and the theorem on sensors at v0."""
 
 from itertools import product
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,12 +11,14 @@ from allworlds.engines.listeners import NOBODY
 from allworlds.inputs.checks import InputError
 from allworlds.maps.quotient import classes_of_union
 from allworlds.outcome import Disagreement
+from allworlds.protocol.actions import Percept
 from allworlds.reports.formats import text
 from allworlds.studies.ambiguity import coarsenings, sensed_classes, side_by_side
 from allworlds.world import worlds
 from allworlds.world.bisimulation import flaw
 from allworlds.world.lighthouses.kinds import lighthouse_kind
 from recorded.record import HERE
+from small import EDGE
 
 sensors, weakest = ambiguity.sensors, ambiguity.weakest
 ENDS = f"{HERE}/features.py:Ends"
@@ -215,3 +218,102 @@ def test_of_each_sensor_the_places_that_were_tried_are_told():
     found = sensors("compass", "none", edges=4)
     told = "every place up to 3 edges; beyond, "
     assert [row.tried[: len(told)] for row in found.rows] == [told, ""]
+
+
+FINEST = """
+from dataclasses import dataclass
+from allworlds import Lighthouse, Percept
+
+@dataclass(frozen=True)
+class Finest(Lighthouse):
+    dart: int
+    features = ("away", "here")
+    mark, bearing, word = 1, None, None
+
+    @classmethod
+    def places(cls, map_, start):
+        yield cls(start)
+
+    def sensed(self, map_, here):
+        at = map_.vertex_of[here] == map_.vertex_of[self.dart]
+        return Percept(map_.degree_at[here], self.mark if at else 0, self.bearing if at else None)
+
+    def told(self, map_):
+        return self.word
+
+class Marks(Finest):
+    mark = 2
+
+class Bearing(Finest):
+    bearing = 0
+
+class Tells(Finest):
+    word = 7
+
+class Nine(Finest):
+    features = tuple("abcdefghi")
+
+class Twice(Finest):
+    features = ("away", "away")
+
+class Empty(Finest):
+    features = ("away", "")
+"""
+
+
+@pytest.fixture
+def finest(tmp_path):
+    (tmp_path / "finest.py").write_text(FINEST)
+    return lambda name, **asked: weakest(f"{tmp_path}/finest.py:{name}", **asked)
+
+
+def test_a_finest_sensor_senses_numbers_of_its_features(finest):
+    assert finest("Finest", edges=1).coarsenings == 2
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("Marks", "senses degree 1, marks 2; legal is a lighthouse whose marks are numbers of its"),
+        ("Bearing", "senses degree 1, marked, bearing 0; legal is a lighthouse whose marks are "),
+        ("Tells", "tells 7; legal is a lighthouse whose marks are numbers of its features"),
+        ("Nine", r"has features = \('a', .*, with up to 8 different names"),
+        ("Twice", r"has features = \('away', 'away'\); legal is .* with up to 8 different names"),
+        ("Empty", r"has features = \('away', ''\); legal is .* with up to 8 different names"),
+    ],
+)
+def test_what_is_no_number_of_a_feature_is_refused(finest, name, said):
+    with pytest.raises(InputError, match=said):
+        finest(name, edges=1)
+
+
+def test_eight_features_are_the_most():
+    for count in (1, 8):
+        names = tuple("abcdefghi"[:count])
+        given = SimpleNamespace(as_class=SimpleNamespace(features=names, leaves_marks=False))
+        assert coarsenings._features(given) == names
+
+
+def test_maps_that_are_left_out_are_noticed(monkeypatch):
+    monkeypatch.setattr(side_by_side.units, "level_size", lambda *_: 3)
+    with pytest.raises(Disagreement, match=r"2 rooted maps with 1 edges were met, but .* counts 3"):
+        sensors("none", edges=1)
+
+
+@pytest.mark.parametrize("marks", [(1 << 23) - 1, 1 << 23])
+def test_marks_are_below_a_number(marks):
+    class Marking:
+        def percepts(self, map_):
+            return tuple(Percept(degree, marks) for degree in map_.degree_at)
+
+        def told(self, map_):
+            return None
+
+    def made():
+        return sensed_classes.matrices([(EDGE, Marking())])
+
+    if marks < 8_388_608:
+        assert made().sensed.tolist() == [[(marks << 40) + 1] * 2]
+    else:
+        with pytest.raises(InputError, match="marks = 8388608 is not below 8388608"):
+            made()

@@ -1,13 +1,20 @@
-"""Controls of formulas: what is left of one when a requirement is left out."""
+"""Solvers and their time; controls of formulas: what is left without one of the requirements."""
+
+import subprocess
+from pathlib import Path
+from time import monotonic
 
 import pytest
+import z3
 
 from allworlds.maps import MapClass
+from allworlds.studies.ambiguity import solvers
 from allworlds.studies.ambiguity.clauses import read_dimacs
 from allworlds.studies.ambiguity.formulas import DIFFERENT, pair_formula
 from allworlds.studies.ambiguity.question import Question
 from allworlds.studies.ambiguity.solvers import (
     REQUIREMENTS,
+    UNKNOWN,
     has_model_without,
     solve_with_z3,
 )
@@ -48,3 +55,51 @@ def test_the_clauses_of_a_section_are_left_out_and_no_others(formula):
         variables,
         [*every[: first - 1], *every[last:]],
     )
+
+
+def test_z3_gets_the_time_that_is_left_in_milliseconds(formula, monkeypatch):
+    told = []
+
+    class Told(z3.Solver):
+        def set(self, *option):
+            told.append(option)
+            super().set(*option)
+
+    monkeypatch.setattr(z3, "Solver", Told)
+    monkeypatch.setattr(solvers, "_seconds_left", lambda deadline: deadline)
+    for left in (90.0, 60.0005, None):
+        assert solve_with_z3(formula, left).status == "unsat"
+    assert told == [("timeout", 90_000), ("timeout", 60_000)]
+
+
+def test_the_least_time_of_z3_is_a_millisecond(formula, monkeypatch):
+    told = []
+
+    class Undecided(z3.Solver):
+        def set(self, *option):
+            told.append(option)
+
+        def check(self):
+            return z3.unknown
+
+    monkeypatch.setattr(z3, "Solver", Undecided)
+    monkeypatch.setattr(solvers, "_seconds_left", lambda deadline: deadline)
+    assert solve_with_z3(formula, 1e-9) == UNKNOWN
+    assert told == [("timeout", 1)]
+
+
+def test_after_the_deadline_no_solver_is_started(monkeypatch):
+    monkeypatch.setattr(z3, "Solver", None)
+    monkeypatch.setattr(subprocess, "run", None)
+    none, past = Path("no.cnf"), monotonic() - 1
+    assert solve_with_z3(none, past) == UNKNOWN
+    assert solvers.solve_with_python_sat(none, none, past) == UNKNOWN
+
+
+def test_a_solver_that_is_stopped_does_not_know(monkeypatch):
+    def stopped(command, *, timeout, **_):
+        raise subprocess.TimeoutExpired(command, timeout)
+
+    monkeypatch.setattr(subprocess, "run", stopped)
+    none = Path("no.cnf")
+    assert solvers.solve_with_python_sat(none, none, monotonic() + 1000) == UNKNOWN

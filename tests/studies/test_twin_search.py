@@ -8,6 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 import allworlds
+from allworlds.engines.listeners import NOBODY
 from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap
 from allworlds.studies.ambiguity import solvers, twin_search as searching
@@ -276,3 +277,80 @@ def test_a_pair_is_made_smaller_until_none_has_fewer_vertices():
     search = Fewer(question("position", "maps", 5, 4), None, Path(), None, None)
     both = Sizes(Size(4, 1, 5), Size(4, 1, 5))
     assert search._fewer_vertices(both, pair_of(5, 4)).counts == (3, 2)
+
+
+class Undecided(searching._TwinsSearch):
+    """A search in which no pair with fewer vertices is found in time."""
+
+    def _decide(self, sizes):
+        return SimpleNamespace(twins=None, status="unknown")
+
+
+def test_a_pair_stays_as_it_is_when_the_time_is_over_and_that_is_told():
+    search = Undecided(question("none", "maps", 5, 4), None, Path(), None, None)
+    both = Sizes(Size(4, 1, 5), Size(4, 1, 5))
+    assert search._fewer_vertices(both, pair_of(5, 4)).counts == (5, 4)
+    assert search.notices == ["the time was over before fewer vertices were tried"]
+
+
+def test_a_right_proof_of_an_external_solver_is_accepted(tmp_path):
+    (tmp_path / "x.lrat").write_text("3 0 1 2 0\n")
+    search = searching._TwinsSearch(question("none", "maps", 1, 1), None, tmp_path, None, None)
+    formula = SimpleNamespace(clauses=[(1,), (-1,)])
+    assert search._accepts(formula, tmp_path / "x.lrat") is True
+    assert search._accepts(formula, tmp_path / "none.lrat") is False
+    (refused,) = search.notices
+    assert refused.startswith(f"the solver's proof {tmp_path}/none.lrat is refused: ")
+
+
+def test_without_time_for_a_proof_there_is_no_certificate(tmp_path, monkeypatch):
+    monkeypatch.setattr(searching, "python_sat_is_installed", lambda: True)
+    monkeypatch.setattr(searching, "solve_with_python_sat", lambda *_: solvers.UNKNOWN)
+    result = allworlds.search(lighthouse="position", vertices=2, edges=1, out=tmp_path)
+    assert (result.status, result.certificate) == ("unsat", None)
+    assert result.notices == ("no certificate for m1n1to2.cnf: the time was over",)
+
+
+class OneWorld(searching._TwinsSearch):
+    """A search that meets in each formula a pair that is one world with two starts."""
+
+    def _decide(self, sizes):
+        found = searching.Searched(
+            sizes=sizes, status="unsat", formula=Path(), proof=None, seconds=0.0, same_map=(None,)
+        )
+        self.done.append(found)
+        return found
+
+    def _some_world_exists(self):
+        return True
+
+    def _prove(self):
+        return False
+
+
+def test_pairs_that_are_one_world_are_counted_and_told():
+    search = OneWorld(question("position", "maps", 2, 2), None, Path(), None, NOBODY)
+    assert len(search.done) == 0
+    assert search._searched().status == "unsat"
+    assert len(search.done) == 2
+    (told,) = search.notices
+    assert told == (
+        "2 pairs were met that are one world with two starts which look alike: "
+        "the map can be told, the robot's place in it cannot"
+    )
+
+
+@pytest.mark.parametrize(
+    ("degrees", "wanted"),
+    [
+        # The start's vertex has a dart at least: 2 m > 3 (n - 1).
+        ({"degree_others": 3}, [(1, 1, 1), (2, 1, 2), (3, 1, 2), (4, 1, 3)]),
+        # n - 1 edges at least leave the others a dart each: 4 <= 2 m - (n - 1).
+        ({"degree_marked": 4}, [(2, 1, 1), (3, 1, 3), (4, 1, 5)]),
+        # 2 m = 2 + 3 (n - 1)
+        ({"degree_marked": 2, "degree_others": 3}, [(1, 1, 1), (4, 3, 3)]),
+    ],
+)
+def test_sizes_that_no_degrees_can_have_are_left_out(degrees, wanted):
+    sizes = [one for one, _ in question("position", "maps", 5, 4, **degrees).sizes()]
+    assert [(size.edges, size.fewest, size.most) for size in sizes] == wanted
