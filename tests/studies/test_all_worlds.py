@@ -16,7 +16,7 @@ from allworlds.maps.counting import rooted_maps as counted
 from allworlds.reports.content.sizes import _mismatch
 from allworlds.reports.formats import text
 from allworlds.studies.worst import compiled_engine
-from allworlds.studies.worst.all_worlds import worst
+from allworlds.studies.worst.all_worlds import SchedulesSweep, WorstRequest, worst
 from allworlds.studies.worst.every_schedule import EverySchedule, WrongTest
 from allworlds.world import Directional, World
 
@@ -185,3 +185,22 @@ def test_of_several_rows_the_first_that_does_not_agree_is_told():
     ]
     said = _mismatch(SimpleNamespace(disagreement="", rows=rows, source="Tutte"))
     assert said == ("maps with 2 edges and 2 vertices: 4 were enumerated, but Tutte counts 5")
+
+
+def test_a_run_without_an_answer_has_no_cost_and_no_choices():
+    def gives_up(first, *, choices):
+        raise ValueError("no")
+        yield
+
+    sweep = SimpleNamespace(
+        request=SimpleNamespace(transit="shortest"),
+        _subject=SimpleNamespace(player=lambda: gives_up),
+    )
+    world = World(CombinatorialMap((1, 0), (1, 0)), Directional(0), 0)
+    assert SchedulesSweep._replayed(sweep, world, 3) == ((), None)
+
+
+def test_twelve_edges_are_the_most():
+    assert WorstRequest(edges=12).extent.levels[-1] == 12
+    with pytest.raises(InputError, match="edges = 13, but there is room for 12 at most"):
+        worst(edges=13)

@@ -1,12 +1,13 @@
 """Worlds that are bred from draws, towards lines of an explorer that few worlds run."""
 
 from random import Random
+from types import SimpleNamespace
 
 import pytest
 from msgspec.structs import replace
 
 from allworlds import Estimate
-from allworlds.engines.limits import Limits
+from allworlds.engines.limits import Limits, TimeIsUp
 from allworlds.engines.single import subject_of
 from allworlds.engines.units import Sample, Scope, Shard
 from allworlds.explorers.builtin.algorithm1 import Algorithm1, algorithm1
@@ -17,10 +18,11 @@ from allworlds.maps import MapClass
 from allworlds.maps.build import cycle, named_map
 from allworlds.maps.classes import Extent
 from allworlds.maps.mixture import mutated
+from allworlds.outcome import Completed
 from allworlds.protocol import playing
 from allworlds.protocol.choices import Choices
 from allworlds.protocol.code_lines import LinesPlay, TracedPlay
-from allworlds.studies.fuzz import breeding
+from allworlds.studies.fuzz import breeding, sample_sweep
 from allworlds.studies.fuzz.breeding import (
     BRED_PER_GENERATION,
     DRAWS_PER_BLOCK,
@@ -34,7 +36,13 @@ from allworlds.studies.fuzz.breeding import (
     bred_of,
     is_bred_for,
 )
-from allworlds.studies.fuzz.sample_sweep import fuzz
+from allworlds.studies.fuzz.sample_sweep import (
+    FuzzRequest,
+    FuzzSweep,
+    SampleCounter,
+    fuzz,
+    scope_of,
+)
 from allworlds.studies.fuzz.sampling import Batch
 from allworlds.world import Directional
 from allworlds.world.lighthouses.kinds import lighthouse_kind
@@ -175,3 +183,68 @@ def test_an_explorer_without_lines_has_no_bred_worlds(monkeypatch):
     monkeypatch.setattr(_Pool, "add", lambda *_: None)
     subject = subject_of(loopless, Limits())
     assert [*bred(Bred(Batch(1, 0, 4, (), 1)), SCOPE, subject, Limits())] == []
+
+
+def explore(first):
+    """An explorer of the user's."""
+    yield from ()
+
+
+def levels(runs, subject=explore, **asked):
+    """The levels of a search: of each the most edges, its worlds, its units, and what it is of."""
+    request = FuzzRequest(subject, edges=6, runs=runs, **asked)
+    loaded = subject_of(subject, Limits())
+    sweep = FuzzSweep(request, scope_of(request, Rules("directional")), loaded)
+    return [(level.edges, level.worlds, [*level.units], level.of) for level in sweep.levels()]
+
+
+def test_after_each_block_of_draws_worlds_are_bred_from_its_draws():
+    small, *waves = levels(1100)
+    assert (small[:2], small[3]) == ((4, 8), 0)
+    drawn = [worlds for _, worlds, _, of in waves if of is None]
+    assert drawn == [16, 48, 192, 768, 76]
+    assert [of for *_, of in waves] == [None, None, None, 192, None, 3 * 192, None]
+    bred_after = [units for *_, units, of in waves if of]
+    begins = [[unit.drawn.first for unit in units] for units in bred_after]
+    assert begins == [[0], [256, 512, 768]]
+    assert {worlds for _, worlds, _, of in waves if of} == {0}
+
+
+def test_no_world_is_bred_for_an_explorer_that_is_built_in_or_before_a_whole_block():
+    assert [of for *_, of in levels(1100, "algorithm1")] == [0, *[None] * 5]
+    assert [of for *_, of in levels(255)] == [0, None, None, None]
+    assert [of for *_, of in levels(256)] == [0, None, None, None, 192]
+
+
+def test_a_shard_breeds_its_own_blocks():
+    _, *waves = levels(1100, shard=(1, 2))
+    assert [[u.drawn.first for u in units] for *_, units, of in waves if of] == [[256, 768]]
+
+
+def test_bred_runs_go_on_where_they_were_left(monkeypatch):
+    monkeypatch.setattr(sample_sweep, "bred", lambda *_: iter("abcd"))
+    counter = SampleCounter(None, 1, subject=None, limits=None)
+    unit = Bred(Batch(0, 0, 64, (), 1))
+    assert [*counter.runs(unit)] == ["a", "b", "c", "d"]
+    assert [*counter.runs(unit, 3)] == ["d"]
+
+
+@pytest.mark.parametrize(
+    ("late", "found", "ends"), [(True, 1, True), (True, 0, False), (False, 1, False)]
+)
+def test_findings_that_time_left_unsettled_end_the_search(late, found, ends):
+    confirmation = SimpleNamespace(
+        is_late=late, confirmed=list, replaced=lambda _, found, by: found
+    )
+    sweep = SimpleNamespace(
+        confirmation=confirmation,
+        corpus=None,
+        keep_new=lambda _: None,
+        _shrunk=None,
+        _tally=SimpleNamespace(findings=["found"] * found),
+    )
+    if ends:
+        with pytest.raises(TimeIsUp):
+            FuzzSweep.conclude(sweep, Completed())
+    else:
+        FuzzSweep.conclude(sweep, Completed())

@@ -7,6 +7,7 @@ import sys
 from collections import defaultdict
 from fractions import Fraction
 from statistics import geometric_mean
+from types import SimpleNamespace
 
 import pytest
 
@@ -20,6 +21,7 @@ from allworlds.outcome import Interrupted
 from allworlds.protocol.actions import Estimate
 from allworlds.reports.formats import file_of, text as text_of
 from allworlds.studies.compare.comparison import SameWorlds
+from allworlds.studies.compare.entrants import CompareRequest, Contest, _families
 from allworlds.world import Directional, World
 from kept_jobs import EXPLORERS
 from listeners import Hears
@@ -250,3 +252,23 @@ def test_in_every_width_a_row_is_told_apart_by_its_size(report):
         assert len(heads) > 2
         assert all(line.startswith("edges  vertices  worlds" + explorer) for line in heads)
     assert sum("worlds  explorer" in line for line in heads) == 2
+
+
+@pytest.mark.parametrize("family", [5, True, 1.5])
+def test_a_family_is_a_name_or_a_list_of_names(family):
+    with pytest.raises(InputError, match=f"family = {family} is neither a name nor a list of name"):
+        compare("algorithm1", "folding", family=family)
+
+
+def test_families_are_named_once_each():
+    assert [_families(given) for given in (None, "a,b,a", ["b", "a", "b"])] == [
+        None,
+        ("a", "b"),
+        ("b", "a"),
+    ]
+
+
+def test_a_merge_lists_rows_by_what_is_asked():
+    contest = SimpleNamespace(request=CompareRequest(explorers=("a", "b"), edges=1))
+    Contest.list_by(contest, "world")
+    assert (contest.request.by, contest.request.explorers) == ("world", ("a", "b"))

@@ -11,6 +11,7 @@ from allworlds import World, convert
 from allworlds.inputs.checks import InputError
 from allworlds.maps import family, named_map, unrooted_code
 from allworlds.notations.table import NOTATIONS, entries
+from allworlds.studies.convert import _files
 from allworlds.world.named import world_named
 
 PLANTRI = Path(__file__).parents[1] / "support" / "data" / "plantri"
@@ -168,3 +169,16 @@ def test_a_torus_is_told_by_its_genus(tmp_path):
     path.write_text(json.dumps({"sigma": map_.sigma, "alpha": map_.alpha}))
     (row,) = convert(path).rows
     assert (row.genus, row.faces, row.automorphisms) == (1, 9, 36)
+
+
+def test_files_are_named_alone_or_in_a_list(tmp_path):
+    assert _files(None) == ()
+    assert _files("a.pl") == _files(Path("a.pl")) == _files(["a.pl"]) == ("a.pl",)
+    assert _files(["a.pl", Path("b.pl")]) == ("a.pl", "b.pl")
+
+
+def test_a_file_in_a_directory_that_is_not_there_is_refused(tmp_path):
+    there = tmp_path / "none" / "x.pl"
+    with pytest.raises(InputError) as refused:
+        convert(plans(tmp_path), output=[there])
+    assert str(refused.value) == f"file '{there}' cannot be written: No such file or directory"

@@ -4,6 +4,8 @@ import importlib
 import json
 import os
 from functools import cache, partial
+from time import monotonic
+from types import SimpleNamespace
 
 import pytest
 from msgspec.structs import force_setattr
@@ -20,7 +22,7 @@ from allworlds.maps.counting import CountSource
 from allworlds.outcome import Verdict
 from allworlds.protocol.actions import Estimate
 from allworlds.studies.check import exhaustive as checker
-from allworlds.studies.check.report import _remarks
+from allworlds.studies.check.report import CheckRequest, _remarks
 from allworlds.studies.check.tally_sweep import Confirmation, is_inside
 from allworlds.studies.run import run
 from allworlds.world import Directional, World, worlds
@@ -416,3 +418,103 @@ def test_what_a_fresh_process_does_not_repeat_is_remarked_and_is_no_finding(monk
     tally.findings = ["crash"]
     assert Confirmation(None, None, None, None, None).settle(tally)
     assert (tally.findings, dict(tally.remarks)) == ([], {"a crash that came once": 1})
+
+
+def test_a_check_of_what_a_fresh_process_does_not_repeat_is_inconclusive(explorers, monkeypatch):
+    monkeypatch.setattr(Confirmation, "_recorded", lambda *_: "a crash that came once")
+    report = check(explorers("raises"), edges=1)
+    assert (report.verdict, report.exit_code, report.findings) == (Verdict.INCONCLUSIVE, 3, ())
+    told = "what happened to the explorer was not repeated by a fresh process"
+    assert report.ending.reason == told
+
+
+@pytest.mark.parametrize(("engine", "told"), [("auto", ["it lacks numba"]), ("python", [])])
+def test_that_auto_takes_no_compiled_code_is_told_with_its_reason(engine, told, monkeypatch):
+    monkeypatch.setattr(checker, "why_not_compiled", lambda *_: "it lacks numba")
+    notices = []
+    checker.job_of(CheckRequest("algorithm1", edges=1, engine=engine), notices.append)
+    assert notices == told
+
+
+@pytest.fixture
+def crash(explorers):
+    (finding,) = check(explorers("raises"), edges=1).findings
+    return replace(finding, law="crash", seen="it is gone", confirmed=False)
+
+
+IMPORTABLE = SimpleNamespace(importable=True)
+
+
+@pytest.mark.parametrize(
+    ("again", "subject", "law"),
+    [
+        ({"machine": False}, IMPORTABLE, "nondeterministic"),
+        ({"machine": False, "law": "timeout"}, IMPORTABLE, "nondeterministic"),
+        ({"machine": False, "confirmed": True}, IMPORTABLE, "crash"),
+        ({"machine": False}, SimpleNamespace(importable=False), "crash"),
+        ({"machine": True, "law": "map"}, IMPORTABLE, "map"),
+    ],
+)
+def test_who_crashes_here_and_not_in_a_fresh_process_is_nondeterministic(
+    crash, again, subject, law, monkeypatch
+):
+    played = replace(crash, **again)
+    monkeypatch.setattr(Confirmation, "_again", lambda *_, number: played)
+    settled = Confirmation(subject, None, None, None, None)._settled(crash, number=0)
+    assert settled.law == law
+    if law == "nondeterministic":
+        assert settled.confirmed
+        assert f"{played.law} here, but not in a fresh process: it is gone" in settled.seen
+    else:
+        assert settled == played
+
+
+def test_a_crash_that_the_machine_may_have_caused_is_a_remark(crash, monkeypatch):
+    monkeypatch.setattr(Confirmation, "_again", lambda *_, number: replace(crash, machine=True))
+    settled = Confirmation(IMPORTABLE, None, None, None, None)._settled(crash, number=0)
+    assert settled == (
+        f"a crash in a world with 1 edges and {crash.key[1]} vertices (it is gone) that a fresh "
+        "process did not repeat"
+    )
+
+
+class Kept:
+    """A run directory that knows one record, and is told others."""
+
+    def __init__(self, record=None):
+        self.record, self.noted = record, []
+
+    def recall(self, name):
+        return self.record
+
+    def note(self, name, record):
+        self.noted.append(record)
+
+
+def test_what_was_recorded_is_not_settled_anew(crash):
+    kept = Kept({"remark": "it came once"})
+    recorded = Confirmation(IMPORTABLE, None, None, None, kept)._recorded("confirmed", crash, None)
+    assert recorded == "it came once"
+    assert kept.noted == []
+
+
+def test_after_the_deadline_a_finding_is_left_as_it_is_and_not_recorded(crash):
+    kept = Kept()
+    late = Confirmation(IMPORTABLE, None, None, monotonic() - 1, kept)
+    assert late._recorded("confirmed", crash, None) == crash
+    in_time = Confirmation(IMPORTABLE, None, None, monotonic() + 1000, kept)
+    assert in_time._recorded("confirmed", crash, lambda _: "it came once") == "it came once"
+    assert kept.noted == [{"remark": "it came once"}]
+
+
+def test_a_finding_is_inside_of_given_worlds_if_one_of_them_is_its_world(wrong):
+    (finding,) = check(wrong("raises"), edges=1).findings
+    other = World(finding.world.map, Directional(1), 1)
+    for worlds_, inside in (([finding.world], True), ([], False)):
+        given = SimpleNamespace(like=lambda world, among=worlds_: [w for w in among if w == world])
+        extent = SimpleNamespace(include=lambda _: True, given=given)
+        scope = SimpleNamespace(
+            rules=finding.rules, extent=extent, like=given.like, schedules="one"
+        )
+        assert is_inside(finding, scope) == inside
+    assert other != finding.world

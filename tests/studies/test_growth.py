@@ -6,6 +6,7 @@ import json
 import sys
 from itertools import combinations
 from statistics import mean
+from types import SimpleNamespace
 
 import pytest
 
@@ -31,9 +32,11 @@ from allworlds.studies.compare.growth import (
     GrownWorld,
     GrowRow,
     Growth,
+    _exponent,
     distinct,
     members_of,
 )
+from allworlds.studies.compare.intervals import Power
 from allworlds.world import Directional, World
 from allworlds.world.named import map_of_code, map_of_family
 from kept_jobs import EXPLORERS
@@ -362,3 +365,25 @@ def test_a_program_grows_like_any_other(cli):
     for row in document["rows"]:
         walked[row["explorer"]].append(row["members"])
     assert walked["algorithm1"] == walked[f"exec:{program}"] != []
+
+
+@pytest.mark.parametrize(("sizes", "exponent"), [(4, None), (5, 1.5)])
+def test_an_exponent_is_of_the_rows_of_one_explorer_in_one_family(sizes, exponent):
+    def row(edges, cost, family="cubic", explorer="mine"):
+        return SimpleNamespace(
+            family=family, explorer=explorer, edges=edges, means=[cost - 1, cost + 1]
+        )
+
+    rows = [row(4**k, 8**k) for k in range(2, 2 + sizes)]
+    others = [row(4**7, 3, family="torus"), row(4**8, 5, explorer="other")]
+    found = _exponent(SimpleNamespace(rows=[*others, *rows]), "cubic", "mine")
+    assert (found.family, found.explorer, found.sizes) == ("cubic", "mine", sizes)
+    assert found.exponent == exponent
+    assert found.lack == ("" if exponent else "fewer than 5 sizes")
+
+
+def test_an_exponent_has_three_digits(monkeypatch):
+    power = Power(1.23456, (1.11111, 1.99999), "")
+    monkeypatch.setattr("allworlds.studies.compare.intervals.power", lambda _: power)
+    found = _exponent(SimpleNamespace(rows=[]), "cubic", "mine")
+    assert (found.exponent, found.interval) == (1.235, (1.111, 2.0))

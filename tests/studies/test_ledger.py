@@ -11,13 +11,14 @@ import pytest
 import allworlds
 from allworlds.documents.document import replace
 from allworlds.inputs.checks import InputError
-from allworlds.outcome import COMPLETED, Exit, Interrupted
+from allworlds.outcome import COMPLETED, Exit, Interrupted, Stopped
 from allworlds.reports.formats import brief, file_of, text
 from allworlds.studies.ledger import (
     FAULTS,
     Found,
     LedgerReport,
     NotChecked,
+    Unfinished,
     claims_in,
     entry_with,
     of_check,
@@ -387,3 +388,17 @@ def test_it_is_told_how_many_claims_there_are(paper):
     listener = Hears()
     allworlds.ledger(paper, only=["pairs"], listener=listener)
     assert listener.stages == [("claims", 1, "claims")]
+
+
+def test_a_check_that_holds_has_its_events_and_figures():
+    found = of_check(allworlds.check("algorithm1", edges=2), "loop-edge", "never", best=3)
+    assert (found.verdict, found.figures) == ("holds", {"best": 3})
+    assert found.witnesses.keys() == {"worlds", "runs", "loop-edge", "never"}
+    assert (found.witnesses["worlds"], found.witnesses["never"]) == (12, 0)
+    assert found.witnesses["loop-edge"] > 0
+
+
+def test_a_check_that_is_not_finished_decides_nothing():
+    report = replace(allworlds.check("algorithm1", edges=1), ending=Stopped("the time is up"))
+    with pytest.raises(Unfinished, match=r"^the check of algorithm1 ended as inconclusive$"):
+        of_check(report)
