@@ -182,3 +182,28 @@ def test_a_part_that_cannot_stand_where_it_is_said_to_is_refused():
     composed.check(TRIANGLE, 0)
     with pytest.raises(InvalidWorld):
         replace(composed, parts=(Directional(99), *composed.parts[1:])).check(TRIANGLE, 0)
+
+
+STATES = {2: True, 2**31: True, 1: False, 2**31 + 1: False, 10**18 - 1: False}
+
+
+@pytest.mark.parametrize("kind", ["whiteboard", "doormarks"])
+@pytest.mark.parametrize("states", STATES)
+def test_there_are_from_2_to_2147483648_numbers(kind, states):
+    name = f"{kind}:states={states}"
+    if STATES[states]:
+        world = one(name, EDGE)
+        state, sensed = world.step(world.initial, Write(states - 1))
+        assert sensed.marks == states - 1
+        with pytest.raises(IllegalAction):
+            world.step(state, Write(states))
+    else:
+        limit = "less than 2, the least one" if states < 2 else "more than 2147483648"
+        with pytest.raises(InvalidWorld, match=f"states = {states} is {limit}$"):
+            lighthouse_kind(name)
+
+
+@pytest.mark.parametrize("told", [[], "n", 5, None])
+def test_what_is_told_is_a_list_of_words(told):
+    with pytest.raises(InvalidWorld, match="is no list of words; legal are n, m, d, g, each once"):
+        lighthouse_from_json({"kind": "told", "names": told}, EDGE, 0)

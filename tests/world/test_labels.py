@@ -158,3 +158,14 @@ def test_nodes_that_can_be_no_names_are_none(nodes):
     graph = nx.Graph([nodes])
     graph.nodes[nodes[0]]["pos"] = "here"
     assert World.from_networkx(graph, order="planar").labels == Labelling()
+
+
+@pytest.mark.parametrize("far", [1e300, -1e300])
+def test_a_vertex_stands_at_most_so_far_away(far):
+    positions = [[0, 0], [1, 0], [far, 1]]
+    assert World.from_json({**NAMED, "positions": positions}).labels.positions[2] == (far, 1)
+    positions[2][0] = 2 * far
+    with pytest.raises(
+        InputError, match=r"positions\[2\]\[0\] = -?2e\+300: expected float [<>]= -?1e\+300"
+    ):
+        World.from_json({**NAMED, "positions": positions})

@@ -214,3 +214,13 @@ def test_of_a_vertex_that_was_never_visited_the_first_dart_and_no_number_are_bel
     walk = WalkInAnswer(PATH, [0], [Percept(1, 7, 0)])
     assert Compass((0, 2, 3)).believed(PATH, 0, walk) == Compass((0, 1, 3))
     assert Labels((0, 2, 3)).believed(PATH, 0, walk) == Labels((0, 1, 3), (7, 0, 0))
+
+
+@pytest.mark.parametrize("dart", [2, 7])
+def test_if_the_robot_starts_anywhere_the_lighthouse_of_an_answer_has_the_number_of_its_place(dart):
+    map_, kind = named_map("k4"), lighthouse_kind("cluster:start=any").as_class
+    number = [place.dart for place in kind.places(map_, 0)].index(dart)
+    walk = SimpleNamespace(map=map_, trail=(4, 7, 11))
+    believed = Cluster(dart, start="any").believed(map_, 0, walk)
+    assert believed == [*kind.places(map_, 4)][number]
+    assert believed.start == "any"

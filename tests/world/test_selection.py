@@ -1,8 +1,11 @@
 """A lighthouse of the user's own is tried in small worlds before it is used."""
 
+from itertools import islice
+
 import pytest
 
-from allworlds.world import InvalidWorld
+from allworlds.inputs.checks import InputError
+from allworlds.world import InvalidWorld, World, worlds
 from allworlds.world.named import world_named
 from allworlds.world.selection import tried_kind
 
@@ -81,3 +84,33 @@ def test_the_lighthouse_that_a_world_names_itself_is_tried_too():
     world = '{"sigma":[0,1],"alpha":[1,0],"start":0,"lighthouse":{"kind":"mine.py:OfNames"}}'
     with pytest.raises(InvalidWorld, match="with the darts renamed to"):
         world_named(world)
+
+
+def test_a_place_is_one_of_its_kind_in_the_map():
+    world_named('{"sigma":[0,1],"alpha":[1,0],"lighthouse":{"kind":"mine.py:Honest","dart":0}}')
+    with pytest.raises(InvalidWorld) as refused:
+        world_named('{"sigma":[0,1],"alpha":[1,0],"lighthouse":{"kind":"mine.py:Honest","dart":1}}')
+    assert "the lighthouse mine.py:Honest cannot stand at " in str(refused.value)
+    assert " in this map with start 0: it is none of its places there" in str(refused.value)
+
+
+@pytest.mark.parametrize("options", [None, 5, [1], "a=1"])
+def test_options_of_a_lighthouse_of_ones_own_are_an_object(options):
+    lighthouse = {"kind": "mine.py:Honest", "options": options, "dart": 0}
+    with pytest.raises(InvalidWorld, match=r"lighthouse.options = .* is no object"):
+        World.from_json({"sigma": [0, 1], "alpha": [1, 0], "lighthouse": lighthouse})
+
+
+def test_without_a_bound_all_worlds_are_those_of_a_check():
+    every = worlds()
+    assert {world.map.edge_count for world in islice(every, 800)} == {1, 2, 3, 4, 5}
+    # 2 + 10 + 74 + 706 + 8162 rooted maps (A000698)
+    assert 800 + sum(1 for _ in every) == 8954
+    assert {world.map.edge_count for world in worlds(vertices=2, map_class="simple")} == {1}
+    assert {world.map.edge_count for world in worlds(edges=2)} == {1, 2}
+
+
+def test_places_of_all_worlds_are_all_or_the_first():
+    assert [sum(1 for _ in worlds(edges=1, places=which)) for which in ("first", "all")] == [2, 3]
+    with pytest.raises(InputError, match="places 'some' is not one of all, first"):
+        next(worlds(edges=1, places="some"))
