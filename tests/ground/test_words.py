@@ -101,3 +101,30 @@ def test_no_line_of_json_is_a_command_and_the_document_is_the_same():
     assert json.loads(text) == document
     assert "##[" not in text
     assert "##vso[" not in text
+
+
+@pytest.mark.parametrize(
+    ("seconds", "words"),
+    [
+        (0.99, "0 s"),
+        (59.99, "59 s"),
+        (60, "1 min"),
+        (3599, "59 min"),
+        (3600, "1 h 0 min"),
+        (86_399, "23 h 59 min"),
+        (86_400, "1 day 0 h"),
+        (730 * 86_400 - 1, "729 days 23 h"),
+        (730 * 86_400, "2 years"),
+        (99 * 365 * 86_400, "99 years"),
+        (119 * 365 * 86_400, "110 years"),
+        ((10**12 - 1) * 365 * 86_400, "990,000,000,000 years"),
+        (10**12 * 365 * 86_400, "more than 1,000,000,000,000 years"),
+    ],
+)
+def test_a_unit_begins_where_the_one_before_is_full(seconds, words):
+    assert duration(seconds) == words
+
+
+def test_numbers_of_up_to_15_digits_are_told_whole():
+    assert about(10**15 - 1) == "999,999,999,999,999"
+    assert about(10**15) == "1.0 x 10^15"

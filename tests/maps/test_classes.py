@@ -110,3 +110,30 @@ def test_the_vertex_limit_is_met_and_not_passed_by_the_maps_within_the_bounds(ed
     counts = {map_.vertex_count for map_ in bruteforce.rooted_maps_by_permutations(edges)}
     within = {n for n in counts if vertices is None or n <= vertices}
     assert bounds.vertex_limit(edges) == max(within)
+
+
+@pytest.mark.parametrize(
+    ("map_class", "name", "legal", "wrong", "told"),
+    [
+        ("maps", "edges", 1, 0, "edges = 0, but a map has at least 1 edge"),
+        ("maps", "edges", 100_000, 100_001, "edges = 100001 is too big; at most 100,000 is legal"),
+        ("maps", "vertices", 1, 0, "but a map of the class maps has at least 1"),
+        ("planar", "vertices", 1, 0, "but a map of the class planar has at least 1"),
+        ("simple", "vertices", 2, 1, "but a map of the class simple has at least 2"),
+        ("planar-simple", "vertices", 2, 1, "a map of the class planar-simple has at least 2"),
+        ("maps", "vertices", 100_000, 100_001, "vertices = 100001 is too big; at most 100,000"),
+    ],
+)
+def test_numbers_of_edges_and_vertices_have_limits(map_class, name, legal, wrong, told):
+    def extent(value):
+        return Extent(MapClass.named(map_class), **{"edges": 3, name: value})
+
+    assert getattr(extent(legal), name) == legal
+    with pytest.raises(InputError, match=told):
+        extent(wrong)
+
+
+def test_a_level_has_at_most_a_vertex_more_than_edges():
+    assert [Extent(MapClass.MAPS, 3).vertex_limit(edges) for edges in (1, 3)] == [2, 4]
+    assert [Extent(MapClass.MAPS, 3, 3).vertex_limit(edges) for edges in (1, 2, 3)] == [2, 3, 3]
+    assert [*Extent(MapClass.SIMPLE, None, 4).levels] == [1, 2, 3, 4, 5, 6]

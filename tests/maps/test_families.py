@@ -4,7 +4,7 @@ from random import Random
 import pytest
 
 from allworlds.inputs.checks import InputError
-from allworlds.maps import family, random_map, rooted_code
+from allworlds.maps import families, family, random_map, rooted_code
 from allworlds.maps.build import lattice
 from allworlds.maps.families import FAMILIES, edges_of
 
@@ -148,3 +148,47 @@ def test_holes_are_for_lattices_and_dense_maps():
     assert [kind.form for kind in FAMILIES if kind.has_holes] == known
     with pytest.raises(InputError, match="cycle:5"):
         family("cycle:5", holes=0.1)
+
+
+@pytest.mark.parametrize(
+    ("legal", "wrong", "told"),
+    [
+        ("torus:1x1", "torus:0x1", "R and C are at least 1"),
+        ("torus:1x1", "torus:1x0", "R and C are at least 1"),
+        ("regular:3x2", "regular:2x2", "D is at least 3, and D times N is even"),
+        ("regular:4x1", "regular:4x0", "D is at least 3, and D times N is even"),
+        ("regular:3x2", "regular:3x1", "D is at least 3, and D times N is even"),
+        ("cubic:2", "cubic:0", "N is even, and at least 2"),
+        ("cubic:4", "cubic:3", "N is even, and at least 2"),
+        ("random:1x1", "random:0x1", "N vertices need N - 1 edges at least, and a map has 1"),
+        ("random:2x1", "random:3x1", "N vertices need N - 1 edges at least, and a map has 1"),
+        ("random:1x1", "random:1x0", "N vertices need N - 1 edges at least, and a map has 1"),
+        ("random:1", "random:0", "a map has at least 1 edge"),
+        ("lollipop:4x1", "lollipop:2x1", "D is even and at least 4, L at least 1"),
+        ("lollipop:6x1", "lollipop:5x1", "D is even and at least 4, L at least 1"),
+        ("lollipop:4x1", "lollipop:4x0", "D is even and at least 4, L at least 1"),
+        ("thick:2x1", "thick:0x1", "D is even and at least 2, L at least 1"),
+        ("thick:4x1", "thick:3x1", "D is even and at least 2, L at least 1"),
+        ("thick:2x1", "thick:2x0", "D is even and at least 2, L at least 1"),
+        ("prism:3", "prism:2", "N is at least 3"),
+        ("cover:1", "cover:0", "K is at least 1"),
+        ("corridor:1x14", "corridor:0x14", "F is at least 1, R even and at least 14"),
+        ("corridor:1x14", "corridor:1x12", "F is at least 1, R even and at least 14"),
+        ("corridor:1x16", "corridor:1x15", "F is at least 1, R even and at least 14"),
+        ("cycle:1", "cycle:0", "n = 0 is too small; it must be at least 1"),
+        ("dense:2", "dense:1", "vertices = 1 is too small; it must be at least 2"),
+    ],
+)
+def test_the_numbers_of_a_family_have_a_least_value(legal, wrong, told):
+    assert family(legal).edge_count == edges_of(legal) >= 1
+    with pytest.raises(InputError) as refused:
+        family(wrong)
+    assert str(refused.value) == f"family {wrong}: {told}"
+
+
+def test_no_map_of_a_family_has_more_than_100000_edges(monkeypatch):
+    monkeypatch.setattr(families, "cycle", lambda vertices: vertices)
+    assert edges_of("cycle:100000") == family("cycle:100000") == 100_000
+    for large in ("cycle:100001", "strip:33335", "dense:448"):
+        with pytest.raises(InputError, match=f"family '{large}' has more than 100,000 edges"):
+            family(large)
