@@ -330,16 +330,16 @@ def test_exponents_are_a_table_if_one_of_them_is_known():
     [
         (True, Headline("HOLDS", "2 worlds", "holds"), ("HOLDS", "2 worlds", "holds")),
         (True, None, None),
-        (False, None, ("INCONCLUSIVE", "late; nothing was finished before", "")),
+        (False, None, ("INCONCLUSIVE", "late; before that nothing was finished", "")),
         (
             False,
             Headline("HOLDS", "", "holds"),
-            ("INCONCLUSIVE", "late; nothing was finished before", ""),
+            ("INCONCLUSIVE", "late; before that nothing was finished", ""),
         ),
         (
             False,
             Headline("HOLDS", "2 worlds", "holds"),
-            ("INCONCLUSIVE", "late; finished before: 2 worlds", ""),
+            ("INCONCLUSIVE", "late; before that: 2 worlds", ""),
         ),
         (
             False,
