@@ -4,6 +4,7 @@ import json
 from collections import Counter
 
 import pytest
+from msgspec import Struct
 
 from allworlds import check
 from allworlds.documents.document import replace
@@ -11,12 +12,13 @@ from allworlds.engines.kept_units import from_kept, to_kept
 from allworlds.engines.kernel.schedules import ScheduleCosts
 from allworlds.engines.tally import AtRun, Row, Tally
 from allworlds.inputs.checks import InputError
-from allworlds.maps import Quotient
+from allworlds.maps import Quotient, named_map
 from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity.census_sweep import SensedParts
 from allworlds.studies.compare.entrants import CostsOfAll, CostTally
 from allworlds.studies.count import Counted
 from allworlds.studies.worst.compiled_engine import ScheduleCostsBySize
+from allworlds.world import Directional, World
 
 ROW = Row(1, 2, 3, 4, 5, 6, -7, AtRun((0, 1), (1, 0), 0, (1,)))
 HALF_EDGE = Quotient((0,), (0,), (3,), (Percept(3, 1),), 4)
@@ -95,3 +97,32 @@ def test_of_what_is_larger_every_field_is_checked(name):
     for told in [None, [], {}, {**whole, "more": 0}, *({**whole, key: 1.5} for key in whole)]:
         with pytest.raises(InputError):
             from_kept(told, type(result))
+
+
+class Pairs(Struct):
+    """A result of pairs, and of a world that reads itself."""
+
+    pairs: dict[tuple[int, int], int]
+    world: World
+
+
+def test_what_reads_itself_is_kept_as_it_writes_itself():
+    pairs = Pairs({(1, 2): 3}, World(named_map("edge"), Directional(0)))
+    told = json.loads(json.dumps(to_kept(pairs)))
+    assert told["world"] == pairs.world.to_json()
+    assert from_kept(told, Pairs) == pairs
+
+
+class Line(Struct):
+    """A result with pairs of an entry that msgspec cannot read."""
+
+    lines: list[tuple[World, int]]
+
+
+def test_a_tuple_has_as_many_entries_as_it_says():
+    world = World(named_map("edge"), Directional(0))
+    told = json.loads(json.dumps(to_kept(Line([(world, 3)]))))
+    assert from_kept(told, Line) == Line([(world, 3)])
+    for wrong in ([[told["lines"][0][0]]], [[*told["lines"][0], 4]]):
+        with pytest.raises(InputError, match=r" does not have 2 entries$"):
+            from_kept({"lines": wrong}, Line)

@@ -1,5 +1,6 @@
 """A run directory is believed where it is whole, and refused in one line where it is not."""
 
+import json
 import sqlite3
 from contextlib import ExitStack, closing
 
@@ -8,9 +9,10 @@ from msgspec import Struct
 
 from allworlds.documents.document import replace
 from allworlds.engines import run_directory
-from allworlds.engines.kept_units import Identity
-from allworlds.engines.run_directory import FILE, SCHEMA, checksum, kept_in, reading
+from allworlds.engines.kept_units import FORMAT, Identity
+from allworlds.engines.run_directory import FILE, SCHEMA, checksum, in_use, kept_in, reading
 from allworlds.inputs.checks import InputError
+from allworlds.version import __version__
 
 JOB = Identity(
     verb="check",
@@ -244,3 +246,87 @@ def test_of_several_texts_those_that_differ_are_named():
     one, other = ({"sha256": {"a.json": "1", "b.json": of}} for of in "23")
     jobs = [replace(JOB, parameters=JOB.parameters | texts) for texts in (one, other)]
     assert jobs[0].difference(jobs[1]) == "is of another text of 'b.json'"
+
+
+def test_an_identity_of_another_format_differs():
+    assert JOB.difference(replace(JOB, format=JOB.format + 1)) == (
+        f"is of format {JOB.format + 1}, not {JOB.format}"
+    )
+
+
+def test_a_directory_of_another_format_is_refused(finished):
+    with closing(sqlite3.connect(finished / FILE)) as connection, connection:
+        name, value, _ = connection.execute("SELECT * FROM meta WHERE name = 'identity'").fetchone()
+        later = json.dumps(json.loads(value) | {"format": FORMAT + 1, "version": "9.9"})
+        connection.execute(
+            "UPDATE meta SET value = ?, checksum = ? WHERE name = ?",
+            (later, checksum("", name, later), name),
+        )
+    with pytest.raises(InputError) as refusal:
+        opened(finished)
+    assert str(refusal.value).endswith(
+        f"is of format {FORMAT + 1}, written by version 9.9; this version, {__version__}, reads "
+        f"format {FORMAT}"
+    )
+
+
+class Damaged(sqlite3.Connection):
+    """A file in which SQLite finds two faults."""
+
+    def execute(self, statement, *more):
+        if statement == "PRAGMA integrity_check":
+            return [("row 3 missing\nfrom index",), ("row 4 missing",)]
+        return super().execute(statement, *more)
+
+
+def test_a_file_that_sqlite_finds_damaged_is_refused(finished, monkeypatch):
+    real = sqlite3.connect
+    monkeypatch.setattr(sqlite3, "connect", lambda *a, **b: real(*a, factory=Damaged, **b))
+    with (
+        pytest.raises(InputError, match=r"is damaged: row 3 missing; remove it"),
+        reading(finished),
+    ):
+        pass
+
+
+@pytest.mark.parametrize("replaced", [False, True])
+def test_a_job_whose_directory_is_removed_goes_on_without_it(finished, replaced):
+    told = []
+    with kept_in(finished, lambda: JOB, told.append) as records:
+        (finished / FILE).rename(finished / "old")
+        if replaced:
+            (finished / FILE).touch()
+        for number in (20, 21):
+            records.keep(f"2:-{number}", Rows([number]))
+        (finished / "old").replace(finished / FILE)
+        records.keep("2:-22", Rows([22]))
+        assert [records.result(f"2:-{number}") for number in (20, 21, 22)] == [None] * 3
+        assert records.added == 3
+    (said,) = told
+    assert said.endswith("was removed; the job goes on without it, and keeps nothing")
+
+
+def test_a_job_whose_directory_takes_no_more_goes_on_without_it(finished, monkeypatch):
+    told, tried = [], []
+
+    def full(*row):
+        tried.append(row)
+        raise sqlite3.OperationalError("database or disk is full")
+
+    with kept_in(finished, lambda: JOB, told.append) as records:
+        monkeypatch.setattr(records.database, "keep", full)
+        for number in (20, 21):
+            records.keep(f"2:-{number}", Rows([number]))
+    assert len(tried) == 1
+    (said,) = told
+    assert said.endswith(
+        "takes no more: database or disk is full; what it holds is kept, and the job goes on "
+        "without it"
+    )
+
+
+def test_a_directory_is_in_use_while_units_are_added(finished, tmp_path):
+    assert in_use(finished) is False
+    with kept_in(finished, lambda: JOB, nothing):
+        assert in_use(finished) is True
+    assert in_use(tmp_path / "nowhere") is False

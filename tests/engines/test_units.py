@@ -3,6 +3,7 @@
 import pytest
 
 from allworlds.engines import units
+from allworlds.engines.units import Sample
 from allworlds.inputs.checks import InputError
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
@@ -60,3 +61,7 @@ def test_numbers_of_a_sample_have_limits(name, legal, wrong, told):
     with pytest.raises(InputError) as refused:
         units.Sample(**{"runs": 5, name: wrong})
     assert told in str(refused.value)
+def test_a_seed_is_0_or_more():
+    assert Sample(1, seed=0).seed == 0
+    with pytest.raises(InputError, match=r"^seed = -1, but seeds are 0, 1, 2, \.\.\.$"):
+        Sample(1, seed=-1)
