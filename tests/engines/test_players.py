@@ -7,6 +7,7 @@ import signal
 import sys
 from pathlib import Path
 from types import SimpleNamespace
+from typing import ClassVar
 
 import pytest
 
@@ -16,6 +17,8 @@ from allworlds.engines.batch import Due
 from allworlds.engines.judge import PythonJudge
 from allworlds.engines.limits import Limits
 from allworlds.engines.players import (
+    HarnessError,
+    Logs,
     Lost,
     PlayerHere,
     PlayerProcess,
@@ -31,6 +34,7 @@ from allworlds.judging.rules import Rules
 from allworlds.log import Log
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
+from allworlds.protocol.actions import Drop, ExplorerFault, Move
 from allworlds.world import Directional, World
 from small import EDGE
 
@@ -320,6 +324,169 @@ def test_a_mistake_of_ours_is_told_as_that(module, served):
     ((letter, content),) = served(load(f"{module}:explore"), runs() | {"order": [7]})
     assert letter == player.FAILURE
     assert b"IndexError" in content
+
+
+class Library:
+    """In place of the player of shared libraries: it says what is in its list."""
+
+    made: ClassVar = []
+
+    def __init__(self, native, beat):
+        self.made.append(native)
+
+    def play(self, batch):
+        if batch["says"] == "fault":
+            raise ExplorerFault("crash", "a choice that is none")
+        return batch["says"] and player.logs_message(batch["says"])
+
+
+@pytest.fixture
+def library(monkeypatch):
+    """A library, as a player has loaded it."""
+    Library.made.clear()
+    module = "allworlds.engines.kernel.library_player"
+    monkeypatch.setitem(sys.modules, module, SimpleNamespace(LibraryPlayer=Library))
+    return SimpleNamespace(native="native", player=lambda: None)
+
+
+@pytest.mark.parametrize(
+    ("says", "again", "letter", "logs"),
+    [
+        ([b"a", b"bc"], False, player.LOGS, [b"a", b"bc"]),
+        ([b"a", b"bc"], True, player.LOGS, [b"a", b"bc"]),
+        (None, False, player.LOGS, [bytes((entries.BEYOND,))] * 2),
+        ("fault", False, player.LOGS, [bytes((entries.BEYOND,))] * 2),
+        (None, True, player.NO_ROOM, None),
+        ("fault", True, player.NO_ROOM, None),
+    ],
+)
+def test_a_server_of_a_library_tells_its_logs_or_leaves_them_to_python(
+    library, served, says, again, letter, logs
+):
+    asked = {"kind": "native", "runs": 2, "again": again, "says": says}
+    one, other = served(library, asked, asked)
+    assert one == other
+    assert one[0] == letter
+    assert logs is None or [*Logs(one[1], 2)] == logs
+    assert Library.made == ["native"]
+
+
+@pytest.fixture
+def copied(monkeypatch):
+    """This process is a copy, after the first time that it asks for its number."""
+    numbers = iter([1])
+
+    class Ended(BaseException):
+        """In place of the end of this process."""
+
+    def end(code):
+        raise Ended(code)
+
+    monkeypatch.setattr(player.os, "getpid", lambda: next(numbers, 2))
+    monkeypatch.setattr(player.os, "_exit", end)
+    monkeypatch.setattr(player, "_answer", None)
+    return pytest.raises(Ended, match=r"^0$")
+
+
+def test_a_copy_of_a_player_ends_before_it_answers(module, library, copied, monkeypatch):
+    server = player._Server(library, [0, 0])
+    with copied:
+        server.serve({"kind": "native", "runs": 1, "again": False, "says": [b"a"]})
+    monkeypatch.setattr(player, "turns_of", lambda *_: None)
+    monkeypatch.setattr(player, "turns_taken", lambda *_: [b""])
+    with copied:
+        server.serve({"kind": player.TURNS[0]})
+
+
+def test_a_copy_that_plays_ends(module, copied):
+    explorer = load(f"{module}:explore").player()
+    with copied:
+        player.played(runs(), explorer, [0, 0])
+
+
+def test_a_link_that_breaks_ends_the_player(module, monkeypatch):
+    def broken(*_):
+        raise OSError("the owner has gone")
+
+    server = player._Server(load(f"{module}:explore"), [0, 0])
+    monkeypatch.setattr(player, "played", broken)
+    with pytest.raises(OSError, match="the owner has gone"):
+        server.serve(runs())
+
+
+def test_a_program_stays_between_turns():
+    program = SimpleNamespace(stays=False)
+    of_program = player.turns_of(SimpleNamespace(program=program, explore=None), None, [0, 0])
+    of_function = player.turns_of(SimpleNamespace(program=None, explore=None), None, [0, 0])
+    assert program.stays is True
+    assert (of_program._most, of_function._most > 1) == (1, True)
+
+
+def test_what_is_sensed_on_a_walk_is_told_or_why_there_is_none():
+    assert b"'bearing'" in player.senses(WORLD, [Move(0)])
+    assert b"markers" in player.senses(WORLD, [Drop()])
+
+
+def test_a_message_to_a_player_that_has_ended_is_dropped():
+    one = object.__new__(PlayerProcess)
+
+    def send(_):
+        raise BrokenPipeError
+
+    one._link, one._out = SimpleNamespace(send=send), bytearray(b"message")
+    one._write()
+    assert one._out == b""
+
+
+def test_an_error_of_ours_in_a_player_is_told_as_that():
+    one = object.__new__(PlayerProcess)
+    with pytest.raises(HarnessError, match=r"^Traceback: \ufffd$"):
+        one._message(bytes((player.FAILURE,)) + b"Traceback: \xff")
+
+
+def test_a_player_that_is_lost_while_it_loads_is_started_again(monkeypatch):
+    one, done = object.__new__(PlayerProcess), []
+    one.description = None
+
+    def heard():
+        done.append("heard")
+        if len(done) == 1:
+            raise Lost("crash", "it died", machine=True)
+        one.description = "loaded"
+
+    one.heard, one.again = heard, lambda: done.append("again")
+    monkeypatch.setattr(players, "wait", lambda *_: None)
+    assert one.loaded() == "loaded"
+    assert done == ["heard", "again", "heard"]
+
+
+@pytest.mark.parametrize("lives", [True, False])
+def test_a_kept_player_is_used_if_it_lives(lives, monkeypatch):
+    setup, closed = SimpleNamespace(message=lambda: "setup"), []
+    kept, other = (
+        SimpleNamespace(
+            owner=os.getpid(), seed=seed, setup=setup, lives=lives, close=lambda: closed.append(1)
+        )
+        for seed in (3, 4)
+    )
+    spare = [other, kept]
+    monkeypatch.setattr(players, "_spare", spare)
+    monkeypatch.setattr(players, "PlayerProcess", lambda *given: given)
+    assert players.fresh(setup, 3) == (kept if lives else (setup, 3))
+    assert spare == [other]
+    assert len(closed) == (not lives)
+
+
+def test_what_the_system_refuses_is_told_in_one_line(monkeypatch):
+    def refused(*_):
+        raise OSError(27, "File too large")
+
+    monkeypatch.setattr(players.os, "truncate", refused)
+    said = "^no 16 bytes can be shared with an explorer: File too large; legal is 'ulimit -f' of 1"
+    with pytest.raises(InputError, match=said):
+        players._shared(16)
+    with pytest.raises(HarnessError, match=r"^no process could be started: File too large$"):
+        players._in_thread(refused)
 
 
 def test_a_player_here_is_asked_as_one_elsewhere(module):
