@@ -61,6 +61,8 @@ def test_numbers_of_a_sample_have_limits(name, legal, wrong, told):
     with pytest.raises(InputError) as refused:
         units.Sample(**{"runs": 5, name: wrong})
     assert told in str(refused.value)
+
+
 def test_a_seed_is_0_or_more():
     assert Sample(1, seed=0).seed == 0
     with pytest.raises(InputError, match=r"^seed = -1, but seeds are 0, 1, 2, \.\.\.$"):

@@ -91,7 +91,7 @@ class Truth:
         """When before a step the robot was last at the vertex of a dart."""
         last = max(i for i in range(step) if self.owner[self.walk[i]] == self.owner[dart])
         if last == step - 1:
-            return "which it had just left"
+            return "from which it came"
         return f"which it had left at step {last + 1}"
 
     # ------------------------------------------------------------ the walk in the answer
@@ -415,7 +415,7 @@ DIFFERENCES = {
     ),
     "two for one": (
         "one vertex for two",
-        "The answer takes v# and v# for one vertex, and has no edge between them.",
+        "The answer takes v# and v# for one vertex, and lacks their edge.",
         merged,
     ),
     "too many": (

@@ -226,7 +226,7 @@ def test_of_an_endless_walk_it_is_told_since_when_nothing_was_new():
     whose = "--step-budget sets the budget: 6 traversals."
     assert loop == [
         how,
-        "After step 1 it found no new edge; it never found 1 edge.",
+        "After step 1 it found no new edge; 1 edge of the world stayed unknown.",
         "From step 1 on it repeats 2 steps, 3 times, to v0, dart 1; v0, dart 0",
         "It never walked along the edge from v0, dart 2, to v1, dart 3.",
         whose,
@@ -242,7 +242,7 @@ def test_of_an_endless_walk_it_is_told_since_when_nothing_was_new():
     tasked = told(walking(then=Move(0)), LEAFY_LOOP, step_budget=6, task="stop")
     tasked[2] = tasked[2].partition(" (line")[0]
     assert tasked[1:] == [
-        "After step 1 it found no new edge; it never found 1 edge.",
+        "After step 1 it found no new edge; 1 edge of the world stayed unknown.",
         "From step 1 on it repeats 2 steps, 3 times, to v0, dart 1; v0, dart 0",
         "It never visited v1.",
         whose,

@@ -232,7 +232,9 @@ class Across:
     # ---------------------------------------------------------------- differences
 
     def settle(self) -> None:
-        """Find the smallest run that earlier runs change, or that breaks a law when played alone.
+        """Find the smallest run whose log is another one after other runs in its process.
+
+        A run that breaks a law when it is played alone is found, too, if it is smaller.
 
         Its outcome is put into :attr:`found`.
         """

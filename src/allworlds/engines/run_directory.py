@@ -253,7 +253,7 @@ def _write_ahead(connection: sqlite3.Connection) -> None:
 
 
 def _looked_through(path: Path, connection: sqlite3.Connection) -> Identity:
-    """Check the whole SQLite file of a run directory; return the identity of its job.
+    """Check the whole file in which a job keeps its results; return the identity of this job.
 
     Raises:
         InputError: if the file belongs to no run directory, has another version, or is damaged.

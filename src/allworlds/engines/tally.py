@@ -115,8 +115,9 @@ class Tally:
     """The results of a part of a check, added up.
 
     Attributes:
-        keep: the largest number of findings that are kept, each the smallest of its law and map.
-        rows: the counts by (edges, vertices).
+        keep: the largest number of findings that are kept.  Of findings with equal laws and maps
+            only the smallest is kept.
+        rows: the numbers of worlds, runs and traversals, by (edges, vertices).
         witnesses: the number of occurrences of each event.
         left_out: the number of worlds without a place for the lighthouse.
         checkpoints: the number of checkpoints that the explorer has shown.

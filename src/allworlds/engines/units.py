@@ -253,7 +253,7 @@ errors of many units compensate each other.
 
 
 class GivenUnit(Struct, frozen=True):
-    """Some of the maps of a level that the user has given: the piece with this ``number``."""
+    """Some of the maps that the user has given, all of one level; ``number`` counts such units."""
 
     edges: int
     number: int

@@ -33,8 +33,8 @@ LAWS: dict[str, str] = {
     "deadlock": "Robots do not wait for what will never happen.",
     "answer": "When all robots have ended, nothing is wrong.",
     "progress": (
-        "A fair run that never ends reaches the goal, again and again or for good; in a fair run "
-        "no robot that can act is left out for ever."
+        "A fair run that never ends must reach the goal again and again, or keep it from some time "
+        "on, as the model asks; in a fair run no robot that can act is left out for ever."
     ),
     "budget": "The goal is reached within the activations that were asked for.",
 }

@@ -253,7 +253,7 @@ def count_one_by_one(extent: classes.Extent, unit: LevelUnit) -> Iterator[Counte
 
 
 def row_of(extent: classes.Extent, edges: int, total: Counted, *, whole: bool) -> CountRow:
-    """The row of a level, or of its part in a shard, with the counts of the independent source."""
+    """The row of a level, or of its part in a shard, with the counts that a formula gives."""
     by_vertices: Counter[int] = Counter()
     by_genus: Counter[int] = Counter()
     for (vertices, genus), maps in sorted(total.cells.items()):

@@ -8,11 +8,11 @@ after which W can be finished are tried.  Each finished walk belongs to one worl
 one finished walk.
 
 In each pass of Algorithm 1 two conditions are checked: a new vertex of S stands for a vertex of W
-for which no other vertex of S stands; and a dart that is closed to a loop leads in W to the same
-dart as in S.  From these conditions the laws invariant-1, invariant-2 and variant follow.  The
-robot closes a loop only on an arrival at v0 by the last dart of the tested path.  That arrival also
-merges the present node of the folded log with v0, so the folded log holds every edge of S.  At the
-end S must be all of W.
+for which no other vertex of S stands; and a dart of U that is joined to another dart of U leads in
+W to the same dart as in S.  From these conditions the laws invariant-1, invariant-2 and variant
+follow.  The robot joins two darts of U only on an arrival at v0 by the last dart of the tested
+path.  That arrival also merges the robot's vertex in the folded log with v0, so the folded log
+holds every edge of S.  At the end S must be all of W.
 
 ``w`` is the state of the check, an array ``WALK``.  ``s`` is the part of ``w`` that is copied at
 each decision, so that the walk can go back to the decision.  Numbers of lines, e, H and the cases

@@ -1,14 +1,15 @@
 """The worst and the best cost of Algorithm 1 in each world, over every schedule.
 
-Between two passes the robot's knowledge is a pair: the set of the explored edges, and the robot's
-vertex.  This vertex is v0, or it has just been added and has one explored edge.  The costs of
-rejected hypotheses add up, and depend neither on their order nor on the robot's vertex.  So the
-cost of the tests of a pass is computed once for each set of explored edges and each dart to cross.
-Each test is carried out on every simple path to v0, because a false hypothesis must be rejected on
-each of these paths.
+A pass explores one edge.  Between two passes the robot's knowledge is a pair: the set of the
+explored edges, and the robot's vertex.  This vertex is v0, or it has just been added and has one
+explored edge.  The costs of rejected hypotheses add up, and depend neither on their order nor on
+the robot's vertex.  So the cost of the tests of a pass is computed once for each set of explored
+edges and each dart to cross.  The search tries each test on every simple path to v0, because a
+false hypothesis must be rejected on each of these paths.
 
 Since every choice of a dart is tried, the costs are equal for all roots at v0.  So of all rooted
-maps that differ only in the root at v0, only the rooted map with the least code is searched.
+maps that differ only in the root at v0, only one is searched: the one whose code, the list of its
+darts in a fixed order, is the least.
 
 Source: Algorithm 1, Section IV.
 """

@@ -158,7 +158,7 @@ def _say_progress(story: Walked) -> str:
         return _say_last_step(story)
     step, left = f"After step {max(found_at)}", story.map.edge_count - len(found_at)
     if left:
-        return f"{step} it found no new edge; it never found {plural(left, 'edge')}."
+        return f"{step} it found no new edge; {plural(left, 'edge')} of the world stayed unknown."
     return f"{step} it had walked every edge of the world, and yet it went on."
 
 
@@ -456,7 +456,7 @@ def tell_folding(story: Story) -> Telling:
 
 
 def tell_bound(story: Story) -> Telling:
-    """Tell what else holds, where the bound comes from, and how many steps found a new edge."""
+    """Tell which other laws hold, where the bound comes from, and how many steps found an edge."""
     made, new = plural(story.walk.cost, "traversal"), len(story.discoveries)
     used = f"The robot made {made}, of which {new} found a new edge."
     return Telling([*tell_whose_bound(story.finding), used])
@@ -492,7 +492,8 @@ def _whose(finding: Finding) -> str:
         )
     own = rules.the_bound == rules.own_bound
     owner = "the explorer's own" if own else "the one that was asked for"
-    return f"The bound is {owner}: {name}, which is {value} in a world with {world}."
+    which = "" if name == str(value) else f", which is {value} in a world with {world}"
+    return f"The bound is {owner}: {name}{which}."
 
 
 # ---------------------------------------------------------------- the table

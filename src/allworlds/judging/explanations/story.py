@@ -97,7 +97,7 @@ class Story(Walked):
         vertex = self.vertex(dart)
         last = max(i for i in range(step) if self.vertex(self.walk.darts[i]) == vertex)
         just = last == step - 1
-        return "which it had just left" if just else f"which it had left at step {last + 1}"
+        return "from which it came" if just else f"which it had left at step {last + 1}"
 
 
 class Belief:
@@ -332,7 +332,7 @@ def _edge_missing(belief: Belief) -> Slip | None:
         return Slip("edge missing", sentence, answer, less)
     for d, less in _without_an_edge(contracted, story.map, answer):
         ends = f"{story.vertex(d)} and {story.vertex(alpha[d])}"
-        sentence = f"The answer takes {ends} for one vertex, and has no edge between them."
+        sentence = f"The answer takes {ends} for one vertex, and lacks their edge."
         return Slip("one vertex for two", sentence, answer, less)
     return None
 

@@ -228,7 +228,7 @@ def _walks(report: comparison.Comparison) -> Iterator[parts.Section]:
     """A section for each explorer: its walk in the world where the costs differ most."""
     for i, run in enumerate(report.walks(), 1):
         cost = plural(run.outcome.cost, "traversal")
-        title = f"Where the costs differ most: {run.explorer}, {cost}"
+        title = f"Where the costs differ most: explorer {run.explorer}, {cost}"
         yield run_section(run, f"walk-{i}", title)
 
 

@@ -87,7 +87,8 @@ def verdict_of(report: TeamReport) -> parts.Headline:
         case Verdict.INCONCLUSIVE if total.full and not report.ending.stopped:
             text = (
                 f"no law is broken, but {plural(total.full, 'world')} had more than "
-                f"{number(timing.configurations)} configurations; {done}; {searched}"
+                f"{number(timing.configurations)} configurations, the limit of a search; "
+                f"{done}; {searched}"
             )
         case Verdict.VACUOUS:
             text = "the scope holds no start of the robots, or no state at the start"

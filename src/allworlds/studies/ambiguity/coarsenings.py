@@ -272,7 +272,7 @@ def weakest(request: WeakestRequest) -> AmbiguityWeakest:
 
 
 def _features(kind: kinds.LighthouseKind) -> tuple[str, ...]:
-    """The names of the features of a finest sensor.
+    """The names of the features of a sensor: of the parts of what it senses, as its degree.
 
     Raises:
         InputError: if the sensor has no features, or too many.

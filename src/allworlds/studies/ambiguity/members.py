@@ -511,9 +511,10 @@ def _check_complete(quotient: Quotient, found: dict[Code, LeastRooting], own: Le
 
 
 def _poses(quotient: Quotient, found: dict[Code, LeastRooting]) -> int:
-    """Number of poses by the mass formula: the sum of k / |Aut(world, v0)| over the members.
+    """The number of pairs of a world of the class and a dart of the robot, up to isomorphism.
 
-    k is the number of sheets, and Aut(world, v0) are the automorphisms that fix v0.
+    It is the sum of k / |Aut(world, v0)| over the worlds of the class (the mass formula); k is the
+    number of sheets, and Aut(world, v0) are the automorphisms that fix v0.
     """
     return sum(quotient.sheets // rooting.times for rooting in found.values())
 

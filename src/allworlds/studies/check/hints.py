@@ -1,4 +1,7 @@
-"""Hints for a finding from more plays of its explorer: an option that helps, and lines of code.
+"""Hints for a finding from more plays of its explorer.
+
+A hint is an option with which the explorer breaks no law, or the lines of the explorer's code that
+ran in the finding alone.
 
 Hints do not change the verdict.  An option is named only after runs in which it was tried.
 """

@@ -230,7 +230,7 @@ class UnitOfOne(Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        """The key in a run directory: the number of the entrant, and the key of the unit."""
+        """The unit's name in a run directory: the explorer's number, then the unit's key."""
         return f"{self.number}/{self.unit.key}"
 
 

@@ -161,7 +161,10 @@ class EverySchedule:
         return max((self._onward(explored, robot, p) for p in self._passes(explored)), default=0)
 
     def _onward(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
-        """The largest cost of a pass and all later passes, the way to the pass's dart included."""
+        """The largest cost of a pass, which explores one edge, and of all later passes.
+
+        The way to the dart that the pass explores is included.
+        """
         return self._most(explored, robot, chosen) + self._worst(chosen.explored, chosen.robot)
 
     def _most(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
