@@ -185,7 +185,7 @@ def test_a_run_that_is_cut_off_is_told_and_is_no_finding(cut_off):
     [
         (
             {"configurations": 2},
-            "INCONCLUSIVE no law is broken, but 1 world had more than 2 configurations, the limit of ",
+            "INCONCLUSIVE no law is broken, but 1 world had more than 2 configurations, the limit ",
         ),
         (
             {"where": "cubic"},
