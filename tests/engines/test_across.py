@@ -191,3 +191,80 @@ def test_a_task_and_a_lighthouse_of_ones_own_find_it_too(tmp_path, monkeypatch, 
     module.write_text(TURNS)
     (found,) = check(f"{module}:explore", edges=2, **options).findings
     assert (found.law, found.confirmed) == ("nondeterministic", True)
+
+
+class Lone:
+    """A player that is lost in the run at this position, if it has loaded its explorer."""
+
+    def __init__(self, position, description="loaded"):
+        self.beat, self.description, self.asked = [position, 0], description, []
+
+    def heard(self):
+        raise players.Lost("crash", "it died", machine=True)
+
+    def again(self):
+        self.asked.append("again")
+
+    def close(self):
+        self.asked.append("close")
+
+
+LOST = players.lost_log(b"", players.Lost("crash", "it died", machine=True))
+
+
+@pytest.fixture
+def lone(monkeypatch):
+    """The plays of three runs; a fresh player is lost in each run, or in none."""
+
+    def plays_of(player, alone=LOST):
+        both = object.__new__(across.Across)
+        play = across._Play(3, player)
+        play.order = [5, 6, 7]
+        both._plays, both.work, both.found = (play,), "work", {}
+        both._named = lambda index, earlier: None
+        both._after = lambda seed, earlier, index: alone
+        both._differ = lambda one, other: one != other
+        return both
+
+    return plays_of
+
+
+@pytest.mark.parametrize(
+    ("player", "alone"),
+    [(Lone(0), b"another"), (Lone(-1), LOST), (Lone(3), LOST), (Lone(0, None), LOST)],
+)
+def test_a_loss_that_no_fresh_player_repeats_is_noted_and_played_again(lone, player, alone):
+    noted, both = [], lone(player, alone)
+    assert both.hear(lambda *what: noted.append(what)) is False
+    ((work, lost),) = noted
+    assert (work, lost.seen) == ("work", "it died")
+    assert player.asked == ["again"]
+
+
+@pytest.mark.parametrize("position", [0, 2])
+def test_a_loss_that_a_fresh_player_repeats_ends_the_plays(lone, position):
+    noted, player = [], Lone(position)
+    assert lone(player).hear(lambda *what: noted.append(what)) is True
+    assert (noted, player.asked) == ([], ["close"])
+
+
+def needed(culprits, earlier):
+    """What is found if a run shows another log after all these culprits, and only then."""
+    both = object.__new__(across.Across)
+    both._seed = 0
+    both._after = lambda seed, indices, index: b"x" * ({*culprits} <= {*indices})
+    both._differ = lambda one, other: one != other
+    return both._needed(b"", 9, earlier)
+
+
+@pytest.mark.parametrize("culprits", [[4], [0], [8], [2, 5], [0, 8]])
+def test_the_fewest_earlier_runs_are_found(culprits):
+    assert needed(culprits, range(9)) == culprits
+
+
+def test_no_earlier_runs_are_named_if_they_do_nothing_or_are_too_many():
+    assert needed([99], range(9)) == []
+    assert needed([], range(9)) == []
+    most = across.MOST_EARLIER
+    assert needed([*range(most)], range(most + 2)) == [*range(most)]
+    assert needed([*range(most + 1)], range(most + 2)) == []
