@@ -8,12 +8,14 @@ import signal
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 import processes
 from allworlds.cli.app import call, command_line
-from allworlds.cli.run import _Stopping
+from allworlds.cli.run import _Stopping, ensure_step
+from allworlds.inputs.checks import InputError
 from processes import PATIENCE
 
 EXPLORERS = Path(__file__).parents[1] / "support" / "explorers_for_tests"
@@ -376,3 +378,13 @@ def test_the_debugger_stops_in_the_users_generators_before_a_step(monkeypatch):
     assert stopped == []
     assert [walk.send("percept") for _ in range(2)] == [2, 3]
     assert stopped == [["allworlds", "allworlds.*"], "reset", "outer", "inner", "trace"]
+
+
+def test_the_debugger_stops_before_a_step_of_the_run():
+    transcript = SimpleNamespace(steps=[0, 0, 0])
+    run = SimpleNamespace(outcome=SimpleNamespace(episode=SimpleNamespace(transcript=transcript)))
+    for step in (1, 3, 4):  # the last one is its answer
+        ensure_step(run, step)
+    for step in (0, 5, -1):
+        with pytest.raises(InputError, match=f"--step {step} is not from 1 to 4, where this run"):
+            ensure_step(run, step)

@@ -203,3 +203,9 @@ def test_a_map_grows_to_the_size_that_was_asked_for(picked):
             MapClass.MAPS, edges, vertices, lambda options: range(len(options))[picked]
         )
         assert (map_.edge_count, map_.vertex_count) == (edges, vertices)
+
+
+@pytest.mark.parametrize("strategy", OF_CLASS.values())
+def test_the_least_bounds_are_one_edge(strategy):
+    strategy(1, 1)
+    strategy(3, 3)

@@ -4,7 +4,7 @@ from functools import partial
 import pytest
 
 from allworlds import check, count, worst
-from allworlds.engines.engine_table import ENGINES, engine_for, why_not_compiled
+from allworlds.engines.engine_table import ENGINES, engine_for, obstacle, why_not_compiled
 from allworlds.engines.limits import Limits
 from allworlds.engines.listeners import Listener
 from allworlds.engines.single import subject_of
@@ -166,3 +166,17 @@ def test_the_compiler_is_not_asked_for_where_there_is_no_room():
 def test_what_needs_the_compiler_says_how_to_install_it(asked):
     with pytest.raises(InputError, match=r"needs numba: .*pip install '\.\[fast\]'"):
         asked()
+
+
+@pytest.mark.parametrize(
+    ("edges", "budget", "told"),
+    [
+        (12, 10_920, ""),
+        (12, None, ""),
+        (13, 10_920, "has room for 12 edges, not for 13"),
+        (12, 10_921, "has room for a step budget of 10920, not of 10921"),
+    ],
+)
+def test_compiled_code_has_room_for_so_many_edges_and_steps(edges, budget, told):
+    scope = Scope(Extent(MapClass.MAPS, edges), Rules("directional", step_budget=budget))
+    assert obstacle(scope, load("algorithm1")) == told

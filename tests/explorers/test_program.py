@@ -7,11 +7,18 @@ import select
 import sys
 from contextlib import suppress
 
+
+from types import SimpleNamespace
+
 import pytest
 
 from allworlds import check, run
 from allworlds.explorers import program as programs
 from allworlds.explorers.program import Program, answering, message_of
+
+
+from allworlds.explorers import program as program_module
+from allworlds.explorers.program import Program, message_of
 from allworlds.inputs.checks import InputError
 from allworlds.protocol.actions import Checkpoint, ExplorerFault, Move, Percept
 from processes import PATIENCE
@@ -366,3 +373,24 @@ def test_a_line_is_sent_when_earlier_lines_are_read(program, full_pipe, monkeypa
     monkeypatch.undo()
     assert asked == [(program._in_to, select.POLLOUT), 3000]
     assert os.read(full_pipe, 100) == b"line\n"
+
+
+@pytest.mark.parametrize(("length", "legal"), [(10, True), (11, False)])
+def test_a_line_has_a_largest_length(length, legal, monkeypatch):
+    monkeypatch.setattr(program_module, "LONGEST_LINE", 10)
+    said = bytearray(b"x" * length)
+
+    def read(_left):
+        said.extend(b"\nmore")
+        return True
+
+    def fault(law, seen, *_, **__):
+        return ValueError(f"{law}: {seen}")
+
+    player = SimpleNamespace(_timeout=1000, _out=said, _read=read, _fault=fault)
+    if legal:
+        assert Program._line(player) == b"x" * 10
+        assert said == b"more"
+    else:
+        with pytest.raises(ValueError, match=r"^illegal-action: a line of over 10 bytes$"):
+            Program._line(player)

@@ -312,3 +312,19 @@ def test_a_file_with_one_explorer_is_enough(tmp_path):
 def test_what_is_neither_name_nor_function_has_none():
     with pytest.raises(InputError, match="neither a name nor a function"):
         allworlds.shield(3)
+
+
+@pytest.mark.parametrize(("published", "legal"), [(1000, True), (1001, False)])
+def test_a_guest_publishes_at_most_a_thousand_checkpoints_between_two_motions(published, legal):
+    def publishes(first):
+        for _ in range(published):
+            yield Checkpoint((1, 0), (1, 0), 0)
+        yield Move(0)
+
+    log, here = shield_module.begun(Percept(2, 1, 0))
+    guest = shield_module._Guest(log, here, publishes)
+    if legal:
+        assert guest.next_dart() == log.turn(log.canonical(here), 0)
+    else:
+        with pytest.raises(ValueError, match=r"^1001 checkpoints between two motions$"):
+            guest.next_dart()

@@ -13,7 +13,7 @@ from types import SimpleNamespace
 import pytest
 
 from allworlds.cli.app import call
-from allworlds.inputs.checks import InputError, did_you_mean
+from allworlds.inputs.checks import InputError, at_most, did_you_mean, show
 from allworlds.studies.check.exhaustive import check
 from ground.cases import KINDS, cases
 from ground.law import LONGEST, Case, Said, said, tried, written, wrong
@@ -145,3 +145,16 @@ def test_a_name_that_is_nearly_one_is_told():
     assert did_you_mean("sun", ["folding", "algorithm1"]) == ""
     with pytest.raises(InputError, match="did you mean 'algorithm1'"):
         check("algorthm1", edges=1)
+
+
+@pytest.mark.parametrize(("letters", "whole"), [(198, True), (199, False)])
+def test_of_a_value_two_hundred_characters_are_shown(letters, whole):
+    shown = show("x" * letters)
+    assert len(shown) == 200
+    assert shown == (f"'{'x' * 198}'" if whole else f"'{'x' * 196}...")
+
+
+def test_what_is_too_big_is_refused_with_the_largest_value():
+    at_most("edges", 1000, 1000)
+    with pytest.raises(InputError, match=r"^edges = 1001 is too big; at most 1,000 is legal$"):
+        at_most("edges", 1001, 1000)

@@ -433,3 +433,24 @@ def test_a_bound_that_is_nested_too_deeply_for_what_is_left_of_the_stack_is_refu
     left = sys.getrecursionlimit() - len(inspect.stack())
     with pytest.raises(InputError, match=r"^bound of 199 characters is nested too deeply$"):
         value(left - 50)
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1**64", 1),
+        ("m**0", 1),
+        ("2**64", 2**64),
+        ("(2**63)**64", 2 ** (63 * 64)),
+        ("1**65", "raises to the power 65; legal are 0..64"),
+        ("m**(0 - 1)", "raises to the power -1; legal are 0..64"),
+        ("(2**64)**64", "has a value of over 4096 bits"),
+    ],
+)
+def test_a_power_is_from_0_to_64(text, value):
+    bound = bound_named(text)
+    if isinstance(value, int):
+        assert bound.value(1, 1, 1, 1, 1, 0) == value
+    else:
+        with pytest.raises(InputError, match=value):
+            bound.value(1, 1, 1, 1, 1, 0)

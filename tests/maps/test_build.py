@@ -8,6 +8,7 @@ from allworlds.maps import (
     CombinatorialMap,
     InvalidMap,
     automorphisms,
+    build,
     from_cycles,
     from_rotation,
     isomorphism,
@@ -316,3 +317,37 @@ def test_holes_are_a_fraction(holes):
 def test_a_size_without_an_edge_is_refused(build, named):
     with pytest.raises(ValueError, match=named):
         build()
+
+
+@pytest.mark.parametrize(
+    ("family", "least"),
+    [("bouquet", 1), ("cycle", 1), ("dipole", 1), ("path", 2), ("star", 1), ("wheel", 3)],
+)
+def test_a_named_map_has_a_least_and_a_largest_number(family, least, monkeypatch):
+    assert named_map(f"{family}-{least}").edge_count >= 1
+    monkeypatch.setitem(build._NUMBERED, family, (least, lambda number: number))
+    assert [named_map(f"{family}-{n}") for n in (least, 10_000)] == [least, 10_000]
+    for wrong in (least - 1, 10_001, 10_000_000, 10**30):
+        told = f"'{family}-{wrong}' is no map: .* an integer N >= {least}, and at most 10000"
+        with pytest.raises(ValueError, match=told):
+            named_map(f"{family}-{wrong}")
+
+
+@pytest.mark.parametrize(
+    ("made", "edges"),
+    [
+        (lambda: lattice(1, 2), 1),
+        (lambda: lattice(2, 1), 1),
+        (lambda: dense(2), 1),
+        (lambda: cycle(1), 1),
+        (lambda: lattice(3, 3, 0), 12),
+    ],
+)
+def test_the_smallest_map_of_a_kind_has_an_edge(made, edges):
+    assert made().edge_count == edges
+
+
+def test_all_edges_but_those_of_a_tree_may_be_holes():
+    assert cycle(3).edge_count == 3
+    with pytest.raises(ValueError, match=r"holes = 1 would remove 1 of 1 edges, but at most 0 can"):
+        lattice(1, 2, 1)

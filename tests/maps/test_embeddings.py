@@ -184,3 +184,12 @@ def test_what_has_no_embedding_is_refused_at_once(graph, said):
 def test_a_genus_that_is_none_is_refused_at_once(genus):
     with pytest.raises(InputError, match=f"genus = {genus!r}"):
         embeddings(GRAPHS["k4"], genus=genus)
+
+
+@pytest.mark.parametrize(("genus", "count"), [(0, 1), (1, 1), (2, 0)])
+def test_embeddings_have_a_genus_of_at_least_0(genus, count):
+    """Three parallel edges have two embeddings up to isomorphism: in the plane and on the torus."""
+    theta = nx.MultiGraph([(0, 1)] * 3)
+    assert len([*embeddings(theta, genus=genus)]) == count
+    with pytest.raises(InputError, match=r"^genus = -1; legal is an integer of at least 0$"):
+        embeddings(theta, genus=-1)

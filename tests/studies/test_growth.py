@@ -387,3 +387,14 @@ def test_an_exponent_has_three_digits(monkeypatch):
     monkeypatch.setattr("allworlds.studies.compare.intervals.power", lambda _: power)
     found = _exponent(SimpleNamespace(rows=[]), "cubic", "mine")
     assert (found.exponent, found.interval) == (1.235, (1.111, 2.0))
+
+
+@pytest.mark.parametrize(
+    ("option", "least"), [("to", 12), ("draws", 1), ("places", 1), ("seed", 0)]
+)
+def test_numbers_of_worlds_that_grow_have_a_least_value(option, least):
+    asked = {"family": ["lattice"], "to": 12, "draws": 1, "places": 1, "seed": 0}
+    report = compare("algorithm1", **{**asked, option: least})
+    assert [(row.edges, row.worlds, row.runs) for row in report.rows] == [(12, 1, 1)]
+    with pytest.raises(InputError, match=f"{option} = {least - 1} is less than {least}$"):
+        compare("algorithm1", **{**asked, option: least - 1})

@@ -201,3 +201,8 @@ def test_poses_weigh_a_member_by_its_symmetries():
     # Three parallel edges: each of the two members has all three rotations about v0.
     assert [automorphisms(w.map) for w in class_of(world("theta")).worlds] == [6, 6]
     assert class_of(world("theta")).poses == 2
+
+
+def test_a_limit_of_one_lists_the_world_itself():
+    found = class_of(world("bouquet-2"), limit=1)
+    assert len(found.worlds) == 1

@@ -3,6 +3,7 @@
 import io
 import json
 import sys
+from types import SimpleNamespace
 
 import pytest
 
@@ -10,6 +11,8 @@ from allworlds import Drop, Move, Pick
 from allworlds.cli.app import call
 from allworlds.explorers.loading import HASH_SEED
 from allworlds.inputs.checks import InputError
+from allworlds.maps.build import cycle
+from allworlds.studies import run as run_module
 from allworlds.studies.run import _asked_hash_seed, play
 from allworlds.world import Directional, Movable, World
 from allworlds.world.named import map_of_family
@@ -121,3 +124,21 @@ def test_a_page_that_cannot_be_written_is_refused_before_anything_is_done(tmp_pa
 def test_the_hash_seed_of_the_environment_is_that_of_a_run(named, seed, monkeypatch):
     monkeypatch.setenv(HASH_SEED, named)
     assert _asked_hash_seed() == seed
+
+
+@pytest.mark.parametrize(
+    ("edges", "kind", "cost"),
+    [
+        (200, "directional", "algorithm1"),
+        (201, "directional", None),
+        (3, "door", "algorithm1-door"),
+        (3, "compass", None),
+    ],
+)
+def test_algorithm_1_is_run_beside_in_worlds_that_are_not_too_large(edges, kind, cost, monkeypatch):
+    def played(subject, *_):
+        return SimpleNamespace(cost=subject.name)
+
+    monkeypatch.setattr(run_module.single, "single_run", played)
+    world = World(cycle(edges), kind, 0)
+    assert run_module._cost_of_algorithm1(world) == cost

@@ -485,3 +485,25 @@ def test_a_worker_of_a_cluster_has_one_lane_without_a_time_limit(monkeypatch):
     assert "def waits" in str(sent.subjects[0])
     assert (alone.workers, alone.time_limit) == (1, None)
     assert made.probe() == ""
+
+
+LEAST = {
+    "robots": 1,
+    "budget": 1,
+    "within": 1,
+    "lead": 1,
+    "start_delay": 0,
+    "configurations": 1,
+    "max_findings": 1,
+}
+
+
+@pytest.mark.parametrize(("name", "least"), LEAST.items())
+def test_numbers_of_a_team_have_a_least_value(name, least):
+    asked = {"explorers": ("a", "b"), "edges": 1, "model": "meeting"}
+    assert getattr(TeamRequest(**asked, **{name: least}), name) == least
+    told = f"{name.replace('_', '-')} = {least - 1} is less than {least}, the least one"
+    if name == "max_findings":
+        told = "max-findings 0 is not positive and finite"
+    with pytest.raises(InputError, match=told):
+        TeamRequest(**asked, **{name: least - 1})

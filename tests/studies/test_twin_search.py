@@ -12,7 +12,7 @@ from allworlds.engines.listeners import NOBODY
 from allworlds.inputs.checks import InputError
 from allworlds.maps import CombinatorialMap
 from allworlds.studies.ambiguity import solvers, twin_search as searching
-from allworlds.studies.ambiguity.question import Size, Sizes
+from allworlds.studies.ambiguity.question import Question, Size, Sizes
 from allworlds.studies.ambiguity.twin_search import bisimulation
 from allworlds.world import Directional, Position, World
 from allworlds.world.bisimulation import flaw
@@ -354,3 +354,32 @@ def test_pairs_that_are_one_world_are_counted_and_told():
 def test_sizes_that_no_degrees_can_have_are_left_out(degrees, wanted):
     sizes = [one for one, _ in question("position", "maps", 5, 4, **degrees).sizes()]
     assert [(size.edges, size.fewest, size.most) for size in sizes] == wanted
+
+
+@pytest.mark.parametrize("name", ["vertices", "edges"])
+def test_a_question_is_of_maps_up_to_a_size(name, monkeypatch):
+    monkeypatch.setattr(Question, "words", {})  # stars of each degree, made one by one
+    for legal in (1, 100_000):
+        asked = {"vertices": 1, "edges": 1, name: legal}
+        assert getattr(question("position", "maps", **asked), name) == legal
+    for wrong, told in (
+        (0, f"{name} = 0, but a map has at least 1"),
+        (100_001, f"{name} = 100001 is too big; at most 100,000 is legal"),
+    ):
+        with pytest.raises(InputError, match=told):
+            question("position", "maps", **{"vertices": 1, "edges": 1, name: wrong})
+
+
+@pytest.mark.parametrize("name", ["degree_marked", "degree_others"])
+def test_a_vertex_of_a_question_has_a_dart_at_least(name):
+    assert getattr(question("position", "maps", 2, 1, **{name: 1}), name) == 1
+    told = f"{name.replace('_', '-')} = 0, but every vertex has at least 1 dart"
+    with pytest.raises(InputError, match=told):
+        question("position", "maps", 2, 1, **{name: 0})
+
+
+def test_solvers_are_waited_for_at_most_a_million_seconds(tmp_path):
+    asked = {"lighthouse": "position", "vertices": 1, "edges": 1, "out": tmp_path}
+    with pytest.raises(InputError, match="time-limit = 1000001 is too big; at most 1,000,000 is"):
+        allworlds.search(time_limit=1_000_001, **asked)
+    assert allworlds.search(time_limit=1_000_000, **asked).status == "unsat"
