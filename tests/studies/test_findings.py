@@ -12,11 +12,11 @@ from allworlds.studies.findings import FindingWords
 @pytest.fixture
 def report(tmp_path):
     """A file with a report, as a function of the number of its findings."""
-    (finding,) = allworlds.check("dudek91", edges=2).findings
+    document = allworlds.check("dudek91", edges=2).to_json()
 
     def written(count):
         file = tmp_path / "report.json"
-        file.write_text(json.dumps({"findings": [finding.to_json()] * count}))
+        file.write_text(json.dumps({**document, "findings": document["findings"] * count}))
         return str(file)
 
     return written
