@@ -1,13 +1,15 @@
 """Programs of robots that hang, end, flood, or are not the same twice, in other processes."""
 
 import pytest
+from small import slowest
 
 from allworlds.outcome import Verdict
 from studies.test_team import team
 
 
 @pytest.mark.parametrize(
-    ("program", "law"), [("hangs", "timeout"), ("exits", "crash"), ("raises", "crash")]
+    ("program", "law"),
+    [slowest("hangs", "timeout"), ("exits", "crash"), ("raises", "crash")],
 )
 def test_a_process_that_is_lost_is_a_finding_and_takes_nothing_with_it(program, law):
     report = team(program, model="meeting", answer_timeout=2.0)
