@@ -6,8 +6,6 @@ import os
 import select
 import sys
 from contextlib import suppress
-
-
 from types import SimpleNamespace
 
 import pytest
@@ -15,10 +13,6 @@ import pytest
 from allworlds import check, run
 from allworlds.explorers import program as programs
 from allworlds.explorers.program import Program, answering, message_of
-
-
-from allworlds.explorers import program as program_module
-from allworlds.explorers.program import Program, message_of
 from allworlds.inputs.checks import InputError
 from allworlds.protocol.actions import Checkpoint, ExplorerFault, Move, Percept
 from processes import PATIENCE
@@ -377,7 +371,7 @@ def test_a_line_is_sent_when_earlier_lines_are_read(program, full_pipe, monkeypa
 
 @pytest.mark.parametrize(("length", "legal"), [(10, True), (11, False)])
 def test_a_line_has_a_largest_length(length, legal, monkeypatch):
-    monkeypatch.setattr(program_module, "LONGEST_LINE", 10)
+    monkeypatch.setattr(programs, "LONGEST_LINE", 10)
     said = bytearray(b"x" * length)
 
     def read(_left):

@@ -1,4 +1,4 @@
-"""What a run directory keeps: which job it belongs to, and the results of finished units as JSON.
+"""The contents of a run directory: which job it belongs to, and results of units as JSON.
 
 The form of a result follows from the types of its fields.  A struct or a dataclass is kept by its
 fields.  A counter, or a dictionary whose keys are not texts, is kept as a list of pairs.  A type

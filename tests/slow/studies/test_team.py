@@ -1,9 +1,9 @@
 """Programs of robots that hang, end, flood, or are not the same twice, in other processes."""
 
 import pytest
-from small import slowest
 
 from allworlds.outcome import Verdict
+from small import slowest
 from studies.test_team import team
 
 
