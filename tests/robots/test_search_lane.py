@@ -66,13 +66,16 @@ def test_maps_without_a_start_are_passed_by_when_a_world_is_sought(team):
     assert {len(each.map.faces) for each in blamed} == {2}
 
 
-def test_a_process_of_the_second_play_that_is_lost_once_is_a_remark(team, monkeypatch):
-    class Losing(ProgramPlayer):
-        def plays(self, histories):
-            self._remark("a process was lost once: signal 9")
-            return super().plays(histories)
+@pytest.mark.parametrize("method", ["replies", "plays"])  # of the first play, of the second one
+def test_a_process_that_is_lost_once_is_a_remark(team, monkeypatch, method):
+    lost = iter(["a process was lost once: signal 9"])
 
-    monkeypatch.setattr(search_lane, "ProgramPlayer", Losing)
+    def losing(player, asked):
+        for remark in lost:
+            player._remark(remark)
+        return getattr(ProgramPlayer, method)(player, asked)
+
+    monkeypatch.setattr(search_lane, "ProgramPlayer", type("P", (ProgramPlayer,), {method: losing}))
     remarks = team("waits", "waits", model="meeting", edges=1).remarks
     assert remarks == ("a process was lost once: signal 9",)
 

@@ -25,6 +25,7 @@ from allworlds.studies.check import exhaustive as checker
 from allworlds.studies.check.report import CheckRequest, _remarks
 from allworlds.studies.check.tally_sweep import Confirmation, is_inside
 from allworlds.studies.run import run
+from allworlds.words import size
 from allworlds.world import Directional, World, worlds
 from bruteforce import rooted_maps_by_permutations as every_rooted_map
 from listeners import Hears
@@ -473,7 +474,7 @@ def test_a_crash_that_the_machine_may_have_caused_is_a_remark(crash, monkeypatch
     monkeypatch.setattr(Confirmation, "_again", lambda *_, number: replace(crash, machine=True))
     settled = Confirmation(IMPORTABLE, None, None, None, None)._settled(crash, number=0)
     assert settled == (
-        f"a crash in a world with 1 edges and {crash.key[1]} vertices (it is gone) that a fresh "
+        f"a crash in a world with {size(1, crash.key[1])} (it is gone) that a fresh "
         "process did not repeat"
     )
 

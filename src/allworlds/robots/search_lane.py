@@ -12,7 +12,6 @@ from collections.abc import Iterator, Sequence
 from itertools import islice
 from typing import Any
 
-from allworlds.documents.document import replace
 from allworlds.engines.batch import FIRST, SECOND
 from allworlds.engines.hash_seeds import seeds_of
 from allworlds.engines.limits import Limits
@@ -123,18 +122,21 @@ class SearchLane:
         while some := [*islice(every, AT_ONCE)]:
             searches = [search for _, search in some if isinstance(search, Search)]
             in_lockstep(searches, minds)
-            self._tally = self.counter.tally()
             for new, search in some:
                 world = search.world if isinstance(search, Search) else search
                 self._tally.row(world.map).maps += new
                 if isinstance(search, Search):
                     self._count(search)
-            yield self._tally
-        self._tally = self.counter.tally()
+            yield self._taken()
         for program, again in enumerate(self._players[SECOND]):
             if found := difference(minds.dialogues[program], again):
                 self._blame(unit, minds, program, found)
-        yield self._tally
+        yield self._taken()
+
+    def _taken(self) -> TeamTally:
+        """The tally of all since the last call; what comes now goes into a new one."""
+        taken, self._tally = self._tally, self.counter.tally()
+        return taken
 
     def _count(self, search: Search) -> None:
         map_, tally = search.world.map, self._tally
@@ -168,7 +170,7 @@ class SearchLane:
                 number, group, robot = at
                 seen = f"{found.first} in one play, {found.second} in another"
                 broken = Broken("nondeterministic", seen, number, group, robot=robot)
-                self._tally.find(replace(self._finding(search, broken)))
+                self._tally.find(self._finding(search, broken))
                 return
 
 

@@ -318,6 +318,13 @@ def test_a_hidden_marker_is_seen_again_after_the_next_step():
     assert [to.left for to, _ in steps] == [0]
 
 
+def test_a_robot_that_has_crashed_has_no_marker_that_could_be_hidden():
+    model, _ = model_of("hidden:1+crash:1+meeting")
+    state, *_ = model.initial(EDGE, (0, 1))
+    after = [to for to, _ in model.step(EDGE, state, {0: Move(0)})]
+    assert {model.sensed(EDGE, to, 0) for to in after} == {None, Percept(1, 1), Percept(1, 0)}
+
+
 def test_a_view_is_clockwise_unless_it_is_said_to_be_the_other_way():
     eyes, map_ = Eyes(1, 1), family("corridor:2")
     views = {way: [eyes.view(map_, [0], dart, way) for dart in map_.darts] for way in (1, -1)}

@@ -178,7 +178,8 @@ class Hidden(Wrapper):
     ) -> Iterator[tuple[FaultsState, str]]:
         seeing = state._replace(blind=state.blind - {*acts})
         for after, words in super().step(map_, seeing, acts):
-            marked = [robot for robot in acts if self.sensed(map_, after, robot).marks]
+            sensed = [(robot, self.sensed(map_, after, robot)) for robot in acts]
+            marked = [robot for robot, percept in sensed if percept and percept.marks]
             for count in range(min(state.left, len(marked)) + 1):
                 for robots in combinations(marked, count):
                     more = ", ".join(f"the marker is hidden from robot {robot}" for robot in robots)

@@ -190,9 +190,10 @@ class Question(Struct, frozen=True, dict=True):
         Letters are the marks that a robot senses at the hub of a star, under the lighthouse at its
         first place.  In a star every edge leads from the hub to a vertex of degree 1.
         """
+        if self.lighthouse in SEARCHED:
+            return {}
         stars = [named_map(f"star-{d}") for d in range(1, 2 * self.edges + 1)]
-        none = self.lighthouse in SEARCHED
-        first = {} if none else {map_: [*self.kind.places(map_, 0)][:1] for map_ in stars}
+        first = {map_: [*self.kind.places(map_, 0)][:1] for map_ in stars}
         return {map_.edge_count: letters_at(on[0], map_) for map_, on in first.items() if on}
 
     def sizes(self) -> Iterator[Sizes]:

@@ -30,6 +30,7 @@ from allworlds.judging.rules import Among, RuleOptions, Rules
 from allworlds.maps.classes import Extent, MapClass
 from allworlds.studies.check import hints
 from allworlds.studies.user_corpus import corpus_of
+from allworlds.words import size
 
 # ---------------------------------------------------------------- confirmed findings
 
@@ -123,11 +124,8 @@ class Confirmation(Struct, frozen=True):
             return replace(
                 again, law=broken.law, expected=broken.expected, seen=broken.seen, confirmed=True
             )
-        size = f"{found.key[0]} edges and {found.key[1]} vertices"
-        return (
-            f"a {found.law} in a world with {size} ({found.seen}) that a fresh process did "
-            "not repeat"
-        )
+        where = f"a world with {size(*found.key[:2])}"
+        return f"a {found.law} in {where} ({found.seen}) that a fresh process did not repeat"
 
     def _recorded(
         self, name: str, found: Finding, settle: Callable[[Finding], Finding | str]
