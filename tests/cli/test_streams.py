@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from allworlds.cli import run
+from allworlds.cli.output import prepare_streams
 from processes import PATIENCE
 
 
@@ -100,3 +101,26 @@ def test_a_question_without_a_newline_is_seen_before_its_answer(monkeypatch):
     monkeypatch.setattr(sys, "stderr", stream)
     run._say("> ")
     assert stream.buffer.getvalue() == b"> "
+
+
+@pytest.fixture
+def no_input(monkeypatch):
+    """A process that had no stdin at its start, whose place is taken by a pipe now."""
+    kept, (reading, writing) = os.dup(0), os.pipe()
+    os.write(writing, b"not for us")
+    os.dup2(reading, 0)
+    os.close(reading)
+    for name in ("stdin", "stdout", "stderr"):
+        monkeypatch.setattr(sys, name, None if name == "stdin" else getattr(sys, name))
+    yield
+    os.dup2(kept, 0)
+    os.close(kept)
+    os.close(writing)
+
+
+def test_a_stream_that_was_closed_is_one_that_is_empty(no_input):
+    before = len([*Path("/proc/self/fd").iterdir()])
+    prepare_streams()
+    assert os.read(0, 1) == b""
+    assert os.get_inheritable(0)
+    assert len([*Path("/proc/self/fd").iterdir()]) == before

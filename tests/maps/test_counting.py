@@ -10,6 +10,7 @@ import pytest
 import graph_atlas
 from allworlds.maps import counting
 from allworlds.maps.counting import (
+    NARROWED,
     SOURCES,
     catalan,
     rooted_maps,
@@ -321,3 +322,18 @@ def test_the_gate_shares_no_code_with_the_enumerator():
 def test_maps_whose_faces_have_four_darts_are_counted_down_to_one_vertex():
     # With two edges and one face: two rooted trees, and the torus with one vertex.
     assert counting.rooted_with_faces(2, 4, (0, 1)) == {1: 1, 2: 0, 3: 2}
+
+
+@pytest.mark.parametrize(
+    ("map_class", "source"),
+    [("maps", "Carrell-Chapuy recurrence"), ("simple", "substitution into planar maps")],
+)
+def test_maps_of_genus_0_of_a_class_are_the_planar_ones(map_class, source):
+    of_genus_0 = NARROWED["genus"](map_class, 0)
+    assert of_genus_0.name == source
+    planar = {"maps": "planar", "simple": "planar-simple"}[map_class]
+    for m in range(1, 6):
+        assert of_genus_0.count(m) == SOURCES[planar].count(m)
+    for same in ("planar", "planar-simple"):
+        assert NARROWED["genus"](same, 0) == SOURCES[same]
+        assert NARROWED["genus"](same, 1) is None

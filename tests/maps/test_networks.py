@@ -25,6 +25,8 @@ def test_the_graph_keeps_vertices_edges_ends_and_darts(name):
     map_ = named_map(name)
     graph = to_networkx(map_)
     assert isinstance(graph, nx.MultiGraph)
+    again = map_.to_networkx()
+    assert nx.utils.graphs_equal(again, graph)
     assert list(graph) == list(range(map_.vertex_count))
     assert sorted(graph.edges(keys=True, data="darts"), key=lambda edge: edge[2]) == [
         (map_.vertex_of[d], map_.vertex_of[e], d, (d, e))

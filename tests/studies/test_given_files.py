@@ -1,6 +1,7 @@
 """Worlds of files and embeddings of graphs, in the verbs that go through many worlds."""
 
 import json
+import pickle
 
 import networkx as nx
 import pytest
@@ -13,10 +14,12 @@ from allworlds.maps.combinatorial import rooted_code, unrooted_code
 from allworlds.maps.enumeration import history, rooted_maps
 from allworlds.maps.networks import embeddings
 from allworlds.notations.given import embeddings_of, files_of, worlds_of_files
+from allworlds.notations.table import graph_in
 from allworlds.reports.formats import file_of, text
 from allworlds.studies.check.time_estimate import estimate
 from allworlds.studies.worst.every_schedule import EverySchedule
 from allworlds.testing import assert_explores, levels_of
+from allworlds.world.labels import Labelling
 from allworlds.world.lighthouses.marked import Directional, Position
 from plan_files import NAMES, WRONG, as_json, of, write
 
@@ -372,3 +375,19 @@ def test_a_finding_of_a_comparison_has_the_names_of_the_file(tmp_path, monkeypat
     (finding,) = report.findings
     assert finding.world.labels.name == "lodge"
     assert {*finding.world.labels.vertices} == {"hall", "dining room"}
+
+
+def test_the_graph_of_a_file_with_rotations_is_the_graph_of_its_map(tmp_path):
+    file = write(tmp_path / "plan.json", as_json("k4"))
+    graph, labels = graph_in(file)
+    assert sorted(map(sorted, graph.edges())) == [[v, w] for v in range(4) for w in range(v + 1, 4)]
+    assert labels.vertices == ()
+    (tmp_path / "named.csv").write_text("from,to,from_rank,to_rank\nhall,bath,0,0\n")
+    assert graph_in(tmp_path / "named.csv")[1] == Labelling("", ("hall", "bath"))
+
+
+def test_other_processes_get_what_is_told_of_given_maps_and_not_the_maps(plans):
+    given = worlds_of_files(files_of(plans), None, None)
+    sent = pickle.loads(pickle.dumps(given))
+    assert {**vars(sent), "codes": 0} == {**vars(given), "_at": None, "_find": None, "codes": 0}
+    assert (sent.words, sent.codes) == (f"{len(NAMES)} worlds of plans.jsonl", given.codes)

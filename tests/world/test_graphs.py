@@ -184,6 +184,17 @@ ARROW = "has an arrow at one end: it leads one way"
             "edge from '0' to '1' is drawn as an arc, or",
         ),
         ("gml", in_gml(bent((0, 0))), "edge from '0' to '1' is drawn as an arc"),
+        ("gml", in_gml(door(0, 1, 'geometry "POINT (0 0)"')), "'0' to '1' is drawn as an arc"),
+        (
+            "gml",
+            in_gml(door(0, 1, 'geometry "LINESTRING (0 0, 1)"')),
+            "'0' to '1' is drawn as an arc",
+        ),
+        (
+            "gml",
+            in_gml(door(0, 1, 'geometry "LINESTRING (0 0, 1 b)"')),
+            "'0' to '1' is drawn as an arc",
+        ),
         ("gml", in_gml(door(0, 1, "edgeAnchor [ xSource 0.5 ]")), "'0' to '1' is drawn as an arc"),
         (
             "gml",

@@ -349,6 +349,7 @@ def test_a_line_of_sage_is_refused_by_its_number(text, why, tmp_path):
         ("from,to,from_rank,to_rank\n", "there is no world|2m darts"),
         ("from,to,from_rank,to_rank\na,b,0\n", "line 2: 3 cells; the header has 4"),
         ("from,to,from_rank,to_rank\na,b,0,0\na,c,0,0\n", "line 3: two edges at vertex 'a' have"),
+        ('from,to,from_rank,to_rank\na,b,0,0\n"a"c,b,1,1\n', "line 3: ',' expected after '\"'"),
         ("from,to,from_rank,to_rank\na,b,first,0\n", "line 2: rank 'first' is not a number"),
         ("from,to,from_rank,to_rank\na,b,0,0\nc,d,0,0\n", "'c' cannot be reached from"),
         ("from,to,from_rank,to_rank\n,b,0,0\n", "names\\[0\\] = '' is no printable"),
