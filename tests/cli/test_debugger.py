@@ -1,6 +1,7 @@
 """The debugger stops in the explorer where it begins to choose a step."""
 
 import io
+import signal
 import sys
 
 import pytest
@@ -21,6 +22,14 @@ def explore(first):
     step = "three"
     return Estimate(CombinatorialMap((0, 1), (1, 0)), 0)
 """
+
+
+@pytest.fixture(autouse=True)
+def interrupts_as_before():
+    """Give interrupts back to who had them: from ``c`` on the debugger takes them."""
+    before = signal.getsignal(signal.SIGINT)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 @pytest.fixture
