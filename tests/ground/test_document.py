@@ -134,6 +134,7 @@ class Read(Document):
     count: Positive = 1
     sizes: dict[str, int] | None = None
     verdict: Verdict | None = None
+    verdicts: dict[str, Verdict] | None = None
 
 
 def test_what_is_written_is_read():
@@ -158,6 +159,10 @@ def test_what_is_written_is_read():
         (
             {"name": "a", "sizes": {"x": 1, "y": "b"}},
             "sizes[...] = {'x': 1, 'y': 'b'}: expected int, got str",
+        ),
+        (
+            {"name": "a", "verdicts": {"x": "true"}},
+            "verdicts[...] = {'x': 'true'} is not one of holds, refuted, inconclusive, vacuous, er",
         ),
         (
             {"name": "a", "verdict": "true"},

@@ -30,7 +30,7 @@ def parse(document: object, kind: type[T], what: str) -> T:
         if isinstance(error.__cause__, InputError):
             raise error.__cause__ from None
         said, path = _PLACED.fullmatch(str(error)).groups("")  # type: ignore[union-attr]
-        steps = path.lstrip(".").replace("[", ".[").split(".") if path else []
+        steps = _STEP.findall(path)
         where = f"{path.lstrip('.')} = {show(_at(document, steps))}" if path else what
         legal = ", ".join(map(str, _legal(inspect.type_info(kind), steps)))
         if legal and said.startswith("Invalid enum"):
@@ -43,6 +43,9 @@ def parse(document: object, kind: type[T], what: str) -> T:
 
 _PLACED = re.compile(r"(.*?)(?: - at `(?:key` in `)?\$([^`\n]*)`)?", re.DOTALL)
 """An error of msgspec: its words, and the path of the value."""
+
+_STEP = re.compile(r"\[[^]]*\]|[^.[]+")
+"""A step of such a path: a key, an index as ``[0]``, or ``[...]`` for a value of a dictionary."""
 
 
 def _at(document: Any, steps: Iterable[str]) -> object:
