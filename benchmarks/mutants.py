@@ -349,8 +349,13 @@ class Copy:
         return sorted(chosen, key=lambda each: files.index(each.partition("::")[0]))
 
     def _files_that_name(self, name: str) -> set[str]:
-        paths = self.tree.joinpath("tests").rglob("test_*.py")
-        return {str(each.relative_to(self.tree)) for each in paths if name in each.read_text()}
+        """The files of tests that have this name in them, or in a text beside them."""
+        found = set[str]()
+        for path in self.tree.joinpath("tests").rglob("test_*.py"):
+            texts = (each.read_text() for each in (path, path.with_suffix(".txt")) if each.exists())
+            if any(name in text for text in texts):
+                found.add(str(path.relative_to(self.tree)))
+        return found
 
     def try_all(self, mutants: dict[int, Mutant], seconds: float) -> None:
         """Try mutants after the collection of tests; those that are met before it, from anew."""

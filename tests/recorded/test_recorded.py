@@ -2,7 +2,6 @@
 
 import pytest
 
-from recorded.contracts import FILE, contracts
 from recorded.record import COMMANDS, RECORDS, record
 
 pytestmark = pytest.mark.usefixtures("compiled")
@@ -30,7 +29,3 @@ def test_every_record_has_its_command():
 @pytest.mark.parametrize("name", sorted(COMMANDS.keys() - DEAR))
 def test_what_is_said_is_what_is_recorded(name, tmp_path):
     assert record(name, str(tmp_path)) == (RECORDS / f"{name}.txt").read_text(encoding="utf-8")
-
-
-def test_what_users_programs_rely_on_is_what_is_recorded():
-    assert contracts() == FILE.read_text(encoding="utf-8")

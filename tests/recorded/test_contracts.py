@@ -1,6 +1,6 @@
 """What users' programs rely on, one line each: functions, their defaults, options and documents.
 
-``python tests/recorded/contracts.py`` writes ``contracts.txt`` anew; what then differs is a
+``python tests/recorded/test_contracts.py`` writes the text anew; what then differs is a
 change that users see.
 """
 
@@ -16,9 +16,13 @@ from allworlds.robots.models.table import MODELS, WRAPPERS
 from allworlds.verbs import VERBS
 from allworlds.world.lighthouses.kinds import LIGHTHOUSES
 
-FILE = Path(__file__).parent / "contracts.txt"
+FILE = Path(__file__).with_suffix(".txt")
 TOLD_ELSEWHERE = {"title", "description", "properties", "$defs", "$schema", "$id"}
 MODULES = ("", "ambiguity", "claims", "maps", "robots", "strategies", "testing", "world")
+
+
+def test_what_users_programs_rely_on_is_what_is_recorded():
+    assert contracts() == FILE.read_text(encoding="utf-8")
 
 
 def contracts() -> str:
