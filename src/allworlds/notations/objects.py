@@ -64,7 +64,7 @@ def rotation_of(entry: Entry) -> dict[str, list[str | list[str | int]]]:
 
 
 def doors_of(entry: Entry) -> list[list[str | list[str | int]]]:
-    """The neighbours of each vertex, clockwise; parallel edges and loops have keys."""
+    """The neighbours of each vertex, clockwise; edges with the same ends have keys."""
     map_, at_ = entry.map, entry.map.vertex_of
     edge = {dart: number for number, darts in enumerate(map_.edges) for dart in darts}
     ends = [frozenset((at_[d], at_[e])) for d, e in map_.edges]

@@ -63,8 +63,8 @@ class ConvertRow(Document):
     doors: Annotated[
         tuple[tuple[str, ...], ...],
         about(
-            "of each vertex, clockwise, the vertices to which its edges lead; with a number where "
-            "edges are parallel, or loops: both ends have it"
+            "of each vertex, clockwise, the vertices to which its edges lead; where two edges have "
+            "the same ends, with a number, which both ends of an edge have"
         ),
     ]
 
