@@ -51,6 +51,15 @@ def opened(run, job=JOB):
         return [records.result(f"2:-{number}") for number in range(10)]
 
 
+def test_a_directory_that_is_opened_again_keeps_units_as_fast_as_a_new_one(finished):
+    connection = run_directory.opened(finished)._connection
+    (mode,), (synchronous,) = (
+        connection.execute(f"PRAGMA {name}").fetchone() for name in ("journal_mode", "synchronous")
+    )
+    connection.close()
+    assert (mode, synchronous) == ("wal", 1)  # NORMAL
+
+
 def test_what_is_kept_is_there_again(finished):
     assert opened(finished) == [{"rows": [number] * 9} for number in range(9)] + [None]
     with reading(finished) as read:

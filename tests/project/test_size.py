@@ -23,7 +23,7 @@ class Size(NamedTuple):
     lines: int
 
 
-MOST = 31_747
+MOST = 31_745
 """Lines of code of ``src/allworlds``."""
 
 MOST_OF_WING = {
