@@ -6,7 +6,6 @@ import os
 import select
 import sys
 from contextlib import suppress
-from types import SimpleNamespace
 
 import pytest
 
@@ -326,6 +325,20 @@ def test_a_line_has_so_many_bytes_at_most(program, monkeypatch):
         assert (fault.value.law, fault.value.seen) == (law, seen)
 
 
+def test_a_line_of_the_largest_length_is_read_to_its_end(program, monkeypatch):
+    monkeypatch.setattr(programs, "LONGEST_LINE", 10)
+    program._timeout = 1000
+
+    def read(_left):
+        program._out += b"\nmore"
+        return True
+
+    monkeypatch.setattr(program, "_read", read)
+    program._out[:] = b"x" * 10
+    assert program._line() == b"x" * 10
+    assert program._out == b"more"
+
+
 @pytest.fixture
 def full_pipe(program):
     """The end from which nobody has read what fills the pipe to a program."""
@@ -367,24 +380,3 @@ def test_a_line_is_sent_when_earlier_lines_are_read(program, full_pipe, monkeypa
     monkeypatch.undo()
     assert asked == [(program._in_to, select.POLLOUT), 3000]
     assert os.read(full_pipe, 100) == b"line\n"
-
-
-@pytest.mark.parametrize(("length", "legal"), [(10, True), (11, False)])
-def test_a_line_has_a_largest_length(length, legal, monkeypatch):
-    monkeypatch.setattr(programs, "LONGEST_LINE", 10)
-    said = bytearray(b"x" * length)
-
-    def read(_left):
-        said.extend(b"\nmore")
-        return True
-
-    def fault(law, seen, *_, **__):
-        return ValueError(f"{law}: {seen}")
-
-    player = SimpleNamespace(_timeout=1000, _out=said, _read=read, _fault=fault)
-    if legal:
-        assert Program._line(player) == b"x" * 10
-        assert said == b"more"
-    else:
-        with pytest.raises(ValueError, match=r"^illegal-action: a line of over 10 bytes$"):
-            Program._line(player)
