@@ -49,7 +49,9 @@ class Covered:
         package = Path(importlib.util.find_spec("allworlds").origin).parent
         files = slipcover.FileMatcher([package], ["*/engines/kernel/*"])
         self.slipcover, self.least, self.found = slipcover, least, None
-        self.marks = slipcover.Slipcover(source=[str(package)], omit=files.omit, branch=True)
+        self.marks = slipcover.Slipcover(
+            source=[str(package)], omit=files.omit, branch=True, immediate=True
+        )
         sys.meta_path.insert(0, Marking(self.marks, files))
 
     def add(self, found):

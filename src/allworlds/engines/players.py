@@ -315,15 +315,13 @@ class PlayerProcess:
                 return None
             if letter in (player.LOGS, player.NO_ROOM) and self.jobs:
                 job, asked = self.jobs[0]
-                runs = asked["runs"]
-                logs = None if letter == player.NO_ROOM else Logs(message, runs, at=1)
+                logs = None if letter == player.NO_ROOM else Logs(message, asked["runs"], at=1)
                 self.jobs.popleft()
                 self._seen, self._since = None, time.monotonic()
                 return job, logs
         except (ValueError, TypeError, EOFError):
             pass
-        seen = "what a player has said is none of its messages"
-        raise Lost("crash", seen, machine=False)
+        raise Lost("crash", "what a player has said is none of its messages", machine=False)
 
     def _hear_prints(self) -> None:
         with suppress(OSError):
@@ -363,9 +361,7 @@ class PlayerProcess:
         Raises:
             InputError: if the explorer has ended the process while it was loaded.
         """
-        deadline = time.monotonic() + GRACE
-        while (code := self._code()) is None and time.monotonic() < deadline:
-            time.sleep(0.005)
+        code = self._code_after_grace()
         how = "the end of the process's pipe"
         if code is not None:
             how = f"the end of the process ({words.ended_by(code)})"
@@ -385,6 +381,13 @@ class PlayerProcess:
             if pid:
                 self._status = os.waitstatus_to_exitcode(status)
         return self._status
+
+    def _code_after_grace(self) -> int | None:
+        """The exit code, after a wait of at most :data:`GRACE` seconds for the end."""
+        deadline = time.monotonic() + GRACE
+        while self._code() is None and time.monotonic() < deadline:
+            time.sleep(0.005)
+        return self._code()
 
     @property
     def lives(self) -> bool:
@@ -420,17 +423,16 @@ class PlayerProcess:
         below = linux.descendants(self.pid)
         self._link.close()
         if is_program(self.setup.subject.name):  # so that it ends its program
-            deadline = time.monotonic() + GRACE
-            while self._code() is None and time.monotonic() < deadline:
-                time.sleep(0.01)
+            if self.jobs and self.lives:  # it may be waiting for a silent program
+                os.kill(self.pid, signal.SIGTERM)
+            self._code_after_grace()
         with suppress(ProcessLookupError, PermissionError):
             os.killpg(self.pid, signal.SIGKILL)
         for pid in below:
             with suppress(ProcessLookupError, PermissionError):
                 os.kill(pid, signal.SIGKILL)
-        if self._code() is None:
-            _, status = os.waitpid(self.pid, 0)
-            self._status = os.waitstatus_to_exitcode(status)
+        while self.lives:
+            time.sleep(0.001)
         for pid in below:  # adopted processes must be waited for
             with suppress(ChildProcessError):
                 os.waitpid(pid, 0)

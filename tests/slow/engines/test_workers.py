@@ -1,9 +1,11 @@
 """Whatever an explorer does to its process, the check ends soon and says what was wrong."""
 
+import signal
+
 import pytest
 
 import small
-from allworlds.engines.players import GRACE
+from allworlds.engines.players import GRACE, PlayerProcess
 from allworlds.judging.findings.finding import Finding
 from allworlds.studies.check.exhaustive import check
 from allworlds.studies.run import replay, run
@@ -118,12 +120,20 @@ def test_a_program_that_does_not_end_with_its_input_is_ended(program, tmp_path, 
 
 @pytest.mark.parametrize("time_limit", [0.3, small.slowest(1.5)])
 def test_a_program_in_the_middle_of_a_run_is_ended_with_the_check(
-    program, tmp_path, gone, time_limit
+    program, tmp_path, gone, time_limit, monkeypatch
 ):
+    close, ended_by = PlayerProcess.close, []
+
+    def closed(player):
+        close(player)
+        ended_by.append(player._code())
+
+    monkeypatch.setattr(PlayerProcess, "close", closed)
     name = program("silent", tmp_path / "pids")
     report = check(name, edges=1, answer_timeout=PATIENCE, time_limit=time_limit)
     assert (report.exit_code, report.runs) == (3, 0)
     assert gone(tmp_path / "pids")
+    assert ended_by == [-signal.SIGTERM]  # it was asked, and nobody waited for it in vain
 
 
 @pytest.mark.slowest
