@@ -1,5 +1,6 @@
 """Compiled code is kept, and used again as long as the sources are the same."""
 
+import gc
 import pickle
 import signal
 import subprocess
@@ -10,9 +11,9 @@ import pytest
 
 from allworlds import check
 from allworlds.engines import compiled_engine, linux
-from allworlds.engines.kernel import compiling
+from allworlds.engines.kernel import compiling, library_player
 from allworlds.engines.kernel.compiling import is_compiled
-from allworlds.engines.kernel.engine import in_another_process
+from allworlds.engines.kernel.engine import LaidOutRuns, UnitJudge, in_another_process
 from allworlds.engines.kernel.runs import examine
 from processes import PATIENCE
 
@@ -28,6 +29,16 @@ def test_what_other_sources_kept_is_not_read(monkeypatch, tmp_path):
 
 def test_what_cannot_be_kept_is_not_there():
     assert not is_compiled(lambda: None)
+
+
+def test_without_a_folder_to_write_to_a_function_is_compiled_all_the_same(monkeypatch):
+    def compiler(*, cache=False):
+        if cache:
+            raise RuntimeError("no locator available")
+        return lambda function: ("compiled", function)
+
+    monkeypatch.setattr(compiling, "_njit", compiler)
+    assert compiling.entry(len) == ("compiled", len)
 
 
 @pytest.mark.processes
@@ -62,3 +73,29 @@ def test_a_compiler_that_is_not_waited_for_makes_way(monkeypatch):
     monkeypatch.setattr(compiled_engine.kernel, "in_another_process", asked.append)
     compiled_engine.compile_apart()
     assert "os.nice(19);" in asked[0]
+
+
+@pytest.mark.parametrize("missing", [None, examine, library_player.play])
+def test_all_code_that_reads_or_writes_logs_is_kept_or_none_counts_as_kept(missing, monkeypatch):
+    monkeypatch.setattr(compiled_engine, "is_compiled", lambda function: function is not missing)
+    assert compiled_engine.is_kept() is (missing is None)
+
+
+def test_code_is_loaded_without_a_run(monkeypatch):
+    asked = []
+
+    class Noted(UnitJudge):
+        def lay_out(self, most):
+            asked.append(super().lay_out(most))
+            return asked[-1]
+
+        def judge(self, batch, size):
+            asked.append((batch, size))
+            return super().judge(batch, size)
+
+    monkeypatch.setattr(compiled_engine.kernel, "UnitJudge", Noted)
+    monkeypatch.setattr(library_player, "load_player", lambda: asked.append(gc.isenabled()))
+    compiled_engine.load_native()
+    nothing = LaidOutRuns(runs=0, first=0, until=0, last=True)
+    assert asked == [nothing, (nothing, 0), False]
+    assert gc.isenabled()

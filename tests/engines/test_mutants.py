@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from allworlds import check
+from allworlds import Estimate, check
 from allworlds.documents.document import replace
 from allworlds.engines import compiled_engine as compiled
 from allworlds.engines.compiled_engine import AGREED, UNBOUNDED, bounds_of
@@ -14,14 +14,17 @@ from allworlds.engines.kernel.capabilities import POLICIES
 from allworlds.engines.kernel.engine import judge, walk
 from allworlds.engines.kernel.runs import UNDEFINED
 from allworlds.engines.tally import EnginesDisagree, Tally
-from allworlds.engines.units import LevelUnit, Scope
-from allworlds.explorers.loading import load
+from allworlds.engines.units import LevelUnit, Scope, units_of_level
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+from allworlds.explorers.loading import in_process_subject, load
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent, condition_named
-from allworlds.maps.combinatorial import CombinatorialMap
+from allworlds.maps.combinatorial import CombinatorialMap, rooted_code
 from allworlds.maps.enumeration import FINGERPRINTS, fingerprint, history, prefixes, rooted_maps
 from allworlds.studies.check.report import known_fingerprints
+from allworlds.world import Directional, World
+from small import EDGE, PLANE
 
 pytestmark = pytest.mark.usefixtures("compiled")
 
@@ -223,3 +226,38 @@ def test_what_only_the_kernel_blames_is_told_with_the_world_and_its_place(run, s
     engine = compiled.CompiledEngine(scope, load("algorithm1"), keep=1)
     with pytest.raises(EnginesDisagree, match=said):
         engine._blame(run, Tally(1))
+
+
+def wrong_at(bearing):
+    """An explorer that errs if v0 lies behind this door, or always."""
+
+    def explore(first):
+        if bearing in (first.bearing, "any"):
+            return Estimate(EDGE, 0)
+        return (yield from algorithm1(first))
+
+    return replace(in_process_subject(explore), explore=explore)
+
+
+@pytest.mark.parametrize(
+    ("bearing", "place", "law", "found"), [(1, 1, "map", 1), ("any", None, "", 0)]
+)
+def test_what_both_engines_blame_is_a_finding_of_its_place(bearing, place, law, found):
+    scope = Scope(Extent(MapClass.MAPS, 2), Rules())
+    engine, tally = compiled.CompiledEngine(scope, wrong_at(bearing), keep=1), Tally(1)
+    code = rooted_code(PLANE.sigma, PLANE.alpha, 0)
+    engine._blame(BrokenRun(1, *code, place, law), tally)
+    places = [*Directional.places(PLANE, 0)]
+    assert [finding.world for finding in tally.findings] == [World(PLANE, places[found], 0)]
+
+
+@pytest.mark.parametrize("keep", [1, 3])
+def test_the_compiled_engine_has_the_findings_of_the_python_engine(keep):
+    scope, subject = Scope(Extent(MapClass.MAPS, 2), Rules(bound="n - 1")), load("algorithm1")
+    engine = compiled.CompiledEngine(scope, subject, keep)
+    for unit in units_of_level(scope.extent, 2):
+        (tally,) = engine.parts(unit)
+        python = compiled.played_tally(scope, subject, unit)
+        assert tally.findings == python.findings[:keep]
+        assert (tally.rows, tally.keep) == (python.rows, keep)
+        assert all(tally.witnesses.values())
