@@ -11,7 +11,13 @@ from allworlds.engines import compiled_judge
 from allworlds.engines.batch import FIRST, Due, Work
 from allworlds.engines.compiled_judge import CompiledBatch, CompiledJudge
 from allworlds.engines.judge import PythonJudge
-from allworlds.engines.kernel.arrays import RUN_MOTIONS, RUN_NUMBER, RUN_PLACE, BrokenRun
+from allworlds.engines.kernel.arrays import (
+    RUN_BUDGET,
+    RUN_MOTIONS,
+    RUN_NUMBER,
+    RUN_PLACE,
+    BrokenRun,
+)
 from allworlds.engines.kernel.capabilities import LIGHTHOUSES
 from allworlds.engines.more_seeds import MoreSeeds
 from allworlds.engines.players import PlayerHere
@@ -276,6 +282,21 @@ def test_python_counts_a_batch_that_compiled_code_cannot_read(native):
 
 
 @pytest.mark.usefixtures("compiled")
+def test_a_batch_keeps_its_own_runs_while_the_next_ones_are_laid_out():
+    judge = judge_of("directional")
+    for batch in [*batches_of(judge, size=10)]:
+        batch.plain = False
+        assert judge.judge(batch)
+        outcomes = [batch.outcome(row).outcome for row in range(len(batch))]
+        assert batch.motioned[:, RUN_BUDGET].tolist() == batch.heads[:, RUN_BUDGET].tolist()
+        assert batch.motioned[:, RUN_MOTIONS].tolist() == [each.cost for each in outcomes]
+        assert len(batch.starts) == len(batch) + 1
+        assert len(batch.percepts) == 3 * sum(each.cost + 1 for each in outcomes)
+        some = [len(batch) - 1, 0]
+        assert judge.percepts(batch, some, [1, 0]) == judge.python.percepts(batch, some, [1, 0])
+
+
+@pytest.mark.usefixtures("compiled")
 def test_a_library_is_told_the_worlds_of_the_runs_that_it_is_asked_for():
     judge = judge_of("directional")
     judge.native = True
@@ -298,13 +319,16 @@ def test_a_batch_is_larger_if_a_library_plays_it(native):
     first, second, *_ = judge.batches(Work(unit, judge.counter.tally()), lambda: 10)
     asked = 10 * compiled_judge.LIBRARIES if native else 10
     assert asked <= len(first) < asked + 10
+    assert first.plain is not native
     assert second.laid.first == first.laid.until == len(first)
 
 
 @pytest.mark.usefixtures("compiled")
+@pytest.mark.parametrize("native", [False, True])
 @pytest.mark.parametrize("size", [1, 100])
-def test_each_world_without_a_place_is_counted_once(size):
+def test_each_world_without_a_place_is_counted_once(size, native):
     judge, every = judge_of("natural", edges=2), 0
+    judge.native = native
     for unit in units_of_level(judge.counter.scope.extent, 2):
         work = Work(unit, judge.counter.tally())
         for batch in judge.batches(work, lambda: size):

@@ -8,11 +8,11 @@ import pytest
 
 from allworlds import log
 from allworlds.engines import judge
-from allworlds.engines.batch import Due
+from allworlds.engines.batch import Due, Work
 from allworlds.engines.judge import PythonJudge
 from allworlds.engines.judges import Judges
 from allworlds.engines.tally import RunCounter
-from allworlds.engines.units import Scope
+from allworlds.engines.units import LevelUnit, Scope
 from allworlds.inputs.checks import InputError
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
@@ -62,3 +62,89 @@ def test_one_lane_starts_the_compiler_once_if_nothing_is_kept(kept, compiles, st
     judges = Judges(judge_of("map"), Random(1), native=False, compiles=compiles)
     assert [judges._is_compiled() for _ in range(3)] == [kept] * 3
     assert len(calls) == started
+
+
+class Compiled:
+    """In place of the compiled judge: it notes which batches it was compared on."""
+
+    def __init__(self, python, seed, *, native):
+        self.python, self.seed, self.native, self.compared = python, seed, native, []
+
+    def compare_with(self, batches):
+        self.compared.append([*batches])
+
+
+@pytest.fixture
+def judges(monkeypatch):
+    """The judges of a scope with this last level; those with so many worlds are to be compiled."""
+    module = SimpleNamespace(CompiledJudge=Compiled)
+    monkeypatch.setitem(sys.modules, "allworlds.engines.compiled_judge", module)
+
+    def made(last, least, *, kept=True):
+        scope = Scope(Extent(MapClass.MAPS, last), Rules())
+        python = PythonJudge(RunCounter(scope, 1, least), "mine")
+        longest = SimpleNamespace(getrandbits=lambda bits: 2**bits - 1)
+        judges = Judges(python, longest, native=True, compiles=False)
+        monkeypatch.setattr(judges, "_is_compiled", lambda: kept)
+        return judges
+
+    return made
+
+
+def unit(edges):
+    return LevelUnit(edges, (-1,))
+
+
+@pytest.mark.parametrize(
+    ("edges", "last", "least", "compiled"),
+    [
+        (3, 3, 74, True),
+        (3, 3, 75, False),
+        (2, 3, 74, True),  # it is kept for the next level
+        (2, 3, 75, False),
+        (2, 2, 74, False),
+        (1, 3, 74, False),
+        (1, 1, 0, True),
+        (3, 3, None, False),
+    ],
+)
+def test_a_level_is_judged_in_compiled_code_if_it_or_the_next_is_large(
+    judges, edges, last, least, compiled
+):
+    of = judges(last, least)
+    assert (of.of(unit(edges)) is of.python) is not compiled
+
+
+def test_only_units_of_a_level_are_judged_in_compiled_code(judges):
+    of = judges(3, 0)
+    assert of.of(object()) is of.python
+    assert isinstance(of.of(unit(3)), Compiled)
+
+
+def test_code_that_is_not_kept_yet_is_asked_for_again_if_the_python_judge_may_do_without(judges):
+    of = judges(3, 2, kept=False)
+    assert of.of(unit(3)) is of.python
+    of._is_compiled = lambda: True
+    assert isinstance(of.of(unit(3)), Compiled)
+    assert isinstance(judges(3, 0, kept=False).of(unit(3)), Compiled)
+
+
+def test_one_compiled_judge_is_compared_once_on_the_logs_of_small_worlds(judges):
+    of = judges(4, 2)
+    batches = [SimpleNamespace(work=Work(unit(edges), None)) for edges in (1, 3, 4, 2)]
+    batches.append(SimpleNamespace(work=Work(object(), None)))
+    for batch in batches:
+        of.remember(batch)
+    compiled = of.of(unit(4))
+    of.remember(batches[0])
+    assert of.of(unit(3)) is compiled
+    assert compiled.compared == [[batches[0], batches[1], batches[3]]]
+    assert of._small == []
+    assert (compiled.python, compiled.native, compiled.seed()) == (of.python, True, 2**63 - 1)
+
+
+@pytest.mark.parametrize("least", [0, None])
+def test_no_batch_is_remembered_if_there_is_no_later_comparison(judges, least):
+    of = judges(3, least)
+    of.remember(SimpleNamespace(work=Work(unit(1), None)))
+    assert of._small == []
