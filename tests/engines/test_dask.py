@@ -1,10 +1,15 @@
 """Units on a Dask cluster: the report is the same, whatever becomes of its workers."""
 
 import asyncio
+import os
+import signal
 import socket
+import subprocess
 import sys
 import threading
+from concurrent.futures import Future
 from contextlib import contextmanager, suppress
+from pathlib import Path
 from types import SimpleNamespace
 from typing import ClassVar
 
@@ -15,7 +20,8 @@ from allworlds import check
 from allworlds.engines import dask as cluster
 from allworlds.engines.dask import Dask
 from allworlds.engines.engine_table import ThisThread
-from allworlds.engines.limits import ClusterLost
+from allworlds.engines.limits import LOCAL, ClusterLost
+from allworlds.engines.units import PartialResult
 from allworlds.explorers.loading import Subject
 from allworlds.explorers.sources import content_digest, not_alike, with_content
 from allworlds.inputs.checks import InputError
@@ -274,6 +280,183 @@ def test_what_is_done_when_its_job_ends_is_given_up(task, monkeypatch):
     with pytest.raises(ClusterLost, match="has ended"):
         do("c")
     assert processes.wait(lambda: len(closed) == 1)
+
+
+# ---------------------------------------------------------------- tasks, without a cluster
+
+
+@pytest.fixture
+def tasks(monkeypatch):
+    """The numbers of units in the tasks of a level, each of which takes so many seconds a unit."""
+
+    def given(units, seconds, threads):
+        transport = Dask("tcp://127.0.0.1:1", order=reversed)
+        sizes = []
+
+        def begin(batch):
+            future = Future()
+            sizes.append(len(batch))
+            future.set_result(([Tally([unit]) for unit in batch], seconds * len(batch)))
+            return future
+
+        transport._threads, transport._watched = threads, Future()
+        transport._done = lambda job, version, packed, batch: batch
+        transport._begin = begin
+        parts = [*transport.map("engine", [Unit(i) for i in range(units)])]
+        assert sorted((part.unit, part.result, part.last) for part in parts) == [
+            (unit, [unit], True) for unit in range(units)
+        ]
+        return sizes
+
+    return given
+
+
+def test_a_task_has_units_for_a_quarter_of_a_second_once_their_cost_is_known(tasks):
+    sizes = tasks(1000, 0.01, threads=2)
+    assert (sizes[:6], max(sizes)) == ([1] * 6, 24)
+    assert max(tasks(4000, 0.01, threads=100)) > 90
+    assert {*tasks(20, 10.0, threads=2)} == {1}
+
+
+class Anew(Lane):
+    """A lane that loses its first work on each unit."""
+
+    def map(self, engine, units):
+        for unit in units:
+            for number, anew in enumerate((False, False, True, False)):
+                last = number == 3
+                yield PartialResult(unit, Tally([number]), last=last, anew=anew)
+
+
+def test_what_is_begun_anew_counts_once(monkeypatch):
+    monkeypatch.setattr(Lane, "closed", [])
+    packed = distributed.protocol.pickle.dumps((Anew, str, None))
+    results, _ = cluster.done("d", __version__, packed, [Unit(7), Unit(8)])
+    assert results == [[2, 3], [2, 3]]
+    cluster.end_job("d")
+
+
+def test_the_end_of_a_job_halts_its_engine(task, monkeypatch):
+    do, _ = task
+    halted = []
+    monkeypatch.setattr(Twice, "halt", lambda self: halted.append(type(self)), raising=False)
+    do("e")
+    cluster.end_job("e")
+    assert halted == [Twice]
+    cluster.end_job("never begun")
+    with pytest.raises(ClusterLost, match="has ended"):
+        do("never begun")
+
+
+@pytest.mark.parametrize(
+    ("kind", "seconds"), [(None, 2.0), (ValueError, 2.0), (KeyboardInterrupt, 0.2)]
+)
+def test_whoever_interrupts_does_not_wait_long_for_the_cluster(kind, seconds):
+    asked = []
+
+    def run(work, callback_timeout):
+        asked.append((work, callback_timeout))
+        raise TimeoutError
+
+    transport = Dask("tcp://127.0.0.1:1")
+    transport._runner = SimpleNamespace(run_sync=run)
+    transport._leave(kind, None, None)
+    assert asked == [(transport._goodbye, seconds)]
+
+
+# ---------------------------------------------------------------- a local cluster
+
+
+def test_a_cluster_of_our_own_lasts_as_long_as_it_is_used(here, monkeypatch):
+    told = []
+
+    @contextmanager
+    def local(workers):
+        told.append(workers)
+        yield here
+        told.append("its end")
+
+    monkeypatch.setattr(cluster, "local_cluster", local)
+    with Dask(LOCAL, 3) as transport:
+        (part,) = transport.map(Twice(), [Unit(7)])
+        assert (part.result, told) == ([7, 7], [3])
+    assert told == [3, "its end"]
+
+
+STARTS_ANOTHER = """
+import subprocess, sys
+other = subprocess.Popen(["sh", "-c", "sleep 60 & echo begun; wait"], stdout=subprocess.PIPE)
+other.stdout.readline()
+print(" tcp://here ", flush=True)
+sys.stdin.read()
+"""
+
+
+@pytest.fixture
+def started(monkeypatch):
+    """The processes that a local cluster starts, each of which runs this program instead."""
+    begun = []
+
+    def start(program):
+        def popen(command, **options):
+            begun.append(
+                (command[-1], options, subprocess.Popen([*command[:-1], program], **options))
+            )
+            return begun[-1][-1]
+
+        fake = SimpleNamespace(Popen=popen, PIPE=subprocess.PIPE)
+        monkeypatch.setattr(cluster, "subprocess", fake)
+        return begun
+
+    return start
+
+
+def test_a_local_cluster_ends_with_all_its_processes(started):
+    begun = started(STARTS_ANOTHER)
+    with cluster.local_cluster(3) as address:
+        ((code, options, process),) = begun
+        assert (address, code.endswith("serve(3)")) == ("tcp://here", True)
+        place = Path(options["env"]["DASK_TEMPORARY_DIRECTORY"])
+        assert (place.is_dir(), os.getsid(process.pid)) == (True, process.pid)
+        others = processes.workers_of(process.pid)
+        assert len(others) == 2
+    assert (process.returncode, place.exists()) == (-signal.SIGKILL, False)
+    assert processes.end(lambda: {pid for pid, _ in processes.running()} & {*others})
+
+
+def test_a_local_cluster_that_does_not_start_is_lost(started):
+    started("")
+    with pytest.raises(ClusterLost, match="has not started"), cluster.local_cluster(1):
+        pass
+
+
+def test_a_local_cluster_tells_its_address_alone_and_lasts_until_its_owner_ends(monkeypatch):
+    told = []
+
+    class Local:
+        scheduler_address = "tcp://here"
+
+        def __init__(self, **options):
+            told.append((options["n_workers"], options["threads_per_worker"]))
+
+        def __enter__(self):
+            return self
+
+        def __exit__(self, *_):
+            told.append("its end")
+
+    calls = SimpleNamespace(
+        dup=lambda fd: ("copy", fd),
+        dup2=lambda *fds: told.append(fds),
+        write=lambda fd, words: told.append((fd, words)),
+    )
+    monkeypatch.setattr(distributed, "LocalCluster", Local)
+    monkeypatch.setattr(cluster, "os", calls)
+    stdin = SimpleNamespace(read=lambda: told.append("stdin ends"))
+    monkeypatch.setattr(cluster, "sys", SimpleNamespace(stdin=stdin))
+    cluster.serve(3)
+    where = ("copy", 1), b"tcp://here\n"
+    assert told == [(2, 1), (3, 1), where, "stdin ends", "its end"]
 
 
 # ---------------------------------------------------------------- a made-up scheduler
