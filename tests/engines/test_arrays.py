@@ -7,10 +7,11 @@ from types import SimpleNamespace
 import pytest
 from numpy import zeros
 
+from allworlds import log
 from allworlds.engines.kernel import arrays, library_player
 from allworlds.engines.kernel.arrays import HEAD, JOB, WIDE, Stretch, new
 from allworlds.engines.kernel.capabilities import POLICIES
-from allworlds.engines.kernel.library_player import LibraryPlayer
+from allworlds.engines.kernel.library_player import LONGEST_ENTRY, LibraryPlayer
 from allworlds.engines.players import Logs
 
 
@@ -163,6 +164,12 @@ def test_threads_that_a_library_leaves_are_seen_once(library):
     threads[0] += 1
     assert player.play(batch_of(5, again=False)) is None
     assert logs_of(player.play(batch_of(5, again=True))) == LOGS
+
+
+def test_a_library_is_asked_only_if_there_is_room_for_the_longest_entry():
+    longest = log.shown([0] * log.MOST_DARTS, [0] * log.MOST_DARTS, 0)
+    assert longest[0] == log.SHOWN
+    assert 0 <= LONGEST_ENTRY - len(longest) <= 1
 
 
 def test_the_code_of_libraries_is_loaded_without_a_run(library, monkeypatch):

@@ -4,6 +4,7 @@ from array import array
 from types import SimpleNamespace
 
 import pytest
+from numpy import zeros
 
 from allworlds import CombinatorialMap, Estimate, Move
 from allworlds.documents.document import replace
@@ -12,10 +13,12 @@ from allworlds.engines.batch import FIRST, Due, Work
 from allworlds.engines.compiled_judge import CompiledBatch, CompiledJudge
 from allworlds.engines.judge import PythonJudge
 from allworlds.engines.kernel.arrays import (
+    HEAD,
     RUN_BUDGET,
     RUN_MOTIONS,
     RUN_NUMBER,
     RUN_PLACE,
+    RUN_TOLD,
     BrokenRun,
 )
 from allworlds.engines.kernel.capabilities import LIGHTHOUSES
@@ -69,6 +72,17 @@ def test_what_python_plays_is_replayed_by_python(batch):
     batch.plain = True
     message = batch.by.percepts(batch, [0, 1])
     assert message["content"] == [(0, b"abc"), (1, b"d")]
+
+
+def test_an_entry_of_a_message_has_a_number_only_if_one_is_told():
+    heads = zeros((3, HEAD), int)
+    heads[:, RUN_BUDGET], heads[:, RUN_TOLD] = (7, 8, 9), (-1, 0, 5)
+    entries = compiled_judge._entries(SimpleNamespace(heads=heads), [2, 0, 1], [b"a", b"b", b"c"])
+    assert [entry[:4] for entry in entries] == [
+        (b"a", 5, False, 9),
+        (b"b", None, False, 7),
+        (b"c", 0, False, 8),
+    ]
 
 
 KINDS = [*sorted(LIGHTHOUSES - {"cluster-single"}), "cluster:single=true"]
@@ -227,6 +241,7 @@ def test_both_judges_count_the_same(explorer):
     judge = judge_of("directional", keep=8)
     for batch in batches_of(judge, explorer, size=10):
         assert judge.judge(batch)
+        assert not judge.every
         python = judge._python_tally(batch)
         assert (batch.tally.rows, batch.tally.witnesses) == (python.rows, python.witnesses)
         assert batch.tally.runs == len(batch)

@@ -96,7 +96,7 @@ def unit(edges):
 
 
 @pytest.mark.parametrize(
-    ("edges", "last", "least", "compiled"),
+    ("edges", "last", "least", "in_compiled_code"),
     [
         (3, 3, 74, True),
         (3, 3, 75, False),
@@ -109,10 +109,10 @@ def unit(edges):
     ],
 )
 def test_a_level_is_judged_in_compiled_code_if_it_or_the_next_is_large(
-    judges, edges, last, least, compiled
+    judges, edges, last, least, in_compiled_code
 ):
     of = judges(last, least)
-    assert (of.of(unit(edges)) is of.python) is not compiled
+    assert (of.of(unit(edges)) is of.python) is not in_compiled_code
 
 
 def test_only_units_of_a_level_are_judged_in_compiled_code(judges):
