@@ -43,13 +43,29 @@ def test_logs_stand_one_behind_the_other(small):
     assert small.put(Logs(b"before" + Logs.of([b"a", b"", b"bcde"]).message, 3, at=6)) == 5
     assert (small.logs.tobytes(), small.begins[:3].tolist()) == (b"abcde", [0, 1, 1])
     assert small.put(Logs.of([b"xy"])) == 2
-    assert (small.logs.tobytes(), small.begins[0]) == (b"xycde", 0)
+    assert (small.logs.tobytes(), small.begins[:3].tolist()) == (b"xycde", [0, 1, 1])
 
 
 def test_logs_without_room_are_not_written(small):
     assert small.put(Logs.of([b"abc", b"def"])) == -1
     assert not small.logs.any()
     assert not small.begins.any()
+
+
+def test_a_batch_has_room_for_its_runs_and_512_bytes_for_each_log():
+    memory = Stretch.of(3)
+    runs = arrays.LONGEST_STRETCH + arrays.MOST_PLACES
+    assert memory.heads.shape == (runs, HEAD)
+    assert memory.worlds.shape == (runs, 6 * WIDE)
+    assert len(memory.starts) == len(memory.begins) == runs + 1
+    assert len(memory.logs) == len(memory.percepts) == 512 * arrays.LONGEST_STRETCH
+
+
+def test_each_column_has_a_name():
+    head = arrays.RUN_BUDGET, arrays.RUN_TOLD, arrays.RUN_NUMBER, arrays.RUN_PLACE
+    assert [*head, arrays.RUN_MOTIONS] == [*range(HEAD)]
+    dart = arrays.FIRST, arrays.PARTNER, arrays.DEGREE, arrays.MARKS, arrays.BEARING
+    assert [*dart] == [*range(WIDE)]
 
 
 # ---------------------------------------------------------------- a library

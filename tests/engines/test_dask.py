@@ -109,6 +109,7 @@ def test_no_scheduler_is_refused(refused, monkeypatch):
         assert f"dask '{address}': no scheduler answers there: {why}" in said
 
 
+@pytest.mark.usefixtures("compiled")  # as above
 def test_the_thread_for_the_cluster_ends_with_what_it_was_for(refused, monkeypatch):
     from distributed.utils import LoopRunner
 

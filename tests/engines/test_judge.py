@@ -11,7 +11,7 @@ from allworlds.engines import judge
 from allworlds.engines.batch import Due, Work
 from allworlds.engines.judge import PythonJudge
 from allworlds.engines.judges import Judges
-from allworlds.engines.tally import RunCounter
+from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import LevelUnit, Scope
 from allworlds.inputs.checks import InputError
 from allworlds.judging.rules import Rules
@@ -49,6 +49,49 @@ def test_a_log_that_is_no_walk_is_an_error_of_ours_or_of_a_lighthouse_of_the_use
         f"lighthouse 'directional' is no function of the run: an action in {EDGE} was legal, and "
         "is not when the log is followed: "
     )
+
+
+@pytest.mark.parametrize(
+    ("schedules", "given", "every"),
+    [("one", None, False), ("one", (0,), False), ("all", None, True), ("all", (0,), False)],
+)
+def test_every_schedule_is_tried_unless_the_choices_are_given(schedules, given, every):
+    scope = Scope(Extent(MapClass.MAPS, 1), Rules(policy="lifo"), schedules=schedules)
+    python = PythonJudge(RunCounter(scope, 1), "mine", given)
+    assert python.every is every
+    message = python.worlds_message([RUN])
+    assert (message["every"], message["policy"]) == (every, "fifo" if every else "lifo")
+    (batch,) = python.batches(Work(LevelUnit(1, (-1,)), Tally(1)), lambda: 9)
+    assert batch.due(0).script == (given or ())
+
+
+@pytest.mark.parametrize("size", [1, 4, 9, 10])
+def test_all_batches_but_the_last_are_full(size):
+    python = PythonJudge(RunCounter(Scope(Extent(MapClass.MAPS, 2), Rules()), 1), "mine")
+    work = Work(LevelUnit(2, (-3,)), Tally(1))
+    sizes = [len(batch) for batch in python.batches(work, lambda: size)]
+    assert sizes == [size] * (9 // size) + [9 % size] * (9 % size > 0)
+    assert not work.tally.rows
+
+
+def test_a_run_of_many_schedules_has_the_cost_of_the_cheapest():
+    scope = Scope(
+        Extent(MapClass.MAPS, 1), Rules(laws=("map", "pose"), step_budget=9), schedules="all"
+    )
+    python = PythonJudge(RunCounter(scope, 1), "mine")
+    work = Work(LevelUnit(1, (-1,)), Tally(1))
+    end = log.answer((0, 1), (1, 0), 1)
+    for steps, least in ((3, 3), (1, 1), (5, 1)):
+        (batch,) = python.batches(work, lambda: 9)
+        batch.logs[0] = [log.motion(0) * steps + end]
+        assert python.judge(batch)
+        ((due, cost),) = work.best.values()
+        assert (due, cost) == (batch.due(0), least)
+        assert batch.tally.traversals == steps
+        assert not batch.broken
+    batch.judged[0] = batch.judged[0]._replace(fits=False)
+    python.judge(batch)
+    assert batch.broken == [0]
 
 
 @pytest.mark.parametrize(
