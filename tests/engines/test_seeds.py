@@ -89,3 +89,61 @@ def test_what_differs_under_another_seed_is_explained_once():
     seeds._kept = [(batch, 0), (batch, 1)]
     assert seeds.end() == "tally"
     assert explained == [(batch, 1)]
+
+
+@pytest.fixture
+def kept():
+    """What is kept of batches of these numbers of runs, in worlds of this size."""
+
+    def kept(edges, *sizes, last=4, wanted=True):
+        scope = SimpleNamespace(extent=SimpleNamespace(levels=range(1, last + 1)))
+        judge = SimpleNamespace(counter=SimpleNamespace(scope=scope))
+        seeds = more_seeds.MoreSeeds(SimpleNamespace(judge=judge), Random(1), wanted=wanted)
+        map_ = SimpleNamespace(edge_count=edges)
+        for size in sizes:
+            seeds.keep(Batch([SimpleNamespace(world=SimpleNamespace(map=map_))] * size))
+        assert bool(seeds) == bool(seeds._kept)
+        return [index for _, index in seeds._kept]
+
+    return kept
+
+
+class Batch(list):
+    due = list.__getitem__
+
+
+def test_the_first_runs_of_the_last_level_are_kept(kept):
+    most = more_seeds.KEPT
+    assert kept(4, 3, 2) == [0, 1, 2, 0, 1]
+    assert kept(4, most - 1, 3) == [*range(most - 1), 0]
+    assert kept(4, most + 1) == [*range(most)]
+    assert kept(4, most, 1) == [*range(most)]
+
+
+@pytest.mark.parametrize(
+    "options", [{"last": 5}, {"wanted": False}, {"edges": SMALL, "last": SMALL}]
+)
+def test_no_runs_are_kept_of_smaller_worlds_or_of_small_ones_or_if_none_are_wanted(kept, options):
+    assert kept(options.pop("edges", 4), 3, **options) == []
+
+
+def test_nothing_is_kept_after_a_difference_was_explained():
+    seeds = more_seeds.MoreSeeds(None, Random(1), wanted=True)
+    judge = SimpleNamespace(
+        counter=SimpleNamespace(tally=lambda: "tally"), percepts_message=lambda *_: None
+    )
+    plays = SimpleNamespace(anew=lambda *_: ([bytes((entries.OVER,))], ()))
+    seeds._settler = SimpleNamespace(
+        judge=judge, plays=plays, differ=lambda *_: False, explain_under=None
+    )
+    batch = SimpleNamespace(
+        work=SimpleNamespace(unit="unit"),
+        record=str,
+        outcome=lambda _: SimpleNamespace(log="log"),
+    )
+    seeds._kept = [(batch, 0)]
+    assert (seeds.end(), seeds._wanted, seeds._kept) == ("tally", True, [])
+    seeds._kept = [(batch, 0)]
+    seeds._settler.differ, seeds._settler.explain_under = lambda *_: True, lambda *_: None
+    assert (seeds.end(), seeds._wanted) == ("tally", False)
+    assert (batch.work.unit, batch.work.tally) == ("unit", "tally")
