@@ -8,15 +8,17 @@ import pytest
 
 from allworlds import log
 from allworlds.engines import judge
-from allworlds.engines.batch import Due, Work
-from allworlds.engines.judge import PythonJudge
+from allworlds.engines.batch import FIRST, SECOND, Due, RunBatch, Work
+from allworlds.engines.judge import PythonJudge, table_of
 from allworlds.engines.judges import Judges
+from allworlds.engines.players import Logs
 from allworlds.engines.tally import RunCounter, Tally
 from allworlds.engines.units import LevelUnit, Scope
 from allworlds.inputs.checks import InputError
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
+from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.world import Directional, World
 from small import EDGE
 
@@ -105,6 +107,107 @@ def test_one_lane_starts_the_compiler_once_if_nothing_is_kept(kept, compiles, st
     judges = Judges(judge_of("map"), Random(1), native=False, compiles=compiles)
     assert [judges._is_compiled() for _ in range(3)] == [kept] * 3
     assert len(calls) == started
+
+
+# ---------------------------------------------------------------- messages
+
+
+ALONE = (0, 1), (1, 0)
+END = log.answer(*ALONE, 1)
+
+
+def batch_of(judge, *logs):
+    """A batch of one run as often as there are logs of the first play."""
+    batch = RunBatch(judge, Work(LevelUnit(1, (-1,)), Tally(1)), [RUN] * len(logs))
+    batch.take(FIRST, range(len(logs)), logs)
+    return batch
+
+
+def test_a_player_is_told_the_table_of_a_world_or_the_world_itself():
+    judge = judge_of("map")
+    message = judge.worlds(batch_of(judge, b"", b"", b""), [0, 2])
+    named = {key: message[key] for key in ("kind", "runs", "order", "any_answer", "hear", "lines")}
+    assert named == {
+        "kind": "table", "runs": 2, "order": [0, 1], "any_answer": False, "hear": False,
+        "lines": False,
+    }  # fmt: skip
+    budget = judge.rules.budget(EDGE)
+    assert message["content"] == [(table_of(RUN.world), None, False, budget, "", ())] * 2
+    cover = judge_of("cover")
+    message = cover.worlds(batch_of(cover, b""), [0])
+    assert (message["kind"], message["any_answer"]) == ("model", True)
+    (((world, over), *_),) = message["content"]
+    assert (world, over) == (RUN.world, cover.rules.task.over)
+
+
+# One vertex with an edge, dart 0, and a loop, darts 1 and 2; dart 3 is the other end of the edge.
+LOOP_AND_EDGE = CombinatorialMap((1, 2, 0, 3), (3, 2, 1, 0))
+
+
+@pytest.mark.parametrize(
+    ("marker", "start", "table"),
+    [
+        (1, 0, [(0, 3, 3, 1, 2), (0, 2, 3, 1, 1), (0, 1, 3, 1, 3), (3, 0, 1, 0, 0)]),
+        (3, 3, [(0, 1, 1, 1, 1), (1, 0, 3, 0, 0), (1, 3, 3, 0, 0), (1, 2, 3, 0, 0)]),
+    ],
+)
+def test_the_table_of_a_world_has_five_numbers_for_each_dart(marker, start, table):
+    world = World(LOOP_AND_EDGE, Directional(marker), start)
+    assert [*table_of(world)] == [number for row in table for number in row]
+
+
+def test_a_player_of_percepts_is_told_whether_the_task_ends_the_run():
+    for task, end, over in (("map", END, False), ("cover", bytes((log.OVER,)), True)):
+        judge = judge_of(task)
+        message = judge.percepts(batch_of(judge, log.motion(0) + end, b""), [0], [0])
+        assert (message["kind"], message["order"]) == ("record", [0])
+        ((sensed, told, ends, *_),) = message["content"]
+        assert (len(sensed), told, ends) == (6, None, over)
+
+
+# ---------------------------------------------------------------- batches
+
+
+def test_logs_come_in_one_message_or_one_by_one():
+    judge = judge_of("map")
+    batch = batch_of(judge, b"a", b"b", b"c")
+    assert batch.plain
+    assert batch.logs == [{0: b"a", 1: b"b", 2: b"c"}, {}]
+    assert batch.unplayed(SECOND, range(3)) == [0, 1, 2]
+    batch.take(SECOND, [1], Logs.of([b"y"]))
+    assert batch.logs[SECOND] == {1: b"y"}
+    assert batch.unplayed(SECOND, range(3)) == [0, 2]
+    whole = Logs.of([b"x", b"y", b"z"])
+    batch.take(SECOND, range(3), whole)
+    assert batch.logs[SECOND] is whole
+    assert batch.unplayed(SECOND, range(3)) == []
+    batch.take(SECOND, [2], [b"lost"])
+    assert batch.logs[SECOND] == {0: b"x", 1: b"y", 2: b"lost"}
+    batch.take(SECOND, range(3), [b"1", b"2", b"3"])
+    assert batch.logs[SECOND] == {0: b"1", 1: b"2", 2: b"3"}
+
+
+def test_a_run_goes_on_with_its_next_schedule_until_all_were_tried():
+    judge = judge_of("map")
+    first, last = (log.choice(taken, 2) + log.motion(0) + END for taken in (0, 1))
+    batch = batch_of(judge, first, last)
+    assert batch.follow_ups() == []
+    judge.every = True
+    assert batch.follow_ups() == [RUN._replace(script=(1,))]
+
+
+def test_what_was_judged_once_is_not_judged_again(monkeypatch):
+    judge = judge_of("map")
+    batch = batch_of(judge, log.motion(0) + END)
+    one = batch.outcome(0)
+    assert one.fits
+    monkeypatch.setattr(judge, "judged", None)
+    assert batch.outcome(0) is one
+    assert [*batch.record(0).percepts] == [*one.outcome.episode.walk.percepts]
+    assert batch.record(0)._replace(percepts=()) == ((), RUN.world, (), False)
+
+
+# ---------------------------------------------------------------- the choice of a judge
 
 
 class Compiled:
