@@ -2,7 +2,7 @@
 
 import sys
 from random import Random
-from types import SimpleNamespace
+from types import MappingProxyType, SimpleNamespace
 
 import pytest
 
@@ -13,13 +13,14 @@ from allworlds.engines.judge import PythonJudge, table_of
 from allworlds.engines.judges import Judges
 from allworlds.engines.players import Logs
 from allworlds.engines.tally import RunCounter, Tally
-from allworlds.engines.units import LevelUnit, Scope
+from allworlds.engines.units import LevelUnit, Scope, units_of_level
 from allworlds.inputs.checks import InputError
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.world import Directional, World
+from allworlds.world.lighthouses.kinds import lighthouse_kind
 from small import EDGE
 
 RUN = Due(0, 0, World(EDGE, Directional(0)))
@@ -74,6 +75,39 @@ def test_all_batches_but_the_last_are_full(size):
     sizes = [len(batch) for batch in python.batches(work, lambda: size)]
     assert sizes == [size] * (9 // size) + [9 % size] * (9 % size > 0)
     assert not work.tally.rows
+
+
+def test_worlds_without_a_place_are_left_out_and_counted():
+    rules = Rules(lighthouse_kind("natural"))
+    left_out = 0
+    for edges in (1, 2):
+        scope = Scope(Extent(MapClass.MAPS, edges), rules)
+        python = PythonJudge(RunCounter(scope, 1), "mine")
+        for unit in units_of_level(scope.extent, edges):
+            work = Work(unit, Tally(1))
+            for batch in python.batches(work, lambda: 1):
+                work.tally.add(batch.tally)
+            without = sum(run.lighthouse is None for run in python.counter.runs(unit))
+            assert work.tally.left_out == without
+            left_out += without
+    assert left_out
+
+
+def test_a_log_must_make_the_choices_that_were_due():
+    judge = judge_of("map")
+    due = RUN._replace(script=(1,))
+    for taken in (0, 1):
+        judge.every = True
+        one = log.choice(taken, 2) + log.motion(0) + log.answer((0, 1), (1, 0), 1)
+        assert judge.judged(due, one).fits is (taken == 1)
+        judge.every = False
+        assert judge.judged(due, one).fits
+
+
+@pytest.mark.parametrize(("law", "choices"), [("crash", (1, 0)), ("no-estimate", (1,))])
+def test_the_choices_of_a_lost_run_are_those_that_were_due(law, choices):
+    lost = log.choice(1, 2) + log.fault(law, "an action", "none")
+    assert judge_of("map").judged(RUN._replace(script=(1, 0)), lost).outcome.choices == choices
 
 
 def test_a_run_of_many_schedules_has_the_cost_of_the_cheapest():
@@ -163,6 +197,17 @@ def test_a_player_of_percepts_is_told_whether_the_task_ends_the_run():
         assert (message["kind"], message["order"]) == ("record", [0])
         ((sensed, told, ends, *_),) = message["content"]
         assert (len(sensed), told, ends) == (6, None, over)
+
+
+@pytest.mark.parametrize(
+    ("told", "sent"), [(None, None), (3, 3), (MappingProxyType({"n": 3}), {"n": 3})]
+)
+def test_what_a_lighthouse_tells_is_sent_as_a_number_or_a_dictionary(told, sent):
+    run = SimpleNamespace(world=SimpleNamespace(told=told, map=EDGE), script=(1,))
+    judge = judge_of("map")
+    entry = judge._entry(run, b"table")
+    assert entry == (b"table", sent, False, judge.rules.budget(EDGE), "", (1,))
+    assert type(entry[1]) is type(sent)
 
 
 # ---------------------------------------------------------------- batches

@@ -8,6 +8,7 @@ from allworlds.engines import losses
 from allworlds.engines.losses import Losses, Meaning, meaning
 from allworlds.engines.players import Lost, Unsettled
 from allworlds.engines.tally import Tally
+from allworlds.judging.episode import fault_of
 from allworlds.log import Log
 
 LOG = "the log of a fresh player"
@@ -31,7 +32,7 @@ def test_each_row_of_the_table(law, machine, again, before):
     ("silences", "timeout", "ends"), [(4, 15, True), (3, 100, False), (4, 14.9, False)]
 )
 def test_silence_is_given_up_after_enough_runs_and_enough_seconds(silences, timeout, ends):
-    assert bool(losses.given_up(silences, timeout)) is ends
+    assert (losses.given_up(silences, timeout) != "") is ends
 
 
 @pytest.fixture
@@ -53,6 +54,7 @@ def test_the_second_silence_that_no_fresh_player_repeats_is_that_of_a_run_after_
     assert (batch.lost, sum(batch.work.tally.remarks.values())) == (set(), 1)
     log = all_losses.log_of(lost, batch, 1, lambda: ([LOG], None))
     assert (batch.lost, losses.AFTER in str(Log(log).ending)) == ({1}, True)
+    assert not fault_of(Log(log)).machine
     assert all_losses.silences == 2
 
 

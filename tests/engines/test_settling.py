@@ -235,3 +235,6 @@ def test_what_differs_under_a_further_seed_is_explained_by_it():
     settler.explain_under(5, batch, [(0, Log(WRONG))])
     (found,) = batch.work.tally.findings
     assert (found.law, found.hash_seed) == ("map", 5)
+    tally = batch.work.tally
+    assert tally.under(JUDGE.rules) is tally
+    assert [each.under for each in tally.findings] == [JUDGE.rules]

@@ -266,15 +266,17 @@ def test_a_world_without_a_place_is_left_out_and_has_no_run():
 
 def test_an_outcome_counts_in_the_row_of_its_world():
     counter, _, placed = counted("directional")
-    (world, _), tally = placed[0], Tally(1)
-    size = world.map.edge_count, world.map.vertex_count
-    code = rooted_code(world.map.sigma, world.map.alpha, 0)
-    for place, cost in enumerate((5, 7, 7, 1)):
+    tally = Tally(1)
+    worlds = {world.map.vertex_count: world for world, _ in placed}
+    world = worlds[2]
+    code, another = (rooted_code(world.map.sigma, world.map.alpha, dart) for dart in (0, -1))
+    assert code != another
+    for place, cost in ((3, 5), (2, 7), (1, 7), (0, 1)):
         episode = SimpleNamespace(checkpoints=[1, 2])
         outcome = SimpleNamespace(cost=cost, bound=cost, choices=(9 - place,), episode=episode)
         counter.count_outcome(world, place, outcome, tally)
-    row = tally.rows[size]
-    assert row == Row(0, 0, 4, 20, 5, 7, 7)
+    row = tally.rows[2, 2]
+    assert row == Row(0, 0, 4, 20, 1, 7, 7)
     assert row.most_expensive == (*code, 1, (8,))
     assert tally.checkpoints == 8
 
