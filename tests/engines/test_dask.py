@@ -303,7 +303,12 @@ def tasks(monkeypatch):
         transport._threads, transport._watched = threads, Future()
         transport._done = lambda job, version, packed, batch: batch
         transport._begin = begin
-        parts = [*transport.map("engine", [Unit(i) for i in range(units)])]
+        given = [Unit(i) for i in range(units)]
+        first = next(transport.map("engine", given))
+        assert (first.last, len(sizes)) == (True, 3 * max(2, threads))
+        for _ in range(2):
+            sizes.clear()
+            parts = [*transport.map("engine", given)]
         assert sorted((part.unit, part.result, part.last) for part in parts) == [
             (unit, [unit], True) for unit in range(units)
         ]
@@ -314,7 +319,8 @@ def tasks(monkeypatch):
 
 def test_a_task_has_units_for_a_quarter_of_a_second_once_their_cost_is_known(tasks):
     sizes = tasks(1000, 0.01, threads=2)
-    assert (sizes[:6], max(sizes)) == ([1] * 6, 24)
+    assert (sizes[:6], max(sizes)) == ([1] * 6, 24)  # at first, as the last level tells too little
+    assert {*tasks(30, 10.0, threads=0)} == {1}
     assert max(tasks(4000, 0.01, threads=100)) > 90
     assert {*tasks(20, 10.0, threads=2)} == {1}
 
@@ -345,8 +351,56 @@ def test_the_end_of_a_job_halts_its_engine(task, monkeypatch):
     cluster.end_job("e")
     assert halted == [Twice]
     cluster.end_job("never begun")
+    monkeypatch.setattr("distributed.protocol.pickle.loads", None)
     with pytest.raises(ClusterLost, match="has ended"):
         do("never begun")
+
+
+def test_a_lane_in_which_an_error_was_raised_is_closed(task, monkeypatch):
+    do, closed = task
+    monkeypatch.setattr(Twice, "parts", None)
+    with pytest.raises(TypeError):
+        do("f")
+    assert len(closed) == 1
+    assert cluster._JOBS["f"].idle == []
+
+
+def test_a_lane_is_closed_some_time_after_its_last_use(task, monkeypatch):
+    do, _ = task
+    timers = []
+
+    class Timer:
+        daemon = False
+
+        def __init__(self, seconds, then):
+            self.asked = [seconds]
+            timers.append(self)
+
+        def start(self):
+            self.asked.append(("start", self.daemon))
+
+        def cancel(self):
+            self.asked.append("cancel")
+
+    monkeypatch.setattr(cluster, "Timer", Timer)
+    do("g")
+    do("g")
+    started = cluster.IDLE, ("start", True)
+    never, first, second = (timer.asked for timer in timers if len(timer.asked) > 1)
+    assert never == [cluster.IDLE, "cancel"]
+    assert (first, second) == ([*started, "cancel"], [*started])
+    monkeypatch.setattr(Twice, "parts", lambda *_: iter([cluster.end_job("g"), Tally([1])]))
+    with pytest.raises(ClusterLost, match="has ended"):
+        do("g")
+    assert timers[-1].asked == [0, ("start", True)]
+
+
+def test_whoever_leaves_a_cluster_says_so(here, monkeypatch):
+    left, leave = [], Dask._leave
+    monkeypatch.setattr(Dask, "_leave", lambda *what: left.append(what[1]) or leave(*what))
+    with Dask(here):
+        assert not left
+    assert left == [None]
 
 
 @pytest.mark.parametrize(
