@@ -98,7 +98,7 @@ def drawn(block):
     )
 
 
-def whole(name):
+def whole(name, cases=CASES):
     """The text of a case."""
     with tempfile.TemporaryDirectory() as made, chdir(made):
         shutil.copy(Path(__file__).with_name("whole_explorers.py"), "mine.py")
@@ -108,7 +108,7 @@ def whole(name):
         vars(mine).update(names)
         texts = [
             result if isinstance(result, str) else "\n".join(shown(content_of(result)))
-            for result in CASES[name]()
+            for result in cases[name]()
         ]
         text = "\n\n".join(texts).replace(str(Path(made).resolve()), "{here}")
     text = text.replace(allworlds.__version__, "{version}")
