@@ -1,6 +1,7 @@
 """The debugger stops in the explorer where it begins to choose a step."""
 
 import io
+import re
 import signal
 import sys
 
@@ -70,3 +71,55 @@ def test_the_report_goes_before_the_debugger(file, monkeypatch, cli):
     assert "(Pdb) 'two'" in out[len(report[1]) :]
     refused = cli("run", file, "edge", "--pdb", "--step", "4")
     assert refused == (2, "", "allworlds: --step 4 is not from 1 to 3, where this run ends\n")
+
+
+TELLS = """\
+from allworlds import Checkpoint, CombinatorialMap, Estimate, Move
+from allworlds.explorers.builtin.algorithm1 import algorithm1
+
+
+def leaves():
+    step = "one"
+    yield Move(0)
+    yield Checkpoint((0, 1), (1, 0), 1)
+    yield Checkpoint((0, 1), (1, 0), 1)
+    step = "two"
+    yield Move(0)
+    yield Checkpoint((0, 1), (1, 0), 0)
+
+
+def explore(first):
+    step = "none"
+    yield from leaves()
+    step = "three"
+    return Estimate(CombinatorialMap((0, 1), (1, 0)), 0)
+
+
+def behind(first, *, choices):
+    step = "before"
+    found = yield from algorithm1(first, choices=choices)
+    step = "after"
+    return found
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "step", "seen"),
+    [
+        ("explore", 1, "16 step 17 18 none"),
+        ("explore", 2, "8 one 9 10 one"),
+        ("behind", 1, "23 step 24 25 before"),
+        ("behind", 2, "25 before 26"),
+    ],
+)
+def test_it_stops_once_and_goes_on_line_by_line_from_there(
+    name, step, seen, tmp_path, monkeypatch, capsys
+):
+    (tmp_path / "tells.py").write_text(TELLS)
+    monkeypatch.chdir(tmp_path)
+    run = allworlds.run(f"tells.py:{name}", "edge")
+    monkeypatch.setattr(sys, "stdin", io.StringIO("p step\nn\nn\np step\nc\n"))
+    debug(run, step)
+    out = capsys.readouterr().out
+    stops = re.findall(r"> .*tells\.py\((\d+)\)|'(\w+)'", out)
+    assert [line or said for line, said in stops] == seen.split()
