@@ -12,6 +12,7 @@ from pathlib import Path
 import allworlds
 from allworlds import Drop, Move
 from allworlds.documents.document import replace
+from allworlds.engines.tally import Tally
 from allworlds.outcome import Completed, Disagreed, Interrupted, Stopped
 from allworlds.reports import notebook
 from allworlds.reports.formats import file_of
@@ -124,13 +125,16 @@ def checks_of_files():
     Path("inner/mine.py").write_text(Path("mine.py").read_text(encoding="utf-8"))
     refuted = check("inner/mine.py:first_edge", edges=1, engine="python")
     yield from forms(replace(refuted, seconds=(2.0,)), *SERVICES)
-    beyond = replace(refuted, seconds=(), explorer="elsewhere.py:explore")
-    yield from forms(beyond, "sarif", "annotations")
+    elsewhere = [replace(each, code=None) for each in refuted.findings]
+    tally = Tally(refuted.tally.keep, findings=elsewhere)
+    beyond = replace(refuted, seconds=(), explorer="elsewhere.py:explore", tally=tally)
+    yield from forms(beyond, *SERVICES)
     flow = Path(".github/workflows/check.yml")
     flow.parent.mkdir(parents=True)
-    flow.write_text("on: push\njobs:\n  - run: allworlds check\n")
-    yield from forms(beyond, "sarif")
-    flow.write_text("on: push\n")
+    for text in ("on: push\njobs:\n  - run: allworlds check\n", "on: push\n"):
+        flow.write_text(text)
+        yield from forms(beyond, "sarif")
+    Path("pyproject.toml").write_text("[tool.allworlds]\n")
     yield from forms(beyond, "sarif")
 
 
