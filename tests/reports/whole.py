@@ -718,6 +718,8 @@ def teams():
     yield team("waits", "polls", edges=1, within=4)
     yield team("waits", "polls", edges=2, budget=4, lead=2, scheduler="ssync")
     yield team("waits", "polls", edges=1, budget=4, start_delay=2)
+    yield team("waits", "polls", edges=1, budget=4, lead=1, start_delay=1, scheduler="ssync")
+    yield team("searches", "polls", edges=2, budget=3, lead=2, start_delay=2, scheduler="ssync")
     yield team("waits", world='{"sigma":[0,1],"alpha":[1,0]}', starts=(0, 1), budget=4)
     yield team("waits", "searches", edges=2, shard=(0, 2))
     yield replace(held, ending=Stopped("the time is over"), levels=(1,), cells=held.cells[:1])

@@ -2,12 +2,14 @@
 
 from dataclasses import dataclass
 from itertools import product
+from types import SimpleNamespace
 
 import pytest
 
 from allworlds.protocol.actions import Do, Move, Watch
 from allworlds.protocol.turns import Automaton
 from allworlds.robots.configurations import Search
+from allworlds.robots.cycles import components
 from allworlds.robots.minds import Minds
 from allworlds.robots.model import SCHEDULERS, Assumption, Model, ModelInMap
 from allworlds.robots.schedulers import Timing
@@ -219,3 +221,11 @@ def test_who_is_no_more_between_look_and_move_does_not_move():
         state, _, _ = found.search.configuration(number)
         able, _ = found.search.able(number)
         assert not {*state.gone} & {*able}
+
+
+def test_components_are_each_found_once():
+    """Whatever comes in its turn has often been met before."""
+    graph = {0: [1], 1: [0, 2], 2: [2, 3], 3: [4], 4: [5], 5: [3, 6], 6: [], 7: [7, 0], 8: [9]}
+    search = SimpleNamespace(graph=SimpleNamespace(targets=lambda found: found))
+    found = [*components(search, sorted(graph), lambda at: graph[at])]
+    assert found == [[0, 1], [2], [3, 4, 5], [7]]
