@@ -10,12 +10,14 @@ from pathlib import Path
 
 import allworlds
 from allworlds.documents.document import replace
+from allworlds.engines.single import subject_of
 from allworlds.engines.units import Sample, Scope, Shard
 from allworlds.judging.rules import Rules
 from allworlds.maps import MapClass, from_cycles, named_map
 from allworlds.maps.classes import Extent
 from allworlds.studies.fuzz import breeding
 from allworlds.studies.fuzz.given_maps import MapsRequest, refuted_in
+from allworlds.studies.fuzz.sample_sweep import FuzzRequest, FuzzSweep, scope_of
 from allworlds.studies.fuzz.sampling import Batch, SmallBatch, batches, waves
 from allworlds.studies.fuzz.shrinking import shrink
 from allworlds.world import Directional, World, world_named
@@ -73,7 +75,8 @@ def draws():
     for index in range(3):
         part = Sample(40, 3, 2, Shard(index, 3), ("sparse",))
         yield str([(each.first, each.last) for each in batches(part)])
-        yield str([each.drawn.first for each in breeding.bred_of(part, range(0, 2048, 256))])
+        bred = [each.drawn for each in breeding.bred_of(part, range(0, 2048, 256))]
+        yield str([(each.first, each.last) for each in bred])
     for name, least in (("maps", 1), ("simple", 3)):
         extent = Extent(MapClass(name), 5)
         for mix in ((), ("sparse", "dense", "sparse")):
@@ -93,6 +96,19 @@ def breeds():
         pool.add(map_, [("a.py", 1), ("a.py", number % 5), ("a.py", number % 7)])
     for _ in range(2):
         yield from (world_line(*each) for each in pool.bred())
+
+
+@case
+def waves_of_samples():
+    """The levels of a sample, with the units of worlds that are bred."""
+    for explore in ("algorithm1", stays):
+        for options in ({"runs": 255}, {"runs": 1024, "shard": (1, 2)}, {"runs": 5}):
+            request = FuzzRequest(explore, edges=6, seed=3, **options)
+            subject = subject_of(request.explore, request.limits)
+            scope = scope_of(request, request.rules(subject))
+            for level in FuzzSweep(request, scope, subject).levels():
+                keys = [unit.key for unit in level.units]
+                yield f"{level.edges}, {level.worlds} runs, {level.of}: {keys}"
 
 
 @case
@@ -138,6 +154,8 @@ def shrinking():
     yield shrunk("cube", lambda world: True, "simple")
     yield shrunk("k4-torus", lambda world: world.map.genus)
     yield shrunk("theta", lambda world: False)
+    yield shrunk("star-16", lambda world: False)
+    yield shrunk("star-17", lambda world: False)
     yield shrunk("wheel-9", lambda world: max(world.map.degrees) > 4)
     maps = [named_map("k4"), from_cycles([[*"llab"], [*"abc"], [*"cd"], ["d"]])]
     for given in ((2, 1), (9, 1)):
@@ -165,6 +183,7 @@ def comparisons():
 @case
 def growth():
     yield told(allworlds.compare, "algorithm1", "dfs", family="strip,prism", to=24, draws=2)
+    yield told(allworlds.compare, "dfs", family="prism", to=12)
     yield told(allworlds.compare, stays, "algorithm1", loop_at_once, family="strip", to=13, draws=1)
     yield told(allworlds.compare, "algorithm1", stays, family="torus", to=18, draws=3, places=2)
     yield told(allworlds.compare, "dfs", "algorithm1", family="dense", to=60, draws=6, places=1)
