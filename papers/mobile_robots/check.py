@@ -186,34 +186,42 @@ Condition = Callable[[State, frozenset[int]], bool]
 """Of a step: the state before it, and who is activated."""
 
 
-def with_cycle(graph: Graph, robots: int, *more: Condition) -> set[State]:
-    """The states from which a run never ends in which each robot acts again and again.
+def goes_on(graph: Graph, robots: int, *more: Condition) -> bool:
+    """Whether a run never ends in which each robot acts again and again.
 
-    So it is with each further condition (Emerson and Lei 1986).
+    So it is with each further condition (Emerson and Lei 1986).  States are numbers here.
     """
     acts = [lambda _state, group, robot=robot: robot in group for robot in range(robots)]
-    into: dict[State, list[State]] = {state: [] for state in graph}
+    number = {state: i for i, state in enumerate(graph)}
+    into: list[set[int]] = [set() for _ in graph]
     for state, edges in graph.items():
-        for after, _ in edges:
-            into.get(after, []).append(state)
-    left, before = {*graph}, -1
+        for after in {after for after, _ in edges} & number.keys():
+            into[number[after]].add(number[state])
+    ways = [
+        [
+            {number[after] for after, group in edges if after in number and holds(state, group)}
+            for state, edges in graph.items()
+        ]
+        for holds in (*acts, *more)
+    ]
+    left, before = {*range(len(graph))}, -1
     while len(left) != before:
         before = len(left)
-        for holds in (*acts, *more):
-            new = [s for s in left if any(to in left and holds(s, who) for to, who in graph[s])]
+        for way in ways:
+            new = [state for state in left if not left.isdisjoint(way[state])]
             reached = {*new}
             while new:
-                behind = {state for state in into[new.pop()] if state in left}
-                new += behind - reached
+                behind = (into[new.pop()] & left) - reached
+                new += behind
                 reached |= behind
             left = reached
-    return left
+    return bool(left)
 
 
 def gathers(start: Sequence[int], vertices: int, rule: Rule, scheduler: str) -> bool:
     """Whether in every fair run all are at one vertex at last, and stay there."""
     graph = graph_from(start, vertices, rule, scheduler)
-    return not with_cycle(graph, len(start), lambda state, _group: len({*state[0]}) > 1)
+    return not goes_on(graph, len(start), lambda state, _group: len({*state[0]}) > 1)
 
 
 def explores(start: Sequence[int], vertices: int, rule: Rule, scheduler: str) -> bool:
@@ -223,7 +231,7 @@ def explores(start: Sequence[int], vertices: int, rule: Rule, scheduler: str) ->
         return False
     for robot, vertex in product(range(len(start)), range(vertices)):
         without = {state: edges for state, edges in graph.items() if state[0][robot] != vertex}
-        if with_cycle(without, len(start)):
+        if goes_on(without, len(start)):
             return False
     return True
 
