@@ -5,6 +5,7 @@ import pickle
 import signal
 import subprocess
 import sys
+import time
 
 import numba
 import pytest
@@ -41,10 +42,18 @@ def test_without_a_folder_to_write_to_a_function_is_compiled_all_the_same(monkey
     assert compiling.entry(len) == ("compiled", len)
 
 
+def begun(code):
+    """Another process that compiles; Linux shows its environment a moment after it has started."""
+    compiler = in_another_process(code)
+    while not linux._has(compiler.pid, linux.COMPILER):
+        time.sleep(0.001)
+    return compiler
+
+
 @pytest.mark.processes
 def test_a_compiler_ends_when_the_user_interrupts_and_another_process_does_not():
     other = subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE)
-    compiler = in_another_process("import time; time.sleep(3600)")
+    compiler = begun("import time; time.sleep(3600)")
     with pytest.raises(KeyboardInterrupt), linux.compilers_ended():
         raise KeyboardInterrupt
     assert compiler.wait(PATIENCE) == -signal.SIGKILL
@@ -57,15 +66,15 @@ def test_a_compiler_ends_when_the_user_interrupts_and_another_process_does_not()
 
 @pytest.mark.processes
 def test_a_check_that_is_interrupted_ends_its_compiler(monkeypatch):
-    begun = []
+    compilers = []
 
     def begin(*_):
-        begun.append(in_another_process("import time; time.sleep(3600)"))
+        compilers.append(begun("import time; time.sleep(3600)"))
         raise KeyboardInterrupt
 
     monkeypatch.setattr("allworlds.engines.sweep.gather", begin)
     assert check(edges=1).interrupted
-    assert begun[0].wait(PATIENCE) == -signal.SIGKILL
+    assert compilers[0].wait(PATIENCE) == -signal.SIGKILL
 
 
 def test_a_compiler_that_is_not_waited_for_makes_way(monkeypatch):

@@ -12,6 +12,8 @@ from contextlib import chdir, suppress
 from pathlib import Path
 from types import SimpleNamespace
 
+import pytest
+
 import allworlds
 from allworlds import Ambiguous, Checkpoint, CombinatorialMap, Drop, Estimate, Move
 from allworlds.documents.document import replace
@@ -100,7 +102,8 @@ def drawn(block):
 
 def whole(name, cases=CASES):
     """The text of a case."""
-    with tempfile.TemporaryDirectory() as made, chdir(made):
+    with tempfile.TemporaryDirectory() as made, chdir(made), pytest.MonkeyPatch.context() as patch:
+        patch.syspath_prepend(made)  # elsewhere, too, there may be a mine.py
         shutil.copy(Path(__file__).with_name("whole_explorers.py"), "mine.py")
         file = Path("mine.py").resolve()
         names = {"__name__": "mine"}
