@@ -27,7 +27,7 @@ class ViewOrder(NamedTuple):
     alpha: tuple[int, ...]
 
 
-View: TypeAlias = list[list[int]]
+Sight: TypeAlias = list[list[int]]
 """Three lists: the number of robots at each vertex, the degree of each vertex, and the other end of
 each dart; see :class:`ViewOrder`."""
 
@@ -64,7 +64,7 @@ class Eyes(NamedTuple):
 
     def view(
         self, map_: CombinatorialMap, darts: Sequence[Dart], dart: Dart, clockwise: int = 1
-    ) -> View:
+    ) -> Sight:
         """The view from ``dart``, with a robot at each of ``darts``."""
         at = Counter(map_.vertex_of[each] for each in darts)
         vertices, degrees, alpha = view_order(map_, dart, clockwise)
@@ -72,7 +72,7 @@ class Eyes(NamedTuple):
         robots[0] = min(at[vertices[0]], self.here)
         return [robots, [*degrees], [*alpha]]
 
-    def views(self, map_: CombinatorialMap, darts: Sequence[Dart], dart: Dart) -> dict[Dart, View]:
+    def views(self, map_: CombinatorialMap, darts: Sequence[Dart], dart: Dart) -> dict[Dart, Sight]:
         """For each dart of the vertex of ``dart`` the lesser of its two views.
 
         The two views of a dart are the clockwise and the anticlockwise view.
