@@ -33,7 +33,7 @@ from allworlds.corpus.explorers import ConfirmedTooEarly
 from allworlds.engines.lanes import workers_for
 from allworlds.engines.limits import Limits
 from allworlds.engines.units import Sample, Scope
-from allworlds.explorers.builtin.algorithm1 import Algorithm1, TwoVertices, Walk
+from allworlds.explorers.builtin.algorithm1 import Algorithm1, Stage, TwoVertices
 from allworlds.explorers.loading import in_process_subject
 from allworlds.judging.episode import AroundExplorer
 from allworlds.judging.findings.finding import place_of
@@ -60,7 +60,7 @@ class Plain(Algorithm1):
     fits = rejected = length = 0
     passes: frozenset[tuple[int, ...]] = frozenset()
 
-    def test_all(self, hypotheses: list[int]) -> Walk[int | None]:
+    def test_all(self, hypotheses: list[int]) -> Stage[int | None]:
         """Lines 7-17; of a pass that closes an edge it is noted how that came about."""
         self.rejected = self.length = 0
         partner = yield from super().test_all(hypotheses)
@@ -74,7 +74,7 @@ class Plain(Algorithm1):
     def closes(self, degree: int, rejected: int, length: int, fours: int) -> None:
         """Hear of a pass that closes an edge."""
 
-    def try_path(self, partner: int, path: list[int]) -> Walk[tuple[list[int], bool]]:
+    def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
         """Lines 10-13; of a wrong hypothesis it is noted how many steps have fitted."""
         motions, matched = yield from super().try_path(partner, path)
         self.length = len(path)
@@ -111,7 +111,7 @@ def believing(kind: type[Plain], steps: int) -> type[Plain]:
     """The explorer that believes a hypothesis after so many fitting steps."""
 
     class Believes(kind):  # type: ignore[valid-type,misc]
-        def try_path(self, partner: int, path: list[int]) -> Walk[tuple[list[int], bool]]:
+        def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
             if len(path) <= steps:
                 return (yield from super().try_path(partner, path))  # type: ignore[no-any-return]
             motions, matched = yield from Algorithm1.try_path(self, partner, path[:steps])

@@ -12,7 +12,7 @@ from typing import Any
 from msgspec import Struct
 
 from allworlds.documents.document import replace
-from allworlds.explorers.builtin.algorithm1 import Algorithm1, Walk
+from allworlds.explorers.builtin.algorithm1 import Algorithm1, Stage
 from allworlds.explorers.builtin.explorer_table import BUILT_IN
 from allworlds.explorers.builtin.folding import OPEN, FoldedLog, explore_folding, way
 from allworlds.maps.combinatorial import CombinatorialMap, cycles
@@ -31,8 +31,8 @@ class BearingIgnored(Algorithm1):
     def hypotheses(self, goal: int, percept: Percept) -> list[int]:
         return super().hypotheses(goal, without_bearing(percept))
 
-    def try_path(self, partner: int, path: list[int]) -> Walk[tuple[list[int], bool]]:
-        tried: Walk[tuple[list[int], bool]] = sensing(
+    def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
+        tried: Stage[tuple[list[int], bool]] = sensing(
             super().try_path(partner, path), without_bearing
         )
         return (yield from tried)
@@ -43,7 +43,7 @@ def without_bearing(percept: Percept) -> Percept:
     return replace(percept, bearing=None)
 
 
-def sensing(walk: Walk[Any], change: Callable[[Percept], Percept]) -> Walk[Any]:
+def sensing(walk: Stage[Any], change: Callable[[Percept], Percept]) -> Stage[Any]:
     """The walk of a robot whose percepts are altered."""
     reply: Any = None
     while True:
@@ -61,15 +61,15 @@ class MarkerIgnored(Algorithm1):
     def __init__(self, first: Percept, choices: Choices) -> None:
         super().__init__(Percept(first.degree), choices)
 
-    def explore(self) -> Walk[Estimate]:
-        walk: Walk[Estimate] = sensing(super().explore(), lambda seen: Percept(seen.degree))
+    def explore(self) -> Stage[Estimate]:
+        walk: Stage[Estimate] = sensing(super().explore(), lambda seen: Percept(seen.degree))
         return (yield from walk)
 
 
 class NoRetracing(Algorithm1):
     """Line 15 left out: after a rejected hypothesis the robot stays where it is."""
 
-    def retrace(self, motions: list[int]) -> Walk[None]:
+    def retrace(self, motions: list[int]) -> Stage[None]:
         del motions
         self.turned = 0
         yield from ()
@@ -78,7 +78,7 @@ class NoRetracing(Algorithm1):
 class OrientationNotRestored(Algorithm1):
     """Line 15 by half: the robot comes back to v_u, but forgets how it is turned there."""
 
-    def retrace(self, motions: list[int]) -> Walk[None]:
+    def retrace(self, motions: list[int]) -> Stage[None]:
         yield from super().retrace(motions)
         self.turned = 0
 
@@ -94,7 +94,7 @@ class PartnerLeftInU(Algorithm1):
 class PartnerShownInU(Algorithm1):
     """Publishes a U that still holds the partner of the edge explored last; walks rightly."""
 
-    def explore(self) -> Walk[Estimate]:
+    def explore(self) -> Stage[Estimate]:
         return (yield from published(super().explore(), partner_open))
 
 
@@ -106,7 +106,7 @@ def partner_open(checkpoint: Checkpoint) -> Checkpoint:
     return replace(checkpoint, alpha=alpha)
 
 
-def published(walk: Walk[Estimate], change: Callable[[Checkpoint], Checkpoint]) -> Walk[Estimate]:
+def published(walk: Stage[Estimate], change: Callable[[Checkpoint], Checkpoint]) -> Stage[Estimate]:
     """The walk of an explorer with altered checkpoints."""
     reply: Any = None
     while True:
@@ -120,7 +120,7 @@ def published(walk: Walk[Estimate], change: Callable[[Checkpoint], Checkpoint]) 
 class PlaceShownWrong(Algorithm1):
     """Publishes an S in which the robot stands at the next dart; walks rightly."""
 
-    def explore(self) -> Walk[Estimate]:
+    def explore(self) -> Stage[Estimate]:
         def turned(checkpoint: Checkpoint) -> Checkpoint:
             return replace(checkpoint, here=checkpoint.sigma[checkpoint.here])
 
@@ -130,7 +130,7 @@ class PlaceShownWrong(Algorithm1):
 class PassWithoutProgress(Algorithm1):
     """Publishes every S twice, so that t does not fall; walks rightly."""
 
-    def explore(self) -> Walk[Estimate]:
+    def explore(self) -> Stage[Estimate]:
         walk = super().explore()
         reply: Any = None
         while True:
@@ -146,7 +146,7 @@ class PassWithoutProgress(Algorithm1):
 class OneHypothesisOnly(Algorithm1):
     """Lines 7-17 without the loop: only the first hypothesis is tested."""
 
-    def test_all(self, hypotheses: list[int]) -> Walk[int | None]:
+    def test_all(self, hypotheses: list[int]) -> Stage[int | None]:
         return (yield from super().test_all(hypotheses[:1]))
 
 
@@ -161,15 +161,15 @@ class SecondEntryForgotten(Algorithm1):
 class ConfirmedTooEarly(Algorithm1):
     """Lines 10-13: a hypothesis is confirmed when the first step of its path matches."""
 
-    def try_path(self, partner: int, path: list[int]) -> Walk[tuple[list[int], bool]]:
+    def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
         motions, matched = yield from super().try_path(partner, path[:1])
         if matched and len(path) > 1:
             rest = yield from self.finish(path)
             motions += rest
         return motions, matched
 
-    def finish(self, path: list[int]) -> Walk[list[int]]:
-        """Walk the rest of the path with closed eyes."""
+    def finish(self, path: list[int]) -> Stage[list[int]]:
+        """Stage the rest of the path with closed eyes."""
         motions = []
         for before, dart in pairwise(path):
             motions.append(self.s.offset(self.s.alpha[before], dart))
@@ -219,7 +219,7 @@ class LuckyGuess(Algorithm1):
     def take_from_u(self) -> int:
         return self.s.unexplored[0]
 
-    def explore(self) -> Walk[Estimate]:
+    def explore(self) -> Stage[Estimate]:
         walk = super().explore()
         reply: Any = None
         while len(self.s.unexplored) != 2:
@@ -234,7 +234,7 @@ class LuckyGuess(Algorithm1):
 class WalksTooMuch(Algorithm1):
     """Before it answers it walks its last edge once more each way for every edge there is."""
 
-    def explore(self) -> Walk[Estimate]:
+    def explore(self) -> Stage[Estimate]:
         estimate = yield from super().explore()
         for _ in range(estimate.map.edge_count):
             yield Move(0)
@@ -255,7 +255,7 @@ class WrongInOneWorld(Algorithm1):
 class NeverStops(Algorithm1):
     """Line 2: U is never empty, so it walks for ever."""
 
-    def explore(self) -> Walk[Estimate]:
+    def explore(self) -> Stage[Estimate]:
         yield from super().explore()
         while True:
             yield Move(1)
@@ -268,8 +268,8 @@ class NearestOnly(Algorithm1):
         super().__init__(first, choices)
         self.first = first
 
-    def explore(self) -> Walk[Estimate]:
-        """Walk without tests, to the nearest open dart each time."""
+    def explore(self) -> Stage[Estimate]:
+        """Stage without tests, to the nearest open dart each time."""
         return (yield from explore_folding(self.first, to_nearest))
 
 
@@ -290,7 +290,7 @@ class CrashesAtLeaves(Algorithm1):
 class DropsMarkers(Algorithm1):
     """Written for a robot with markers in hand."""
 
-    def follow(self, goal: int) -> Walk[Percept]:
+    def follow(self, goal: int) -> Stage[Percept]:
         yield Drop()
         return (yield from super().follow(goal))
 
@@ -298,7 +298,7 @@ class DropsMarkers(Algorithm1):
 class NoAnswer(Algorithm1):
     """Forgets to return what it has found."""
 
-    def explore(self) -> Walk[Estimate]:
+    def explore(self) -> Stage[Estimate]:
         yield from super().explore()
         return None  # type: ignore[return-value]
 

@@ -36,7 +36,7 @@ from allworlds.corpus.explorers import (
     WrongExplorer,
 )
 from allworlds.inputs.checks import InputError
-from allworlds.judging.episode import Ending, Fault
+from allworlds.judging.episode import EpisodeEnding, Fault
 from allworlds.judging.findings.finding import Finding
 from allworlds.judging.laws.bounds import bound_named
 from allworlds.maps import rooted_code
@@ -284,7 +284,7 @@ def answered_by(program: Path, lines: Sequence[str], *arguments: str) -> list[st
     return answers
 
 
-def not_lost(name: str, ending: Ending | Finding) -> None:
+def not_lost(name: str, ending: EpisodeEnding | Finding) -> None:
     """See that a run has not ended because a program is lost or silent.
 
     Raises:

@@ -18,7 +18,7 @@ from allworlds.engines.players import Lost, PlayerHere, PlayerProcess, Setup, an
 from allworlds.engines.tally import RunCounter
 from allworlds.engines.units import Scope
 from allworlds.explorers.loading import Subject
-from allworlds.judging.episode import Ending, Episode, Fault, fault_of
+from allworlds.judging.episode import Episode, EpisodeEnding, Fault, fault_of
 from allworlds.judging.rules import Rules
 from allworlds.log import Log
 from allworlds.maps import MapClass
@@ -87,7 +87,7 @@ def _logs(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> Sequen
         raise NoAnswer(f"{lost.law}: {lost.seen}") from None
 
 
-def _seen(ending: Ending | None) -> None:
+def _seen(ending: EpisodeEnding | None) -> None:
     """Let the whole end at the first run that is silent."""
     if isinstance(ending, Fault) and ending.law == "timeout":
         raise NoAnswer(f"timeout: {ending.seen}")

@@ -18,7 +18,7 @@ from typing import Any
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.explorers.builtin.folding import FoldedLog, Shield, estimate, has_open_dart
 from allworlds.explorers.loading import load
-from allworlds.judging.episode import Answered, Ending, play
+from allworlds.judging.episode import Answered, EpisodeEnding, play
 from allworlds.judging.laws.bounds import paper_bound
 from allworlds.maps import rooted_code
 from allworlds.maps.combinatorial import Code
@@ -102,7 +102,7 @@ def _player(explorer: Explore) -> Player:
     return lambda first, _choices, _told: explorer(first)
 
 
-def _code(ending: Ending) -> Code | None:
+def _code(ending: EpisodeEnding) -> Code | None:
     """The map of an answer, with the robot in it, whatever its darts are called."""
     answer = ending.answer if isinstance(ending, Answered) else None
     if not isinstance(answer, Estimate):

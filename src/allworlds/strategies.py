@@ -25,7 +25,7 @@ from hypothesis.strategies import DrawFn, SearchStrategy, builds, composite, int
 from allworlds.inputs.checks import InputError, an_integer
 from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart, cycles, places, rooted_code
-from allworlds.protocol.choices import Choices, Kind
+from allworlds.protocol.choices import ChoiceKind, Choices
 from allworlds.world.lighthouses import base, kinds
 from allworlds.world.world import World
 
@@ -168,7 +168,7 @@ class Answers:
     def __repr__(self) -> str:
         return f"Answers({list(self.answers)})"
 
-    def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:  # noqa: ARG002
+    def choose(self, kind: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:  # noqa: ARG002
         """Return the next number modulo the number of options; 0 when all are used."""
         return next(self._left, 0) % len(options)
 
@@ -219,7 +219,7 @@ def grow(
     growth = _Growth(map_class, roots[pick(roots)])
     for edge in range(1, edges):
         new_vertices, new_edges = vertices - growth.vertex_count, edges - edge
-        ways: list[Way] = []
+        ways: list[NewEdge] = []
         if new_vertices < new_edges:
             ways += growth.between()
         if new_vertices:
@@ -240,7 +240,7 @@ def _fewest_vertices(map_class: MapClass, edges: int) -> int:
 LOOP = CombinatorialMap((1, 0), (1, 0))
 LINK = CombinatorialMap((0, 1), (1, 0))
 
-Way: TypeAlias = tuple[Dart, Dart]
+NewEdge: TypeAlias = tuple[Dart, Dart]
 """A new edge: from the corner behind dart a to the corner behind dart b, or to a new vertex if b
 is OUTWARD."""
 
@@ -260,7 +260,7 @@ class _Growth:
         self.sigma, self.alpha = list(root.sigma), list(root.alpha)
         self.vertex_count = root.vertex_count
 
-    def between(self) -> list[Way]:
+    def between(self) -> list[NewEdge]:
         """Every way to add an edge without a new vertex, ascending."""
         darts = range(len(self.sigma))
         face, _ = places(cycles([self.sigma[e] for e in self.alpha]))
@@ -275,7 +275,7 @@ class _Growth:
 
         return [way for way in combinations_with_replacement(darts, 2) if allowed(*way)]
 
-    def add(self, way: Way) -> None:
+    def add(self, way: NewEdge) -> None:
         """Add the edge to the map."""
         a, b = way
         first = len(self.sigma)

@@ -8,7 +8,7 @@ import re
 import subprocess
 import sys
 import types
-from collections import Counter
+from collections import Counter, defaultdict
 from pathlib import Path
 from typing import NamedTuple
 
@@ -361,14 +361,22 @@ def test_a_library_is_imported_only_at_home():
             assert library not in LAZY or not target.at_once, f"{short} loads {library} at once"
 
 
-def test_a_name_stands_for_one_class_and_in_a_wing_for_one_module():
-    classes = Counter(
-        node.name
-        for path in ROOT.rglob("*.py")
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if isinstance(node, ast.ClassDef)
-    )
-    assert not [name for name, times in classes.items() if times > 1]
+def named_types(path):
+    """Each class, with its place; each other name of a type, with what it stands for."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ClassDef):
+            yield node.name, f"{path}:{node.lineno}"
+        elif isinstance(node, ast.AnnAssign) and ast.unparse(node.annotation) == "TypeAlias":
+            yield node.target.id, ast.unparse(node.value)
+
+
+def test_a_name_stands_for_one_type_and_in_a_wing_for_one_module():
+    meanings = defaultdict(set)
+    for path in ROOT.rglob("*.py"):
+        for name, meaning in named_types(path):
+            meanings[name].add(meaning)
+    del meanings["FromJson"]  # a checker of types reads another line than Python
+    assert not [name for name, several in meanings.items() if len(several) > 1]
     inside = [short for short in MODULES if "." in short]
     names = Counter((wing(short), short.rpartition(".")[2]) for short in inside)
     assert not [name for name, times in names.items() if times > 1]

@@ -13,7 +13,7 @@ BLOCK = re.compile(
 
 
 @dataclass(frozen=True)
-class Block:
+class Atoms:
     """A fenced block.
 
     Attributes:
@@ -34,7 +34,7 @@ class Block:
 def blocks(text, *languages):
     """The fenced blocks of a page, in order; of these languages, where there are any."""
     found = [
-        Block(
+        Atoms(
             each["language"],
             each["title"] or "",
             each["reason"] or "",

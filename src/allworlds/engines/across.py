@@ -40,7 +40,7 @@ FEW = 3
 The causes of a difference are earlier runs.
 """
 
-At: TypeAlias = tuple[CombinatorialMap, int]
+AtPlace: TypeAlias = tuple[CombinatorialMap, int]
 """A map, and the number of the lighthouse's place."""
 
 
@@ -55,7 +55,7 @@ class FirstLog(NamedTuple):
     right: bool
 
 
-def remember(batch: RunBatch, known: dict[At, FirstLog]) -> None:
+def remember(batch: RunBatch, known: dict[AtPlace, FirstLog]) -> None:
     """Add the logs of a batch to ``known``, in the order of the plays, if its worlds are small."""
     unit, logs, broken = batch.work.unit, batch.logs[FIRST], {*batch.broken}
     small = isinstance(unit, LevelUnit | GivenUnit) and unit.edges <= ACROSS
@@ -116,7 +116,7 @@ class Across:
         self.found: dict[int, Outcome] = {}
         self.odd: list[tuple[int, Log]] = []
 
-    def begin(self, known: Mapping[At, FirstLog]) -> None:
+    def begin(self, known: Mapping[AtPlace, FirstLog]) -> None:
         """Begin the plays, once the units of the runs are done.
 
         Args:

@@ -15,7 +15,7 @@ from functools import partial
 from random import Random
 
 from allworlds.engines import hash_seeds, limits, losses, tally, units
-from allworlds.engines.across import Across, At, FirstLog, remember
+from allworlds.engines.across import Across, AtPlace, FirstLog, remember
 from allworlds.engines.batch import FIRST, SECOND, RunBatch, Work
 from allworlds.engines.judge import PythonJudge
 from allworlds.engines.judges import Judges
@@ -71,7 +71,7 @@ class Lane:
         self._works: list[Work] = []
         self._waiting: deque[RunBatch] = deque()
         self._across: Across | None = None
-        self._first_logs: dict[At, FirstLog] = {}
+        self._first_logs: dict[AtPlace, FirstLog] = {}
         self._size, self._reported = LEAST, time.monotonic()
         self._due = self._judged = self._settled = 0
 

@@ -128,7 +128,7 @@ class Logs(Sequence[bytes]):
         return bytes(self.message[self.starts[index] : self.starts[index + 1]])
 
 
-Answer: TypeAlias = tuple[Any, Sequence[bytes] | None]
+JobLogs: TypeAlias = tuple[Any, Sequence[bytes] | None]
 """A job, and the logs that a player has made for it.
 
 A job is any value by which the owner knows its message to the player.  In place of the logs there
@@ -246,7 +246,7 @@ class PlayerProcess:
         except OSError:
             self._out.clear()  # then it is lost, which the next read notices
 
-    def heard(self) -> list[Answer]:
+    def heard(self) -> list[JobLogs]:
         """The answers that have come since the last call.
 
         Raises:
@@ -298,7 +298,7 @@ class PlayerProcess:
             yield came[4:end]
             del came[:end]
 
-    def _message(self, message: bytearray) -> Answer | None:
+    def _message(self, message: bytearray) -> JobLogs | None:
         letter = message[0] if message else -1
         if letter == player.PART:
             self.part += message[1:]
@@ -477,7 +477,7 @@ class PlayerHere:
         """Give the explorer a message, which the next call of :meth:`heard` answers."""
         self.jobs.append((job, message))
 
-    def heard(self) -> list[Answer]:
+    def heard(self) -> list[JobLogs]:
         """Answer the next message; return its job with the logs, or an empty list without a job."""
         if not self.jobs:
             return []

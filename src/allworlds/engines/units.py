@@ -25,7 +25,7 @@ from allworlds.judging.rules import Rules
 from allworlds.maps import combinatorial, count_source, counting
 from allworlds.maps.classes import Extent
 from allworlds.maps.enumeration import Gluing, prefixes, rooted_maps
-from allworlds.notations.given import GivenMap, GivenMaps, Placed
+from allworlds.notations.given import GivenMap, GivenMaps, MapWithPlaces
 from allworlds.protocol.choices import Schedule
 from allworlds.world.lighthouses.base import Lighthouse
 from allworlds.world.lighthouses.composed import Nothing
@@ -223,7 +223,7 @@ class LevelUnit(Struct, frozen=True):
         """The maps, rooted at dart 0, in the order of the enumeration."""
         return rooted_maps(self.edges, extent.map_class, extent.vertices, self.prefix, extent.where)
 
-    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
+    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
         """The maps, each with all places of a lighthouse of this kind."""
         for map_ in self.maps(extent):
             yield map_, list(enumerate(kind.places(map_, 0)))
@@ -268,7 +268,7 @@ class GivenUnit(Struct, frozen=True):
         """The maps of the unit that are in the extent, once for each start."""
         return (map_ for map_, _ in self.placed(extent, Nothing))
 
-    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
+    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
         """The maps of the unit that are in the extent, each with its places.
 
         A map whose lighthouse was given has only the place of that lighthouse; any other map has
@@ -392,7 +392,7 @@ def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
 class UnitOfRuns(Unit, Protocol):
     """A unit that consists of runs."""
 
-    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
+    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
         """Every map with the places of a lighthouse of this kind, in a fixed order."""
 
 
@@ -402,7 +402,7 @@ class GivenWorlds(Struct, frozen=True):
     worlds: tuple[tuple[World, int], ...]
     key: str = ""
 
-    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:  # noqa: ARG002  # they are all there
+    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:  # noqa: ARG002  # they are all there
         """The maps of the worlds, each with its own place and lighthouse."""
         for world, place in self.worlds:
             yield world.map, [(place, world.lighthouse)]
@@ -429,7 +429,7 @@ class AcrossUnit(Struct, frozen=True):
         """The name of the unit: the number of edges, and the word ``across``."""
         return f"{self.edges} across"
 
-    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
+    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
         """The maps with up to ``edges`` edges, each with all places of this kind of lighthouse."""
         for edges in extent.levels:
             if edges <= self.edges:

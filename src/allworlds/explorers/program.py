@@ -72,7 +72,7 @@ class EpisodeEnd(NamedTuple):
     answer: object
 
 
-Message: TypeAlias = actions.Action | actions.Checkpoint | EpisodeEnd
+ProgramMessage: TypeAlias = actions.Action | actions.Checkpoint | EpisodeEnd
 """A line of the program, as a value."""
 
 
@@ -100,7 +100,7 @@ def _answering(percept: actions.Percept) -> bytes:
 # ---------------------------------------------------------------- from the program
 
 
-def message_of(line: bytes) -> Message:
+def message_of(line: bytes) -> ProgramMessage:
     """The message of a line.
 
     Raises:
@@ -115,7 +115,7 @@ def message_of(line: bytes) -> Message:
     if (said := sum(key in message for key in SAYINGS)) != 1:
         keys = f"it has {said or 'none'} of the keys {', '.join(SAYINGS)}, and needs one"
         raise _illegal(f"the line {_short(message)}: {keys}")
-    action: Message | None = actions.action_from_json(message)
+    action: ProgramMessage | None = actions.action_from_json(message)
     if action is not None:
         return action
     if "checkpoint" in message:
@@ -235,7 +235,7 @@ class Program:
                 # Its next message would belong to an episode that has ended.
                 self._kill()
 
-    def _next_message(self) -> Message:
+    def _next_message(self) -> ProgramMessage:
         """The program's next message."""
         line = self._line()
         try:

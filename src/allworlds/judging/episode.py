@@ -55,7 +55,7 @@ class Fault(Struct, frozen=True):
     machine: bool = False
 
 
-Ending: TypeAlias = Answered | Over | Fault
+EpisodeEnding: TypeAlias = Answered | Over | Fault
 
 
 class Episode(Struct, frozen=True):
@@ -69,7 +69,7 @@ class Episode(Struct, frozen=True):
 
     walk: Walk
     checkpoints: tuple[tuple[int, actions.Checkpoint], ...]
-    ending: Ending
+    ending: EpisodeEnding
 
     @property
     def transcript(self) -> actions.Transcript:
@@ -204,7 +204,7 @@ def fault_of(log: Log, budget: int = 0, *, maps: bool = True) -> Fault | None:
     return Fault("budget", f"at most {most} {free}", f"{show(action)} as number {most + 1}")
 
 
-def ending_of(log: Log, budget: int = 0, *, maps: bool = True) -> Ending:
+def ending_of(log: Log, budget: int = 0, *, maps: bool = True) -> EpisodeEnding:
     """The ending of a log: an answer, a done task, or a fault, such as a malformed answer."""
     code, *parts = log.ending
     match code:

@@ -11,7 +11,7 @@ from typing import Any, TypeAlias
 from msgspec import Struct
 
 from allworlds.inputs.checks import InputError, a_text, show
-from allworlds.judging.episode import Answered, Ending
+from allworlds.judging.episode import Answered, EpisodeEnding
 from allworlds.judging.walk import Walk
 from allworlds.protocol.importing import attempted
 from allworlds.protocol.user_code import Role, UserCode
@@ -173,7 +173,7 @@ class Task(Struct, frozen=True):
             raise InputError(f"over of task {show(self.name)} returns {show(over)}, no boolean")
         return over
 
-    def flaw(self, walk: Walk, ending: Ending) -> str | None:
+    def flaw(self, walk: Walk, ending: EpisodeEnding) -> str | None:
         """The fault of a finished run; None if there is none.
 
         Raises:

@@ -13,10 +13,10 @@ from allworlds.maps.classes import Extent, MapClass, NamedCondition
 from allworlds.maps.counting import NARROWED, SOURCES, CountSource
 from allworlds.maps.enumeration import FINGERPRINTS, Gluing, fingerprint, rooted_maps
 
-Size: TypeAlias = tuple[int, int]
+NewParts: TypeAlias = tuple[int, int]
 """The numbers of new darts and of new vertices."""
 
-NOTHING: Mapping[Size, int] = MappingProxyType({(0, 0): 1})
+NOTHING: Mapping[NewParts, int] = MappingProxyType({(0, 0): 1})
 
 
 def completions(gluing: Gluing) -> int:
@@ -46,14 +46,14 @@ def _anywhere(open_: int, owed: int, vertices: int) -> int:
 
 
 @cache
-def _fillings(open_: int, most: int) -> Mapping[Size, int]:
+def _fillings(open_: int, most: int) -> Mapping[NewParts, int]:
     """The numbers of ways, by size, to close a face of ``open_`` darts with at most ``most`` more.
 
     The oldest dart is glued to another one, which divides the face, or to a new vertex.
     """
     if open_ == 0:
         return NOTHING
-    ways: Counter[Size] = Counter()
+    ways: Counter[NewParts] = Counter()
     for between in range(open_ - 1):
         pair = _product(_fillings(between, most), _fillings(open_ - 2 - between, most))
         ways.update({size: count for size, count in pair.items() if size[0] <= most})
@@ -63,8 +63,8 @@ def _fillings(open_: int, most: int) -> Mapping[Size, int]:
     return ways
 
 
-def _product(a: Mapping[Size, int], b: Mapping[Size, int]) -> Mapping[Size, int]:
-    ways: Counter[Size] = Counter()
+def _product(a: Mapping[NewParts, int], b: Mapping[NewParts, int]) -> Mapping[NewParts, int]:
+    ways: Counter[NewParts] = Counter()
     for (darts, new), count in a.items():
         for (more, others), times in b.items():
             ways[darts + more, new + others] += count * times

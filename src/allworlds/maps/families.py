@@ -12,7 +12,7 @@ from allworlds.inputs.checks import InputError, not_one_of, show
 from allworlds.maps.build import cycle, dense, from_cycles, lattice
 from allworlds.maps.combinatorial import CombinatorialMap, InvalidMap, automorphisms, rooted_code
 
-Ends: TypeAlias = list[tuple[int, int]]
+EdgeEnds: TypeAlias = list[tuple[int, int]]
 """The edges of a graph, each as the numbers of its two vertices."""
 
 
@@ -192,14 +192,14 @@ def cover(sheets: int, random: Random) -> CombinatorialMap:
     return _connected(draw)
 
 
-def _matched(darts: list[int], random: Random) -> Ends:
+def _matched(darts: list[int], random: Random) -> EdgeEnds:
     """A random matching of darts, or of the vertices at which they are."""
     shuffled = darts[:]
     random.shuffle(shuffled)
     return list(zip(shuffled[::2], shuffled[1::2], strict=True))
 
 
-def _drawn(vertices: int, ends: Ends, random: Random) -> CombinatorialMap:
+def _drawn(vertices: int, ends: EdgeEnds, random: Random) -> CombinatorialMap:
     """The graph with random rotations."""
     around: list[list[int]] = [[] for _ in range(vertices)]
     for edge, pair in enumerate(ends):

@@ -37,7 +37,7 @@ from allworlds.world.world import Entry, World
 PIECE = 50
 """The number of given maps that a worker gets at a time."""
 
-Placed: TypeAlias = tuple[CombinatorialMap, list[tuple[int, Lighthouse]]]
+MapWithPlaces: TypeAlias = tuple[CombinatorialMap, list[tuple[int, Lighthouse]]]
 """A map rooted at dart 0, and the numbered places of its lighthouse that are tried."""
 
 
@@ -56,7 +56,7 @@ class GivenMap(Struct, frozen=True):
     lighthouse: Lighthouse | None = None
     labels: Labelling = PLAIN
 
-    def placed(self, kind: type[Lighthouse]) -> Iterator[Placed]:
+    def placed(self, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
         """The map from each start, in canonical numbering, with the places that are tried."""
         for start in self.starts:
             names = inverse(numbering(self.map.sigma, self.map.alpha, start))

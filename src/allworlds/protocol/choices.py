@@ -15,24 +15,24 @@ from allworlds.inputs.checks import not_one_of, show
 
 T = TypeVar("T")
 
-Kind: TypeAlias = Literal["edge", "hypothesis", "path", "transit"]
+ChoiceKind: TypeAlias = Literal["edge", "hypothesis", "path", "transit"]
 """The kind of a choice: the dart to explore next, the hypothesis to test next, the next dart of a
 path that tests a hypothesis, the next dart on the way to the dart to be explored."""
 
-KINDS: tuple[Kind, ...] = get_args(Kind)
+KINDS: tuple[ChoiceKind, ...] = get_args(ChoiceKind)
 
 
 class Policy(Protocol):
     """A policy decides choices, given the number of options, their kind and their costs."""
 
-    def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
+    def choose(self, kind: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:
         """Return an index below ``len(options)``; any integer if there are no options."""
 
 
 class Fifo:
     """Take the first option: of darts the one that came into S first, of paths a shortest one."""
 
-    def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
+    def choose(self, kind: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:
         """Return 0."""
         return 0
 
@@ -40,7 +40,7 @@ class Fifo:
 class Lifo:
     """Take the dart that came into S last; for other kinds of choices as :class:`Fifo`."""
 
-    def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
+    def choose(self, kind: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:
         """Return the last index for the kind ``edge``, and 0 for other kinds."""
         return len(options) - 1 if kind == "edge" else 0
 
@@ -48,7 +48,7 @@ class Lifo:
 class Nearest:
     """Take the first dart with the shortest walk; for other kinds of choices as :class:`Fifo`."""
 
-    def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
+    def choose(self, kind: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:
         """Return the index of the first cheapest option for ``edge``, and 0 for other kinds."""
         if kind != "edge" or not cost:
             return 0
@@ -62,7 +62,7 @@ class Seeded:
     def __init__(self, seed: str) -> None:
         self._random = Random(seed)  # noqa: S311  # reproducible, not secret
 
-    def choose(self, kind: Kind, options: Sized, cost: Sequence[int] | None) -> int:
+    def choose(self, kind: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:
         """Return a uniformly drawn index."""
         return self._random.randrange(max(len(options), 1))
 
@@ -115,7 +115,7 @@ class Choices:
         self.record: list[int] = []
         self.widths: list[int] = []
 
-    def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:
+    def pick(self, options: Sequence[T], of: ChoiceKind, cost: Sequence[int] | None = None) -> T:
         """Return one of the options.
 
         Args:
@@ -147,7 +147,7 @@ class Choices:
         self.record.append(index)
         return picked
 
-    def _index(self, of: Kind, options: Sized, cost: Sequence[int] | None) -> int:
+    def _index(self, of: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:
         turn = len(self.record)
         # Options may compute their number, so it is not asked without need.
         if turn < len(self._script) and 0 <= self._script[turn] < len(options):
@@ -206,13 +206,13 @@ class ScheduledChoices(Choices):
         self._width = 0
 
     @override
-    def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:
+    def pick(self, options: Sequence[T], of: ChoiceKind, cost: Sequence[int] | None = None) -> T:
         picked = super().pick(options, of, cost)
         self.widths.append(self._width)
         return picked
 
     @override
-    def _index(self, of: Kind, options: Sized, cost: Sequence[int] | None) -> int:
+    def _index(self, of: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:
         # It is asked only once, since the explorer's code may give another number the next time.
         self._width = len(options)
         return super()._index(of, range(self._width), cost)

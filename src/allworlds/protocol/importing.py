@@ -203,11 +203,11 @@ def attribute_of(module: Any, attribute: str, where: str) -> Any:
 # ---------------------------------------------------------------- arguments in a name
 
 
-Argument: TypeAlias = int | bool | str
+ArgumentValue: TypeAlias = int | bool | str
 """The value of an argument in a name."""
 
 
-def arguments_of(name: str) -> tuple[str, dict[str, Argument]]:
+def arguments_of(name: str) -> tuple[str, dict[str, ArgumentValue]]:
     """A name without its arguments, and the arguments: integers, booleans, or texts.
 
     Raises:
@@ -235,7 +235,7 @@ def pairs_in(name: str, text: str) -> list[tuple[str, str]]:
     return [*pairs.items()]
 
 
-def _value(text: str) -> Argument:
+def _value(text: str) -> ArgumentValue:
     if re.fullmatch(r"-?[0-9]{1,18}", text):
         return int(text)
     return {"true": True, "false": False}.get(text, text)
@@ -253,7 +253,7 @@ def signature_of(explore: Callable[..., Any]) -> inspect.Signature:
         return inspect.signature(_percept_alone)
 
 
-def called(name: str, factory: Any, arguments: Mapping[str, Argument]) -> Any:
+def called(name: str, factory: Any, arguments: Mapping[str, ArgumentValue]) -> Any:
     """The result of ``factory`` for the arguments of a name; ``factory`` itself without arguments.
 
     Raises:

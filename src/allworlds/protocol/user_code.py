@@ -114,7 +114,7 @@ class UserCode(Struct, frozen=True):
     digest: str
 
     @property
-    def arguments(self) -> dict[str, importing.Argument]:
+    def arguments(self) -> dict[str, importing.ArgumentValue]:
         """The arguments at the end of the name, by their keys; empty if there are none."""
         return importing.arguments_of(self.name)[1]
 

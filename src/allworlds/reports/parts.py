@@ -21,7 +21,7 @@ from allworlds.judging.laws.law_table import ASKED
 from allworlds.judging.walk import Walk
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import Estimate, Move, Percept
-from allworlds.world.labels import Position
+from allworlds.world.labels import PlanePoint
 from allworlds.world.lighthouses import own_kind
 from allworlds.world.lighthouses.kinds import parts_of
 from allworlds.world.world import World
@@ -63,7 +63,7 @@ class Scene(Struct, frozen=True):
     ringed: Dart | None = None
     darts: Sequence[str] = ()
     vertices: Sequence[str] = ()
-    positions: tuple[Position, ...] = ()
+    positions: tuple[PlanePoint, ...] = ()
     letters: Mapping[Dart, int] = field(default_factory=dict)
 
     @property
@@ -181,7 +181,7 @@ def walk_in_answer(walk: Walk, answer: Estimate) -> Scene:
     return doc.replace(scene, robot=answer.here, walked=arrivals)
 
 
-Value: TypeAlias = int | float | str | bool | None
+CellValue: TypeAlias = int | float | str | bool | None
 """A value of a row; None stands for no value."""
 
 
@@ -194,7 +194,7 @@ class CsvRows(Struct, frozen=True):
     """
 
     columns: Mapping[str, type]
-    rows: Sequence[Sequence[Value]]
+    rows: Sequence[Sequence[CellValue]]
 
     @classmethod
     def of(cls, results: Iterable[Any], **columns: type) -> CsvRows:
@@ -202,7 +202,7 @@ class CsvRows(Struct, frozen=True):
         return cls(columns, [[getattr(result, name) for name in columns] for result in results])
 
     @property
-    def records(self) -> list[dict[str, Value]]:
+    def records(self) -> list[dict[str, CellValue]]:
         """The rows as dictionaries, by the names of the columns."""
         return [dict(zip(self.columns, row, strict=True)) for row in self.rows]
 

@@ -14,7 +14,7 @@ from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.protocol.actions import IllegalAction, Percept
 from allworlds.protocol.turns import Sensed
 
-State: TypeAlias = Hashable
+ModelState: TypeAlias = Hashable
 """The state of a world: any hashable value of its model."""
 
 Scheduler: TypeAlias = Literal["fsync", "ssync", "central", "async"]
@@ -82,7 +82,7 @@ class Model:
         """
         return every_start(map_, robots)
 
-    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterable[State]:
+    def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterable[ModelState]:
         """The states at the start, of which the adversary chooses one."""
         raise NotImplementedError
 
@@ -102,7 +102,7 @@ class Model:
 
     def step(
         self, map_: CombinatorialMap, state: Any, acts: Mapping[int, Any]
-    ) -> Iterable[tuple[State, str]]:
+    ) -> Iterable[tuple[ModelState, str]]:
         """Each state that can follow these simultaneous actions, with the adversary's choice.
 
         Args:
@@ -125,7 +125,7 @@ class Model:
         state: Any,
         robot: int,  # noqa: ARG002  # nothing
         action: Any,  # noqa: ARG002  # nothing
-    ) -> Iterable[tuple[State, str]]:
+    ) -> Iterable[tuple[ModelState, str]]:
         """Each state after the look of a robot that acts later, with the adversary's choice.
 
         Only in ``async`` an action is done later than its look.  By default the look does not
@@ -243,7 +243,7 @@ class ModelInMap:
                 raise self._wrong("starts", f"yields {show(start)}, which is not {legal}")
         return made
 
-    def initial(self, starts: Sequence[Dart]) -> list[State]:
+    def initial(self, starts: Sequence[Dart]) -> list[ModelState]:
         """The states at the start, of which the adversary chooses one."""
         made = self._list("initial", starts)
         for state in made:
@@ -262,7 +262,7 @@ class ModelInMap:
             return None
         return self._numbers(value) if type(value) is Percept else self._json("sensed", value)
 
-    def step(self, state: Any, acts: Mapping[int, Any]) -> list[tuple[State, str]]:
+    def step(self, state: Any, acts: Mapping[int, Any]) -> list[tuple[ModelState, str]]:
         """Each state that can follow, with the adversary's choice in words.
 
         Raises:
@@ -270,13 +270,13 @@ class ModelInMap:
         """
         return self._following("step", dict(acts), self._list("step", state, acts))
 
-    def looked(self, state: Any, acts: Mapping[int, Any]) -> list[tuple[State, str]]:
+    def looked(self, state: Any, acts: Mapping[int, Any]) -> list[tuple[ModelState, str]]:
         """Each state after looks whose actions are done later, with the adversary's choice.
 
         Raises:
             IllegalAction: if the model refuses an action.
         """
-        made: list[tuple[State, str]] = [(state, "")]
+        made: list[tuple[ModelState, str]] = [(state, "")]
         for robot, action in acts.items():
             every = []
             for before, words in made:
@@ -286,7 +286,7 @@ class ModelInMap:
             made = every
         return made
 
-    def _following(self, method: str, acts: Any, made: list[Any]) -> list[tuple[State, str]]:
+    def _following(self, method: str, acts: Any, made: list[Any]) -> list[tuple[ModelState, str]]:
         for each in made:
             if not isinstance(each, tuple) or len(each) != 2 or not isinstance(each[1], str):
                 legal = "a pair of a state and words"

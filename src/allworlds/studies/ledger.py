@@ -95,7 +95,7 @@ class Means(Struct, frozen=True):
     budget: Budget = "quick"
 
 
-Check: TypeAlias = Callable[..., Found | NotChecked]
+ClaimFunction: TypeAlias = Callable[..., Found | NotChecked]
 """The function of a claim; its arguments are the ``Means``, and the bounds as keywords."""
 
 
@@ -222,7 +222,7 @@ def _claim(file: Path, name: str, table: Any) -> Claim:
 # ---------------------------------------------------------------- found beside expected
 
 Seen: TypeAlias = Literal["holds", "refuted", "vacuous", "not-checked", "error"]
-Standing: TypeAlias = Literal["as-expected", "unexpected", "vacuous", "not-checked"]
+ClaimStanding: TypeAlias = Literal["as-expected", "unexpected", "vacuous", "not-checked"]
 
 LEDGER, CLAIMS = "ledger.toml", "claims.py"
 """The files of a ledger: the claims, and a function for each claim."""
@@ -238,7 +238,7 @@ Both outcomes must be equal.
 """
 
 
-Outcome: TypeAlias = Found | NotChecked | Exception
+Returned: TypeAlias = Found | NotChecked | Exception
 """The result of a claim's function: the value that it has returned, or the error it has raised."""
 
 
@@ -282,7 +282,7 @@ class CheckedClaim(Sentence):
         return self.truth if met else "vacuous"
 
     @doc.computed
-    def standing(self) -> Standing:
+    def standing(self) -> ClaimStanding:
         """Whether verdict, witnesses and figures are as expected."""
         if self.verdict in ("not-checked", "vacuous"):
             return self.verdict
@@ -423,7 +423,7 @@ def ledger(request: LedgerRequest) -> LedgerReport:
     )
 
 
-def _checks(file: Path, claims: Sequence[Claim]) -> Mapping[str, Check]:
+def _checks(file: Path, claims: Sequence[Claim]) -> Mapping[str, ClaimFunction]:
     """The functions that check the claims, by the ids of the claims.
 
     Raises:
@@ -437,14 +437,14 @@ def _checks(file: Path, claims: Sequence[Claim]) -> Mapping[str, Check]:
 
 
 def _entries(
-    wanted: Sequence[Claim], checks: Mapping[str, Check], means: Means, listener: Listener
+    wanted: Sequence[Claim], checks: Mapping[str, ClaimFunction], means: Means, listener: Listener
 ) -> Iterator[CheckedClaim]:
     for claim in wanted:
         yield entry_of(claim, checks[claim.id], means)
         listener.progress(1)
 
 
-def entry_of(claim: Claim, check: Check, means: Means) -> CheckedClaim:
+def entry_of(claim: Claim, check: ClaimFunction, means: Means) -> CheckedClaim:
     """Check a claim and return its entry in the report.
 
     If the check takes at most :data:`QUICK` seconds, it is made twice.
@@ -467,7 +467,7 @@ def entry_of(claim: Claim, check: Check, means: Means) -> CheckedClaim:
     return entry
 
 
-def _outcome_of(claim: Claim, check: Check, means: Means) -> Outcome:
+def _outcome_of(claim: Claim, check: ClaimFunction, means: Means) -> Returned:
     """The outcome of one call of the claim's function; it may be an exception."""
 
     def act() -> Any:
@@ -489,7 +489,7 @@ def _outcome_of(claim: Claim, check: Check, means: Means) -> Outcome:
     return found
 
 
-def entry_with(claim: Claim, budget: Budget, found: Outcome, seconds: float = 0) -> CheckedClaim:
+def entry_with(claim: Claim, budget: Budget, found: Returned, seconds: float = 0) -> CheckedClaim:
     """The entry of a claim in the report, with the outcome that its function found."""
     scope, disagreement, error = claim.scopes[budget], "", ""
     match found:

@@ -116,7 +116,7 @@ def merge(*runs: str | Path, by: str | None = None, listener: Listener | None = 
     return _merged(MergeRequest(runs=runs, by=by, listener=listener))
 
 
-State: TypeAlias = Literal["running", "finished", "unfinished"]
+JobState: TypeAlias = Literal["running", "finished", "unfinished"]
 
 
 class DoneOf(doc.Document):
@@ -150,7 +150,7 @@ class Standing(Report):
     shard: doc.WhichShard
     parameters: Annotated[dict[str, Any], doc.about("further options that the result depends on")]
     state: Annotated[
-        State,
+        JobState,
         doc.about(
             "whether somebody adds to it now; if nobody does, whether anything is left to add"
         ),
@@ -212,7 +212,7 @@ def status(request: StatusRequest) -> Standing:
             findings += len(getattr(total, "findings", ()))
     until = time.time() if running and not ended else last
     worst = min(costs, key=lambda d: (-d.cost, d.edges, d.vertices), default=None)
-    state: State = "running" if running and not ended else "finished" if ended else "unfinished"
+    state: JobState = "running" if running and not ended else "finished" if ended else "unfinished"
     levels = [(level.worlds, sum(1 for _ in level.units)) for level in sweep.levels()]
     all_worlds = sum(size for size, _ in levels) // identity.portion.count
     rate = recent / (until - began) if recent and until > began and not ended else None

@@ -270,7 +270,7 @@ def _cost_of_algorithm1(world: World) -> int | None:
     return single.single_run(subject, world, rules, (), limits.Limits()).cost
 
 
-Player: TypeAlias = Callable[[Percept, str], Action | None]
+GamePlayer: TypeAlias = Callable[[Percept, str], Action | None]
 """A function that plays the robot.
 
 Its arguments are the percept, and the reason why the last action was refused; this text is empty if
@@ -311,7 +311,7 @@ class PlayRequest(requests.Request, kw_only=False):
     ] = None
     holes: Annotated[str | None, HOLES] = None
     player: Annotated[
-        Player,
+        GamePlayer,
         "takes a percept and the fault of the last action, and returns the next action, or None to "
         "end the game; by default it ends the game at once",
     ] = lambda *_: None

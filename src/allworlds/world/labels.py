@@ -15,7 +15,7 @@ FARTHEST = 1e300
 
 Coordinate: TypeAlias = Annotated[float, Meta(ge=-FARTHEST, le=FARTHEST)]
 
-Position: TypeAlias = tuple[Coordinate, Coordinate]
+PlanePoint: TypeAlias = tuple[Coordinate, Coordinate]
 """The position of a vertex: two coordinates, to the right and up."""
 
 
@@ -30,7 +30,7 @@ class Labelling(Struct, frozen=True, rename={"vertices": "names"}):
 
     name: str = ""
     vertices: tuple[str, ...] = ()
-    positions: tuple[Position, ...] = ()
+    positions: tuple[PlanePoint, ...] = ()
 
     def vertex(self, vertex: Vertex) -> str:
         """The name of a vertex; ``v3`` for vertex 3 if the vertices have no names."""

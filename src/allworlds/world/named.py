@@ -41,7 +41,7 @@ from allworlds.world.lighthouses.marked import Directional
 from allworlds.world.selection import kind_if_any, tried_kind
 from allworlds.world.world import World, at_place
 
-Kind: TypeAlias = Literal["world", "finding", "pair", "counts", "check"]
+EntryKind: TypeAlias = Literal["world", "finding", "pair", "counts", "check"]
 
 MANIFEST = "manifest.json"
 
@@ -53,7 +53,7 @@ class CorpusEntry(Document):
     """
 
     name: Annotated[Text, about("unique in the corpus")]
-    kind: Annotated[Kind, about("what the file holds")]
+    kind: Annotated[EntryKind, about("what the file holds")]
     file: Annotated[Text, about("where it stands, below the corpus")]
     sha256: Annotated[str, Meta(pattern="^[0-9a-f]{64}$"), about("of the file")]
     provenance: Annotated[Text, about("where it comes from")]
@@ -75,7 +75,7 @@ class Corpus(Struct, frozen=True):
     directory: Path
     entries: tuple[CorpusEntry, ...]
 
-    def of_kind(self, kind: Kind) -> list[CorpusEntry]:
+    def of_kind(self, kind: EntryKind) -> list[CorpusEntry]:
         """The entries of that kind, in the order of the manifest."""
         return [entry for entry in self.entries if entry.kind == kind]
 

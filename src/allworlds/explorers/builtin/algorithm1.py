@@ -30,7 +30,7 @@ from typing import Any, TypeAlias, TypeVar
 
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Action, Checkpoint, Estimate, Move, Percept
-from allworlds.protocol.choices import Choices, Kind
+from allworlds.protocol.choices import ChoiceKind, Choices
 
 
 def bearing_of(percept: Percept) -> int:
@@ -163,7 +163,7 @@ def walks(s: PartialMap, start: int, darts: list[int]) -> Lazy:
 
 
 def simple_path(
-    s: PartialMap, start: int, goal: int, choices: Choices, kind: Kind
+    s: PartialMap, start: int, goal: int, choices: Choices, kind: ChoiceKind
 ) -> Iterator[int]:
     """The darts by which a simple path in S from vertex ``start`` leaves its vertices."""
     vertex = start
@@ -200,7 +200,7 @@ def _next_darts(
 
 
 R = TypeVar("R")
-Walk: TypeAlias = Generator[Action | Checkpoint, Percept, R]
+Stage: TypeAlias = Generator[Action | Checkpoint, Percept, R]
 """A part of the exploration that ends with a value of type R."""
 
 
@@ -210,7 +210,7 @@ def nobody(_event: str) -> None:
 
 def algorithm1(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
-) -> Walk[Estimate]:
+) -> Stage[Estimate]:
     """Explore from a directional lighthouse; return an estimate equal to the world, pose included.
 
     Args:
@@ -244,7 +244,7 @@ class Algorithm1:
         self.choices = choices
         self.notice = notice
 
-    def explore(self) -> Walk[Estimate]:
+    def explore(self) -> Stage[Estimate]:
         """Lines 2-22: passes until U is empty."""
         while self.s.unexplored:
             goal = self.take_from_u()
@@ -272,7 +272,7 @@ class Algorithm1:
         cost = walks(s, s.vertex[self.here], s.unexplored)
         return self.choices.pick(s.unexplored, of="edge", cost=cost)
 
-    def follow(self, goal: int) -> Walk[Percept]:
+    def follow(self, goal: int) -> Stage[Percept]:
         """Lines 4-5: walk through S to the known end of the dart, then follow it."""
         s, at = self.s, self.here
         for dart in simple_path(s, s.vertex[at], s.vertex[goal], self.choices, "transit"):
@@ -288,7 +288,7 @@ class Algorithm1:
         s = self.s
         return [d for d in s.unexplored if d != goal and s.expected[d] == percept]
 
-    def test_all(self, hypotheses: list[int]) -> Walk[int | None]:
+    def test_all(self, hypotheses: list[int]) -> Stage[int | None]:
         """Lines 7-17: the hypothesis e' that is confirmed, or None."""
         self.turned = 0
         while hypotheses:
@@ -315,7 +315,7 @@ class Algorithm1:
         """Line 9: the darts by which a simple path in S from v_k' leaves its vertices."""
         return list(simple_path(self.s, self.s.vertex[partner], 0, self.choices, "path"))
 
-    def try_path(self, partner: int, path: list[int]) -> Walk[tuple[list[int], bool]]:
+    def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
         """Lines 10-13: execute the motions M as long as the percepts are the expected ones, P.
 
         Returns:
@@ -333,7 +333,7 @@ class Algorithm1:
                 return motions, False
         return motions, True
 
-    def retrace(self, motions: list[int]) -> Walk[None]:
+    def retrace(self, motions: list[int]) -> Stage[None]:
         """Line 15: undo the motions.
 
         The motions ``k1..kr`` are undone by ``0, -kr, ..., -k2``; the remaining turn by ``-k1``
@@ -377,7 +377,7 @@ Recognised: TypeAlias = Callable[[Percept], bool]
 
 def algorithm1_cluster(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
-) -> Walk[Estimate]:
+) -> Stage[Estimate]:
     """Explore from a marker cluster: one marker lies at v0, two at v1.
 
     Choices and events are those of Algorithm 1.
@@ -395,7 +395,7 @@ def algorithm1_natural(
     choices: Choices | None = None,
     told: int | None = None,
     notice: Callable[[str], None] = nobody,
-) -> Walk[Estimate]:
+) -> Stage[Estimate]:
     """Explore from a natural lighthouse: no other vertex has the degree of v0, or that of v1.
 
     The explorer is told the degree of v1; choices and events are those of Algorithm 1.
@@ -427,12 +427,12 @@ class TwoVertices(Algorithm1):
         super().__init__(first, choices, notice)
         self.pointed = 0
 
-    def explore(self) -> Walk[Estimate]:
+    def explore(self) -> Stage[Estimate]:
         """Search the dart to v1, then explore by Algorithm 1."""
         yield from self.search()
         return (yield from super().explore())
 
-    def search(self) -> Walk[None]:
+    def search(self) -> Stage[None]:
         """Try the darts of v0, clockwise from the dart faced at the start, until one leads to v1.
 
         If none does, the lighthouse has broken its promise.  Then the last dart is taken, and no
@@ -449,7 +449,7 @@ class TwoVertices(Algorithm1):
         """The part of a percept that is compared: the degree, and whether it is v0's."""
         return Percept(percept.degree, int(self.is_v0(percept)))
 
-    def try_path(self, partner: int, path: list[int]) -> Walk[tuple[list[int], bool]]:
+    def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
         """Lines 10-13, and the query at v0, after which the robot is turned towards v1."""
         motions, matched = yield from super().try_path(partner, path)
         if matched:

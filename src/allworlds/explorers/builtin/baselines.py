@@ -17,14 +17,14 @@ requires; the open darts there are tried clockwise from the dart of entry.
 
 from collections.abc import Callable
 
-from allworlds.explorers.builtin.algorithm1 import PartialMap, Walk, bearing_of, nobody, walks
+from allworlds.explorers.builtin.algorithm1 import PartialMap, Stage, bearing_of, nobody, walks
 from allworlds.protocol.actions import Drop, Estimate, Move, Percept, Pick
 from allworlds.protocol.choices import Choices
 
 
 def dfs(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
-) -> Walk[Estimate]:
+) -> Stage[Estimate]:
     """Explore under labels: the number identifies the vertex, the bearing the dart of entry.
 
     The choice ``edge`` is the open dart by which the robot leaves a vertex; events are ``known``
@@ -71,7 +71,7 @@ def dfs(
 
 def dudek91(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
-) -> Walk[Estimate]:
+) -> Stage[Estimate]:
     """Explore a simple world with one marker in hand that can be taken up again.
 
     Events are ``new-vertex`` and ``back-link``, the two ends of a pass.
@@ -91,7 +91,7 @@ class _Dudek:
         self.choices = choices
         self.notice = notice
 
-    def explore(self) -> Walk[Estimate]:
+    def explore(self) -> Stage[Estimate]:
         s = self.s
         while s.unexplored:
             cost = walks(s, s.vertex[self.here], s.unexplored)
@@ -117,7 +117,7 @@ class _Dudek:
             yield s.checkpoint(self.here)
         return s.estimate(self.here)
 
-    def go(self, goal: int) -> Walk[None]:
+    def go(self, goal: int) -> Stage[None]:
         """Walk to a vertex by a shortest way in S."""
         s = self.s
         lengths = s.distances(goal)
@@ -127,7 +127,7 @@ class _Dudek:
             yield from self.leave_by(dart)
             self.here = s.alpha[dart]
 
-    def leave_by(self, dart: int) -> Walk[None]:
+    def leave_by(self, dart: int) -> Stage[None]:
         """Leave through a dart of the robot's vertex; ``here`` is not changed."""
         self.seen = yield Move(self.s.offset(self.here, dart))
 
@@ -148,7 +148,7 @@ class _Dudek:
                 waiting += [other for _, other in s.ways(vertex)]
         return [vertex for vertex in order if vertex in possible]
 
-    def close(self, dart: int) -> Walk[None]:
+    def close(self, dart: int) -> Stage[None]:
         """Carry the marker to the known end, go back, and find the open dart that leads to it."""
         s = self.s
         vertex = s.vertex[self.here]

@@ -13,7 +13,7 @@ from collections.abc import Callable, Generator
 from itertools import count
 from typing import Any
 
-from allworlds.explorers.builtin.algorithm1 import Walk
+from allworlds.explorers.builtin.algorithm1 import Stage
 from allworlds.protocol.actions import Move, Percept
 from allworlds.protocol.importing import signature_of
 
@@ -29,12 +29,12 @@ class FromElsewhere:
         self.explorer = explorer
         self.__signature__ = signature_of(explorer)
 
-    def __call__(self, first: Percept, **keywords: Any) -> Walk[Any]:
+    def __call__(self, first: Percept, **keywords: Any) -> Stage[Any]:
         """Find v0, where one mark is sensed, and explore from there."""
         seen = first if first.marks == 1 else (yield from self.search(first))
         return (yield from self.explorer(seen, **keywords))
 
-    def search(self, first: Percept) -> Walk[Percept]:
+    def search(self, first: Percept) -> Stage[Percept]:
         """Find the percept at v0, by words of up to 1, 2, 3 ... motions; the robot is there."""
         due = 0
         for longest in count(1):
@@ -43,7 +43,7 @@ class FromElsewhere:
                 return found
         raise AssertionError("lengths have no end")
 
-    def tried(self, degree: int, longest: int, due: int) -> Walk[tuple[Percept | None, int]]:
+    def tried(self, degree: int, longest: int, due: int) -> Stage[tuple[Percept | None, int]]:
         """Try every word of up to ``longest`` motions at a vertex of that degree.
 
         Args:

@@ -34,7 +34,7 @@ from allworlds.explorers.builtin.scanning import algorithm1_door, algorithm1_wor
 
 Explore: TypeAlias = Callable[..., Any]
 
-Size: TypeAlias = tuple[int, int]
+SizePair: TypeAlias = tuple[int, int]
 """The numbers of edges and of vertices."""
 
 
@@ -59,7 +59,7 @@ class BuiltIn(Struct, frozen=True):
 
     explore: Explore
     lighthouse: str
-    witnesses: Mapping[str, tuple[Size, Size | None]] = field(default_factory=dict)
+    witnesses: Mapping[str, tuple[SizePair, SizePair | None]] = field(default_factory=dict)
     bound: str | None = None
     step_budget: int | None = None
     about: str = ""

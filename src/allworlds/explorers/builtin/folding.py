@@ -31,7 +31,7 @@ from collections.abc import Callable, Generator, Iterator, Sequence
 from itertools import count
 from typing import Any, TypeAlias
 
-from allworlds.explorers.builtin.algorithm1 import Walk, algorithm1, bearing_of, nobody
+from allworlds.explorers.builtin.algorithm1 import Stage, algorithm1, bearing_of, nobody
 from allworlds.inputs.checks import integer, let_users_interrupt, show
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.protocol.actions import Checkpoint, Estimate, ExplorerFault, Move, Percept
@@ -159,7 +159,7 @@ class FoldedLog:
 
 # ---------------------------------------------------------------- explorers
 
-Way: TypeAlias = Callable[[FoldedLog, int], list[int]]
+ToOpenDart: TypeAlias = Callable[[FoldedLog, int], list[int]]
 """The function from a log and the robot's dart to the darts of a walk up to an open dart."""
 
 
@@ -168,7 +168,7 @@ def folding(
     *,
     choices: Choices | None = None,  # noqa: ARG001  # its way leaves none
     notice: Callable[[str], None] = nobody,
-) -> Walk[Estimate]:
+) -> Stage[Estimate]:
     """Go home to v0, then to the open dart that is nearest to v0.
 
     The event ``merged`` is an arrival at v0 that merges nodes.
@@ -183,7 +183,7 @@ def folding_oldest(
     *,
     choices: Choices | None = None,  # noqa: ARG001  # its way leaves none
     notice: Callable[[str], None] = nobody,
-) -> Walk[Estimate]:
+) -> Stage[Estimate]:
     """Go a shortest way to the dart that has been open longest; else as :func:`folding`."""
     return (yield from explore_folding(first, to_oldest, notice))
 
@@ -201,8 +201,8 @@ def to_oldest(log: FoldedLog, here: int) -> list[int]:
 
 
 def explore_folding(
-    first: Percept, next_way: Way, hears: Callable[[str], None] = nobody
-) -> Walk[Estimate]:
+    first: Percept, next_way: ToOpenDart, hears: Callable[[str], None] = nobody
+) -> Stage[Estimate]:
     """Walk by these ways, and fold the percepts, until no dart is open."""
     log, here = begun(first)
     while has_open_dart(log):
@@ -278,7 +278,7 @@ class Shield:
         self.explorer = explorer
         self.__signature__ = signature_of(explorer)
 
-    def __call__(self, first: Percept, **keywords: Any) -> Walk[Estimate]:
+    def __call__(self, first: Percept, **keywords: Any) -> Stage[Estimate]:
         """Explore from a directional lighthouse; return the true map for every explorer inside."""
         log, here = begun(first)
         stranger = _Stranger(log, here, lambda seen: self.explorer(seen, **keywords))
@@ -354,7 +354,7 @@ class _Stranger(_Guest):
             let_users_interrupt(error)
 
 
-def _take_turns(log: FoldedLog, here: int, guests: Sequence[_Guest]) -> Walk[int]:
+def _take_turns(log: FoldedLog, here: int, guests: Sequence[_Guest]) -> Stage[int]:
     """Let the guests go on in turn until no dart is open; return the robot's dart of arrival."""
     for turn in count():
         guest = guests[turn % len(guests)]

@@ -3,13 +3,13 @@
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias
 
-from allworlds.explorers.builtin.algorithm1 import Walk, nobody
+from allworlds.explorers.builtin.algorithm1 import Stage, nobody
 from allworlds.maps.combinatorial import CombinatorialMap, cycles
 from allworlds.protocol.actions import Ambiguous, Estimate, Move, Percept
 from allworlds.protocol.choices import Choices
 
-Word: TypeAlias = tuple[str, ...]
-Row: TypeAlias = tuple[Percept, ...]
+SensedWord: TypeAlias = tuple[str, ...]
+SensedRow: TypeAlias = tuple[Percept, ...]
 
 
 class TreeDart(NamedTuple):
@@ -50,7 +50,7 @@ class Experiments:
         """The percept of the robot at a dart of the tree."""
         return self._percepts[dart.node]
 
-    def walk(self, word: Sequence[str], start: TreeDart | None = None) -> Walk[TreeDart]:
+    def walk(self, word: Sequence[str], start: TreeDart | None = None) -> Stage[TreeDart]:
         """Walk a word of ``s`` (turn) and ``a`` (go through), by default from the start."""
         at = self.start if start is None else start
         for letter in word:
@@ -64,18 +64,18 @@ class Experiments:
             at = beyond
         return at
 
-    def word_to(self, dart: TreeDart) -> Word:
+    def word_to(self, dart: TreeDart) -> SensedWord:
         """The word that leads from the start to a dart along the tree."""
         return (*"".join("s" * turn + "a" for turn in dart.node), *"s" * dart.turn)
 
-    def _go(self, goal: tuple[int, ...]) -> Walk[None]:
+    def _go(self, goal: tuple[int, ...]) -> Stage[None]:
         """Walk to a node: up to the last common node of both ways from the start, and down."""
         while self.here.node != goal[: len(self.here.node)]:
             yield from self._leave(0)
         for turn in goal[len(self.here.node) :]:
             yield from self._leave(turn)
 
-    def _leave(self, turn: int) -> Walk[Percept]:
+    def _leave(self, turn: int) -> Stage[Percept]:
         """Leave the robot's node by one of its darts."""
         seen = yield Move(turn - self.here.turn)
         self.here = TreeDart(self.here.node, turn).beyond
@@ -87,7 +87,7 @@ def quotient(
     *,
     choices: Choices | None = None,  # noqa: ARG001  # it has no freedom worth a choice
     notice: Callable[[str], None] = nobody,
-) -> Walk[Estimate | Ambiguous]:
+) -> Stage[Estimate | Ambiguous]:
     """Learn the quotient under position: return a map if only one has it, else the quotient.
 
     Events are ``map`` and ``ambiguous``, the kind of the answer.
@@ -116,15 +116,15 @@ class ClassTable(NamedTuple):
     sensed: tuple[Percept, ...]
     here: int
 
-    def after(self, word: Word, of: int = 0) -> int:
+    def after(self, word: SensedWord, of: int = 0) -> int:
         """The class to which a word should lead."""
         for letter in word:
             of = self.sigma[of] if letter == "s" else self.alpha[of]
         return of
 
-    def words(self) -> dict[int, Word]:
+    def words(self) -> dict[int, SensedWord]:
         """A shortest word from the class of the start to each class that can be reached."""
-        words: dict[int, Word] = {0: ()}
+        words: dict[int, SensedWord] = {0: ()}
         for of in (queue := [0]):
             for letter in "sa":
                 other = self.after((letter,), of)
@@ -181,14 +181,14 @@ class _Learner:
 
     def __init__(self, world: Experiments) -> None:
         self.world = world
-        self.telling: list[Word] = [()]
+        self.telling: list[SensedWord] = [()]
         self.table = ClassTable((), (), (), 0)
-        self._reached: list[Word] = []
-        self._rows: list[Row] = []
+        self._reached: list[SensedWord] = []
+        self._rows: list[SensedRow] = []
 
-    def learn(self) -> Walk[None]:
+    def learn(self) -> Stage[None]:
         """Make experiments until all predictions that prove the table are right."""
-        wrong: Word | None = ()
+        wrong: SensedWord | None = ()
         while wrong is not None:
             for i in range(len(wrong) + 1):
                 if wrong[i:] not in self.telling:
@@ -199,7 +199,7 @@ class _Learner:
         here = self.table.after(self.world.word_to(self.world.here))
         self.table = self.table._replace(here=here)
 
-    def _close(self) -> Walk[None]:
+    def _close(self) -> Stage[None]:
         """Make a new table, from the class of the start on."""
         self._reached, self._rows = [()], [(yield from self._row(self.world.start))]
         leads: dict[str, list[int]] = {"s": [], "a": []}
@@ -214,13 +214,13 @@ class _Learner:
         sensed = tuple(row[0] for row in self._rows)
         self.table = ClassTable(tuple(leads["s"]), tuple(leads["a"]), sensed, 0)
 
-    def _row(self, dart: TreeDart) -> Walk[Row]:
+    def _row(self, dart: TreeDart) -> Stage[SensedRow]:
         row = []
         for word in self.telling:
             row.append(self.world.sensed((yield from self.world.walk(word, dart))))
         return tuple(row)
 
-    def _refuted(self) -> Walk[Word | None]:
+    def _refuted(self) -> Stage[SensedWord | None]:
         """A word that splits a class, from the first wrong prediction; None if all are right."""
         for word in self._to_be_met():
             at, of = self.world.start, 0
@@ -234,7 +234,7 @@ class _Learner:
                     return word[:i] + next(telling for telling, a, b in shown if a != b)
         return None
 
-    def _to_be_met(self) -> Iterator[Word]:
+    def _to_be_met(self) -> Iterator[SensedWord]:
         """Yield the words whose predictions prove the table, if they are right."""
         table = self.table
         degrees = [percept.degree for percept in table.sensed]
@@ -251,7 +251,7 @@ class _Learner:
                     back = self._back(words[other], degrees)
                     yield (*"s" * turned, *word, letter, *back)
 
-    def _back(self, word: Word, degrees: list[int]) -> Word:
+    def _back(self, word: SensedWord, degrees: list[int]) -> SensedWord:
         """The word that leads back; a turn back is a turn clockwise to the dart of before."""
         back: list[str] = []
         for i in range(len(word), 0, -1):

@@ -12,14 +12,14 @@ The paper does not have this algorithm.
 
 from collections.abc import Callable
 
-from allworlds.explorers.builtin.algorithm1 import Algorithm1, Walk, nobody
+from allworlds.explorers.builtin.algorithm1 import Algorithm1, Stage, nobody
 from allworlds.protocol.actions import Estimate, Move, Percept
 from allworlds.protocol.choices import Choices
 
 
 def algorithm1_door(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
-) -> Walk[Estimate]:
+) -> Stage[Estimate]:
     """Explore from a door, which a robot senses only on arrival by it.
 
     Choices and events are those of Algorithm 1.
@@ -32,7 +32,7 @@ def algorithm1_door(
 
 def algorithm1_word(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
-) -> Walk[Estimate]:
+) -> Stage[Estimate]:
     """Explore from a vertex whose letter depends on the bearing.
 
     The estimate is right if the letters are a primitive word, and not all 0.  Choices and events
@@ -63,7 +63,7 @@ class Scanning(Algorithm1):
         self.one_letter = one_letter
         self.queries: list[list[int]] = []
 
-    def explore(self) -> Walk[Estimate]:
+    def explore(self) -> Stage[Estimate]:
         """Scan the letters, then explore by Algorithm 1."""
         yield from self.scan()
         return (yield from super().explore())
@@ -72,7 +72,7 @@ class Scanning(Algorithm1):
         """The part of a percept that is compared: the degree and the letter."""
         return Percept(percept.degree, percept.marks)
 
-    def scan(self) -> Walk[None]:
+    def scan(self) -> Stage[None]:
         """Read the letters of v0, clockwise from the dart faced at the start."""
         first = self.s.expected[0]
         degree = first.degree
@@ -84,7 +84,7 @@ class Scanning(Algorithm1):
         self.s.expected = [Percept(degree, letter) for letter in letters]
         self.queries = [telling(letters, dart) for dart in range(degree)]
 
-    def try_path(self, partner: int, path: list[int]) -> Walk[tuple[list[int], bool]]:
+    def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
         """Lines 10-13, and the queries at v0, after which the robot is turned to the last dart."""
         motions, matched = yield from super().try_path(partner, path)
         if matched:

@@ -60,7 +60,7 @@ def twins_content(comparison: ComparedWorlds) -> parts.ReportContent:
 def _rows(worlds: Sequence[World], classes: Sequence[Sequence[int]]) -> parts.CsvRows:
     """A row for each dart of each world; no motion tells two darts with the same class apart."""
     named = any(world.labels.vertices for world in worlds)
-    rows: list[list[parts.Value]] = [
+    rows: list[list[parts.CellValue]] = [
         [number, dart, v, of_world[dart], *([world.labels.vertex(v)] if named else [])]
         for number, (world, of_world) in enumerate(zip(worlds, classes, strict=True), 1)
         for dart, v in enumerate(world.map.vertex_of)

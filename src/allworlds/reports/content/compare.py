@@ -246,7 +246,7 @@ def _rows(report: comparison.Comparison) -> parts.CsvRows:
     return parts.CsvRows(SIZES, _by_size(report, report.names))
 
 
-def _by_size(report: comparison.Comparison, names: Sequence[str]) -> list[list[parts.Value]]:
+def _by_size(report: comparison.Comparison, names: Sequence[str]) -> list[list[parts.CellValue]]:
     """A row for each size and explorer, under ``names``; ratios are to the first explorer."""
     return [
         [
@@ -322,7 +322,7 @@ WORLD = {**NAMES, "drawn_from": int, "explorer": str, "runs": int, "places": int
 WORLD |= {"mean": float, "worst": int, "bound": int, "ratio": float}
 
 
-def _names(one: entrants.InWorld) -> list[parts.Value]:
+def _names(one: entrants.InWorld) -> list[parts.CellValue]:
     """The words by which ``run`` finds the world, and its size: the columns :data:`NAMES`."""
     member = growth.member_named(one.member) if one.member else None
     words = [member.text, member.holes, member.seed] if member else [None] * 3

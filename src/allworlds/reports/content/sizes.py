@@ -65,7 +65,7 @@ def worst_content(report: WorstReport) -> parts.ReportContent:
     """
     header = ["edges", "vertices", "worlds", "best", "worst", "bound", "worst/bound"]
     table: list[list[parts.Cell]] = []
-    rows: list[list[parts.Value]] = []
+    rows: list[list[parts.CellValue]] = []
     for row in report.rows:
         numbers = [row.edges, row.vertices, row.worlds, row.best, row.worst, row.bound]
         table.append([*numbers, parts.RightText(f"{row.worst / (row.bound or 1):.3f}")])

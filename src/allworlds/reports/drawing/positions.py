@@ -9,7 +9,7 @@ from math import isclose, tau
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.reports.drawing.layout import DISC, STUB, WIDEST, Layout, layout
 from allworlds.reports.parts import Scene
-from allworlds.world.labels import Position
+from allworlds.world.labels import PlanePoint
 
 SHORTEST = 3 * STUB
 """In pixels: the least length of an edge, and how far a loop reaches."""
@@ -28,7 +28,7 @@ def laid_out(scene: Scene) -> Layout:
 
 
 @lru_cache(maxsize=256)
-def at_positions(map_: CombinatorialMap, positions: Sequence[Position]) -> Layout | None:
+def at_positions(map_: CombinatorialMap, positions: Sequence[PlanePoint]) -> Layout | None:
     """The drawing with each vertex at its position; parallel edges and loops are bent.
 
     None if the edges leave a vertex in another order than the map's, if there is not enough room,

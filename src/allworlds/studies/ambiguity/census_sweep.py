@@ -60,7 +60,7 @@ class CensusRequest(
     ] = requests.Converted(tried_kind, Position.kind)
 
 
-Size: TypeAlias = tuple[int, int]
+SizePair: TypeAlias = tuple[int, int]
 """The numbers of edges and of vertices."""
 
 Key = TypeVar("Key")
@@ -105,7 +105,7 @@ class SensedParts(Struct, forbid_unknown_fields=True):
     """
 
     worlds: doc.Natural
-    sizes: dict[str, Size] = field(default_factory=dict)
+    sizes: dict[str, SizePair] = field(default_factory=dict)
     looks: dict[str, str] = field(default_factory=dict)
     alike: set[tuple[str, str]] = field(default_factory=set)
     counted: dict[str, int] = field(default_factory=dict)
@@ -141,7 +141,7 @@ class SensedParts(Struct, forbid_unknown_fields=True):
             self.alike.add((pair[0], pair[1]))
             self.looks[look] = pair[0]
 
-    def _order(self, name: str) -> tuple[Size, str]:
+    def _order(self, name: str) -> tuple[SizePair, str]:
         return self.sizes[name], name
 
     def classes(self) -> Iterator[list[str]]:
@@ -165,7 +165,7 @@ class SensedParts(Struct, forbid_unknown_fields=True):
             if found:
                 yield found
 
-    def counts(self, name: Callable[[Size], Key]) -> dict[Key, SizeCounts]:
+    def counts(self, name: Callable[[SizePair], Key]) -> dict[Key, SizeCounts]:
         """The counts of the worlds, grouped by the key that ``name`` gives to their sizes."""
         found: dict[Key, SizeCounts] = {}
         for size, number in Counter(self.sizes.values()).items():
@@ -222,12 +222,12 @@ class PartBySensing(Struct, frozen=True):
 
 def batches(
     unit: AnyUnit, extent: classes.Extent, kind: kinds.LighthouseKind
-) -> Iterator[tuple[int, list[arrays.Placed]]]:
+) -> Iterator[tuple[int, list[arrays.LitMap]]]:
     """Yield the worlds of a unit in batches, each with the number of rooted maps in the batch.
 
     There is at least one batch, which may be empty.
     """
-    maps, worlds = 0, list[arrays.Placed]()
+    maps, worlds = 0, list[arrays.LitMap]()
     for map_, places in unit.placed(extent, kind.as_class):
         maps += 1
         worlds += ((map_, lighthouse) for _, lighthouse in places)
@@ -244,7 +244,7 @@ MarkedWorlds: TypeAlias = Annotated[
 AmbiguousWorlds: TypeAlias = Annotated[
     doc.Natural | None, doc.about("those with a twin in the class of maps; null: of a shard")
 ]
-Classes: TypeAlias = Annotated[
+ClassCount: TypeAlias = Annotated[
     doc.Natural | None,
     doc.about("ambiguity classes of two or more worlds in the class of maps; null: of a shard"),
 ]
@@ -264,7 +264,7 @@ class CensusRow(doc.Document, kw_only=True):
     edges: doc.Edges
     marked_worlds: MarkedWorlds
     ambiguous_worlds: AmbiguousWorlds = None
-    classes: Classes = None
+    classes: ClassCount = None
     largest_class: LargestClass = None
     rooted: doc.NotInDocument[int]
     counted: doc.NotInDocument[int]
@@ -284,7 +284,7 @@ class CensusCell(doc.Document):
     vertices: doc.Vertices
     marked_worlds: MarkedWorlds
     ambiguous_worlds: AmbiguousWorlds = None
-    classes: Classes = None
+    classes: ClassCount = None
     largest_class: LargestClass = None
 
 

@@ -15,7 +15,7 @@ Clause: TypeAlias = tuple[Literal, ...]
 """A disjunction of literals."""
 
 
-class Block(Struct, frozen=True):
+class Atoms(Struct, frozen=True):
     """Consecutive variables of a formula, one for each index, or for each pair of indices.
 
     Attributes:
@@ -62,12 +62,12 @@ class Formula:
         self.title = title
         self.variable_count = 0
         self.clauses: list[Clause] = []
-        self.blocks: list[Block] = []
+        self.blocks: list[Atoms] = []
         self._sections: list[tuple[int, str]] = []
 
-    def block(self, name: str, shape: tuple[int, ...], meaning: str) -> Block:
+    def block(self, name: str, shape: tuple[int, ...], meaning: str) -> Atoms:
         """Add a block of new variables to the formula, and return the block."""
-        block = Block(name, self.variable_count + 1, shape, meaning)
+        block = Atoms(name, self.variable_count + 1, shape, meaning)
         self.blocks.append(block)
         self.variable_count += prod(shape)
         return block

@@ -139,7 +139,7 @@ class FinestLevel(NamedTuple):
         roots: for each world the number of its rooted map.
     """
 
-    worlds: list[many.Placed]
+    worlds: list[many.LitMap]
     arrays: many.SensedWorlds
     features: many.Matrix
     roots: list[int]
@@ -157,7 +157,7 @@ class FinestLevel(NamedTuple):
         return many.rooted_codes(coarser, many.classes(coarser), np.zeros(len(indices), np.int64))
 
 
-AtLevel: TypeAlias = tuple[int, int]
+WorldAt: TypeAlias = tuple[int, int]
 """A world, as the index of its level and its index in that level."""
 
 
@@ -188,9 +188,9 @@ class Refuter:
 
     def __init__(self, levels: Sequence[FinestLevel]) -> None:
         self.levels, self.tried = levels, 0
-        self.pairs = dict[tuple[AtLevel, AtLevel], None]()
+        self.pairs = dict[tuple[WorldAt, WorldAt], None]()
 
-    def pair(self, letters: Letters) -> tuple[AtLevel, AtLevel] | None:
+    def pair(self, letters: Letters) -> tuple[WorldAt, WorldAt] | None:
         """Return two worlds with different rooted maps that look alike; None if there are none.
 
         Each world is given as the index of its level, and its index there.
@@ -205,9 +205,9 @@ class Refuter:
             self.pairs[pair] = None
         return pair
 
-    def _alike(self, letters: Letters, worlds: Sequence[AtLevel]) -> tuple[AtLevel, AtLevel] | None:
+    def _alike(self, letters: Letters, worlds: Sequence[WorldAt]) -> tuple[WorldAt, WorldAt] | None:
         """The first two of these worlds that look alike and have different rooted maps, or None."""
-        first: dict[bytes, AtLevel] = {}
+        first: dict[bytes, WorldAt] = {}
         for i, level in enumerate(self.levels):
             indices = [index for number, index in worlds if number == i]
             for index, look in zip(indices, level.looks(letters, indices), strict=True):

@@ -16,7 +16,7 @@ from itertools import chain, product
 
 from msgspec import Struct
 
-from allworlds.studies.ambiguity.clauses import Block, Formula, Literal
+from allworlds.studies.ambiguity.clauses import Atoms, Formula, Literal
 from allworlds.studies.ambiguity.one_world import OneWorld, one_world
 from allworlds.studies.ambiguity.question import Question, Sizes
 from allworlds.world.lighthouses.base import Where
@@ -26,7 +26,7 @@ DIFFERENT = "the codes differ, and the first is the smaller one"
 """The sections of the formula that say that the two worlds look alike, and that they differ."""
 
 
-class Pair(Struct, frozen=True):
+class PairVariables(Struct, frozen=True):
     """The variables of two worlds, and the question of a search.
 
     Attributes:
@@ -41,8 +41,8 @@ class Pair(Struct, frozen=True):
     question: Question
     one: OneWorld
     two: OneWorld
-    pointed: tuple[Block, ...]
-    letters: tuple[Block, ...] = ()
+    pointed: tuple[Atoms, ...]
+    letters: tuple[Atoms, ...] = ()
 
     def signs(self, x: int, y: int) -> list[tuple[Literal, Literal]]:
         """Two literals for each kind of mark.
@@ -56,7 +56,7 @@ class Pair(Struct, frozen=True):
         return [(self.pointed[0][x], self.pointed[1][y])] if self.pointed else []
 
 
-def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, Pair]:
+def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, PairVariables]:
     """The formula 'two different worlds of these sizes that no motion tells apart'.
 
     Cost: O(N^3) clauses for N darts in each world: some 300,000 for N = 28.
@@ -64,7 +64,7 @@ def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, Pair]:
     formula = Formula(_title(question, sizes))
     one = one_world(formula, "1", sizes.one, question)
     two = one_world(formula, "2", sizes.two, question)
-    pointed: tuple[Block, ...] = ()
+    pointed: tuple[Atoms, ...] = ()
     if question.sensing.bearing:
         named = ("1", one), ("2", two)
         where = question.sensing.where
@@ -72,11 +72,11 @@ def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, Pair]:
         if not question.walk:
             formula.section("turning is free: the starts are reference darts")
             formula.clauses += [(block[0],) for block in pointed]
-    letters: tuple[Block, ...] = ()
+    letters: tuple[Atoms, ...] = ()
     if question.words:
         worlds = enumerate((one, two), 1)
         letters = tuple(_letters(formula, name, question.words, world) for name, world in worlds)
-    pair = Pair(question, one, two, pointed, letters)
+    pair = PairVariables(question, one, two, pointed, letters)
     _bisimulation(formula, pair)
     if one.size.edges == two.size.edges:
         _smaller_code(formula, pair)
@@ -98,7 +98,7 @@ def _title(question: Question, sizes: Sizes) -> list[str]:
     return [f"{question.describes}.", *(f"world {i}: {each}" for i, each in enumerate(worlds, 1))]
 
 
-def _reference_darts(formula: Formula, name: str, where: Where, world: OneWorld) -> Block:
+def _reference_darts(formula: Formula, name: str, where: Where, world: OneWorld) -> Atoms:
     """Require exactly one reference dart at every vertex, or at v0 alone; return its block.
 
     The variable x of the block says whether dart x is a reference dart.
@@ -124,7 +124,7 @@ def _reference_darts(formula: Formula, name: str, where: Where, world: OneWorld)
 
 def _letters(
     formula: Formula, name: int, words: Mapping[int, tuple[int, ...]], world: OneWorld
-) -> Block:
+) -> Atoms:
     """Require the letters of v0's word at the darts of v0, and no letters elsewhere.
 
     ``words`` has a word for each degree that v0 can have: the letters at the bearings 0, 1 and so
@@ -145,7 +145,7 @@ def _letters(
     return has
 
 
-def _bisimulation(formula: Formula, pair: Pair) -> None:
+def _bisimulation(formula: Formula, pair: PairVariables) -> None:
     one, two = pair.one, pair.two
     darts = range(one.size.darts), range(two.size.darts)
     shape = (len(darts[0]), len(darts[1]))
@@ -164,7 +164,7 @@ def _bisimulation(formula: Formula, pair: Pair) -> None:
         _sense_the_same(formula, pair, related[x, y], x, y)
 
 
-def _sense_the_same(formula: Formula, pair: Pair, related: int, x: int, y: int) -> None:
+def _sense_the_same(formula: Formula, pair: PairVariables, related: int, x: int, y: int) -> None:
     ones, twos = pair.one.degree.slices()[x], pair.two.degree.slices()[y]
     shared = min(len(ones), len(twos))
     alone = [(-related, -degree) for degree in (*ones[shared:], *twos[shared:])]
@@ -179,7 +179,7 @@ def _sense_the_same(formula: Formula, pair: Pair, related: int, x: int, y: int) 
         formula.clauses += [(-related, -a, b), (-related, a, -b)]
 
 
-def _smaller_code(formula: Formula, pair: Pair) -> None:
+def _smaller_code(formula: Formula, pair: PairVariables) -> None:
     """Require the first world's code to be smaller, at the first step in which the codes differ.
 
     If two worlds look alike in one order, so they do in the other, and no pair is lost.
@@ -209,7 +209,7 @@ def _smaller_code(formula: Formula, pair: Pair) -> None:
         formula.add(-equal[t], equal[t + 1], mine, theirs)
 
 
-def forbid_other_start(formula: Formula, pair: Pair, start: int) -> None:
+def forbid_other_start(formula: Formula, pair: PairVariables, start: int) -> None:
     """Require that the second world entered at dart ``start`` is not the first world.
 
     If a vertex is marked, this is required only for a ``start`` at v0.  Let F number the second

@@ -227,10 +227,10 @@ def least_rooting(map_: CombinatorialMap, darts: Sequence[Dart]) -> LeastRooting
     return LeastRooting(least, codes.count(least))
 
 
-Permutation: TypeAlias = tuple[int, ...]
+SheetPermutation: TypeAlias = tuple[int, ...]
 """A permutation of the sheets ``0..k-1``."""
 
-_Kind: TypeAlias = Callable[[Sequence[Permutation]], Iterator[Permutation]]
+_Kind: TypeAlias = Callable[[Sequence[SheetPermutation]], Iterator[SheetPermutation]]
 """A function for one of several choices: it makes the options from those chosen before."""
 
 
@@ -253,7 +253,7 @@ def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
         yield _lift(quotient, iter(choice))
 
 
-def _lift(quotient: Quotient, choice: Iterator[Permutation]) -> CombinatorialMap:
+def _lift(quotient: Quotient, choice: Iterator[SheetPermutation]) -> CombinatorialMap:
     k = quotient.sheets
     sigma = [q * k + i for q in quotient.sigma for i in range(k)]
     alpha = [q * k + i for q in quotient.alpha for i in range(k)]
@@ -283,7 +283,7 @@ def _permute(map_: list[Dart], k: int, q: int, to: int, moved: Sequence[int]) ->
     map_[q * k : (q + 1) * k] = [to * k + i for i in moved]
 
 
-def uniform_permutations(k: int, b: int) -> Iterator[Permutation]:
+def uniform_permutations(k: int, b: int) -> Iterator[SheetPermutation]:
     """The permutations of ``0..k-1`` whose cycles all have length b; none if b does not divide k.
 
     Cost: O(k) for each permutation at most.
@@ -315,8 +315,8 @@ def _choices(kinds: Sequence[_Kind]) -> Iterator[tuple[tuple[int, ...], ...]]:
     No options are stored, unlike in a product; there may be thousands of kinds, unlike in a
     recursion.
     """
-    chosen: list[Permutation] = []
-    options: list[Iterator[Permutation]] = []
+    chosen: list[SheetPermutation] = []
+    options: list[Iterator[SheetPermutation]] = []
     while True:
         if len(chosen) == len(kinds):
             yield tuple(chosen)

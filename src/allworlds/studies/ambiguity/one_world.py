@@ -10,7 +10,7 @@ from itertools import product
 
 from msgspec import Struct
 
-from allworlds.studies.ambiguity.clauses import Block, Clause, Formula
+from allworlds.studies.ambiguity.clauses import Atoms, Clause, Formula
 from allworlds.studies.ambiguity.question import Question, Size
 
 
@@ -22,14 +22,14 @@ class OneWorld(Struct, frozen=True):
     """
 
     size: Size
-    sigma: Block
-    alpha: Block
-    given: Block
-    vertex: Block
-    used: Block
-    first: Block
-    degree: Block
-    offset: Block
+    sigma: Atoms
+    alpha: Atoms
+    given: Atoms
+    vertex: Atoms
+    used: Atoms
+    first: Atoms
+    degree: Atoms
+    offset: Atoms
 
     def step(self, t: int, y: int) -> int:
         """The variable that says that the value found in step t is y."""
@@ -135,14 +135,14 @@ def _vertices(formula: Formula, world: OneWorld) -> None:
     formula.add(world.used[darts - 1, world.size.fewest - 1])
 
 
-def _constant(formula: Formula, step: Block, here: Block, there: Block) -> None:
+def _constant(formula: Formula, step: Atoms, here: Atoms, there: Atoms) -> None:
     """Require that ``step(x)`` has in ``there`` the label that dart x has in ``here``."""
     labels = range(here.shape[1])
     for x, y in product(*map(range, step.shape)):
         formula.clauses += [(-step[x, y], -here[x, v], there[y, v]) for v in labels]
 
 
-def _in_order(formula: Formula, label: Block, used: Block) -> None:
+def _in_order(formula: Formula, label: Atoms, used: Atoms) -> None:
     """Require that labels are numbered in the order of the first darts that have them.
 
     The variable ``used[x, v]`` says that one of the darts 0 to x has label v.

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     import numpy as np
 
 Matrix: TypeAlias = "np.ndarray[Any, np.dtype[np.int64]]"
-Placed: TypeAlias = tuple[CombinatorialMap, Lighthouse]
+LitMap: TypeAlias = tuple[CombinatorialMap, Lighthouse]
 """A map rooted at dart 0, and a lighthouse at one of its places in this map."""
 
 BITS = 20
@@ -57,7 +57,7 @@ class SensedWorlds(NamedTuple):
         return SensedWorlds(self.sigma[indices], self.alpha[indices], self.sensed[indices], (), ())
 
 
-def matrices(worlds: Sequence[Placed]) -> SensedWorlds:
+def matrices(worlds: Sequence[LitMap]) -> SensedWorlds:
     """The worlds as arrays; a percept has the same number in all worlds.
 
     Raises:

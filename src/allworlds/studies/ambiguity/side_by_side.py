@@ -22,7 +22,7 @@ from allworlds.notations.given import GivenOptions
 from allworlds.protocol.actions import Percept
 from allworlds.studies.ambiguity.census_sweep import batches
 from allworlds.studies.ambiguity.members import ensure_motions_decide
-from allworlds.studies.ambiguity.sensed_classes import Placed, matrices, named
+from allworlds.studies.ambiguity.sensed_classes import LitMap, matrices, named
 from allworlds.studies.options import ListenerOptions
 from allworlds.studies.scopes import FileDigests, GivenCount, TriedPlaces, as_scope
 from allworlds.world.bisimulation import flaw
@@ -164,14 +164,14 @@ class Sensor(Struct):
     """
 
     kind: kinds.LighthouseKind
-    worlds: list[Placed] = field(default_factory=list)
+    worlds: list[LitMap] = field(default_factory=list)
     roots: list[int] = field(default_factory=list)
     places: list[Any] = field(default_factory=list)
     looks: list[str] = field(default_factory=list)
     names: list[str] = field(default_factory=list)
     sensed: list[Hashable] = field(default_factory=list)
 
-    def meet(self, worlds: Sequence[Placed], number: dict[CombinatorialMap, int]) -> None:
+    def meet(self, worlds: Sequence[LitMap], number: dict[CombinatorialMap, int]) -> None:
         """Add worlds that are no smaller than the earlier ones.
 
         ``number`` has a number for each rooted map that some sensor has met; new maps are added.
@@ -285,7 +285,7 @@ def sensors(*lighthouses: kinds.GivenLighthouse, **asked: Any) -> AmbiguitySenso
 
 def worlds_of_level(
     request: ListenerOptions, extent: classes.Extent, edges: int, kind: kinds.LighthouseKind
-) -> list[list[Placed]]:
+) -> list[list[LitMap]]:
     """The worlds of a level under one lighthouse, in batches.
 
     The number of rooted maps is compared with that of an independent source.
@@ -295,7 +295,7 @@ def worlds_of_level(
     """
     expected = units.level_size(extent, edges)
     request.listener.level(edges, expected)
-    maps, found = 0, list[list[Placed]]()
+    maps, found = 0, list[list[LitMap]]()
     for unit in units.units_of_level(extent, edges):
         for some, worlds in batches(unit, extent, kind):
             maps += some

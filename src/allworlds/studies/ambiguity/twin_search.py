@@ -19,7 +19,7 @@ from allworlds.maps.classes import MapClass
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.outcome import COMPLETED, Disagreement, Ending, ended
 from allworlds.studies.ambiguity import formulas
-from allworlds.studies.ambiguity.clauses import Block, Formula, read_dimacs
+from allworlds.studies.ambiguity.clauses import Atoms, Formula, read_dimacs
 from allworlds.studies.ambiguity.one_world import OneWorld
 from allworlds.studies.ambiguity.proofs import ProofRefused, check_lrat, lrat_of_drat, write_lrat
 from allworlds.studies.ambiguity.question import (
@@ -170,7 +170,7 @@ def bisimulation(a: World, b: World) -> tuple[tuple[int, ...], tuple[int, ...]]:
     return tuple(names[x] for x in ones), tuple(names[y] for y in twos)
 
 
-def decoded(pair: formulas.Pair, model: frozenset[int]) -> Twins:
+def decoded(pair: formulas.PairVariables, model: frozenset[int]) -> Twins:
     """The two worlds of a model, which is given as the set of its true variables.
 
     Raises:
@@ -193,7 +193,7 @@ def decoded(pair: formulas.Pair, model: frozenset[int]) -> Twins:
     return Twins(pair=(one, two), bisimulation=classes)
 
 
-def _world(question: Question, world: OneWorld, at: Block | None, model: frozenset[int]) -> World:
+def _world(question: Question, world: OneWorld, at: Atoms | None, model: frozenset[int]) -> World:
     sigma, alpha = (
         [_only([y for y, v in enumerate(row) if v in model]) for row in block.slices()]
         for block in (world.sigma, world.alpha)

@@ -43,7 +43,7 @@ SECONDS = 5.0
 LARGER = 4
 """The factor by which the step budget of a trial exceeds the budget that was broken."""
 
-Placed: TypeAlias = tuple[World, int]
+WorldAtPlace: TypeAlias = tuple[World, int]
 """A world with the number of the lighthouse's place."""
 
 RIGHT = 200
@@ -83,7 +83,7 @@ def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Sco
     stands = finding.confirmed or not subject.importable  # which cannot be confirmed
     if not (changes and stands) or rules.laws == ("bound",):
         return ""
-    worlds, tried, least = list[Placed](), 0, finding.world.map.edge_count
+    worlds, tried, least = list[WorldAtPlace](), 0, finding.world.map.edge_count
     for edges in scope.extent.levels:
         level = [*islice(_runs(scope, edges), MOST + 1 - len(worlds))]
         if len(worlds) + len(level) > MOST:
@@ -109,7 +109,7 @@ def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Sco
     return " ".join(f"--{name.replace('_', '-')} {value}" for name, value in options.items())
 
 
-def _runs(scope: Scope, edges: int) -> Iterator[Placed]:
+def _runs(scope: Scope, edges: int) -> Iterator[WorldAtPlace]:
     """Yield all worlds with this number of edges, each with the number of its lighthouse's place.
 
     The check itself, if it is a shard, tries only a part of these.
@@ -123,12 +123,12 @@ def _runs(scope: Scope, edges: int) -> Iterator[Placed]:
 # ---------------------------------------------------------------- lines
 
 
-Turns: TypeAlias = list[tuple[bool, UserLine]]
+Trace: TypeAlias = list[tuple[bool, UserLine]]
 """The turns of a play: for each turn whether it is a checkpoint, and the line of code."""
 
 
 def located(
-    finding: Finding, subject: Subject, limits: Limits, others: Iterable[Placed] = ()
+    finding: Finding, subject: Subject, limits: Limits, others: Iterable[WorldAtPlace] = ()
 ) -> Finding:
     """The finding with lines of code, if its explorer is in Python and repeats the run.
 
@@ -150,7 +150,7 @@ def located(
     due += [Due(i, place, world) for i, (world, place) in enumerate(islice(others, RIGHT), 1)]
     try:
         *logs, lines = plays.traced(due)
-        traced = msgspec.json.decode(lines, type=list[tuple[Turns, set[UserLine], list[UserLine]]])
+        traced = msgspec.json.decode(lines, type=list[tuple[Trace, set[UserLine], list[UserLine]]])
         judged = [plays.judge.judged(one, log) for one, log in zip(due, logs, strict=True)]
     except (InputError, msgspec.MsgspecError, ValueError):  # it may do something else now
         return finding
@@ -165,7 +165,7 @@ def located(
     return replace(finding, code=_code(turns, sorted(alone), len(right), busy))
 
 
-def _code(turns: Turns, alone: list[UserLine], right: int, busy: list[UserLine]) -> CodeLines:
+def _code(turns: Trace, alone: list[UserLine], right: int, busy: list[UserLine]) -> CodeLines:
     shown = {where for _, where in turns} | {*alone, *busy} - {NOWHERE}
     sources = ((where, linecache.getline(*where).strip()) for where in sorted(shown))
     return CodeLines(

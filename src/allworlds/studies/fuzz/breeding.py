@@ -21,7 +21,7 @@ from allworlds.explorers import loading
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.mixture import mutated
-from allworlds.notations.given import Placed
+from allworlds.notations.given import MapWithPlaces
 from allworlds.protocol.code_lines import ONCE, UserLine
 from allworlds.studies.fuzz.sampling import Batch
 from allworlds.world import world
@@ -62,7 +62,7 @@ class Bred(Struct, frozen=True):
         """The key of the bred worlds in a run directory: the key of their draws, and ``bred``."""
         return f"{self.drawn.key}/bred"
 
-    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
+    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
         """Yield the draws from which the worlds are bred."""
         return self.drawn.placed(extent, kind)
 
@@ -156,7 +156,7 @@ class _Pool:
             self._often[line] += 1
             self.lately.setdefault(line, deque(maxlen=PARENTS_PER_LINE)).append(map_)
 
-    def bred(self) -> Iterator[Placed]:
+    def bred(self) -> Iterator[MapWithPlaces]:
         """Yield the maps of a generation, each with a random place of the lighthouse."""
         rarest = sorted(self.lately, key=lambda line: (self._often[line], line))[:RAREST_LINES]
         for _ in range(BRED_PER_GENERATION):

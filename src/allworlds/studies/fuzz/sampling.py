@@ -18,7 +18,7 @@ from allworlds.inputs.checks import InputError, show
 from allworlds.maps.classes import Extent
 from allworlds.maps.combinatorial import CombinatorialMap
 from allworlds.maps.mixture import HISTORIES, default_mix, generator, rerooted
-from allworlds.notations.given import Placed
+from allworlds.notations.given import MapWithPlaces
 from allworlds.world.lighthouses.base import Lighthouse
 
 RUNS_PER_BATCH = 8
@@ -80,7 +80,7 @@ class SmallBatch(Struct, frozen=True):
         """The key of the batch in a run directory: the seed, and ``small``."""
         return f"{self.seed}/small"
 
-    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
+    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
         """Yield one world for each run, as :meth:`Batch.placed` does, with few edges."""
         small = replace(extent, edges=min(SMALL, extent.levels[-1]))
         with suppress(InputError):  # the condition may admit none
@@ -105,7 +105,7 @@ class Batch(Struct, frozen=True):
         """The key of the batch in a run directory: the seed and the number of its first draw."""
         return f"{self.seed}/{self.first}"
 
-    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[Placed]:
+    def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
         """Yield one world for each run: a random map with a random place of the lighthouse.
 
         The parts of the mixture take turns.  Each part has its own sequence of random maps, which

@@ -21,7 +21,7 @@ from msgspec import Struct
 
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 from allworlds.outcome import Disagreement
-from allworlds.protocol.choices import Choices, Kind
+from allworlds.protocol.choices import ChoiceKind, Choices
 
 T = TypeVar("T")
 _cost = attrgetter("cost")
@@ -270,7 +270,7 @@ class Planned(Choices):
         super().__init__()
         self._darts = iter(darts)
 
-    def pick(self, options: Sequence[T], of: Kind, cost: Sequence[int] | None = None) -> T:  # noqa: ARG002
+    def pick(self, options: Sequence[T], of: ChoiceKind, cost: Sequence[int] | None = None) -> T:  # noqa: ARG002
         """Pick the next dart of the plan."""
         index = list(options).index(next(self._darts))  # type: ignore[arg-type]  # S's darts
         self.record.append(index)
