@@ -13,7 +13,7 @@ BLOCK = re.compile(
 
 
 @dataclass(frozen=True)
-class Atoms:
+class Block:
     """A fenced block.
 
     Attributes:
@@ -34,7 +34,7 @@ class Atoms:
 def blocks(text, *languages):
     """The fenced blocks of a page, in order; of these languages, where there are any."""
     found = [
-        Atoms(
+        Block(
             each["language"],
             each["title"] or "",
             each["reason"] or "",
