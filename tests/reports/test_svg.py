@@ -12,7 +12,7 @@ import pytest
 from allworlds import worlds
 from allworlds.maps import CombinatorialMap, family, named_map
 from allworlds.reports.drawing.planar import planar
-from allworlds.reports.drawing.svg import drawing, in_words, picture
+from allworlds.reports.drawing.svg import _clockwise, drawing, in_words, picture
 from allworlds.reports.parts import Scene
 from curves import flat, points
 
@@ -231,6 +231,13 @@ def test_numbers_round_a_vertex_do_not_touch():
             places = [moved(g) for g in fixed.iter(f"{NS}g") if "data-dart" in g.attrib]
             for a, b in combinations(places, 2):
                 assert abs(a - b) >= 13
+
+
+@pytest.mark.parametrize("last_bits", [1e-15, -1e-15, 1e-11, -1e-11])
+def test_of_equal_gaps_the_same_has_the_arrow_whatever_the_last_bits_are(last_bits):
+    left = complex(-1, last_bits), complex(-1, -last_bits)
+    arrows = {ET.tostring(_clockwise([direction, 1 + 0j])) for direction in left}
+    assert len(arrows) == 1
 
 
 @pytest.mark.parametrize("map_", [*NAMED, GENUS_2, named_map("edge")], ids=str)

@@ -299,9 +299,10 @@ def _width(scene: Scene, dart: Dart) -> float:
 
 def _clockwise(along: Sequence[complex]) -> ET.Element:
     """An arrow that turns clockwise, in the middle of the widest gap between two darts."""
-    angles = sorted(phase(direction) for direction in along)
+    # Rounded: the last bits differ between machines, and must not choose between equal gaps.
+    angles = sorted(round(phase(each) + pi, 6) % round(tau, 6) - pi for each in along)
     gaps = [(b - a, a) for a, b in pairwise([*angles, angles[0] + tau])]
-    wide, first = max(gaps, key=lambda gap: round(gap[0], 6))
+    wide, first = max(gaps, key=lambda gap: round(gap[0], 4))
     half = min(wide / 2 - 0.25, 0.6)
     start, end = (first + wide / 2 + turn for turn in (-half, half))
     tip = TURN * complex(cos(end), sin(end))
