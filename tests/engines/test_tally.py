@@ -4,6 +4,7 @@ from itertools import permutations
 from types import SimpleNamespace
 
 import pytest
+from msgspec import Struct
 
 from allworlds.engines import tally as tallying, units
 from allworlds.engines.kernel.schedules import ScheduleCosts
@@ -302,3 +303,13 @@ def test_a_finding_is_made_only_of_a_broken_law_and_if_it_is_wanted():
     tally.findings = [Found(1, 1)]
     referee.finding = None
     counter.settle(referee, world, place, SimpleNamespace(violation="map"), tally)
+
+
+class Kept(Struct):
+    under: Rules | None = None
+
+
+def test_the_rules_of_the_job_are_put_into_every_finding():
+    tally, rules = Tally(2, findings=[Kept(), Kept()]), Rules()
+    assert tally.under(rules) is tally
+    assert tally.findings == [Kept(rules), Kept(rules)]

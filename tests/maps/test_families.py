@@ -192,3 +192,12 @@ def test_no_map_of_a_family_has_more_than_100000_edges(monkeypatch):
     for large in ("cycle:100001", "strip:33335", "dense:448"):
         with pytest.raises(InputError, match=f"family '{large}' has more than 100,000 edges"):
             family(large)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_in_a_corridor_only_far_hubs_have_edges_to_others_than_the_next(seed):
+    map_, shape = family("corridor:2x14", seed=seed), families.CorridorShape(2, 14)
+    away = {abs(map_.vertex_of[dart] - map_.vertex_of[map_.alpha[dart]]) for dart in map_.darts}
+    near = [dart for dart in map_.darts if map_.vertex_of[dart] <= shape.near]
+    assert {map_.vertex_of[map_.alpha[dart]] - map_.vertex_of[dart] for dart in near} == {-1, 0, 1}
+    assert away == {0, 1}

@@ -101,3 +101,4 @@ def test_what_means_something_to_latex_is_written_as_it_is():
 def test_up_to_six_values_are_ticks_and_of_more_round_ones():
     assert _ticks(range(1, 7)) == [1, 2, 3, 4, 5, 6]
     assert _ticks(range(1, 8)) == [1, 2, 5]
+    assert _ticks([k * 10**12 for k in range(1, 8)]) == [1e12, 2e12, 5e12]

@@ -53,3 +53,8 @@ def test_an_automaton_without_a_memory_at_the_start_breaks_a_law_before_any_step
     fails = Automaton(begins, lambda memory, _: (memory, Move(0)))
     found = search(EDGE, (0, 1), Never(), [walks, fails], "fsync")
     assert (found.law, found.events, found.search.broken.robot) == ("crash", (), 1)
+
+
+def test_two_robots_may_start_at_all_darts_of_a_face():
+    assert [*OneInterval(one_face=True).starts(EDGE, 2)] == [*OneInterval().starts(EDGE, 2)]
+    assert (0, 1) in OneInterval(one_face=True).starts(EDGE, 2)

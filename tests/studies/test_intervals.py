@@ -6,7 +6,7 @@ from statistics import fmean, geometric_mean, mean, quantiles
 
 import pytest
 
-from allworlds.studies.compare.intervals import lack, mean_interval, power, ratio_interval
+from allworlds.studies.compare.intervals import _bend, lack, mean_interval, power, ratio_interval
 
 pytest.importorskip("scipy", reason="the extra figures is not installed")
 
@@ -128,3 +128,7 @@ def test_few_sizes_have_no_exponent():
     del costs[12]
     assert power(costs).exponent is None
     assert power(costs).lack == "fewer than 5 sizes"
+
+
+def test_points_on_a_line_have_no_bend():
+    assert _bend([1, 2, 3, 4, 5], [2, 4, 6, 8, 10]) == ""
