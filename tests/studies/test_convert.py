@@ -54,6 +54,12 @@ def test_rooms_of_many_worlds_are_told_if_all_is_asked_for(cli):
     assert cli("convert", many, "-v")[1].count("its doors lead") == len([*entries(many)])
 
 
+@pytest.mark.parametrize("count", [3, 4])
+def test_rooms_of_three_worlds_are_told_and_of_four_if_all_is_asked_for(cli, tmp_path, count):
+    path = plans(tmp_path, json.dumps({f"house {number}": PLAN for number in range(count)}))
+    assert ("hall   bath, attic\n" in cli("convert", path)[1]) == (count == 3)
+
+
 def test_a_world_is_drawn_in_a_file(cli, refused, tmp_path):
     (tmp_path / "plan.json").write_text(json.dumps(PLAN))
     page, picture = tmp_path / "x.html", tmp_path / "x.svg"

@@ -112,6 +112,12 @@ def test_an_answer_that_is_no_map_is_told_once_with_what_was_tried(report_of, tm
     assert " ".join(out.split()).count("line 18, in no_map: return Estimate(") == 1
 
 
+def test_of_a_rotation_that_is_none_the_sense_of_counting_is_told(report_of):
+    told = {name: explain(report_of(name).findings[0]) for name in ("no_map", "no_lists")}
+    sense = "Bearings, motions and ways back count darts clockwise."
+    assert [sense in told[name].sentences for name in told] == [True, False]
+
+
 def test_what_was_tried_is_shown_only_if_it_can_be(report_of, cli):
     _, out, _ = cli("check", report_of("no_darts").explorer, "--edges", 1, "-v")
     assert "alpha [1, None]" in out

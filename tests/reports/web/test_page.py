@@ -8,7 +8,7 @@ from collections import Counter
 
 import pytest
 
-from allworlds import Estimate, Move
+from allworlds import Estimate, Move, run
 from allworlds.corpus.explorers import WRONG_EXPLORERS
 from allworlds.documents.document import replace
 from allworlds.maps import named_map
@@ -180,3 +180,11 @@ def test_a_cell_of_more_than_thirty_characters_may_be_broken():
     cells = ["x" * 30, "x" * 31, 7]
     (row,) = table_element(parts.Table(["a", "b", "c"], [cells])).iterfind("tbody/tr")
     assert [cell.get("class") for cell in row] == ["words", "sentence", None]
+
+
+def test_of_a_long_walk_the_first_states_alone_are_on_the_page(monkeypatch):
+    monkeypatch.setattr("allworlds.reports.web.sections.LONGEST", 5)
+    shown = page(run("algorithm1", "k4"))
+    assert "The first 4 of" in shown
+    ways = re.search(r'class="ways">(.*?)</script>', shown, re.DOTALL)[1]
+    assert len(json.loads(ways)["walk"]) == 5
