@@ -1,13 +1,14 @@
 """Documents: the class of a result defines its keys, their types and their meanings, once.
 
 A result is a frozen :class:`Document`.  Its fields are the keys of its JSON object, in this order;
-each field is annotated with its type and, by :func:`about`, with one line of meaning.  From the
-same class come the JSON (:meth:`Document.to_json`), the strict reading (``reading.parse``), the
-JSON Schemas and the reference of keys.
+each field is annotated with its type and, by :func:`about`, with one line of meaning.  The same
+class yields the JSON (:meth:`Document.to_json`), the strict reading (``reading.parse``), the JSON
+Schemas and the reference of keys.
 
 With ``@with_options(Request)`` a class also has a key for each option of a request; the option
 defines the key's type and meaning.  A method with ``@computed`` is a key whose value follows from
-the fields; it comes after the fields, its annotation is the type, its docstring the meaning.
+the fields.  This key comes after the fields; the method's annotation is the key's type, and the
+method's docstring is the key's meaning.
 
 A type has three variants:
 
@@ -62,7 +63,7 @@ T = TypeVar("T")
 
 NOT_IN_DOCUMENT = Meta(extra={"aside": True})
 NotInDocument: TypeAlias = Annotated[T, NOT_IN_DOCUMENT]
-"""A field that is no key of the document."""
+"""A field of the result in Python that the document leaves out."""
 
 IF_ANY = Meta(extra={"if any": True})
 IfAny: TypeAlias = Annotated[T, IF_ANY]
@@ -81,18 +82,18 @@ def read_by(kind: Any, read: Callable[[Any], Any] | None = None) -> Meta:
 
     Args:
         kind: the type.
-        read: the function from a parsed JSON value to the value; None if none is read.
+        read: the function from a parsed JSON value to the value; None if JSON is never read.
     """
     return Meta(extra={"kind": kind, "read": read and ReadBy(kind, read)})
 
 
 if TYPE_CHECKING:
     FromJson: TypeAlias = Annotated[T, "read by its from_json"]
-    """A field whose class reads its own values."""
+    """A field whose value is read from JSON by ``from_json`` of the field's class."""
 else:
 
     class FromJson:
-        """The annotation of such a field, which msgspec need not know."""
+        """The annotation of a field that is read by ``from_json``; msgspec sees the type Any."""
 
         def __class_getitem__(cls, kind: Any) -> Any:
             return Annotated[Any, read_by(kind, kind.from_json)]
@@ -109,7 +110,7 @@ def narrowed(**keywords: Any) -> Meta:
 
 
 def one_of(*values: object) -> Meta:
-    """One of these values of a wider type."""
+    """The keyword of JSON Schema that narrows a type to these values."""
     return narrowed(enum=[*values])
 
 
@@ -140,7 +141,7 @@ WhichShard = Annotated[ShardText, about("`K/N`; `0/1` is the whole")]
 
 
 __all__ = ["key"]
-"""Besides what is defined here: the field that takes another name in JSON."""
+"""The name that this module exports again: msgspec's ``field``, which can set a name in JSON."""
 
 NOTHING = (None, "", ())
 
@@ -148,10 +149,10 @@ _AS_IT_IS = frozenset({int, str, bool, float, NoneType})
 
 
 class computed(cached_property[T]):  # noqa: N801  # as cached_property
-    """A key that is no field: the value of the method, computed once, on demand.
+    """A key whose value a method computes once, on demand.
 
-    Its type is the method's annotation, its meaning the first line of the docstring.  In the object
-    it comes after the fields.
+    The key's type is the method's annotation; its meaning is the first line of the docstring.  The
+    key comes after the fields in the JSON object.
     """
 
 
@@ -259,10 +260,10 @@ class Key(NamedTuple):
     """A key of a document.
 
     Attributes:
-        attribute: the attribute with its value.
-        name: the name in the object.
+        attribute: the name of the attribute that holds the value.
+        name: the name of the key in the JSON object.
         type: the annotated type, with the meaning.
-        if_any: whether it is left out if the value is empty.
+        if_any: whether the document leaves the key out if the value is empty.
     """
 
     attribute: str
@@ -272,7 +273,7 @@ class Key(NamedTuple):
 
 
 NAMES = {"map_class": "class"}
-"""Names of keys that no attribute can have."""
+"""The JSON names of keys whose names Python reserves, by the names of their attributes."""
 
 
 def _meaning(key: computed[Any]) -> str:
@@ -304,7 +305,7 @@ def keys_of(kind: type[Document]) -> tuple[Key, ...]:
 
 
 def plain(value: Any) -> Any:
-    """The JSON value of a value; values of other classes are converted by ``to_json()``."""
+    """The JSON value of a value; a value of an unknown class is converted by its ``to_json()``."""
     if type(value) in _AS_IT_IS:  # nearly always
         return value
     match value:
@@ -333,7 +334,7 @@ def plain_at_once(value: object) -> Any:
 
 
 def replace(value: T, **changes: Any) -> T:
-    """A copy of a struct, such as a document, or of a dataclass, with other values of fields."""
+    """A copy of a dataclass or a struct, such as a document, in which some fields are changed."""
     copied: Any = replace_in_struct if isinstance(value, Struct) else replace_in_dataclass
     found: T = copied(value, **changes)
     return found

@@ -19,7 +19,7 @@ def parse(document: object, kind: type[T], what: str) -> T:
     Args:
         document: the parsed JSON value.
         kind: a type that msgspec knows.
-        what: the words for the whole in errors.
+        what: the words that name the whole value in errors.
 
     Raises:
         InputError: naming the offending value, its place, and what would be legal.
@@ -45,7 +45,7 @@ _PLACED = re.compile(r"(.*?)(?: - at `(?:key` in `)?\$([^`\n]*)`)?", re.DOTALL)
 """An error of msgspec: its words, and the path of the value."""
 
 _STEP = re.compile(r"\[[^]]*\]|[^.[]+")
-"""A step of such a path: a key, an index as ``[0]``, or ``[...]`` for a value of a dictionary."""
+"""A step of the path: a key, an index such as ``[0]``, or ``[...]`` for a dictionary's value."""
 
 
 def _at(document: Any, steps: Iterable[str]) -> object:

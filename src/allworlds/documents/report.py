@@ -72,9 +72,9 @@ class Report(Paged, Document, kw_only=True):
 
     @property
     def facts(self) -> Facts:
-        """Facts that the exit code depends on.
+        """The facts on which the exit code depends.
 
-        The default stands for a question that was answered.
+        The default facts mean that the question was answered.
         """
         return Facts()
 
@@ -85,7 +85,7 @@ class Report(Paged, Document, kw_only=True):
 
     @property
     def seconds_by_part(self) -> dict[str, list[float]]:
-        """The seconds that its parts took, by their keys in ``made_by``; by default no part."""
+        """The seconds of each part of the job, by its key in ``made_by``; empty by default."""
         return {}
 
     def records(self) -> list[dict[str, Any]]:

@@ -1,8 +1,8 @@
-"""Values with a text, a page or a picture, and the functions that write these.
+"""Values with a text, a page or a picture, and the writers of these forms.
 
-The functions are in ``allworlds.reports``, which this module does not import.  The package
-``allworlds`` registers how to load them when it is imported; the first value that is shown loads
-them.
+A writer is a function of ``allworlds.reports``, which this module does not import.  The import of
+the package ``allworlds`` registers a function that loads the writers.  The first value that is
+shown calls this function.
 """
 
 from collections.abc import Callable
@@ -32,7 +32,7 @@ _registered = list[Callable[[], Writers]]()
 
 
 def register(load: Callable[[], Writers]) -> Callable[[], Writers]:
-    """Register the function that loads the writers; it replaces an earlier one."""
+    """Register the function that loads the writers, in place of an earlier function."""
     _registered.append(load)
     return load
 
@@ -54,7 +54,7 @@ class Pictured:
 
 
 class Paged:
-    """A value that is printed as a text, and that notebooks show as a page or a part of one."""
+    """A value that Python prints as a text, and that notebooks show as a page or part of a page."""
 
     __slots__ = ()
 

@@ -1,6 +1,6 @@
 """The languages of skeletons: the files of each, and the commands that try an explorer.
 
-A skeleton is a set of files of an explorer that builds and runs, but does not answer right yet.
+A skeleton is a set of files of an explorer that builds and runs; its answers are still wrong.
 The files of a language are in the folder of its name in ``skeletons``; their names end in
 ``.template``.
 """
@@ -19,8 +19,8 @@ class Language(Struct, frozen=True):
     Attributes:
         explorer: the file of the explorer.
         check: the command that builds the explorer, if necessary, and checks it.
-        test: the command that runs its test.
-        needs: the programs, besides this one, that these commands need.
+        test: the command that runs the explorer's test.
+        needs: the programs that these commands need besides ``allworlds``.
     """
 
     explorer: str

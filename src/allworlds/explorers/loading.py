@@ -57,7 +57,7 @@ LIGHTHOUSE = "directional"
 
 
 def entry_of(name: str) -> BuiltIn | None:
-    """The entry of a built-in explorer; None for any other, without loading the built-in ones."""
+    """The entry of a built-in explorer, else None; a name with a colon loads no entry."""
     if ":" in name:
         return None
     from allworlds.explorers.builtin.explorer_table import BUILT_IN
@@ -110,7 +110,7 @@ def named_on_command_line(name: str) -> list[str]:
 def entry_point(plain: str) -> EntryPoint | None:
     """The explorer that another package offers under a name; None if there is none.
 
-    A name with a colon names a function, so other packages are not searched, which takes time.
+    A name with a colon names a function, so the slow search of other packages is left out.
     """
     return None if ":" in plain else importing.points_of(ENTRY_POINTS).get(plain)
 
@@ -122,8 +122,8 @@ def own_bound(name: str, lighthouse: str) -> str | None:
     explorer's kind of lighthouse.
 
     Raises:
-        InputError: for a shield without the directional lighthouse, which it needs, or for a search
-            for v0 under a lighthouse that does not show v0.
+        InputError: if a shield lacks the directional lighthouse, which it needs, or if the explorer
+            looks for v0 under a lighthouse that does not show v0.
     """
     if name.startswith(ELSEWHERE):
         return _bound_elsewhere(name.removeprefix(ELSEWHERE), str(lighthouse))
@@ -144,7 +144,7 @@ ANYWHERE = "start=any"
 """The option of a lighthouse by which the robot may start at any vertex."""
 
 SHOW_V0 = {"directional": "d", "cluster": "d", "door": "(d+1)"}
-"""The lighthouses with one mark at v0, each with the largest distance to it, by the diameter d."""
+"""The lighthouses with one mark at v0, with the largest distance to the mark, by the diameter d."""
 
 
 def _bound_elsewhere(inside: str, lighthouse: str) -> str | None:
@@ -171,15 +171,15 @@ class Subject(Struct, frozen=True, weakref=True):
     """An explorer under test.
 
     Attributes:
-        name: the name by which other processes find it: a built-in name, ``module:attribute``,
-            ``path/to/file.py:attribute`` or an entry point, each perhaps with ``?key=value``;
-            ``exec:COMMAND`` or ``native:PATH``; with a shield ``shield:NAME``.
-        keywords: those of ``choices``, ``told`` and ``notice`` that it takes.
-        explore: the generator function; None if only other processes load it, by its name, so
-            that its code never gets into this one.
-        source: the text of its file, if it is in a file.
-        program: the user's program behind it, if it runs here; also in a shield.
-        native: the shared library behind it, likewise.
+        name: the name by which other processes find the explorer: a built-in name,
+            ``module:attribute``, ``path/to/file.py:attribute`` or an entry point, each perhaps with
+            ``?key=value``; ``exec:COMMAND`` or ``native:PATH``; with a shield ``shield:NAME``.
+        keywords: the keywords among ``choices``, ``told`` and ``notice`` that the explorer takes.
+        explore: the generator function; None if only other processes load the explorer, by its
+            name, so that this process never loads its code.
+        source: the text of the explorer's file, if the explorer is in a file.
+        program: the user's program that plays the explorer, if it runs here; also in a shield.
+        native: the shared library that plays the explorer, if it is loaded here; also in a shield.
     """
 
     name: str
@@ -196,12 +196,12 @@ class Subject(Struct, frozen=True, weakref=True):
 
     @property
     def from_user(self) -> bool:
-        """Whether it is a user's explorer, whose runs are executed twice."""
+        """Whether this is a user's explorer; each run of a user's explorer is executed twice."""
         return self.own is None
 
     @property
     def compiled(self) -> bool:
-        """Whether it is a shared library outside a shield, where Python calls it."""
+        """Whether this is a shared library without a wrapper; inside a wrapper Python calls it."""
         return self.name.startswith(NATIVE)
 
     @property
@@ -281,8 +281,8 @@ def with_search(inside: Subject) -> Subject:
 def in_process_subject(explore: Callable[..., Any]) -> Subject:
     """The subject for a function of this process.
 
-    If it can be imported by its name, it is played in processes of its own.  Any other function,
-    such as a closure or a function of the running script, is played in this process.
+    A function that can be imported by its name is played in processes of its own.  Other functions,
+    such as closures or functions of the running script, are played in this process.
 
     Raises:
         InputError: if it is no explorer.
@@ -379,7 +379,7 @@ def source_of(name: str) -> importing.SourceText | None:
     """The text of the file in an explorer's name; None if the name has no file.
 
     Raises:
-        InputError: if the name is no explorer's, or the file cannot be read.
+        InputError: if the name is no name of an explorer, or the file cannot be read.
     """
     name = innermost(name)
     if is_program(name) or is_library(name):
@@ -413,7 +413,7 @@ def load(
     Args:
         name: see :class:`Subject`.
         answer_timeout: the seconds after which a silent program is given up.
-        source: the text of its file, if it has already been read.
+        source: the text of the explorer's file, if the file has already been read.
 
     Raises:
         InputError: if there is no such explorer, or it cannot be imported, or it is no explorer.
@@ -473,9 +473,9 @@ def shield(explorer: Callable[..., Generator[Any, Any, Any]]) -> Shield: ...
 def shield(explorer: str | Callable[..., Generator[Any, Any, Any]]) -> str | Shield:
     """Return an explorer with a shield: right in every world under the directional lighthouse.
 
-    It walks less than nine times as far as the explorer does until its log has no open dart, and
-    less than nine times the sum of the paper's bounds (1) and (2).  An explorer that neither yields
-    nor returns still breaks the law ``timeout``.
+    It walks less than nine times as far as the explorer alone walks until its log has no open dart.
+    It also walks less than nine times the sum of the paper's bounds (1) and (2).  An explorer
+    that neither yields nor returns still breaks the law ``timeout``.
 
     Args:
         explorer: a generator function; or a name, as on the command line, where ``exec:COMMAND`` is
@@ -485,7 +485,7 @@ def shield(explorer: str | Callable[..., Generator[Any, Any, Any]]) -> str | Shi
         a generator function for a function, a name for a name.
 
     Raises:
-        InputError: if it is neither.
+        InputError: if the argument is neither a name nor a function.
     """
     from allworlds.explorers.builtin.folding import Shield
 

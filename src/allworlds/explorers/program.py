@@ -58,7 +58,7 @@ SAYINGS = (
     *("move", "drop", "pick", "write", "checkpoint", "estimate", "ambiguous", "answer"),
     *ROBOTS,
 )
-"""The keys of lines of the program; a line has exactly one of them."""
+"""The keys of the program's lines; each line has exactly one of these keys."""
 
 MAP_KEYS, QUOTIENT_KEYS = ("sigma", "alpha", "here"), ("sigma", "alpha", "degree", "marks", "here")
 
@@ -104,7 +104,7 @@ def message_of(line: bytes) -> ProgramMessage:
     """The message of a line.
 
     Raises:
-        ExplorerFault: if it is no line of the protocol, or a value in it is malformed.
+        ExplorerFault: if the line is no line of the protocol, or has a malformed value.
     """
     try:
         message = json.loads(line)
@@ -181,7 +181,7 @@ class Program:
         answer_timeout: the seconds of silence after which the process is killed.
 
     Attributes:
-        stays: whether the process goes on if an episode is ended while it waits for an answer.
+        stays: whether the process goes on if an episode ends while the process waits for an answer.
 
     Raises:
         InputError: if the command is empty, or its program is not found or cannot be run.

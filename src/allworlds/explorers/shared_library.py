@@ -67,7 +67,7 @@ _FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
 """The types that each function returns and takes."""
 
 _OPTIONAL = ("choose", "quotient")
-"""The functions that a library need not have."""
+"""The functions that a library may lack."""
 
 
 def library_path(path: str) -> Path:
@@ -88,7 +88,7 @@ class Library:
     Loading runs the user's code.
 
     Raises:
-        InputError: if it cannot be loaded, or is no library of an explorer.
+        InputError: if the library cannot be loaded, or has no explorer.
     """
 
     def __init__(self, path: str) -> None:
@@ -108,7 +108,7 @@ class Library:
             )
 
     def print_line_by_line(self) -> None:
-        """Make stdio write each line of stdout at once, so that a killed process loses none."""
+        """Make stdio write each line of stdout at once, so that a killed process loses no line."""
         program = ctypes.CDLL(None)
         with suppress(ValueError):  # a C library that calls it otherwise
             stdout = ctypes.c_void_p.in_dll(program, "stdout")
@@ -126,7 +126,7 @@ class Library:
         return function
 
     def addresses(self) -> list[int]:
-        """The addresses of start, step, answer and choose; 0 for one that is missing."""
+        """The addresses of start, step, answer and choose; 0 for a missing function."""
         functions = (self.start, self.step, self.answer, self.choose)
         return [(ctypes.cast(each, _ADDRESS).value or 0) if each else 0 for each in functions]
 
@@ -188,7 +188,7 @@ class NativeExplorer:
         """The library's state, which is made at the first use.
 
         Raises:
-            ExplorerFault: if the library makes none.
+            ExplorerFault: if the library makes no state.
         """
         if self._state is None:
             self._state = self.library.new()

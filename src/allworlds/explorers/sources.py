@@ -62,9 +62,9 @@ def names_explorer(text: str) -> bool:
 
 
 def whole_name(name: str) -> str:
-    """The name; if it names a file with only one public generator function, with that function.
+    """The name; a file with only one public generator function gets the name of this function.
 
-    If the file defines no such function, it may import one named ``explore``.
+    A file that defines no generator function gets the name ``explore``, which it may import.
 
     Raises:
         InputError: if the file has several such functions, is missing, or is no Python.
@@ -175,7 +175,7 @@ class SourceLine(Struct, frozen=True):
     line: int = 1
 
     def is_in(self, folder: Path) -> bool:
-        """Whether the file belongs to that project, and not to a package installed below it."""
+        """Whether the file belongs to a project; packages installed in its folder do not belong."""
         return self.file.is_relative_to(folder) and "site-packages" not in self.file.parts
 
     def named_from(self, folder: Path) -> str:
@@ -186,7 +186,7 @@ class SourceLine(Struct, frozen=True):
 def files_of_explorer(name: str) -> list[Path]:
     """The files of an explorer's code; none for a built-in explorer, or if unknown.
 
-    For a program they are the files that its command names.
+    The files of a program are the files that its command names.
     """
     try:
         return [file for file in _files_named(innermost(name)) if file.is_file()]
@@ -197,9 +197,10 @@ def files_of_explorer(name: str) -> list[Path]:
 def place_of_explorer(name: str) -> SourceLine | None:
     """The line of an explorer's code; None for a built-in explorer, or if unknown.
 
-    For a Python explorer it is the line of its function, for a program the first line of the last
-    file that its command names, or else of the command's own file.  For compiled code it is the
-    first line of the source beside it, such as explorer.c for explorer.so.
+    The code of a Python explorer begins at the line of its function.  The code of a program begins
+    at the first line of the last file that its command names, or else of the command's own file.
+    Compiled code begins at the first line of its source in the same folder, such as explorer.c for
+    explorer.so.
     """
     files, name = files_of_explorer(name), innermost(name)
     try:
@@ -278,10 +279,10 @@ OURS = "built-in"
 def content_digest(subject: Subject) -> str:
     """SHA-256 of the explorer's text, or of the digests of its files, in hexadecimal.
 
-    The files of a program are the program itself and the files that its command names.  For an
-    explorer in a wrapper the digest is that of the explorer inside, because the wrapper changes
-    only with the version of this program.  For a module it is the digest of its own file, without
-    imported modules.
+    The files of a program are the program itself and the files that its command names.  An explorer
+    in a wrapper has the digest of the explorer inside, because the wrapper changes only with the
+    version of this program.  A module has the digest of its own file; imported modules do not
+    count.
 
     Raises:
         InputError: if the explorer exists only in this process, or its file cannot be found.
@@ -320,7 +321,7 @@ def with_content(subject: Subject) -> Subject:
 
 
 def not_alike(subject: Subject, digest: str, answer_timeout: float) -> str:
-    """The reason why this process finds another explorer than that of the digest, or empty."""
+    """The reason why this process cannot find the explorer with this digest; empty if it can."""
     try:
         if is_program(subject.name):
             Program(command_or_path(subject.name), answer_timeout)
@@ -427,7 +428,7 @@ class ExplorersWords(Request):
     ] = None
 
     def value(self) -> tuple[str, ...]:
-        """The names of all of them."""
+        """The names of all given explorers."""
         return (
             *(self.explorers or ()),
             *(EXEC + command for command in self.command or ()),

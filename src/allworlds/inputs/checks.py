@@ -35,23 +35,23 @@ class InputError(ValueError):
 
 
 class NotInstalled(InputError):
-    """Raised if a package is missing; the message names its use, and the extra with it."""
+    """Raised if a package is missing; the message names its use, and the extra that installs it."""
 
 
 class OutOfTime(BaseException):
-    """Raised if the time of a job is up, also in a user's model, which must not catch it."""
+    """Raised when the time of a job is up, also in a user's model, which must let it pass."""
 
 
 class NestedCheck(InputError):
-    """Raised if a check begins because of another one, which would repeat without end."""
+    """Raised if a check begins because of another check; such checks would begin without end."""
 
 
 INTERRUPTS = [each for each in signal.Signals if each.name in ("SIGINT", "SIGTERM", "SIGHUP")]
-"""The signals that interrupt: from the keyboard, for termination, from a closed terminal."""
+"""The signals that interrupt a job: Ctrl-C, a request to terminate, and a closed terminal."""
 
 
 def at_interrupts(act: Any) -> None:
-    """Set a handler for these signals, except for ignored ones (``nohup``)."""
+    """Set a handler for each signal in :data:`INTERRUPTS` that is not ignored (``nohup``)."""
     for number in INTERRUPTS:
         if signal.getsignal(number) is not signal.SIG_IGN:
             signal.signal(number, act)
@@ -59,7 +59,7 @@ def at_interrupts(act: Any) -> None:
 
 @contextmanager
 def interrupts_held() -> Iterator[None]:
-    """A context in which no interrupt arrives; pending ones arrive at its end."""
+    """A context in which no interrupt arrives; pending interrupts arrive at its end."""
     before = signal.pthread_sigmask(signal.SIG_BLOCK, INTERRUPTS)
     try:
         yield
@@ -153,7 +153,7 @@ def integer(value: object) -> int:
 
 
 def are_plain(values: Sequence[object]) -> bool:
-    """Whether all values have the type ``int`` itself, so that none need be converted."""
+    """Whether all values have the type ``int`` itself, so that no value needs a conversion."""
     return [*map(type, values)].count(int) == len(values)
 
 
@@ -161,7 +161,7 @@ def an_integer(name: str, value: object) -> int:
     """The value as an ``int``.
 
     Raises:
-        InputError: naming the value, for booleans and all others that are no integers.
+        InputError: naming the value, if it is a boolean or any other value but an integer.
     """
     try:
         return integer(value)
@@ -181,7 +181,7 @@ def a_word(name: str, words: Sequence[str]) -> Callable[[object], Any]:
 
 
 def at_most(name: str, value: float, most: int) -> None:
-    """Refuse a larger value, with which a job could not be counted, printed or finished.
+    """Refuse a value above ``most``: its job could not be counted, printed or finished.
 
     Raises:
         InputError: naming the value.
@@ -248,7 +248,7 @@ def is_loop_of_links(path: str | Path) -> bool:
 
 
 def no_file(path: str, hint: str = "") -> str:
-    """The reason why there is no file at that path; the hint follows, unless it is a loop."""
+    """The reason why there is no file at that path; the hint follows, unless links form a loop."""
     if is_loop_of_links(path):
         return f"{show(path)} is a loop of links"
     return f"there is no file {show(path)}{hint}"
@@ -262,14 +262,14 @@ def ensure_installed(package: str, extra: str, what: str) -> None:
     """Raise NotInstalled unless the package can be imported.
 
     Raises:
-        NotInstalled: naming the use of the package, and the extra with it.
+        NotInstalled: naming the use of the package, and the extra that installs it.
     """
     if lack := lack_of(package, extra):
         raise NotInstalled(f"{what} {lack}")
 
 
 def lack_of(package: str, extra: str) -> str:
-    """The clause about a missing package, with the extra that has it; empty if installed."""
+    """The clause about a missing package, and the extra with it; empty if it is installed."""
     return "" if find_spec(package) else f"needs {package}: {INSTALL.format(extra)}"
 
 
@@ -326,7 +326,7 @@ def read_text(path: str) -> str:
 
 
 def integer_of(text: str) -> int:
-    """The integer of a text; unlike ``int``, it accepts neither 1_0 nor other scripts.
+    """The integer that a text writes; unlike ``int``, refuse ``1_0`` and digits of other scripts.
 
     Raises:
         ValueError: with the words for this kind of value, as all readers of options do.
@@ -337,7 +337,7 @@ def integer_of(text: str) -> int:
 
 
 def seconds_of(text: str) -> float:
-    """The number of a text."""
+    """The number that a text writes."""
     if re.fullmatch(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?|-?inf|nan", text):
         return float(text)
     raise ValueError(f"{show(text)} is not a number of seconds")
@@ -354,7 +354,7 @@ ENDINGS = {name: getattr(os, name) for name in ("_exit", "execv", "execve")}
 
 
 class _Kept:
-    """The number of the process in which these functions are refused; 0 if in none."""
+    """The id of the process that refuses the functions in :data:`ENDINGS`; 0 if no process does."""
 
     process = 0
 
@@ -367,7 +367,7 @@ def keep_exit_code() -> None:
 
 @contextmanager
 def exit_code_kept() -> Iterator[None]:
-    """A context in which this process refuses these functions."""
+    """A context in which this process refuses the functions in :data:`ENDINGS`."""
     process, functions = _Kept.process, {name: getattr(os, name) for name in ENDINGS}
     keep_exit_code()
     try:

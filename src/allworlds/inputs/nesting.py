@@ -1,7 +1,7 @@
 """The refusal of checks that begin in a process of another check, or while a check loads a file.
 
-Without the refusal, a file that begins a check at its import would do so in each player that
-imports it.
+Without the refusal, a file that begins a check at its import would begin another check in each
+player that imports the file.
 """
 
 from __future__ import annotations
@@ -17,10 +17,10 @@ from types import FrameType
 from allworlds.inputs.checks import NestedCheck, show
 
 PLAYER = "ALLWORLDS_PLAYER"
-"""The environment variable of players, and of all processes that users' code starts there."""
+"""The environment variable that marks players, and all processes that users' code starts there."""
 
 SAID = "begins a check where none may begin"
-"""The words that each refusal contains, also as a program prints it."""
+"""The words that each refusal contains, also when a program prints the refusal."""
 
 PACKAGE = str(Path(__file__).parents[1])
 
@@ -38,7 +38,7 @@ def loading() -> Iterator[None]:
 
 
 def ensure_outermost() -> None:
-    """Refuse to begin a check, a run or the like that another one causes.
+    """Refuse to begin a job, such as a check or a run, in a player or while a check loads a file.
 
     Raises:
         NestedCheck: naming the file, the line and the remedy.
@@ -48,7 +48,7 @@ def ensure_outermost() -> None:
 
 
 def refusal_in(words: str) -> NestedCheck | None:
-    """The refusal in the last prints of a program; None if there is none."""
+    """The refusal in the last line that a program has printed; None without a refusal."""
     last = words.rstrip().rpartition("\n")[2]
     return NestedCheck(last.partition(": ")[2]) if SAID in last else None
 

@@ -55,7 +55,7 @@ EXPLORER_FIELDS = ("explore", "explorers")
 """The fields of requests that name explorers to be played."""
 
 GIVEN_IN_FILE: ContextVar[frozenset[str]] = ContextVar("given in a file", default=frozenset())
-"""The options with defaults in a user's file, which printed commands therefore name."""
+"""The options whose defaults a user's file sets, so that printed commands name the options."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,12 +69,12 @@ class Option:
         name: the name of the option, without dashes; by default the name of the field.
         short: a letter as a second name.
         parse: the function from the text to the value of the field.
-        default: the text of a missing option, if Python has another default; empty: it has not.
-        apart: whether it only concerns where, how long or for whom a job is done, so that results
-            do not depend on it.
-        repeated: whether it may be given several times; the field gets a list.
-        document_type: the type and the meaning of its key in documents; by default its own type,
-            and the help.
+        default: the text that stands for a missing option; empty: the default of Python does.
+        apart: whether results are independent of the option, because it only tells where, how long
+            or for whom a job is done.
+        repeated: whether the option may be given several times; the field then gets a list.
+        document_type: the type and the meaning of the option's key in documents; by default the
+            field's type, and the help.
     """
 
     panel: str
@@ -109,7 +109,7 @@ class OptionGroup:
 
 
 class Converted(Generic[Given, Value]):
-    """A field that takes a user's value, and holds the value that is made from it.
+    """A field that takes a user's value, converts it, and holds the converted value.
 
     ``field: Converted[str, Color] = Converted(color_named, "red")``
     """
@@ -153,7 +153,7 @@ class Request:
 
     @property
     def in_effect(self) -> dict[str, Any]:
-        """Keys of a scope that follow from the options: by default there are none."""
+        """The keys of a scope whose values follow from the options; empty by default."""
         return {}
 
 
@@ -163,8 +163,8 @@ class Field(NamedTuple):
     Attributes:
         name: the name in Python.
         type: the type of the values that callers may give.
-        held: the type of its value.
-        asked: its option.
+        held: the type of the value that the field holds.
+        asked: the option, the group of options, or the text that describes the field.
         default: the default value.
     """
 
@@ -176,7 +176,7 @@ class Field(NamedTuple):
 
     @property
     def option(self) -> str:
-        """The name of its option, which is also its key in documents."""
+        """The name of the field's option, which is also the field's key in documents."""
         return (isinstance(self.asked, Option) and self.asked.name) or self.name
 
 
@@ -201,7 +201,7 @@ def answers(
 ) -> Callable[[Callable[[Asked], Answer]], Callable[P, Answer]]:
     """Give a function of a request the signature of the request's constructor.
 
-    Type checkers know its keywords.  Its docstring describes each by the words of the help.
+    Type checkers know the keywords.  The docstring describes each keyword by the words of the help.
     """
 
     def made(answered: Callable[[Asked], Answer]) -> Callable[P, Answer]:
@@ -224,7 +224,7 @@ def takes_fields(
     Args:
         request: the class of the request.
         several: the field that the function takes as any number of positional arguments.
-        answered: the function that takes a finished request, if it is not the wrapped one.
+        answered: the function that takes a finished request; by default the wrapped function.
     """
 
     def made(function: Callable[P, Answer]) -> Callable[P, Answer]:
@@ -261,7 +261,7 @@ def ensure_takes(
     """Raise TypeError unless a function of that name and signature takes these arguments.
 
     Raises:
-        TypeError: as Python does.
+        TypeError: with the words of Python's own error.
     """
     try:
         signature.bind(*args, **keywords)
@@ -270,7 +270,7 @@ def ensure_takes(
 
 
 def answer(function: Callable[..., Answer], request: object) -> Answer:
-    """The answer of such a function to a finished request."""
+    """Answer a finished request by a function that :func:`takes_fields` has made."""
     answered: Answer = inspect.unwrap(function)(request)
     return answered
 
@@ -286,10 +286,10 @@ def _with_arguments(text: str, fields_: Iterable[Field]) -> str:
 
 
 def meant(request: object) -> dict[str, Any]:
-    """All values but the explorer on which the answer to a request depends, as JSON.
+    """The values, except the explorer, on which the answer to a request depends, as JSON.
 
-    A value that JSON lacks is replaced by its text, which is its name; the user's code by its
-    record, from which it can be loaded again; given files by their digests.
+    A value that JSON lacks is replaced by its text, which is its name.  The user's code is replaced
+    by its record, from which the code can be loaded again.  Digests replace given files.
     """
     values = [getattr(request, each.name) for each in _meant(type(request))]
     values.append(getattr(request, "given", None))
@@ -333,7 +333,7 @@ def remembered(request: type, options: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def without_effort(request: T) -> T:
-    """The request with the defaults of all options that are ``apart``, except the shard."""
+    """A copy of the request; all options that are ``apart``, except the shard, have defaults."""
     apart = (
         each
         for each in fields_of(type(request))

@@ -18,10 +18,10 @@ Each decision that the paper leaves open is a choice:
 ``path``
     The simple path in S from v_k' to v0 (line 9), one dart at a time.
 
-Options of ``transit`` and ``path``: the darts from which the robot can still reach the goal
-without entering a vertex twice, sorted by the length of the way from there, and then in the order
-of S; cost: the length of that way.  So each simple path is one sequence of answers, and the answers
-0 always yield a shortest one.
+The options of ``transit`` and ``path`` are the darts from which the robot can still reach the goal
+without entering a vertex twice.  They are sorted by the length of the way from the dart to the
+goal, and then in the order of S.  The cost of an option is the length of that way.  So each simple
+path is one sequence of answers; the answers 0 yield a shortest path.
 """
 
 from collections.abc import Callable, Generator, Iterator, Sequence
@@ -182,8 +182,8 @@ def _next_darts(
 ) -> tuple[Lazy, Lazy]:
     """The options of the next step of a path through these vertices, and the lengths of the ways.
 
-    As long as a path has taken only first options, it is a shortest one, and the first option is
-    the first dart that leads nearer to the goal, so that the others need not be computed.
+    A path that has taken only first options is a shortest path.  Then the first option is the first
+    dart that leads nearer to the goal, so that the function computes no other option.
     """
     vertex = visited[-1]
 
@@ -281,7 +281,7 @@ class Algorithm1:
         return (yield Move(s.offset(at, goal)))
 
     def hypotheses(self, goal: int, percept: Percept) -> list[int]:
-        """Line 6: H, the other darts in U on arrival by which a robot would have this percept.
+        """Line 6: H, the other darts in U by which a robot would arrive with this percept.
 
         At v0 the percept includes the direction, which is the whole test of such a hypothesis.
         """
@@ -336,9 +336,9 @@ class Algorithm1:
     def retrace(self, motions: list[int]) -> Stage[None]:
         """Line 15: undo the motions.
 
-        The motions ``k1..kr`` are undone by ``0, -kr, ..., -k2``; the remaining turn by ``-k1``
-        costs nothing and becomes a part of the next motion, and so does a remaining turn from the
-        dart of entry.
+        The robot undoes the motions ``k1..kr`` by ``0, -kr, ..., -k2``.  The remaining turn by
+        ``-k1`` costs nothing and becomes a part of the next motion.  A remaining turn from the dart
+        of entry also becomes a part of the next motion.
         """
         back = -self.turned
         for motion in reversed(motions):
@@ -372,7 +372,7 @@ class Algorithm1:
 # is proved in proofs/coq (TwoVertices).
 
 Recognised: TypeAlias = Callable[[Percept], bool]
-"""The function that tells whether a percept is that of a certain vertex."""
+"""The function that tells whether a percept is a percept of a certain vertex."""
 
 
 def algorithm1_cluster(
@@ -411,7 +411,7 @@ class TwoVertices(Algorithm1):
     """An exploration from v0, whose neighbour v1 can also be recognised.
 
     Attributes:
-        is_v0, is_v1: whether a percept is that of v0, or of v1.
+        is_v0, is_v1: the functions that recognise percepts of v0, and of v1.
         pointed: the dart of v0 that leads to v1, in S; known after the search.
     """
 
@@ -435,8 +435,8 @@ class TwoVertices(Algorithm1):
     def search(self) -> Stage[None]:
         """Try the darts of v0, clockwise from the dart faced at the start, until one leads to v1.
 
-        If none does, the lighthouse has broken its promise.  Then the last dart is taken, and no
-        query will reach v1.
+        If no dart leads to v1, the lighthouse has broken its promise.  Then the explorer takes the
+        last dart, and no query will reach v1.
         """
         for dart in list(self.s.unexplored):
             seen = yield Move(dart - self.here)
@@ -446,7 +446,7 @@ class TwoVertices(Algorithm1):
                 return
 
     def reads(self, percept: Percept) -> Percept:
-        """The part of a percept that is compared: the degree, and whether it is v0's."""
+        """The part of a percept that is compared: the degree, and whether v0 is sensed."""
         return Percept(percept.degree, int(self.is_v0(percept)))
 
     def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:

@@ -5,10 +5,10 @@ The modules:
 ``algorithm1``
     Algorithm 1 of the paper, and its variants without a direction;
 ``scanning``
-    Algorithm 1 for a robot that senses at v0 not the bearing, but one letter computed from it;
+    Algorithm 1 for a robot that senses at v0 only one letter, which depends on the bearing;
 ``folding``
-    the folded log, which is one map of all percepts of a run; explorers that use nothing else; the
-    shield, which makes any explorer right;
+    the folded log, which is one map of all percepts of a run; explorers that use this log alone;
+    the shield, which makes any explorer right;
 ``quotient``
     an explorer whose marker at v0 has no direction; it learns the quotient by experiments;
 ``baselines``
@@ -45,14 +45,13 @@ class BuiltIn(Struct, frozen=True):
         explore: the generator function.  It takes the percept before any motion, ``choices``
             (default: first in, first out) and ``notice``, which gets events and has no influence,
             and may take ``told``.
-        lighthouse: its kind of lighthouse, as ``KIND[:key=value,...]``.
-        witnesses: the events that must occur in a complete check, each with the least known
+        lighthouse: the explorer's kind of lighthouse, as ``KIND[:key=value,...]``.
+        witnesses: the events that must occur in a complete check.  Each event has the least known
             (edges, vertices) within which it occurs under every policy, for classes with loops and
-            parallel edges and for simple classes; None if it never occurs under some policy.  An
-            event that occurs later or never would mean that a branch of the algorithm was not
-            tried.
-        bound: the name of the bound that it keeps under that kind of lighthouse, if it is not
-            the lighthouse's own.
+            parallel edges and for simple classes; None if it never occurs under some policy.  If an
+            event occurs later or never, the check has left out a branch of the algorithm.
+        bound: the name of the bound that the explorer keeps under its kind of lighthouse, if this
+            differs from the lighthouse's own bound.
         step_budget: the largest legal number of traversals, if the usual budget is too small.
         about: a description, for a sentence of the page on the protocol.
     """

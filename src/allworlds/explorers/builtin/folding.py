@@ -1,10 +1,11 @@
 """The folded log, explorers that use it alone, and the shield.
 
 All percepts of a robot with a directional lighthouse form one map, the folded log.  Each visit of a
-vertex begins as a *node*.  If an arrival at v0 shows that two nodes are one vertex, they are
-merged, and then all nodes to which their equal darts lead, because a dart leads to only one dart.
-So the folded log is a part of every world that agrees with the log, and if it has no open dart, it
-is the world.  An explorer that uses the folded log alone is right if it stops, whatever its walk.
+vertex begins as a *node*.  If an arrival at v0 shows that two nodes are one vertex, the nodes are
+merged.  Then the nodes to which their equal darts lead are merged, because a dart leads to only one
+dart.  So the folded log is a part of every world that agrees with the log.  A folded log without an
+open dart is the world.  An explorer that uses the folded log alone is right if it stops, whatever
+its walk.
 
 A *way* decides which open dart comes next.  It must be fair: each open dart is finally walked
 through, or closed by other motions.  Then the robot finally goes from each entered vertex home to
@@ -129,7 +130,7 @@ class FoldedLog:
         return False
 
     def _stays(self, v: int, w: int) -> bool:
-        """Whether the first of two nodes remains when they are merged; the older one does."""
+        """Whether the first of two nodes remains when they are merged; the older node remains."""
         return v < w
 
     def _merge(self, one: int, another: int) -> None:
@@ -264,11 +265,11 @@ def way(log: FoldedLog, start: int, is_goal: Callable[[int], bool]) -> list[int]
 
 
 MOST_CHECKPOINTS = 1000
-"""The largest number of checkpoints between two motions, above which an explorer is out."""
+"""The largest number of checkpoints between two motions; with more an explorer is out."""
 
 
 class Shield:
-    """An explorer with a shield: a generator function that takes what the explorer takes.
+    """An explorer with a shield: a generator function that takes the explorer's arguments.
 
     Attributes:
         explorer: the generator function inside.
@@ -293,7 +294,7 @@ class _Guest:
     """An explorer in the shield, which walks in the folded log.
 
     Attributes:
-        here: the dart of the log by which it has arrived; at the start the dart that it faces.
+        here: the dart of the log by which the guest has arrived; at first the dart that it faces.
         steps: the number of its traversals.
         out: whether it makes no further motions.
     """
@@ -321,7 +322,7 @@ class _Guest:
         return self._log.turn(self._log.canonical(self.here), integer(message.k))
 
     def _percept(self) -> Percept:
-        """The percept of the guest there, read from the log."""
+        """The percept of the guest at its dart, read from the log."""
         log = self._log
         dart = log.canonical(self.here)
         degree = log.degree[log.node[dart]]

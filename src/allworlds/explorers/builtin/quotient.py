@@ -23,7 +23,7 @@ class TreeDart(NamedTuple):
 
     @property
     def beyond(self) -> "TreeDart":
-        """The other end of its edge; a node's dart of entry leads back to the parent."""
+        """The dart at the other end of the edge; a dart of entry leads back to the parent."""
         if self.node and self.turn == 0:
             return TreeDart(self.node[:-1], self.node[-1])
         return TreeDart((*self.node, self.turn), 0)
@@ -38,8 +38,8 @@ class Experiments:
         start: the dart that the robot faces at the start.
         here: the robot's dart in the tree.
 
-    Cost: repeated steps cost nothing.  Before a new step the robot walks to its node, along the
-    edges of the tree.
+    Cost: repeated steps cost nothing.  Before a new step the robot walks to the node where the step
+    begins, along the edges of the tree.
     """
 
     def __init__(self, first: Percept) -> None:
@@ -88,7 +88,7 @@ def quotient(
     choices: Choices | None = None,  # noqa: ARG001  # it has no freedom worth a choice
     notice: Callable[[str], None] = nobody,
 ) -> Stage[Estimate | Ambiguous]:
-    """Learn the quotient under position: return a map if only one has it, else the quotient.
+    """Learn the quotient under position: return the map if only one map has it, else the quotient.
 
     Events are ``map`` and ``ambiguous``, the kind of the answer.
 
@@ -103,7 +103,7 @@ def quotient(
 
 
 class ClassTable(NamedTuple):
-    """Classes, with the effect of the letters; class 0 is the start's.
+    """Classes, with the effect of the letters; class 0 is the class of the start.
 
     Attributes:
         sigma, alpha: the permutations of the classes.
@@ -155,7 +155,7 @@ class ClassTable(NamedTuple):
         return self.sensed[vertex[0]].degree // len(vertex)
 
     def only_world(self) -> Estimate:
-        """The only world with this quotient; its sheets are exchanged where that is necessary."""
+        """The only world with this quotient; its sheets are exchanged where necessary."""
         k = self.sheets
         sigma = [of * k + i for of in self.sigma for i in range(k)]
         alpha = [of * k + i for of in self.alpha for i in range(k)]
@@ -235,7 +235,7 @@ class _Learner:
         return None
 
     def _to_be_met(self) -> Iterator[SensedWord]:
-        """Yield the words whose predictions prove the table, if they are right."""
+        """Yield the words that prove the table if all their predictions are right."""
         table = self.table
         degrees = [percept.degree for percept in table.sensed]
         # The letters have inverses, and v0 has as many classes as there are different rows.
@@ -252,7 +252,7 @@ class _Learner:
                     yield (*"s" * turned, *word, letter, *back)
 
     def _back(self, word: SensedWord, degrees: list[int]) -> SensedWord:
-        """The word that leads back; a turn back is a turn clockwise to the dart of before."""
+        """The word that leads back; a turn back becomes clockwise turns to the previous dart."""
         back: list[str] = []
         for i in range(len(word), 0, -1):
             degree = degrees[self.table.after(word[: i - 1])]

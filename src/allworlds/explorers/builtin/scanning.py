@@ -1,9 +1,9 @@
 """Algorithm 1 for a robot that senses at v0 only a letter, which depends on the bearing.
 
 If only one bearing has a letter, the letter marks a *door*; else the letters of all bearings,
-clockwise, are a *word*.  The robot learns the letters of v0 by going out by each of its darts and
-back: the *scan*.  A test that has come to v0 ends with *queries*: the robot goes out and back by
-darts whose letters prove that it had entered v0 by the expected dart.  These darts exist if the
+clockwise, are a *word*.  In the *scan* the robot learns the letters of v0: it leaves by each dart
+of v0 and comes back.  A test that has come to v0 ends with *queries*: the robot goes out and back
+by darts whose letters prove that it had entered v0 by the expected dart.  These darts exist if the
 word is primitive, that is, no repetition of a shorter word; for a door one query suffices.  A
 failed query need not be undone, because the robot has only turned.
 
@@ -20,7 +20,7 @@ from allworlds.protocol.choices import Choices
 def algorithm1_door(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Stage[Estimate]:
-    """Explore from a door, which a robot senses only on arrival by it.
+    """Explore from a door, which a robot senses only when it arrives by the door.
 
     Choices and events are those of Algorithm 1.
 
@@ -47,8 +47,8 @@ class Scanning(Algorithm1):
     """An exploration from v0 by letters.
 
     Attributes:
-        one_letter: whether only one dart has a letter, so that the scan ends there.
-        queries: for each dart of v0 the darts whose letters prove an arrival by it.
+        one_letter: whether only one dart has a letter, so that the scan ends at this dart.
+        queries: for each dart of v0 the darts whose letters prove an arrival by this dart.
     """
 
     def __init__(
