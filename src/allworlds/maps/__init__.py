@@ -23,12 +23,12 @@ same map
     orientation: a mirror image is in general another map.  This is the *extended
     isomorphism* of the paper (Section V).
 rooted map
-    A map with one distinguished dart, the root.  Only the identity fixes a dart, so a
-    rooted map has no automorphism but the identity.
+    A map with one distinguished dart, the root.  An automorphism that fixes a dart is the
+    identity, so the identity is the only automorphism of a rooted map.
 canonical code
-    Of a rooted map: its ``(sigma, alpha)`` after renumbering the darts breadth-first from
-    the root (see :mod:`allworlds.maps.combinatorial`).  Of a map: the least code of its
-    rootings.
+    For a rooted map: its ``(sigma, alpha)`` after renumbering the darts breadth-first from
+    the root (see :mod:`allworlds.maps.combinatorial`).  For a map: the least code among the
+    codes of its rootings.
 class
     A set of maps: a member of :class:`allworlds.maps.classes.MapClass`.
 
@@ -41,23 +41,24 @@ Modules
 ``classes``
     **the** tables of the classes of maps, and of the conditions that narrow them;
 ``enumeration``, ``counting``
-    all maps of a class, glued together; their number, computed without making a map;
+    all maps of a class, glued together; the number of these maps, computed without making a map;
 ``count_source``
     the source with which the enumeration of an extent (a class of bounded size, under a condition)
     is compared, and the number of maps that complete a partial gluing;
 ``build``, ``families``
-    maps by hand and by name, small changes to a map, and the shortest walk along all edges; large
-    maps by a text and a seed;
+    maps made by hand and by name, small changes to a map, and the shortest walk along all edges;
+    large maps that a text and a seed determine;
 ``networks``
     maps to networkx and back, and every embedding of a graph;
 ``quotient``
-    indistinguishable darts, the quotient by them, and the number of worlds that share a quotient.
+    the classes of indistinguishable darts, the quotient of a map by these classes, and the number
+    of worlds that share a quotient.
 
 Code of this package that must be fast takes maps as bare pairs of tuples or lists; all other code
 takes a :class:`CombinatorialMap`.
 
-``dir(allworlds.maps)`` lists the names for users' programs.  The other names are for this program,
-and a few of them only for its tests.
+``dir(allworlds.maps)`` lists the names for users' programs.  All other names are for this program;
+a few of these names are only for its tests.
 """
 
 from typing import TYPE_CHECKING

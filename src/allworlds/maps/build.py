@@ -1,8 +1,8 @@
 """Maps made by hand, by name and by recipe.
 
 There are two notations.  A *rotation* lists the neighbours of each vertex clockwise, with keys for
-parallel edges.  *Cycles* list the names of the edges round each vertex clockwise.  Each of the two
-can express all maps, also those with loops and parallel edges.  The other functions that make maps
+parallel edges.  *Cycles* list the names of the edges round each vertex clockwise.  Each notation
+can express all maps, also maps with loops and parallel edges.  The other functions that make maps
 use one of these notations.
 
 The module also makes maps with one edge less, and the shortest walk along all edges of a map.
@@ -39,7 +39,8 @@ def from_rotation(
     Args:
         rotation: the neighbours of each vertex; a plain sequence stands for the vertices
             ``0, 1, ...``.  A neighbour is a name, or a list ``[name, key]``; parallel edges have
-            different keys.  Both ends list an edge; a loop occurs twice in the list of its vertex.
+            different keys.  Each edge is in the lists of both its ends; a loop is twice in the
+            list of its vertex.
 
     Darts are numbered vertex by vertex in the given order, and within a vertex in the order of
     its list; the vertices of the map are also in this order.
@@ -90,7 +91,7 @@ def from_cycles(
 
     Each name occurs exactly twice: ``["aab", "b"]`` is a loop ``a`` and an edge ``b`` to a
     second vertex.  A plain sequence stands for the vertices ``0, 1, ...``.  Darts are numbered
-    vertex by vertex, and within a vertex in its order.
+    vertex by vertex, and within a vertex in the order of its list.
 
     Raises:
         InvalidMap: naming the edge or the vertex: an empty list, a name that does not occur
@@ -171,9 +172,9 @@ def cycle(n: int) -> CombinatorialMap:
 def lattice(rows: int, columns: int, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
     """The grid of ``rows x columns`` vertices in the plane, with holes; vertices row by row.
 
-    The clockwise order is up, right, down, left.  ``holes`` is the fraction of the ``m``
-    edges to remove, ``round(holes * m)`` of them, at random but so that the rest stays
-    connected; the same ``seed`` removes the same edges.
+    The clockwise order is up, right, down, left.  ``holes`` is the fraction of the ``m`` edges
+    to remove: ``round(holes * m)`` random edges are removed, and the rest stays connected.
+    The same ``seed`` removes the same edges.
 
     Raises:
         ValueError: if there is no edge, ``holes`` is not in 0..1, or the removal would disconnect.
@@ -210,8 +211,9 @@ def dense(vertices: int, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
 def _with_holes(rotation: dict[int, list[int]], holes: float, seed: int) -> dict[int, list[int]]:
     """The rotation without ``round(holes * m)`` edges, in a random order, but still connected.
 
-    Removing edges one after the other, except bridges, leaves the least spanning tree, if earlier
-    edges weigh more; so an edge is a bridge in its turn exactly if it is in this tree.
+    Suppose that edges are removed one after the other, except bridges.  The remaining edges are
+    the least spanning tree for weights that fall in this order.  So an edge is a bridge in its
+    turn exactly if the tree contains the edge.
     """
     if not 0 <= holes <= 1:
         raise ValueError(f"holes = {holes} is not a fraction in 0..1")
@@ -248,13 +250,13 @@ def named_map(name: str) -> CombinatorialMap:
     """The map called ``name``; see :func:`named_maps` for the names.
 
     The N of a family is the number of edges (dipole), loops (bouquet), leaves (star), vertices
-    (cycle, path), or spokes (wheel).  Dart 0 is at the hub of a wheel or star.  All are planar.
-    ``theta`` has three parallel edges; ``k4-torus`` is K4 with faces of 4 and 8 edges.
-    ``fig1-left`` and ``fig1-right`` are a planar simple pair with all properties in the caption of
-    the paper's Fig. 1, the marked vertex first; whether the paper shows this pair is unknown.
+    (cycle, path), or spokes (wheel).  Dart 0 is at the hub of a wheel or star.  All families are
+    planar.  ``theta`` has three parallel edges; ``k4-torus`` is K4 with faces of 4 and 8 edges.
+    ``fig1-left`` and ``fig1-right`` are two planar simple maps with all properties in the caption
+    of the paper's Fig. 1.  Their marked vertex is the first one.  The paper may show another pair.
 
     Raises:
-        NoSuchMap: for another name, or an N out of range, naming the legal ones.
+        NoSuchMap: for another name, or an N out of range, naming the legal names or numbers.
     """
     if name in _SINGLE:
         return _SINGLE[name]()
@@ -270,7 +272,7 @@ def named_map(name: str) -> CombinatorialMap:
 
 
 def named_maps() -> tuple[str, ...]:
-    """The names :func:`named_map` knows, sorted; ``N`` in a name stands for a number."""
+    """The names that :func:`named_map` knows, sorted; ``N`` in a name stands for a number."""
     return tuple(sorted([*_SINGLE, *(f"{family}-N" for family in _NUMBERED)]))
 
 
@@ -280,7 +282,7 @@ def _wheel(n: int) -> CombinatorialMap:
 
 
 def _of_digits(rotation: str) -> CombinatorialMap:
-    """The map of a rotation in which each neighbour is a digit, and each vertex a word."""
+    """The map of a rotation: each word is the list of a vertex, each digit in it a neighbour."""
     return from_rotation([[*map(int, vertex)] for vertex in rotation.split()])
 
 
@@ -327,7 +329,7 @@ def deleted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
 def contracted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
     """The map in which both ends of the edge of ``dart`` are one vertex; None for a loop.
 
-    The rotation of one end replaces the edge in the rotation of the other end.
+    In the rotation of the first end, the rotation of the second end replaces the edge.
     """
     ends = [map_.vertex_of[d] for d in (dart, map_.alpha[dart])]
     if ends[0] == ends[1]:
@@ -342,8 +344,8 @@ def contracted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
 def completed(sigma: Sequence[int], alpha: Sequence[Dart]) -> CombinatorialMap:
     """The map of an explored part, in which each open dart leads to a new vertex.
 
-    A dart is open if ``alpha`` maps it to itself and no other dart to it; if another dart leads to
-    it, the two are joined.
+    A dart is open if ``alpha`` maps the dart to itself, and maps no other dart to this dart.  If
+    ``alpha`` maps another dart to such a fixed dart, the two darts become an edge.
 
     Raises:
         InvalidMap: if the result is no map.
@@ -362,7 +364,8 @@ def completed(sigma: Sequence[int], alpha: Sequence[Dart]) -> CombinatorialMap:
 def without(map_: CombinatorialMap, gone: set[Dart]) -> CombinatorialMap | None:
     """The connected part at the vertex of dart 0 after these edges are removed.
 
-    The root is the first remaining dart of that vertex, from dart 0 on; None if none remains.
+    The root is the first remaining dart of that vertex, clockwise from dart 0.  The result is None
+    if no dart of that vertex remains.
     """
 
     def left(dart: Dart) -> Dart:

@@ -115,11 +115,11 @@ class NamedCondition(Struct, frozen=True):
 
     @property
     def dual(self) -> bool:
-        """Whether such maps are made as duals of maps that are glued together."""
+        """Whether maps with the property are made as the duals of maps that are glued together."""
         return self._kind.dual
 
     def may_begin(self, gluing: Gluing) -> bool:
-        """Whether this gluing can become a map (or the dual of one) with the property."""
+        """Whether this gluing can become a map, or the dual of a map, with the property."""
         return self._kind.begins(gluing, self.number)
 
     @property
@@ -164,7 +164,7 @@ class AllOf(Struct, frozen=True):
 
 
 def narrowing(where: Condition | None) -> tuple[NamedCondition, ...]:
-    """The conditions that cut off gluings, all for maps or all for their duals."""
+    """The conditions that cut off gluings: all of them are for maps, or all for their duals."""
     parts = where.parts if isinstance(where, AllOf) else (where,)
     found = [part for part in parts if isinstance(part, NamedCondition)]
     return tuple([part for part in found if not part.dual] or found)
@@ -174,7 +174,7 @@ def condition_named(text: str) -> NamedCondition | None:
     """The condition of that name; None if the name is not built in.
 
     Raises:
-        InputError: if its number is missing, too small, or no number.
+        InputError: if the number in the name is missing, is too small, or is not a number.
     """
     name, colon, number = text.partition(":")
     if name not in CONDITIONS:
@@ -200,11 +200,13 @@ class ConditionKind(Struct, frozen=True):
     """A condition that comes with this program.
 
     Attributes:
-        holds: the function from a map and the number of the name to whether the condition holds.
-        begins: the function from a gluing and the number to whether such a map can begin so.
-        least: the least legal number; None if the name has none.
-        dual: whether such maps are made as duals of maps that are glued together; then ``begins``
-            is about these.
+        holds: the function that tells, for a map and the number in the name, whether the map meets
+            the condition.
+        begins: the function that tells, for a gluing and the number, whether a map that meets the
+            condition can begin as this gluing.
+        least: the least legal number; None if the name has no number.
+        dual: whether the maps are made as duals of maps that are glued together; if so, ``begins``
+            takes the gluings of these dual maps.
     """
 
     holds: Callable[[CombinatorialMap, int], bool]
@@ -216,8 +218,8 @@ class ConditionKind(Struct, frozen=True):
 def girth(map_: CombinatorialMap) -> int | None:
     """The length of a shortest cycle; None for a tree.
 
-    A loop is a cycle of length 1, two parallel edges are a cycle of length 2.
-    Cost: O(m) a dart.
+    A loop is a cycle of length 1; two parallel edges are a cycle of length 2.
+    Cost: O(m) for each dart.
     """
     owner, alpha = map_.vertex_of, map_.alpha
     shortest: int | None = None
@@ -232,7 +234,7 @@ def girth(map_: CombinatorialMap) -> int | None:
 
 
 def regular(gluing: Gluing, degree: int) -> bool:
-    """Whether all vertices so far have this degree, and the owed darts can form such vertices."""
+    """Whether all vertices so far have this degree, and the owed darts can form more of them."""
     room = gluing.limit - len(gluing.degrees)
     return (
         all(met == degree for met in gluing.degrees)
@@ -247,7 +249,7 @@ def even(gluing: Gluing, _number: int) -> bool:
 
 
 def tree(gluing: Gluing, _number: int) -> bool:
-    """Whether each edge so far has led to a new vertex, and each open dart can do so."""
+    """Whether each edge so far has led to a new vertex, and each open dart can lead to one."""
     open_darts = sum(map(len, gluing.faces))
     edges = (len(gluing.alpha) - open_darts) // 2
     return (
@@ -275,7 +277,7 @@ def _shortest_round(
 ) -> int | None:
     """The length of a shortest cycle through an edge with these ends, if it is at most ``most``.
 
-    ``beyond`` holds the vertices to which the other edges of a vertex lead.
+    ``beyond`` takes a vertex, and returns the vertices to which its other edges lead.
     """
     ring, met = {start}, {start}
     for length in range(1, most + 1):
@@ -291,8 +293,8 @@ def _shortest_round(
 def genus_exactly(gluing: Gluing, genus: int) -> bool:
     """Whether the surface so far has at most ``genus`` handles, and can still reach this number.
 
-    The handles of the surface of the closed edges remain.  A finished map with n vertices and at
-    least one face has ``2g <= m - n + 1``.
+    The surface of the closed edges keeps its handles when the gluing grows.  A finished map with n
+    vertices has at least one face, so ``2g <= m - n + 1``.
     """
     vertices = len(gluing.degrees)
     most = (gluing.edges - vertices - (gluing.owed > 0) + 1) // 2
@@ -339,8 +341,8 @@ class MapSource(Protocol):
         starts: the number of rooted maps for each number of edges, ascending.
         count: the number of the maps.
         fixed: whether the start and the lighthouse of each map are fixed.
-        words: the words for their number and their origin.
-        gate: the reason why their number is not compared with a count.
+        words: the words for the number and the origin of the maps.
+        gate: the reason why the number of the maps is not compared with a count.
     """
 
     starts: Mapping[int, int]

@@ -46,7 +46,7 @@ class InvalidMap(InputError):
 
     @property
     def tried(self) -> str:
-        """The two sequences, each in a line, which is cut if it is too long; may be empty."""
+        """The two sequences, one line for each; a long line is cut.  Empty without sequences."""
         sequences = {"sigma": self.sigma, "alpha": self.alpha}
         return "\n".join(f"{name} {show([*each])}" for name, each in sequences.items() if each)
 
@@ -55,11 +55,11 @@ class InvalidMap(InputError):
 class CombinatorialMap(Pictured, WrittenByFields):
     """A connected embedded graph: ``sigma`` clockwise round vertices, ``alpha`` across edges.
 
-    The one law: ``sigma`` is a permutation of ``0..2m-1`` with ``m >= 1``, ``alpha`` an
-    involution without fixed points on the same darts, and together they reach every dart
-    from every dart.  Everything else is derived.
+    The only law: ``sigma`` is a permutation of ``0..2m-1`` with ``m >= 1``; ``alpha`` is an
+    involution without fixed points on the same darts; the two permutations together lead from
+    every dart to every dart.  Everything else is derived.
 
-    Equality is equality of the two permutations.  For 'the same map up to the names of the
+    Two maps are equal if both permutations are equal.  For 'the same map up to the names of the
     darts' see :func:`allworlds.maps.combinatorial.isomorphism`.
 
     Raises:
@@ -84,7 +84,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
     def trusted(cls, sigma: Sequence[Dart], alpha: Sequence[Dart]) -> CombinatorialMap:
         """A map from permutations that a proven construction has made.
 
-        The law is not checked.  Only enumerators and builders use this, users should not.
+        The law is not checked.  This method is for enumerators and builders, not for users.
         """
         self = object.__new__(cls)
         object.__setattr__(self, "sigma", tuple(sigma))
@@ -147,7 +147,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
     def diameter(self) -> int:
         """The largest number of edges that a shortest walk between two vertices has.
 
-        Cost: O(m) a vertex.
+        Cost: O(m) for each vertex.
         """
         return max(max(distances(self, v).values()) for v in range(self.vertex_count))
 
@@ -161,7 +161,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
     def parallel_count(self) -> int:
         """The number of edges that can be removed without a change of adjacency.
 
-        Loops do not count: two loops at one vertex are two loops.
+        Loops do not count, not even two loops at the same vertex.
         """
         owner = self.vertex_of
         joined = [frozenset((owner[d], owner[e])) for d, e in self.edges]
@@ -233,7 +233,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
 
     @classmethod
     def from_json(cls, document: str | Mapping[str, Any]) -> CombinatorialMap:
-        """The map that :meth:`to_json` has written, or its text; other keys are ignored.
+        """The map of a JSON object of :meth:`to_json`, or of its text; other keys are ignored.
 
         Raises:
             InvalidMap: if the text is no JSON object with two lists, or no map.
@@ -251,7 +251,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
 
 
 def cycles(permutation: Sequence[int]) -> tuple[tuple[int, ...], ...]:
-    """The cycles of a permutation, each from its smallest element, ascending by it."""
+    """The cycles of a permutation, each from its smallest element, ascending by this element."""
     seen = [False] * len(permutation)
     found = []
     for first in range(len(permutation)):
@@ -268,7 +268,7 @@ def cycles(permutation: Sequence[int]) -> tuple[tuple[int, ...], ...]:
 
 
 def places(cycles: Sequence[Sequence[int]]) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """For each element of a permutation the number of its cycle, and its position there."""
+    """For each element of a permutation: the number of its cycle, and its position in the cycle."""
     size = sum(map(len, cycles))
     owner, positions = [0] * size, [0] * size
     for index, cycle in enumerate(cycles):
@@ -321,7 +321,7 @@ def _integers(name: str, tried: Mapping[str, tuple[object, ...]]) -> tuple[int, 
 
 
 def _are_lawful(sigma: tuple[int, ...], alpha: tuple[int, ...]) -> bool:
-    """Whether these are a map; if not, :func:`_broken_laws` tells the reason."""
+    """Whether these sequences are a map; otherwise :func:`_broken_laws` tells the reason."""
     darts = [*range(len(sigma))]
     if not darts or not sorted(sigma) == darts == sorted(alpha):
         return False
@@ -391,20 +391,24 @@ def rooted_code(sigma: Sequence[Dart], alpha: Sequence[Dart], root: Dart) -> Cod
 
 
 def unrooted_code(map_: CombinatorialMap) -> Code:
-    """The least code among all rootings: equal exactly for the same maps.  Cost: O(m^2)."""
+    """The least code among the codes of all rootings.  Cost: O(m^2).
+
+    Two maps are the same exactly if their least codes are equal.
+    """
     return min(rooted_code(map_.sigma, map_.alpha, root) for root in map_.darts)
 
 
 def automorphisms(map_: CombinatorialMap) -> int:
     """The number of automorphisms of the map (orientation preserving; at least 1).
 
-    Each is fixed by the image of dart 0, so the number divides 2m.  Cost: O(m^2) at worst.
+    The image of dart 0 determines an automorphism, so their number divides 2m.
+    Cost: O(m^2) at worst.
     """
     return isomorphisms(map_, map_)
 
 
 def isomorphisms(one: CombinatorialMap, other: CombinatorialMap) -> int:
-    """The number of isomorphisms between maps with as many darts (orientation preserving).
+    """The number of isomorphisms (orientation preserving) between maps with equally many darts.
 
     Cost: O(m^2) at worst.
     """
@@ -424,8 +428,8 @@ def carries(
 ) -> bool:
     """Whether ``order[0] -> image`` extends to an isomorphism onto a map of the same size.
 
-    ``order`` is the :func:`numbering` of the first map.  Cost: O(m), and O(1) on average if there
-    is none.
+    ``order`` is the :func:`numbering` of the first map.  Cost: O(m), but O(1) on average without
+    such an isomorphism.
     """
     to = [-1] * len(sigma)
     to[order[0]] = image
@@ -444,10 +448,10 @@ def carries(
 def isomorphism(a: CombinatorialMap, b: CombinatorialMap) -> tuple[Dart, ...] | None:
     """A bijection ``w`` of darts with ``w . sigma = sigma . w`` and ``w . alpha = alpha . w``.
 
-    Shape: ``w[d]`` is the dart of ``b`` for dart ``d`` of ``a``; among all bijections it is the one
-    with the smallest image of dart 0.  None if the maps are not the same.
+    Shape: ``w[d]`` is the dart of ``b`` for dart ``d`` of ``a``.  Among all such bijections, ``w``
+    has the smallest image of dart 0.  The result is None if the maps are different.
 
-    Cost: O(m) on average if there is none, O(m^2) at worst.
+    Cost: O(m) on average if the maps are different, O(m^2) at worst.
     """
     if len(a.sigma) != len(b.sigma):
         return None

@@ -1,6 +1,7 @@
 """The independent source with which an enumeration is compared, and the completions of a gluing.
 
-A completion is a rooted map that begins as a partial gluing does; only their number is computed.
+A completion is a rooted map that begins as a partial gluing.  Only the number of completions is
+computed.
 """
 
 from collections import Counter
@@ -49,7 +50,7 @@ def _anywhere(open_: int, owed: int, vertices: int) -> int:
 def _fillings(open_: int, most: int) -> Mapping[NewParts, int]:
     """The numbers of ways, by size, to close a face of ``open_`` darts with at most ``most`` more.
 
-    The oldest dart is glued to another one, which divides the face, or to a new vertex.
+    The oldest dart is glued to another dart, which divides the face, or to a new vertex.
     """
     if open_ == 0:
         return NOTHING
@@ -72,7 +73,7 @@ def _product(a: Mapping[NewParts, int], b: Mapping[NewParts, int]) -> Mapping[Ne
 
 
 def source_of(extent: Extent) -> CountSource | None:
-    """The source of the numbers of maps in an extent; None if there is none."""
+    """The source of the numbers of maps in an extent; None for an extent without a source."""
     where = extent.where
     if extent.given is not None:
         return None
@@ -87,7 +88,7 @@ def source_of(extent: Extent) -> CountSource | None:
 def listed(extent: Extent, edges: int) -> Mapping[int, int]:
     """The sums of the fingerprints of a level, by vertices, without units and without cut-offs.
 
-    All rooted maps with this number of edges are made, and then selected by the extent.
+    All rooted maps with this number of edges are made; then the extent selects some of these maps.
     Cost: up to 5 edges 0.3 s; 0.03 ms for each map of any class.
     """
     sums: Counter[int] = Counter()

@@ -1,11 +1,11 @@
 """The numbers of rooted maps, computed without making a map, for the count gate.
 
 An enumeration is exhaustive if its counts equal counts from an independent source.  The sources
-here are generating functions, recurrences and sums from the literature.  They share no code with
-the enumeration of maps, nor with the maps themselves.
+in this module are generating functions, recurrences and sums from the literature.  They share no
+code with the enumeration of maps, or with the maps themselves.
 
-All functions return exact integers by number of vertices (or genus) for one number of edges
-``m >= 1``.  A connected map with m edges has ``1..m+1`` vertices: these numbers are the keys.
+All functions return exact integers by number of vertices (or genus) for a single number of edges
+``m >= 1``.  A connected map with m edges has ``1..m+1`` vertices; these numbers are the keys.
 
 ============================  ===========================================================
 all maps                      the logarithm of the series of all pairs of permutations
@@ -62,7 +62,7 @@ def cells(edges: int, polynomial: Polynomial) -> Cells:
 
 
 def partitions(total: int, parts: int, largest: int) -> Iterator[tuple[int, ...]]:
-    """The partitions into ``parts`` positive parts, none larger than ``largest``, falling."""
+    """The partitions into ``parts`` descending parts, each from 1 to ``largest``."""
     if parts == 0:
         if total == 0:
             yield ()
@@ -77,7 +77,7 @@ def partitions(total: int, parts: int, largest: int) -> Iterator[tuple[int, ...]
 def sequences(
     total: int, vertices: int, largest: int, legal: Degrees | None
 ) -> Iterator[tuple[tuple[int, ...], int]]:
-    """The partitions into legal degrees, each with the number of its orders."""
+    """The partitions into legal degrees, each with the number of sequences of its parts."""
     for degrees in partitions(total, vertices, largest):
         if legal is None or legal.issuperset(degrees):
             orders = factorial(vertices) // prod(map(factorial, Counter(degrees).values()))
@@ -147,12 +147,12 @@ def catalan(n: int) -> int:
 def rooted_maps(edges: int, legal: Degrees | None = None) -> Cells:
     """``{vertices: rooted maps}`` with that many edges, of any orientable genus.
 
-    With ``legal`` those alone whose degrees are all among these.
+    With ``legal``, only maps in which all vertices have legal degrees are counted.
 
-    The number is ``2m [z^m x^n] log sum_k (2k-1)!! x(x+1)...(x+2k-1) z^k / (2k)!``: all sigma by
-    cycles, times all alpha, on labelled darts; log keeps the connected pairs, and a rooted
-    map has ``(2m-1)!`` labellings.  Of legal degrees are those sigma alone whose cycles have legal
-    lengths.
+    The number is ``2m [z^m x^n] log sum_k (2k-1)!! x(x+1)...(x+2k-1) z^k / (2k)!``.  The sum
+    counts all sigma by cycles, times all alpha, on labelled darts.  The logarithm keeps the
+    connected pairs.  A rooted map has ``(2m-1)!`` labellings.  With ``legal``, the sum counts only
+    sigma whose cycles have legal lengths.
     """
     return cells(edges, _connected(edges, legal))
 
@@ -170,7 +170,7 @@ def _connected(edges: int, legal: Degrees | None) -> Polynomial:
 
 @cache
 def _permutations(length: int, legal: Degrees | None) -> Polynomial:
-    """Permutations of that many darts by their cycles, whose lengths are legal."""
+    """The numbers of permutations of that many darts, by cycles; each cycle has a legal length."""
     result: Polynomial = (1,)
     if legal is None:
         for i in range(length):
@@ -195,7 +195,7 @@ def rooted_of_genus(edges: int, genus: int) -> Cells:
 
 @cache
 def carrell_chapuy(n: int, genus: int) -> Polynomial:
-    """The polynomial Q_g^n(x) of maps with n edges; their recurrence, times 12."""
+    """The polynomial Q_g^n(x) of maps with n edges, by the authors' recurrence, times 12."""
     if genus < 0 or 2 * genus > n:
         return ()
     if n == 0:
@@ -216,11 +216,11 @@ def carrell_chapuy(n: int, genus: int) -> Polynomial:
 def rooted_of_genus_by_contraction(edges: int, genus: int, legal: Degrees | None = None) -> Cells:
     """``{vertices: rooted maps}`` of one genus, by contracting edges at every vertex degree.
 
-    With ``legal`` those alone whose degrees are all among these.
+    With ``legal``, only maps in which all vertices have legal degrees are counted.
 
-    Counted first are maps whose vertices are labelled and have a distinguished dart each;
-    of these a rooted map has ``(n-1)!`` times the product of the degrees away from the root.
-    Cost: the partitions of 2m, each with the ways to split it in two; meant for m <= 9.
+    The recurrence counts maps with labelled vertices and a distinguished dart at each vertex.  A
+    rooted map yields ``(n-1)!`` such maps, times the degrees of all vertices but the root's.
+    Cost: the partitions of 2m, times the ways to split each in two; meant for m <= 9.
     Source: T. R. S. Walsh and A. B. Lehman, Counting rooted maps by genus I,
     J. Combin. Theory B 13 (1972).
     """
@@ -238,7 +238,10 @@ def _rooted_by_contraction(edges: int, vertices: int, genus: int, legal: Degrees
 
 @cache
 def _dotted(degrees: tuple[int, ...], genus: int) -> int:
-    """Maps on labelled vertices of these degrees (rising), each with a distinguished dart."""
+    """The number of maps on labelled vertices of these ascending degrees.
+
+    Each vertex has a distinguished dart.
+    """
     edges = sum(degrees) // 2
     if genus < 0 or len(degrees) - edges + 1 > 2 - 2 * genus:
         return 0
@@ -276,11 +279,11 @@ def _dotted_pairs(a: int, b: int, rest: tuple[int, ...], genus: int) -> int:
 def rooted_planar_simple_by_substitution(edges: int) -> Cells:
     """``{vertices: rooted simple planar maps}`` with that many edges.
 
-    Two substitutions lead from simple to all planar maps.  A planar map is one without loops
-    with a sequence of loops, each with a map inside, in each of its 2k corners, the root's
-    corner having two sides.  A map without loops is a simple one with each edge kept or
-    opened to a 2-gon, and in it a map without loops whose root edge has been opened.  Both
-    are solved for the inner series.
+    Two substitutions lead from simple to all planar maps.  A planar map arises from a map without
+    loops: each of its 2k corners gets a sequence of loops, each with a map inside; the root's
+    corner has two sides, and so two sequences.  A map without loops arises from a simple map: each
+    edge is kept, or opened to a 2-gon that holds a map without loops whose root edge has been
+    opened.  Each substitution is solved for the series of the maps from which the others arise.
     Source: the compositions of W. T. Tutte, A census of planar maps, Canad. J. Math. 15 (1963).
     """
     vertices = vertex_counts(edges)
@@ -314,10 +317,10 @@ def _coefficients(outer: Series, parts: Sequence[Series]) -> Series:
 def rooted_simple_by_degrees(edges: int, legal: Degrees | None = None) -> Cells:
     """``{vertices: rooted simple maps}`` with that many edges, of any orientable genus.
 
-    With ``legal`` those alone whose degrees are all among these.
+    With ``legal``, only maps in which all vertices have legal degrees are counted.
 
-    A graph has ``prod (deg-1)!`` rotation systems; labelled graphs are counted by degree
-    sequence, and a rooted map has ``n!`` labellings of its vertices.
+    Labelled graphs are counted by degree sequence.  A graph has ``prod (deg-1)!`` rotation systems,
+    and a rooted map has ``n!`` labellings of its vertices.
     Cost: the partitions of 2m.
     """
     return {
@@ -328,7 +331,7 @@ def rooted_simple_by_degrees(edges: int, legal: Degrees | None = None) -> Cells:
 
 @cache
 def _connected_rotations(vertices: int, edges: int, legal: Degrees | None) -> int:
-    """Rotation systems of connected simple graphs on labelled vertices, with m >= 1 edges."""
+    """The number of rotation systems of connected simple labelled graphs with m >= 1 edges."""
     if not vertices - 1 <= edges <= comb(vertices, 2):
         return 0
     split = sum(
@@ -343,7 +346,7 @@ def _connected_rotations(vertices: int, edges: int, legal: Degrees | None) -> in
 
 @cache
 def _rotations(vertices: int, edges: int, legal: Degrees | None) -> int:
-    """As :func:`_connected_rotations`, of all graphs without isolated vertices."""
+    """As :func:`_connected_rotations`, but for all graphs without isolated vertices."""
     if edges > comb(vertices, 2):
         return 0
     return sum(
@@ -354,7 +357,7 @@ def _rotations(vertices: int, edges: int, legal: Degrees | None) -> int:
 
 @cache
 def _graphs(degrees: tuple[int, ...]) -> int:
-    """Labelled simple graphs with these degrees (falling, all positive)."""
+    """The number of labelled simple graphs with these degrees (descending, all positive)."""
     if not degrees:
         return 1
     first, rest = degrees[0], Counter(degrees[1:])
@@ -390,7 +393,7 @@ def rooted_trees(edges: int) -> Cells:
 
 
 def rooted_with_faces(edges: int, length: int, genera: Iterable[int]) -> Cells:
-    """``{vertices: rooted maps}`` of these genera, all of whose faces have that many darts."""
+    """``{vertices: rooted maps}`` of these genera; each face has ``length`` darts."""
     cells = dict.fromkeys(vertex_counts(edges), 0)
     faces, rest = divmod(2 * edges, length)
     for genus in genera if rest == 0 else ():
@@ -473,7 +476,7 @@ SOURCES: dict[str, CountSource] = {
         "substitution into planar maps", rooted_planar_simple_by_substitution
     ),
 }
-"""By a class of maps: it knows every cell."""
+"""For each class of maps the source of its counts; the source knows every cell."""
 
 NARROWED: dict[str, Callable[[str, int], CountSource | None]] = {
     "cubic": lambda map_class, _: _of_degrees(map_class, lambda d: d == 3),
@@ -485,4 +488,7 @@ NARROWED: dict[str, Callable[[str, int], CountSource | None]] = {
     "triangulation": lambda map_class, _: _of_faces(map_class, 3),
     "quadrangulation": lambda map_class, _: _of_faces(map_class, 4),
 }
-"""By a condition: of the class of maps and the number in its name; None: there is no source."""
+"""For each kind of condition the function from a class and the condition's number to the source.
+
+The function returns None if there is no source.
+"""

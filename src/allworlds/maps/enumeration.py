@@ -1,17 +1,17 @@
 """The enumeration of all rooted maps of a class, one by one, each exactly once.
 
-A map is glued together from its root: the darts are numbered in the order in which they are made,
-and the oldest open dart is glued either to another open dart or to the first dart of a new vertex
-of degree d, whose other darts become open.  Each rooted map has exactly one such history, so no map
-is made twice.
+A map is glued together from its root.  The darts are numbered in the order in which they are made.
+The oldest open dart is glued either to another open dart or to the first dart of a new vertex of
+degree d; the other darts of this vertex become open.  Each rooted map has exactly one such history,
+so no map is made twice.
 
-In the classes ``maps`` and ``planar`` each history can be finished: the last open dart is not
-closed while darts are still to be made.  In the plane a dart is glued only within its own face of
-the open boundary, and there must be enough further vertices to make the number of open darts in
-each face even.  In simple classes each vertex needs enough remaining partners; this is necessary
-but not sufficient, so a few histories end without a map.  Under a condition histories can also end
-without a map.  A condition on the faces of a map becomes a condition on the vertices of its dual,
-which is glued together instead.
+In the classes ``maps`` and ``planar`` each history can be finished: the last open dart stays open
+while darts are still to be made.  In the plane a dart is glued only within its own face of the open
+boundary, and there must be enough further vertices to make the number of open darts in each face
+even.  In simple classes each vertex needs enough remaining partners.  This condition is necessary
+but not sufficient, so a few histories end without a map.  Under a condition on maps, histories can
+also end without a map.  A condition on the faces of a map becomes a condition on the vertices of
+its dual, and the dual is glued together instead of the map.
 """
 
 from collections.abc import Iterator, Sequence
@@ -21,8 +21,8 @@ from allworlds.maps.classes import OPEN, Condition, MapClass, narrowing
 from allworlds.maps.combinatorial import CombinatorialMap, Dart
 
 Decision: TypeAlias = int
-"""A decision about the oldest open dart: ``z >= 0``: it is glued to the open dart ``z``;
-``-d``: it is glued to a new vertex of degree d.  The first decision is the root's degree."""
+"""A decision about the oldest open dart.  ``z >= 0`` glues the dart to the open dart ``z``;
+``-d`` glues the dart to a new vertex of degree d.  The first decision is the root's degree."""
 
 
 class Gluing:
@@ -74,8 +74,10 @@ class Gluing:
     def successors(self) -> "Iterator[tuple[Decision, Gluing]]":
         """Yield the legal decisions about the oldest open dart, with the gluings after them.
 
-        The order is fixed: ascending partners, then ascending degrees.  Each gluing can be finished
-        (in simple classes only by the necessary count of partners).  Cost: O(m) for each.
+        The order is fixed: ascending partners, then ascending degrees.  Each gluing can be
+        finished; in simple classes or under a condition, it only meets necessary conditions.
+
+        Cost: O(m) for each gluing.
         """
         if not self.degrees:
             most = self.edges if self.simple else 2 * self.edges
@@ -120,7 +122,8 @@ class Gluing:
     def finish(self) -> CombinatorialMap:
         """The finished map; its root is dart 0.
 
-        The darts of a vertex are consecutive; if the dual was glued together, those of a face are.
+        The darts of a vertex are consecutive.  If the dual was glued together, the darts of a face
+        are consecutive instead.
         """
         sigma = list(range(1, 2 * self.edges + 1))
         first = 0
@@ -198,7 +201,7 @@ def rooted_maps(
         map_class: the class.
         vertices: the largest number of vertices, or None.
         prefix: only the maps whose history begins with these decisions (:func:`prefixes`).
-        where: only the maps of which that is true.
+        where: only the maps that meet this condition.
 
     Cost: a fixed order, constant memory.
     """
@@ -218,7 +221,7 @@ def rooted_maps(
 def _grown(
     gluing: Gluing, history: tuple[Decision, ...], depth: int | None = None
 ) -> Iterator[tuple[tuple[Decision, ...], Gluing]]:
-    """The gluings that this one grows to: finished ones, or those after ``depth`` decisions."""
+    """The gluings to which this gluing grows: until finished, or after ``depth`` decisions."""
     if gluing.finished or len(history) == depth:
         yield history, gluing
         return
@@ -250,13 +253,13 @@ def history(map_: CombinatorialMap) -> tuple[Decision, ...]:
 
 
 FINGERPRINTS = 1 << 62
-"""The number of fingerprints; their sums are taken modulo this."""
+"""The number of fingerprints; their sums are taken modulo this number."""
 
 
 def fingerprint(map_: CombinatorialMap) -> int:
     """A number of a map rooted at dart 0, computed from its :func:`history`.
 
-    The sum over some maps identifies the set of these maps.  Cost: O(m).
+    The sum of the fingerprints of some maps identifies the set of these maps.  Cost: O(m).
     """
     code = 0
     for decision in history(map_):
@@ -274,7 +277,7 @@ def prefixes(
 ) -> Iterator[tuple[Decision, ...]]:
     """The histories cut after ``depth`` decisions; each map extends exactly one of them.
 
-    Histories of which no map meets the condition are left out.
+    A history is left out if the condition cuts it off, because no such map can extend it.
     """
     for history, _ in _grown(Gluing(edges, map_class, vertices, where), (), depth):
         yield history

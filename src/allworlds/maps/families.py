@@ -17,7 +17,7 @@ EdgeEnds: TypeAlias = list[tuple[int, int]]
 
 
 def torus(rows: int, columns: int, random: Random) -> CombinatorialMap:
-    """The square lattice on the torus, from any of its darts; m = 2RC."""
+    """The square lattice on the torus, with a random root; m = 2RC."""
     if rows < 1 or columns < 1:
         raise ValueError("R and C are at least 1")
     cells = [(r, c) for r in range(rows) for c in range(columns)]
@@ -100,7 +100,8 @@ def planar(edges: int, random: Random) -> CombinatorialMap:
 def _diagonals(previous: dict[int, int], root: int) -> CombinatorialMap:
     """The diagonals of a quadrangulation at the colour of a dart, which becomes dart 0.
 
-    Its edges are the darts ``2i`` and ``2i + 1``; ``previous`` is the inverse of its sigma.
+    Edge i of the quadrangulation has the darts ``2i`` and ``2i + 1``; ``previous`` is the inverse
+    of the quadrangulation's sigma.
     """
     following = {d: e for e, d in previous.items()}
 
@@ -121,7 +122,7 @@ def _diagonals(previous: dict[int, int], root: int) -> CombinatorialMap:
 
 
 def bouquet(loops: int, random: Random) -> CombinatorialMap:
-    """A first vertex of degree 1 joined to one with loops, matched at random; m = c + 1."""
+    """A first vertex of degree 1, and a vertex with c randomly matched loops; m = c + 1."""
     names = [loop for loop in range(loops) for _ in range(2)]
     random.shuffle(names)
     return from_cycles([["stem"], ["stem", *names]])
@@ -130,8 +131,8 @@ def bouquet(loops: int, random: Random) -> CombinatorialMap:
 def lollipop(degree: int, length: int, random: Random) -> CombinatorialMap:
     """A path from a first vertex of degree 1 to a knot that looks like the path.
 
-    The path has ``length`` inner vertices, filled up with loops; the knot has the same number of
-    vertices, of which the last one has degree D + 1.
+    The path has ``length`` inner vertices; loops raise their degree to D.  The knot has the same
+    number of vertices; the last vertex of the knot has degree D + 1.
     """
     if degree < 4 or degree % 2 or length < 1:
         raise ValueError("D is even and at least 4, L at least 1")
@@ -145,7 +146,7 @@ def lollipop(degree: int, length: int, random: Random) -> CombinatorialMap:
 
 
 def thick(degree: int, length: int, random: Random) -> CombinatorialMap:
-    """A path of ``length`` edges, from its end, each vertex filled up with loops to at most D."""
+    """A path of ``length`` edges, from its end; loops raise the degrees to D, or D - 1 at ends."""
     if degree < 2 or degree % 2 or length < 1:
         raise ValueError("D is even and at least 2, L at least 1")
     ends = list(pairwise(range(length + 1)))
@@ -193,7 +194,7 @@ def cover(sheets: int, random: Random) -> CombinatorialMap:
 
 
 def _matched(darts: list[int], random: Random) -> EdgeEnds:
-    """A random matching of darts, or of the vertices at which they are."""
+    """A random matching of darts, or of the vertices of these darts."""
     shuffled = darts[:]
     random.shuffle(shuffled)
     return list(zip(shuffled[::2], shuffled[1::2], strict=True))
@@ -211,7 +212,7 @@ def _drawn(vertices: int, ends: EdgeEnds, random: Random) -> CombinatorialMap:
 
 
 def _connected(draw: Callable[[], CombinatorialMap]) -> CombinatorialMap:
-    """The first connected one of these maps."""
+    """The first drawn map that is connected."""
     while True:
         try:
             return draw()
@@ -220,16 +221,16 @@ def _connected(draw: Callable[[], CombinatorialMap]) -> CombinatorialMap:
 
 
 LEAST_DEGREE = 14
-"""The least degree of a hub: with two types, and more free darts than testers get for nothing."""
+"""The least degree of a hub: two types, and more free darts than testers get without cost."""
 
 
 def usual_degree(far: int) -> int:
-    """The default degree of hubs, 12F + 6, by which all hubs have different types."""
+    """The default degree of hubs, 12F + 6; with this degree all hubs have different types."""
     return 12 * far + 6
 
 
 def out_darts(kind: int) -> tuple[int, int]:
-    """The out-darts of a hub of some type; classes of different types are disjoint."""
+    """The two out-darts of a hub of this type, modulo the degree; types share no out-dart."""
     return -4 * kind, -4 * kind - 2
 
 
@@ -282,9 +283,9 @@ class CorridorShape(Struct, frozen=True):
 
 
 def corridor(far: int, degree: int, seed: int) -> CombinatorialMap:
-    """The world with F far hubs of degree R, near loops and far matching drawn.
+    """The world with F far hubs of degree R; the near loops and the far matching are random.
 
-    Vertex 0 has darts 0 and 1, hub l those from 2 + (l - 1)R on.
+    Vertex 0 has the darts 0 and 1; hub l has the R darts from 2 + (l - 1)R on.
     """
     shape = CorridorShape(far, degree)
     numbers = f"{far}" if degree == usual_degree(far) else f"{far}x{degree}"
@@ -310,7 +311,7 @@ def corridor(far: int, degree: int, seed: int) -> CombinatorialMap:
 
 
 def hub_types(shape: CorridorShape) -> Iterator[int]:
-    """The type 1..q of each hub; no g consecutive near hubs have the types of g others."""
+    """The type 1..q of each hub; two windows of g near hubs have different sequences of types."""
     return islice(repeated(_de_bruijn(shape.types, shape.window)), shape.hubs)
 
 
@@ -350,8 +351,8 @@ class Family(Struct, frozen=True):
         form: the form of a member's name; a capital letter stands for a number.
         edges: the function from these numbers to the number of edges without holes.
         build: the function from these numbers, the fraction of holes, and a seed to the member.
-        has_holes: whether edges can be removed from its members.
-        one_map: whether without holes a seed draws only the dart where a robot starts.
+        has_holes: whether edges can be removed from the members.
+        one_map: whether a seed draws only the dart where a robot starts, if there are no holes.
     """
 
     form: str
@@ -398,8 +399,8 @@ def edges_of(text: str) -> int:
 def rootings(text: str, map_: CombinatorialMap, holes: float | str | None = None) -> int | None:
     """The number of rooted maps that seeds draw for a member, with equal probability.
 
-    None if a seed draws more than the dart at which a robot starts.  ``map_`` is the member for any
-    seed.  Cost: O(m^2).
+    The result is None if a seed draws more than the dart at which a robot starts.  ``map_`` is the
+    member for any seed.  Cost: O(m^2).
     """
     kind, _ = _parsed(text)
     if not kind.one_map or holes:
@@ -499,7 +500,7 @@ FAMILIES = (
 """The families."""
 
 FORMS: str = ", ".join(kind.form for kind in FAMILIES)
-"""The forms of the names of their members."""
+"""The forms of the names of the families' members."""
 
 OTHER_WORDS = {
     "grid": "lattice",

@@ -24,9 +24,9 @@ DEAD_ENDS = 5
 
 
 def glued(map_class: MapClass, where: Condition | None = None) -> Generator:
-    """Draw a random sequence of gluings with uniform decisions, in any class; maps are not uniform.
+    """Draw maps of a class by uniform random decisions; the maps themselves are not uniform.
 
-    If too many histories under the condition end without a map, the condition is dropped.
+    If the first histories under the condition all end without a map, the condition is dropped.
     """
 
     def generate(edges: int, random: Random) -> CombinatorialMap:
@@ -51,12 +51,12 @@ def sparse(edges: int, random: Random) -> CombinatorialMap:
 
 
 def dense(edges: int, random: Random) -> CombinatorialMap:
-    """Few vertices, which have many darts each: at most about the root of the number of edges."""
+    """Few vertices with many darts each: at most about the square root of the number of edges."""
     return families.sparse(random.randint(1, 1 + isqrt(edges)), edges, random)
 
 
 def regular(edges: int, random: Random) -> CombinatorialMap:
-    """Every vertex has the same degree, from 3 to 6; half of them are cubic."""
+    """Every vertex has the same degree, from 3 to 6; half of the maps are cubic."""
     degree = random.choice((3, 3, 3, 4, 5, 6))
     vertices = 2 * edges // degree
     vertices -= degree * vertices % 2
@@ -95,21 +95,21 @@ def bouquet(edges: int, random: Random) -> CombinatorialMap:
 
 
 def thick(edges: int, random: Random) -> CombinatorialMap:
-    """A path, each vertex filled up with loops to the same degree, 4 to 8."""
+    """A path with loops; the inner vertices have the same degree, 4, 6 or 8."""
     degree = 2 * random.randint(2, 4)
     length = (edges - 2 * ((degree - 1) // 2) + degree // 2 - 1) // (degree // 2)
     return families.thick(degree, length, random) if length > 0 else bouquet(edges, random)
 
 
 def corridor(edges: int, random: Random) -> CombinatorialMap:
-    """A path with loops that leads to a knot of the same degree, 4 or 6; the lollipops."""
+    """A lollipop: a path with loops that leads to a knot of the same degree, 4 or 6."""
     degree = random.choice((4, 6))
     length = (edges - 1) // degree
     return families.lollipop(degree, length, random) if length else bouquet(edges, random)
 
 
 def cover(edges: int, random: Random) -> CombinatorialMap:
-    """A connected covering of a small map by random permutations, with one defect or none."""
+    """A connected covering of a small map by random permutations, with at most one defect."""
 
     def voltages(sheets: int, free: int) -> list[list[int]]:
         around = random.sample(range(sheets), sheets)
@@ -122,7 +122,7 @@ def cover(edges: int, random: Random) -> CombinatorialMap:
 
 
 def ring(edges: int, random: Random) -> CombinatorialMap:
-    """A covering of a small map by turns of a ring by one sheet or none; one defect or none."""
+    """A covering of a small map by turns of a ring by at most one sheet; at most one defect."""
 
     def voltages(sheets: int, free: int) -> list[list[int]]:
         turns = [1, *(random.choice((0, 0, 1, -1)) for _ in range(free - 1))]
@@ -146,7 +146,8 @@ def _lifted(
         edges: the largest number of edges.
         random: the source of all choices.
         voltages: the function that draws a permutation of the sheets for each edge outside a
-            spanning tree, from the two numbers; the edges of the tree stay in their sheet.
+            spanning tree, from the numbers of sheets and of such edges.  An edge of the tree joins
+            darts of the same sheet.
     """
     size = random.randint(1, min(LARGEST_BASE, edges))
     base = families.sparse(random.randint(1, size), size, random)
@@ -168,7 +169,7 @@ def _lifted(
 
 
 def _spanning(base: CombinatorialMap) -> tuple[list[int], list[int]]:
-    """A dart of each edge of a spanning tree, and one of each other edge."""
+    """One dart of each edge in a spanning tree, and one dart of each edge outside the tree."""
     met, tree, owner = {0}, list[int](), base.vertex_of
     for d in (queue := list(base.vertices[0])):
         end = owner[base.alpha[d]]
@@ -181,7 +182,7 @@ def _spanning(base: CombinatorialMap) -> tuple[list[int], list[int]]:
 
 
 def _spoiled(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
-    """The map after one edge is removed or contracted, or two are crossed; or unchanged."""
+    """The map after one edge is removed or contracted, or two edges are crossed; or unchanged."""
     a, c = random.choice(map_.darts), random.choice(map_.darts)
     b, d = map_.alpha[a], map_.alpha[c]
     crossed = None
@@ -237,7 +238,7 @@ PARTS: dict[str, Generator] = {
     "corridor": corridor,
     "bouquet": bouquet,
 }
-"""The parts by their names, except for the random histories of a class."""
+"""The parts by their names; the random histories of a class are not among them."""
 
 HISTORIES = "histories"
 """The part that all classes have, for all numbers of edges."""
@@ -257,7 +258,7 @@ def default_mix(extent: Extent) -> tuple[str, ...]:
 
 
 def generator(part: str, extent: Extent) -> Generator:
-    """The generator of that name; its maps need not belong to the extent."""
+    """The generator of that name; some of its maps may be outside the extent."""
     if part == HISTORIES:
         return glued(extent.map_class, extent.where if narrowing(extent.where) else None)
     return PARTS[part]

@@ -25,9 +25,9 @@ if TYPE_CHECKING:
 def to_networkx(map_: CombinatorialMap) -> nx.MultiGraph:
     """The graph of the map; attributes hold its rotation.
 
-    Its nodes are the vertices ``0..n-1``, each with its darts clockwise as the attribute
-    ``darts``; the edge of darts ``d < e`` has the key ``d`` and the attribute ``darts=(d, e)``,
-    with ``d`` at its first end.  :func:`from_networkx` is the inverse function.
+    The nodes of the graph are the vertices ``0..n-1``.  The attribute ``darts`` of a node holds the
+    node's darts clockwise.  The edge of darts ``d < e`` has the key ``d`` and the attribute
+    ``darts=(d, e)``; ``d`` is at its first end.  :func:`from_networkx` is the inverse function.
     """
     import networkx as nx  # 'import allworlds' stays fast
 
@@ -45,20 +45,20 @@ def from_networkx(
     """The map of a graph of networkx.
 
     Args:
-        graph: a graph of any type; in a directed graph both directions of each edge must exist,
-            and are one edge.
-        order: the source of the clockwise order round each node.  ``"positions"``: its attribute
-            ``pos``, as in :func:`from_positions`.  ``"planar"``: the embedding in the plane by
-            :func:`networkx.check_planarity`.  None: the graph itself, by the attributes ``darts``
-            of :func:`to_networkx`, or the attributes ``cw`` and ``ccw`` of a ``PlanarEmbedding``,
-            of any genus; other graphs are refused.
+        graph: a graph of any type; a directed graph must have both directions of each edge, and
+            the two directions are one edge of the map.
+        order: the source of the clockwise order round each node.  ``"positions"``: the attribute
+            ``pos`` of the node, as in :func:`from_positions`.  ``"planar"``: the embedding in the
+            plane by :func:`networkx.check_planarity`.  None: the attributes ``darts`` of
+            :func:`to_networkx`, or the attributes ``cw`` and ``ccw`` of a ``PlanarEmbedding``, of
+            any genus; other graphs are refused.
 
     The vertices of the map are the nodes in their order, unless ``darts`` define another order.
 
     Raises:
         InvalidMap: naming a node without an order, a broken attribute, an edge with only one
-            direction, or an edge without a position in the order; if the graph is not connected or
-            has no edge; or if the map would lack an edge.
+            direction, or an edge without a position in the order; or if the graph is disconnected
+            or without an edge; or if the map would lack an edge.
 
     Cost: O(m log m).
     """
@@ -96,15 +96,15 @@ LISTS = "maps.from_rotation and maps.from_cycles take the order round each verte
 
 
 IDS = ("id", "osmid")
-"""The attributes in which both directions of an edge are equal."""
+"""The attributes that are equal in both directions of an edge."""
 
 
 def undirected(graph: nx.Graph) -> nx.Graph:
     """The graph, in which both directions of an edge are one edge.
 
     Raises:
-        InvalidMap: for any other value, and naming an edge without its other direction, or a node
-            without an edge.
+        InvalidMap: for a value that is not a graph; naming an edge without the reverse direction,
+            or a node without an edge.
     """
     import networkx as nx
 
@@ -143,11 +143,11 @@ def from_positions(graph: nx.Graph, pos: Mapping[Any, Sequence[float]]) -> Combi
 
     Args:
         graph: as in :func:`from_networkx`, without loops and parallel edges.
-        pos: the two coordinates of each node, to the right and **up**; coordinates of screens,
-            where the second one counts down, yield the mirror image.  They are compared exactly, as
-            the printed decimals.
+        pos: the two coordinates of each node, to the right and **up**.  On screens the second
+            coordinate grows downward; such coordinates yield the mirror image.  Coordinates are
+            compared exactly, as the printed decimals.
 
-    Darts are numbered node by node, from straight up clockwise.
+    Darts are numbered node by node, and at each node clockwise from the direction straight up.
 
     Raises:
         InvalidMap: naming a node without a position of two finite numbers, two joined nodes at one
@@ -169,11 +169,11 @@ def from_positions(graph: nx.Graph, pos: Mapping[Any, Sequence[float]]) -> Combi
 def from_directions(
     graph: nx.Graph, passages: Sequence[tuple[tuple[Any, Fraction], tuple[Any, Fraction]]]
 ) -> CombinatorialMap:
-    """The map of edges that leave their two ends in these directions, as :func:`turn` tells them.
+    """The map of edges that leave their two ends in these directions of :func:`turn`.
 
     Args:
-        graph: an undirected graph; its nodes in their order are the vertices, and its edges are
-            compared with the map.
+        graph: an undirected graph.  The nodes in their order become the vertices; the edges of the
+            graph are compared with the edges of the map.
         passages: both ends of each edge, each with the direction in which the edge leaves.
 
     Raises:
@@ -220,19 +220,20 @@ def embeddings(
 
     Args:
         graph: a graph of networkx, of any type; parallel edges and loops are distinguished.
-        up_to_isomorphism: whether only the first of maps that are the same up to the names of darts
-            is yielded; mirror images are in general not the same.
-        genus: the genus of the yielded maps; None for any.
+        up_to_isomorphism: whether only the first map is yielded if several maps are the same up to
+            the names of darts; mirror images are in general different maps.
+        genus: the genus of the yielded maps; None for any genus.
 
-    All have the same ``alpha``, and as vertices the nodes in their order.  The order is that of
-    their rotations, lexicographically: the edges round a vertex begin with its first one.
+    All maps have the same ``alpha``, and their vertices are the nodes in their order.  The maps
+    come in the lexicographic order of their rotations; each rotation begins with the first edge of
+    the vertex.
 
     Raises:
         InvalidMap: at once, if the graph is not connected or has no edge; InputError for a genus
             that is no integer of at least 0.
 
-    Cost: ``(d - 1)!`` choices for each vertex of degree d; each O(m), and O(m^2) for each class,
-    because the codes of all its rootings are kept.
+    Cost: ``(d - 1)!`` choices for each vertex of degree d.  Each map costs O(m).  Each class of
+    maps that are the same costs O(m^2), because the codes of all its rootings are kept.
     """
     if genus is not None and an_integer("genus", genus) < 0:
         raise InputError(f"genus = {genus}; legal is an integer of at least 0")
@@ -277,7 +278,7 @@ def compared(map_: CombinatorialMap, nodes: Sequence[Any], graph: nx.Graph) -> C
     """The map, if its vertices and edges are the nodes and edges of the graph.
 
     Raises:
-        InvalidMap: unless the map has the edges of the graph, with the same ends, and its nodes.
+        InvalidMap: if the map and the graph have different nodes, or edges with different ends.
     """
     rank = {v: i for i, v in enumerate(graph)}
     at = [nodes[vertex] for vertex in map_.vertex_of]
@@ -344,8 +345,8 @@ def from_faces(faces: Sequence[Sequence[Hashable]]) -> CombinatorialMap:
     Args:
         faces: the vertices of each face in the order of its walk, such as ``"abc"``; each edge must
             be walked once in each direction.  Darts are numbered in this order, each at the vertex
-            where it begins.  There are no parallel edges and loops, for which
-            :func:`~allworlds.maps.build.from_cycles` exists.
+            where it begins.  Parallel edges and loops are refused; for them use
+            :func:`~allworlds.maps.build.from_cycles`.
 
     Raises:
         InvalidMap: naming an edge that is not walked once in each direction, a vertex at which two

@@ -17,8 +17,9 @@ def coarsest_partition(
 ) -> list[int]:
     """For each element its block in the coarsest partition that the permutations respect.
 
-    Elements of one block have equal labels, and each permutation maps blocks into blocks.  Blocks
-    are numbered from 0; their order depends only on the arguments, and has no meaning.
+    Elements of the same block have equal labels, and each permutation maps blocks into blocks.
+    Blocks are numbered from 0; the order of the blocks has no meaning, but depends only on the
+    arguments.
 
     Args:
         labels: the label of each element ``0..n-1``.
@@ -56,7 +57,7 @@ class _Partition:
     def split(self, chosen: Sequence[int]) -> list[int]:
         """Split each block into its chosen and its other elements; return the new blocks.
 
-        The smaller half of a block becomes the new one.  Cost: O(len(chosen)).
+        The smaller half of a block becomes the new block.  Cost: O(len(chosen)).
         """
         elements, position, block, first = self.elements, self.position, self.block, self.first
         border: dict[int, int] = {}  # the chosen elements of a block lie before its border
@@ -102,9 +103,9 @@ class Quotient(Struct, frozen=True, dict=True):
 
     @cached_property
     def vertices(self) -> tuple[tuple[int, ...], ...]:
-        """The cycles of sigma, each from its smallest class, ascending by it.
+        """The cycles of sigma, each from its smallest class, ascending by this class.
 
-        The first is the vertex of the root.
+        The first cycle is the vertex of the root.
         """
         return combinatorial.cycles(self.sigma)
 
@@ -115,7 +116,7 @@ class Quotient(Struct, frozen=True, dict=True):
 
     @cached_property
     def cone_indices(self) -> tuple[int, ...]:
-        """For each vertex the number of times that a vertex of the map covers it; divides k."""
+        """For each vertex, how often a vertex of the map winds round it; this number divides k."""
         return tuple(self.degree[vertex[0]] // len(vertex) for vertex in self.vertices)
 
     @cached_property
@@ -159,7 +160,7 @@ class Quotient(Struct, frozen=True, dict=True):
 
 
 class Projection(NamedTuple):
-    """A map onto its quotient: ``classes[d]`` is the class of dart ``d``."""
+    """A quotient of a map, and the projection: ``classes[d]`` is the class of dart ``d``."""
 
     quotient: Quotient
     classes: tuple[int, ...]
@@ -172,7 +173,7 @@ Labelled: TypeAlias = tuple[combinatorial.CombinatorialMap, Sequence[Hashable], 
 def project(labelled: Labelled) -> Projection:
     """The quotient rooted at the class of the root, and the class of each dart.
 
-    Darts of different degrees are never alike, whatever their labels.
+    Darts at vertices of different degrees are in different classes, even if their labels are equal.
 
     Cost: O(m log m).
     """
@@ -194,8 +195,8 @@ def project(labelled: Labelled) -> Projection:
 def classes_of_union(*parts: Labelled) -> tuple[tuple[int, ...], ...]:
     """For each of several maps the class of each dart, with classes common to all maps.
 
-    Numbered in canonical order from the root of the first; then from the root of the second
-    those that are new there, and so on.
+    The classes are numbered in canonical order from the root of the first map.  Then the new
+    classes are numbered from the root of the second map, and so on.
 
     Cost: O(M log M) for M darts in all.
     """
@@ -224,8 +225,8 @@ def classes_of_union(*parts: Labelled) -> tuple[tuple[int, ...], ...]:
 def is_ambiguous(quotient: Quotient) -> bool:
     """Whether two or more worlds have this quotient under position.
 
-    True iff k >= 2, and not: there is no cycle (beta1 = 0), and k = 2, or there is no
-    semi-edge and every cone index but that of v0 is 1.
+    True iff k >= 2, with two exceptions, both without a cycle (beta1 = 0).  The first: k = 2.  The
+    second: there is no semi-edge, and every cone index except that of v0 is 1.
 
     Cost: O(m).
     """
@@ -238,8 +239,8 @@ def is_ambiguous(quotient: Quotient) -> bool:
 def pose_count(quotient: Quotient) -> int:
     """The number of poses (world, dart of v0): P = (k!)^beta1 N(k,2)^s prod N(k,b_v).
 
-    N(k,b) is the number of permutations of k things with cycles of length b only, s the
-    number of semi-edges; the product is over the vertices other than v0.
+    N(k,b) is the number of permutations of k things in which all cycles have length b.  s is the
+    number of semi-edges.  The product is over all vertices except v0.
     """
     return _fixed_by_rotations(quotient, quotient.sheets)
 
@@ -270,9 +271,9 @@ def _uniform(k: int, cycles: int, b: int) -> int:
     """The number of permutations of k things, all cycles of length b, that commute with c^i.
 
     The power c^i has ``cycles`` cycles of length ``r = k / cycles``.  A commuting permutation
-    permutes these cycles, and turns each on the way.  Where it takes t of them round, with
-    turns that add up to an element of order o in Z_r, it has cycles of length t o = b: there
-    are ``r^(t-1) phi(o)`` such turns.
+    permutes these cycles, and also turns each of them.  Suppose that it permutes t of them
+    cyclically, and that their turns add up to an element of order o in Z_r.  On these t cycles
+    it then has cycles of length t o = b; there are ``r^(t-1) phi(o)`` choices of such turns.
     """
     r = k // cycles
     weight = {

@@ -1,4 +1,4 @@
-"""Notations of embedded graphs: their readers and writers, and the table of them.
+"""Notations of embedded graphs: their readers and writers, and the table of the notations.
 
 ``table``
     **the** table of the notations, and files in any of them;
@@ -7,7 +7,7 @@
 ``objects``, ``worlds_as_json``, ``sage``
     worlds as objects, in JSON and as Python's literals;
 ``plantri``, ``edge_list``, ``graphs``
-    binary codes, tables of edges, graphs with positions;
+    binary codes; tables of edges; graphs with positions;
 ``given``
     worlds that users give instead of a class: from files, from embeddings of a graph, or values.
 """

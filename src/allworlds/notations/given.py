@@ -47,7 +47,7 @@ class GivenMap(Struct, frozen=True):
     Attributes:
         map: the map, with any numbering.
         starts: the darts that the robot may face at the start.
-        lighthouse: the lighthouse at its only place, or None: every place is tried.
+        lighthouse: the lighthouse at its only place; None if every place is tried.
         labels: the user's names.
     """
 
@@ -69,7 +69,7 @@ class GivenMap(Struct, frozen=True):
 
 
 class Digest(Struct, frozen=True):
-    """A file of worlds in an identity: its name, and the SHA-256 of its content."""
+    """A file of worlds, as a part of an identity: its name, and the SHA-256 of its content."""
 
     plain: str
     record: str
@@ -78,12 +78,12 @@ class Digest(Struct, frozen=True):
 class GivenMaps:
     """Maps that are given one by one, instead of all maps of a class.
 
-    Other processes get these attributes, but not the maps, which are in units.
+    Other processes get these attributes without the maps; units bring the maps to them.
 
     Args:
-        noun: the noun for one of them.
-        of: the words for their origin; empty for worlds that were made in this process.
-        gate: the reason why their number is not compared with a count.
+        noun: the noun for a single map.
+        of: the words for the origin of the maps; empty for worlds that were made in this process.
+        gate: the reason why the number of the maps is not compared with a count.
         found: the maps, each with its name for error messages, and its key.
         find: the function from a key to the map.
         codes: the files of the maps.

@@ -5,14 +5,14 @@ positions, or from the points of a line with bends, by
 :func:`allworlds.maps.networks.from_directions`.  A position is read from ``pos`` (two numbers, or a
 text of two), from ``x`` and ``y``, from ``graphics`` in GML, or as the middle of a box in yEd.  The
 points of a line are read from yEd's ``Path``, from ``Line`` in GML, or from ``geometry``; the line
-leaves a vertex at the side of its box.  Arcs and other curves are refused, and so is a file if the
-graph would lack a node or an edge of it.  Without positions a graph has no order of its edges; a
-search of all embeddings takes such graphs from :func:`named_graph`.
+leaves a vertex at the side of its box.  Arcs and other curves are refused.  A file is also refused
+if the graph would lack a node or an edge of the file.  Without positions a graph has no order of
+its edges; a search of all embeddings takes such graphs from :func:`named_graph`.
 
-The labels of the nodes are the names of the vertices if all nodes have different labels, else the
-ids are.  A group is no vertex, but the nodes in it are.  A directed edge needs the reverse edge,
-too; the two are one edge, unless they have different ids.  yEd calls all edges directed; in its
-files an edge leads one way only if it has an arrow at one end and none at the other.
+The names of the vertices are the labels of the nodes if all labels are different, otherwise the
+ids.  The nodes in a group are vertices; the group itself is ignored.  A directed edge needs the
+reverse edge, too; the two are one edge, unless they have different ids.  yEd calls all edges
+directed; in its files only an edge with an arrow at exactly one end leads one way.
 """
 
 from __future__ import annotations
@@ -78,7 +78,7 @@ def named_graph(make: Callable[[bytes], nx.Graph], content: bytes) -> nx.Graph:
 
 
 def of_graph6(content: bytes) -> nx.Graph:
-    """The only graph of a text in graph6, which has edges but no positions."""
+    """The only graph of a text in graph6; such a graph has edges but no positions."""
     import networkx as nx
 
     lines = content.removeprefix(b">>graph6<<").split()
@@ -158,7 +158,7 @@ def _box_in_yed(box: ET.Element) -> dict[str, float]:
 
 
 def _line_in_yed(edge: ET.Element, source: Any, target: Any) -> dict[str, Any]:
-    """The line of an edge with its ends in the form of GML; empty if it is straight."""
+    """The line of an edge with its ends in the form of GML; empty for a straight line."""
     path = edge.find(f".//{YED}Path")
     if path is None or not (source and target):
         return {}
@@ -172,7 +172,7 @@ def _line_in_yed(edge: ET.Element, source: Any, target: Any) -> dict[str, Any]:
 
 
 def _label_in_yed(node: ET.Element) -> str:
-    """The first label of a node, of any shape, that is not blank; empty if there is none."""
+    """The first label of a node, of any shape, that is not blank; empty without such a label."""
     texts = (label.text or "" for label in node.iterfind(f"{PLAIN}data//{YED}NodeLabel"))
     return next(filter(None, map(str.strip, texts)), "")
 
@@ -262,7 +262,7 @@ def _ensure_whole(graph: nx.Graph, nodes: int, edges: int) -> None:
 
 
 def _label(data: dict[str, Any]) -> str:
-    """The label of a node; empty if it has none."""
+    """The label of a node; empty for a node without a label."""
     return " ".join(str(data.get("label") or "").split())
 
 
@@ -311,9 +311,9 @@ def _point(given: Iterable[Any]) -> Point:
 
 
 def _line(ends: str, data: dict[str, Any]) -> list[Point]:
-    """The points of the line of an edge, with its ends; none if it is straight.
+    """The points of the line of an edge, with its ends; empty for a straight line.
 
-    They are read from ``Line`` of GML, or from ``geometry`` of OSMnx.
+    The points are read from ``Line`` of GML, or from ``geometry`` of OSMnx.
     """
     graphics = data.get("graphics")
     try:
@@ -345,7 +345,7 @@ def _ends(v: str, w: str, line: list[Point], boxes: Mapping[str, Box]) -> Any:
 
 
 def _joins(path: list[Point], one: Box, other: Box, slack: Fraction) -> bool:
-    """Whether a line begins in the one box and ends in the other."""
+    """Whether a line begins in the first box and ends in the second box."""
     return _inside(path[0], *one, slack) and _inside(path[-1], *other, slack)
 
 
@@ -357,8 +357,8 @@ def _inside(point: Point, middle: Point, half: Point, slack: Fraction) -> bool:
 def _leaves(path: list[Point], middle: Point, half: Point, slack: Fraction) -> Point:
     """The point towards which a line leaves a box, seen from the middle of the box.
 
-    It is the point where the line crosses the side, or for a line from the middle its next point,
-    which is in the same direction.
+    In general this is the point where the line crosses the side of the box.  For a line from the
+    middle this is the next point of the line, which is in the same direction.
     """
     before, after = middle, path[-1]
     for point in path:

@@ -9,8 +9,9 @@
 ``..., "faces": ...}``                    suffice
 ========================================  ========================================================
 
-In a face, the dart after d is the one before alpha(d) round the vertex of alpha(d), as in
-``FatGraph`` of the package surface_dynamics for Sage, whose vertices are anticlockwise.
+In a face, the dart after d is the dart before alpha(d) round the vertex of alpha(d).  This is the
+convention of ``FatGraph`` in the package surface_dynamics for Sage, whose vertices are
+anticlockwise.
 """
 
 from collections import Counter
@@ -78,7 +79,7 @@ def doors_of(entry: Entry) -> list[list[str | list[str | int]]]:
 
 
 def _fat(given: Mapping[str, Any]) -> CombinatorialMap:
-    """The map from two or three of the permutations."""
+    """The map from two or three of the permutations of a fat graph."""
     images = dict[str, list[int]]()
     for key, value in given.items():
         with at(key):

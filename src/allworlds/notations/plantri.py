@@ -2,13 +2,13 @@
 
 ``planar_code`` has a header, the number of vertices, and for each vertex its neighbours, counted
 from 1, and a 0.  Numbers have one byte, or two bytes after a first byte 0; the header tells whether
-the lower byte comes first (``le``, the default) or the higher one (``be``).  The code has no loops
-and parallel edges.
+the lower byte comes first (``le``, the default) or the higher byte (``be``).  The code cannot
+express loops and parallel edges.
 
 ``edge_code`` has the number of bytes that follow, and for each vertex the numbers of its edges,
-with a byte 255 between two vertices.  If the first byte is 0, the second byte has two halves: the
-higher half is the length in bytes of the number of bytes that follow, the lower half the length of
-the number of an edge.  In these numbers the higher byte comes first.
+with a byte 255 between two vertices.  If the first byte is 0, the second byte has two halves.  The
+higher half tells how many bytes the number of following bytes has; the lower half tells how many
+bytes the number of an edge has.  In these numbers the higher byte comes first.
 
 Source: the guide of plantri, and its program; the headers are also those of CaGe.
 """

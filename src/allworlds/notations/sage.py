@@ -1,9 +1,9 @@
-"""Embeddings as Sage prints them: dictionaries of clockwise neighbours, each in a line or several.
+"""Embeddings as Sage prints them: dictionaries of clockwise neighbours, in one or more lines each.
 
-``{0: [1, 2], 1: [2, 0], 2: [0, 1]}`` is what ``graph.get_embedding()`` returns.  Keys are numbers,
-texts or tuples; their texts become the names.  A file may also hold fat graphs: as dictionaries, or
-as Sage prints them: ``FatGraph('(0,2,1,3)', '(0,1)(2,3)', '(0,2,1,3)')`` with vertices, edges and
-faces, or with vertices and faces alone.
+``graph.get_embedding()`` returns, for example, ``{0: [1, 2], 1: [2, 0], 2: [0, 1]}``.  Keys are
+numbers, texts or tuples; the texts of the keys become the names.  A file may also hold fat graphs,
+as dictionaries or as Sage prints them: ``FatGraph('(0,2,1,3)', '(0,1)(2,3)', '(0,2,1,3)')`` with
+vertices, edges and faces, or with vertices and faces alone.
 
 Source: the reference manual of Sage, ``set_embedding``; ``FatGraph`` of surface_dynamics.
 """
@@ -43,7 +43,7 @@ def _fat_graph(text: str) -> dict[str, list[list[int]]] | None:
 
 
 def literal(text: str) -> Any:
-    """The value of a literal; raise InputError if the text is none, or repeats a key."""
+    """The value of a literal; raise InputError if the text is no literal, or repeats a key."""
     if fat := _fat_graph(text):
         return fat
     try:

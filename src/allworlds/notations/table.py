@@ -59,14 +59,14 @@ class Notation(Struct, frozen=True):
         name: the usual name.
         suffixes: the suffixes of its files.
         read: the function that yields the entries of an open binary file from its position on,
-            clockwise and with the y axis upward, each with its offset in the file, or with its
-            number if the notation does not stream.
+            read clockwise and with the y axis upward.  Each entry comes with its offset in the
+            file, or with its number if the notation does not stream.
         write: the function from an entry to bytes; None if the notation is not written.
-        keeps: those of :data:`EVERY` that it can express.
-        mark: bytes near the beginning of such files, which no other files have; may be empty.
-        streams: whether a file can hold many entries, of which one at a time is in memory.
+        keeps: the parts in :data:`EVERY` that the notation can express.
+        mark: bytes near the beginning of such files, which other files lack; may be empty.
+        streams: whether a file with many entries is read with a single entry in memory.
         y: the usual direction of the y axis, if the order of edges follows from positions.
-        graph: the function from a content to its graph, for uses of the edges alone.
+        graph: the function from a content to its graph, for callers that need only the edges.
     """
 
     name: str
@@ -118,11 +118,11 @@ NOTATIONS = (
 """Every notation; the first is that of a file that begins as JSON does."""
 
 HEAD = 2000
-"""The number of bytes at the beginning in which a mark is searched."""
+"""The number of bytes at the beginning of a file in which a mark is searched."""
 
 
 def by_suffix(file: str) -> Notation | None:
-    """The notation whose suffix is the longest one that the name has."""
+    """The notation with the longest suffix with which the name ends; None without a suffix."""
     ends = ((end, each) for each in NOTATIONS for end in each.suffixes if file.endswith(end))
     return max(ends, key=lambda found: len(found[0]), default=("", None))[1]
 
@@ -209,7 +209,7 @@ def entry_at(
 ) -> Entry:
     """The world of a file at an offset from :func:`entries`.
 
-    Cost: the cost of this world; without streaming the whole file is read, once.
+    Cost: the cost of this world.  If the notation does not stream, the whole file is read, once.
     """
     with _opened(file) as (stream, notation):
         if notation.streams:
@@ -230,7 +230,7 @@ def _whole(file: str, _changed: int, order: Order | None, y: YAxis | None) -> tu
 
 
 SHOWN = 5
-"""The names of worlds that a refusal lists."""
+"""The largest number of names of worlds that a refusal lists."""
 
 
 def entry_named(
@@ -239,7 +239,8 @@ def entry_named(
     """The world of this name or number (from 1 on) in the file; for ``""`` the only one.
 
     Raises:
-        InputError: naming the first worlds, if there is no such world, or for ``""`` several.
+        InputError: naming the first worlds, if there is no such world, or if there are several
+            worlds for ``""``.
     """
     known, numbered = list[str](), None
     for number, (_, entry) in enumerate(entries(file, order, y), 1):

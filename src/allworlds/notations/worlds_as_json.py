@@ -18,7 +18,7 @@ Objects = Iterator[tuple[int, Entry]]
 
 
 def read_json(file: IO[bytes]) -> Objects:
-    """The worlds of one document: an object, a list of them, or an object of them by names."""
+    """The worlds of a document: an object, a list of objects, or an object of named objects."""
     worlds = _worlds(parse_json(text_of(file.read())))
     for number, (name, given) in enumerate(worlds):
         where = f"world {show(name) if name else number + 1}"
@@ -38,10 +38,10 @@ def _worlds(document: Any) -> list[tuple[str, Any]]:
 def read_lines(
     parse: Callable[[str], Any], opens: Callable[[str], int] = lambda _line: 0
 ) -> Callable[[IO[bytes]], Objects]:
-    """A reader of files with one world in each line, which ``parse`` reads.
+    """A reader of files with one world in each line; ``parse`` reads the line.
 
-    ``opens`` is the function to the number of brackets that a line opens and does not close; a
-    world ends with the line that closes its last bracket.
+    ``opens`` takes a line, and returns the number of brackets that the line opens and leaves open.
+    A world ends with the line that closes its last bracket.
     """
 
     def read(file: IO[bytes]) -> Objects:
