@@ -76,7 +76,7 @@ class _Interrupts:
 def leave_interrupts_to_owner() -> None:
     """Leave interrupts to the owner: from now on only users' code raises KeyboardInterrupt.
 
-    A signal to this process alone ends it.
+    SIGTERM or SIGHUP, if only this process gets it, ends this process.
     """
     _Interrupts.of_owner = True
     signal.signal(signal.SIGINT, signal.SIG_IGN)
