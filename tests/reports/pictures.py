@@ -15,21 +15,15 @@ from allworlds.reports.drawing.svg import drawing, picture
 from allworlds.reports.drawing.text import draw as in_characters, rotation_table
 from allworlds.reports.parts import Curve, Scene, scene_of
 from allworlds.world import Directional, Labelling, World, world_named
+from recorded_texts import Texts
 
-FILES = Path(__file__).parent / "whole_pictures"
-
-CASES = {}
-
-
-def case(make):
-    """A function of that name makes the texts of a file, one after another."""
-    CASES[make.__name__] = make
-    return make
+PICTURES = Texts(Path(__file__).parent / "whole_pictures")
+case = PICTURES.case
 
 
 def whole(name):
     """The text of a case, with a line for each element."""
-    return "\n".join(text.rstrip("\n") for text in CASES[name]()) + "\n"
+    return "\n".join(text.rstrip("\n") for text in PICTURES.cases[name]()) + "\n"
 
 
 NUMBER = re.compile(r"-?\d+\.\d+")

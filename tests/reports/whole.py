@@ -42,20 +42,14 @@ from allworlds.studies.run import WorldNames, replay, run
 from allworlds.studies.team.finding_reports import TeamExplanation
 from allworlds.world import Directional, Movable, World, world_named
 from allworlds.world.named import own_corpus
+from recorded_texts import Texts
 
-TEXTS = Path(__file__).parent / "whole_texts"
+TEXTS = Texts(Path(__file__).parent / "whole_texts")
+case = TEXTS.case
 WIDTH = 100
-
-CASES = {}
 
 mine = SimpleNamespace()
 """The explorers, once they are in the file."""
-
-
-def case(make):
-    """A function of that name makes the results whose texts are recorded."""
-    CASES[make.__name__] = make
-    return make
 
 
 def shown(content):
@@ -100,7 +94,7 @@ def drawn(block):
     )
 
 
-def whole(name, cases=CASES):
+def whole(make):
     """The text of a case."""
     with tempfile.TemporaryDirectory() as made, chdir(made), pytest.MonkeyPatch.context() as patch:
         patch.syspath_prepend(made)  # elsewhere, too, there may be a mine.py
@@ -111,7 +105,7 @@ def whole(name, cases=CASES):
         vars(mine).update(names)
         texts = [
             result if isinstance(result, str) else "\n".join(shown(content_of(result)))
-            for result in cases[name]()
+            for result in make()
         ]
         text = "\n\n".join(texts).replace(str(Path(made).resolve()), "{here}")
     text = text.replace(allworlds.__version__, "{version}")

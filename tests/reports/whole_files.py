@@ -32,17 +32,11 @@ from allworlds.world import (
     World,
     world_named,
 )
+from recorded_texts import Texts
 from reports.whole import EDGE, LASSO, PATH, claims_found, found, mine, moves, team
 
-FILES = Path(__file__).parent / "whole_files"
-
-CASES = {}
-
-
-def case(make):
-    """A function of that name makes the texts of a file, one after another."""
-    CASES[make.__name__] = make
-    return make
+FILES = Texts(Path(__file__).parent / "whole_files")
+case = FILES.case
 
 
 def forms(result, *names):

@@ -1,24 +1,12 @@
 import pytest
 
-from allworlds.explorers.builtin.algorithm1 import algorithm1
-from allworlds.protocol.actions import Estimate
+from studies.whole_explorers import wrong_from
 
 
 @pytest.fixture(scope="session")
 def planted():
     """Algorithm 1, but its pose is wrong from so many edges on if a vertex has that degree."""
-
-    def from_size(edges, degree):
-        def explore(first, *, choices):
-            right = yield from algorithm1(first, choices=choices)
-            map_ = right.map
-            if map_.edge_count >= edges and max(map_.degrees) >= degree:
-                return Estimate(map_, map_.sigma[right.here])
-            return right
-
-        return explore
-
-    return from_size
+    return wrong_from
 
 
 @pytest.fixture

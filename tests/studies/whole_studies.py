@@ -22,23 +22,17 @@ from allworlds.studies.fuzz.sampling import Batch, SmallBatch, batches, waves
 from allworlds.studies.fuzz.shrinking import shrink
 from allworlds.world import Directional, World, world_named
 from listeners import Hears
+from recorded_texts import Texts
 from studies.whole_explorers import loop_at_once, stays, walks_for_ever, wrong_from
 
-FILES = Path(__file__).parent / "whole_studies"
-
-CASES = {}
-
-
-def case(make):
-    """A function of that name makes the texts of a file, one after another."""
-    CASES[make.__name__] = make
-    return make
+STUDIES = Texts(Path(__file__).parent / "whole_studies")
+case = STUDIES.case
 
 
 def whole(name):
     """The text of a case."""
-    with chdir(FILES.parents[2]):  # from there findings name the files of explorers
-        return "".join(f"{text}\n" for text in CASES[name]())
+    with chdir(STUDIES.folder.parents[2]):  # from there findings name the files of explorers
+        return "".join(f"{text}\n" for text in STUDIES.cases[name]())
 
 
 def as_json(result):
