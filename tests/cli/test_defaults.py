@@ -88,6 +88,9 @@ def test_a_printed_command_holds_where_the_file_is(here, capsys):
     wrong = "allworlds.corpus.explorers:pose_lost"
     (finding, *_) = document(capsys, "check", wrong, "--policy", "fifo")["findings"]
     assert "--policy fifo" in finding["reproduce"]
+    (here / "allworlds.toml").unlink()
+    (finding, *_) = document(capsys, "check", wrong, "--policy", "fifo")["findings"]
+    assert "--policy" not in finding["reproduce"]  # the file of an earlier command is forgotten
 
 
 @pytest.mark.parametrize(

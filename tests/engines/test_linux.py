@@ -1,4 +1,4 @@
-"""System calls that only Linux has."""
+"""System calls about processes and memory, most of which only Linux has."""
 
 import os
 import resource
@@ -84,3 +84,14 @@ def test_a_limit_that_leaves_no_page_is_too_small(monkeypatch):
     monkeypatch.setattr(linux.mmap, "mmap", none_left)
     with pytest.raises(InputError, match=f"^memory 100 {said}$"):
         linux.limit_memory(100)
+
+
+@pytest.mark.processes
+def test_the_end_of_a_child_within_some_seconds():
+    child = os.posix_spawnp("sleep", ["sleep", "60"], os.environ)
+    assert linux.ended_within(0.0, child) is None
+    assert linux.ended_within(0.02, child) is None
+    os.kill(child, signal.SIGKILL)
+    assert linux.ended_within(60.0, child) == -signal.SIGKILL
+    child = os.posix_spawnp("sh", ["sh", "-c", "exit 3"], os.environ)
+    assert linux.ended_within(60.0, child) == 3

@@ -6,6 +6,7 @@ import sys
 import threading
 import traceback
 from collections.abc import Callable
+from contextvars import copy_context
 from functools import cache, partial
 from pathlib import Path
 from pkgutil import resolve_name
@@ -147,7 +148,14 @@ def main() -> NoReturn:
 
 
 def call(arguments: list[str]) -> int:
-    """Run a verb in this process and return its exit code; no exception leaves it."""
+    """Run a verb in this process and return its exit code; no exception leaves it.
+
+    What the verb notes about its command, as the options that a file sets, ends with it.
+    """
+    return copy_context().run(_called, arguments)
+
+
+def _called(arguments: list[str]) -> int:
     defaults = Defaults()
     try:
         if any(not word.startswith("-") for word in arguments):

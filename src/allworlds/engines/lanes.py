@@ -90,17 +90,14 @@ class _Process:
     def end(self) -> str:
         """End the process and its players; return the way in which it ended."""
         self.link.close()
-        deadline = time.monotonic() + 2.0
-        pid, status = os.waitpid(self.pid, os.WNOHANG)
-        while not pid and time.monotonic() < deadline:
-            time.sleep(0.005)
-            pid, status = os.waitpid(self.pid, os.WNOHANG)
-        if not pid:
+        code = linux.ended_within(2.0, self.pid)
+        if code is None:
             for each in (self.pid, *linux.descendants(self.pid)):
                 with suppress(ProcessLookupError, PermissionError):
                     os.kill(each, signal.SIGKILL)
             _, status = os.waitpid(self.pid, 0)
-        return ended_by(os.waitstatus_to_exitcode(status))
+            code = os.waitstatus_to_exitcode(status)
+        return ended_by(code)
 
 
 def _heard(processes: Sequence[_Process], seconds: float) -> list[_Process]:

@@ -1,4 +1,4 @@
-"""System calls that only Linux has; on other systems these functions do nothing.
+"""System calls about processes and memory; those that only Linux has do nothing on other systems.
 
 The package also works on other systems, because no verdict needs these calls.
 
@@ -10,6 +10,7 @@ import mmap
 import os
 import signal
 import sys
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 
@@ -48,6 +49,14 @@ def descendants(pid: int) -> list[int]:
     for one in found:
         found += _children(one)
     return found
+
+
+def ended_within(seconds: float, child: int) -> int | None:
+    """The exit code of a child process; None if it does not end within these seconds."""
+    deadline = time.monotonic() + seconds
+    while not (ended := os.waitpid(child, os.WNOHANG))[0] and time.monotonic() < deadline:
+        time.sleep(0.005)
+    return os.waitstatus_to_exitcode(ended[1]) if ended[0] else None
 
 
 def end_adopted(token: str) -> None:

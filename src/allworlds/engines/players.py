@@ -361,7 +361,7 @@ class PlayerProcess:
         Raises:
             InputError: if the explorer has ended the process while it was loaded.
         """
-        code = self._code_after_grace()
+        code = self._code(GRACE)
         how = "the end of the process's pipe"
         if code is not None:
             how = f"the end of the process ({words.ended_by(code)})"
@@ -374,20 +374,11 @@ class PlayerProcess:
             raise InputError(f"a process came to {how} when it {loaded} {show(name)}{limit}")
         return Lost("crash", how, machine=code is not None and code < 0)
 
-    def _code(self) -> int | None:
-        """The exit code of the process; None if the process has not ended."""
+    def _code(self, grace: float = 0.0) -> int | None:
+        """The exit code of the process; None if it does not end within these seconds."""
         if self._status is None:
-            pid, status = os.waitpid(self.pid, os.WNOHANG)
-            if pid:
-                self._status = os.waitstatus_to_exitcode(status)
+            self._status = linux.ended_within(grace, self.pid)
         return self._status
-
-    def _code_after_grace(self) -> int | None:
-        """The exit code, after a wait of at most :data:`GRACE` seconds for the end."""
-        deadline = time.monotonic() + GRACE
-        while self._code() is None and time.monotonic() < deadline:
-            time.sleep(0.005)
-        return self._code()
 
     @property
     def lives(self) -> bool:
@@ -425,7 +416,7 @@ class PlayerProcess:
         if is_program(self.setup.subject.name):  # so that it ends its program
             if self.jobs and self.lives:  # it may be waiting for a silent program
                 os.kill(self.pid, signal.SIGTERM)
-            self._code_after_grace()
+            self._code(GRACE)
         with suppress(ProcessLookupError, PermissionError):
             os.killpg(self.pid, signal.SIGKILL)
         for pid in below:
