@@ -199,7 +199,7 @@ def test_the_bound_is_told_with_what_the_traversals_found(told):
     law, _, text = told("walks-too-much")
     assert law == "bound"
     assert "The map and the pose are right" in text
-    assert "The bound 'paper' is what the paper proves for its Algorithm 1" in text
+    assert "The bound 'paper' is the sum that the paper proves for its Algorithm 1" in text
     assert "In a world with 1 edge and 1 vertex the sum is 0 + 1 = 1." in text
     assert "Tried with --edges 3 --bound none: no law is broken" in text
     assert "The robot made 3 traversals, of which 1 found a new edge." in text
@@ -245,7 +245,7 @@ def test_every_bound_with_a_name_is_told_and_explained(name, finding_of):
     assert f"`--bound {name}`" in VERDICTS.read_text(encoding="utf-8")
     finding = replace(finding_of("walks-too-much"), world=World(PATH, Directional(0)))
     told = tell_whose_bound(replace(finding, under=Rules(bound=name), expected=20))
-    assert f"The bound '{name}' is what the paper proves" in " ".join(told)
+    assert f"The bound '{name}' is the sum that the paper proves" in " ".join(told)
 
 
 # ---------------------------------------------------------------- the table

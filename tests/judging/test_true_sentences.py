@@ -227,7 +227,7 @@ def test_of_an_endless_walk_it_is_told_since_when_nothing_was_new():
     assert loop == [
         how,
         "After step 1 it found no new edge; 1 edge of the world stayed unknown.",
-        "From step 1 on it repeats 2 steps, 3 times, to v0, dart 1; v0, dart 0",
+        "From step 1 on it walked 3 times a round of 2 steps: to v0, dart 1; v0, dart 0",
         "It never walked along the edge from v0, dart 2, to v1, dart 3.",
         whose,
     ]
@@ -243,7 +243,7 @@ def test_of_an_endless_walk_it_is_told_since_when_nothing_was_new():
     tasked[2] = tasked[2].partition(" (line")[0]
     assert tasked[1:] == [
         "After step 1 it found no new edge; 1 edge of the world stayed unknown.",
-        "From step 1 on it repeats 2 steps, 3 times, to v0, dart 1; v0, dart 0",
+        "From step 1 on it walked 3 times a round of 2 steps: to v0, dart 1; v0, dart 0",
         "It never visited v1.",
         whose,
     ]
@@ -265,8 +265,8 @@ def test_whose_the_budget_is_and_of_what_it_is_the_sum(world, name, new, closing
     budget = 8 * (new + closing) + 100
     assert len(finding.transcript.steps) == budget
     assert explain(finding).sentences[-1] == (
-        f"In a world with {name} the budget is {budget} traversals, 8 x ({new} + {closing}) + 100, "
-        f"where {new} + {closing} is the paper's bound."
+        f"In a world with {name} the budget is {budget} traversals, which is "
+        f"8 x ({new} + {closing}) + 100; {new} + {closing} is the paper's bound."
     )
     tried = tell_whose_budget(replace(finding, tried="--bound none"))
     assert tried.endswith(
@@ -294,14 +294,14 @@ def test_whose_the_bound_is_and_how_its_value_comes_about(world, name, new, clos
         return told_
 
     what = (
-        "what the paper proves for its Algorithm 1 in Section VI: the sum of (1), the passes that "
-        "find a new vertex, and (2), the passes that close an edge between known ones"
+        "the sum that the paper proves for its Algorithm 1 in Section VI: (1), the cost of passes "
+        "that find a new vertex, plus (2), the cost of passes that join two known vertices"
     )
     sums = f"In a world with {name} the sum is {new} + {closing}"
     assert whose(bound="paper") == f"The bound 'paper' is {what}. {sums} = {new + closing}."
     assert whose(bound="two-vertices") == (
-        f"The bound 'two-vertices' is {what}; it adds two traversals for each test of a "
-        f"hypothesis, and the search among the darts of the start. {sums}, "
+        f"The bound 'two-vertices' is {what}; to this sum the bound adds two traversals for each "
+        f"test of a hypothesis, and the search at the start for the dart to v1. {sums}, "
         f"the bound {new + closing}."
     )
     value = f"which is {new + closing} in a world with {name}."

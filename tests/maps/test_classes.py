@@ -80,7 +80,7 @@ def test_vertices_alone_do_not_bound_a_class_with_loops(map_class):
     with pytest.raises(InputError) as refusal:
         Extent(map_class, None, 4)
     assert "vertices = 4 alone" in str(refusal.value)
-    assert f"class {map_class.value} needs" in str(refusal.value)
+    assert f"class '{map_class.value}' needs" in str(refusal.value)
 
 
 @pytest.mark.parametrize("map_class", MapClass)
@@ -117,10 +117,10 @@ def test_the_vertex_limit_is_met_and_not_passed_by_the_maps_within_the_bounds(ed
     [
         ("maps", "edges", 1, 0, "edges = 0, but a map has at least 1 edge"),
         ("maps", "edges", 100_000, 100_001, "edges = 100001 is too big; at most 100,000 is legal"),
-        ("maps", "vertices", 1, 0, "but a map of the class maps has at least 1"),
-        ("planar", "vertices", 1, 0, "but a map of the class planar has at least 1"),
-        ("simple", "vertices", 2, 1, "but a map of the class simple has at least 2"),
-        ("planar-simple", "vertices", 2, 1, "a map of the class planar-simple has at least 2"),
+        ("maps", "vertices", 1, 0, "but a map of the class 'maps' has at least 1"),
+        ("planar", "vertices", 1, 0, "but a map of the class 'planar' has at least 1"),
+        ("simple", "vertices", 2, 1, "but a map of the class 'simple' has at least 2"),
+        ("planar-simple", "vertices", 2, 1, "a map of the class 'planar-simple' has at least 2"),
         ("maps", "vertices", 100_000, 100_001, "vertices = 100001 is too big; at most 100,000"),
     ],
 )

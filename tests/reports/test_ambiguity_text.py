@@ -82,7 +82,7 @@ def test_the_darts_that_bearings_count_to_are_drawn(kind):
 
 def test_a_class_is_drawn_and_explained():
     text = class_text(class_of(named("k4"), map_class="simple"), 100)
-    assert text.startswith("AMBIGUOUS  2 worlds in the class simple; all are covers with 3 sheets")
+    assert text.startswith("AMBIGUOUS  2 worlds in the class 'simple'; all are covers with 3")
     assert "The given world (genus 0)" in text
     assert "World 2 (genus 1)" in text
     assert "more worlds: --json" not in text
@@ -122,7 +122,7 @@ def test_a_mismatch_with_the_source_is_named(counted):
 
 def test_a_restricted_census_names_its_universe():
     found = census(edges=1, map_class="simple")
-    assert "every rooted map of the class simple" in flat(census_text(found, 80))
+    assert "every rooted map of the class 'simple'" in flat(census_text(found, 80))
 
 
 def test_the_order_of_sensors_is_drawn_in_lines_of_90_columns():

@@ -34,8 +34,8 @@ What was searched
 
 programs   PROGRAMS:waits, PROGRAMS:searches
 model      meeting:apart=false
-scope      every start of the model in every map of the class maps with at most 2 edges; every fsync
-           schedule
+scope      every start of the model in every map of the class 'maps' with at most 2 edges; every
+           fsync schedule
 gate       no map was forgotten: the number equals an independent count (log-series of
            permutations)
 schedules  44
@@ -75,11 +75,11 @@ What was searched
 
 programs   PROGRAMS:other_end, PROGRAMS:other_end
 model      meeting
-scope      every start of the model in every map of the class maps with at most 1 edge; every async
-           schedule
+scope      every start of the model in every map of the class 'maps' with at most 1 edge; every
+           async schedule
 gate       no map was forgotten: the number equals an independent count (log-series of
            permutations)
-anonymous  starts that differ only in the robots' numbers are searched separately
+anonymous  starts that differ only in the robots' numbers are searched one by one
 
 Finished levels
 edges  vertices  maps  worlds  configurations  most  longest

@@ -42,7 +42,7 @@ def test_a_sample_beyond_the_exhaustive_bound_has_a_row_for_each_number_of_edges
     for what in ("worlds", "runs", "traversals"):
         told = sum(int(row[header.index(what)].replace(",", "")) for row in rows)
         assert told == sum(row[what] for row in report.to_json()["rows"])
-    assert "of the class maps with 6 to 9 edges" in dict(scope_words(report))["scope"]
+    assert "of the class 'maps' with 6 to 9 edges" in dict(scope_words(report))["scope"]
     assert ': 40 random worlds with 6 to 9 edges" ' in file_of("junit", report)
 
 

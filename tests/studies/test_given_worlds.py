@@ -36,7 +36,7 @@ def test_given_worlds_are_tried_as_they_are_in_a_check_of_all(workers):
     assert (scope["given"], scope["gate"], scope["complete"]) == (every.runs, "absent", True)
     assert "given" not in every.to_json()["scope"]
     said = text(report, 1000)
-    assert f"each of {every.runs} given worlds of the class maps" in said
+    assert f"each of {every.runs} given worlds of the class 'maps'" in said
     assert "absent: the worlds were given" in said
 
 

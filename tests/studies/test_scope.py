@@ -63,7 +63,7 @@ def test_the_worlds_that_were_asked_for_are_told_in_document_and_text(name):
     for scope in of_all(report):
         assert (scope["class"], scope["edges"], scope["where"]) == ("simple", 2, "trees")
         assert name == "count" or scope["lighthouse"] == "compass"
-    assert "of the class simple, trees, with at most 2 edges" in said
+    assert "of the class 'simple', trees, with at most 2 edges" in said
     assert name == "count" or "compass" in said
 
 

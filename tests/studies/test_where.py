@@ -114,7 +114,7 @@ def test_several_conditions_add_up(folder, cli):
     assert report.worlds < sum(1 for _ in allworlds.worlds(edges=3, where="alone.py:even"))
     code, out, _ = cli("count", "--edges", "4", "--where", "trees", "--where", "regular:1")
     assert code == 0
-    assert out.startswith("COUNTED    1 rooted map of the class maps, trees and regular:1,")
+    assert out.startswith("COUNTED    1 rooted map of the class 'maps', trees and regular:1,")
     with pytest.raises(InputError, match=r"^where 'foo' is not one of cubic"):
         allworlds.count(edges=2, where="cubic and foo")
 

@@ -392,13 +392,13 @@ class Extent(Struct, frozen=True):
         least = 1 + self.map_class.simple
         if self.vertices is not None and self.vertices < least:
             raise InputError(
-                f"vertices = {show(self.vertices)}, but a map of the class {self.map_class} has at "
-                f"least {least}"
+                f"vertices = {show(self.vertices)}, but a map of the class '{self.map_class}' has "
+                f"at least {least}"
             )
         if self.edges is None and (self.vertices is None or not self.map_class.simple):
             alone = f"; vertices = {self.vertices} alone is none here" if self.vertices else ""
             bounds = "edges, or vertices for the simple classes"
-            raise InputError(f"the class {self.map_class} needs a bound: {bounds}{alone}")
+            raise InputError(f"the class '{self.map_class}' needs a bound: {bounds}{alone}")
 
     @property
     def levels(self) -> Sequence[int]:

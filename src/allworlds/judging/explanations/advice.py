@@ -51,10 +51,11 @@ KEPT = (
 
 
 UNWRITTEN = (
-    "Does it read memory that nobody has written? Compile it with -g; then 'valgrind -q "
-    "--trace-children=yes --track-origins=yes' before the command below, with --start-timeout 600 "
-    "--answer-timeout 600 behind it, names the line. Memory that was freed is found sooner by "
-    "-fsanitize=address,undefined, with LD_PRELOAD=$(gcc -print-file-name=libasan.so)."
+    "Does it read memory that was never written? To find the line, compile it with -g, write "
+    "'valgrind -q --trace-children=yes --track-origins=yes' before the command below, and "
+    "'--start-timeout 600 --answer-timeout 600' after it. To find a read of freed memory sooner, "
+    "compile it with -fsanitize=address,undefined and set "
+    "LD_PRELOAD=$(gcc -print-file-name=libasan.so)."
 )
 """A further question about a shared library, which tells how to find the line."""
 

@@ -137,9 +137,9 @@ def tell_whose_budget(finding: Finding) -> str:
     world = size(map_.edge_count, map_.vertex_count)
     origin = "the bound that the explorer names"
     if value == rules.budget_of_bound(map_.vertex_count, map_.edge_count):
-        origin = f"100 times the bound {rules.the_bound}, and 100 more: no run may cost so much"
+        origin = f"which is 100 x (the bound {rules.the_bound}) + 100"
     elif value == default_step_budget(new + closing):
-        origin = f"8 x ({new} + {closing}) + 100, where {new} + {closing} is the paper's bound"
+        origin = f"which is 8 x ({new} + {closing}) + 100; {new} + {closing} is the paper's bound"
     budget = f"In a world with {world} the budget is {plural(value, 'traversal')}, {origin}."
     return " ".join([budget, *_say_tried(finding)])
 
@@ -479,16 +479,17 @@ def _whose(finding: Finding) -> str:
     world = size(map_.edge_count, map_.vertex_count)
     new, closing = bounds.paper_terms(map_.vertex_count, map_.edge_count)
     paper = (
-        "what the paper proves for its Algorithm 1 in Section VI: the sum of (1), the passes that "
-        "find a new vertex, and (2), the passes that close an edge between known ones"
+        "the sum that the paper proves for its Algorithm 1 in Section VI: (1), the cost of passes "
+        "that find a new vertex, plus (2), the cost of passes that join two known vertices"
     )
     sums = f"In a world with {world} the sum is {new} + {closing}"
     if name == "paper":
         return f"The bound 'paper' is {paper}. {sums} = {value}."
     if name == "two-vertices":
         return (
-            f"The bound 'two-vertices' is {paper}; it adds two traversals for each test of a "
-            f"hypothesis, and the search among the darts of the start. {sums}, the bound {value}."
+            f"The bound 'two-vertices' is {paper}; to this sum the bound adds two traversals for "
+            f"each test of a hypothesis, and the search at the start for the dart to v1. {sums}, "
+            f"the bound {value}."
         )
     own = rules.the_bound == rules.own_bound
     owner = "the explorer's own" if own else "the one that was asked for"

@@ -71,8 +71,8 @@ def tell_round(story: Story) -> list[str]:
     lines = code.steps[found.first - 1 : found.first - 1 + found.steps] if code else ()
     named = [line for line in dict.fromkeys(lines) if line][:SHOWN]
     at = f" ({'lines' if len(named) > 1 else 'line'} {', '.join(named)})" if named else ""
-    how = f"{plural(found.steps, 'step')}, {found.times} times, to {where}"
-    return [f"From step {found.first} on it repeats {how}{at}."]
+    walked = f"{found.times} times a round of {plural(found.steps, 'step')}: to {where}"
+    return [f"From step {found.first} on it walked {walked}{at}."]
 
 
 def tell_way_back(story: Story) -> list[str]:

@@ -116,7 +116,7 @@ def class_content(found: AmbiguityClass) -> parts.ReportContent:
 
 
 def _size_of(found: AmbiguityClass) -> parts.Headline:
-    universe = f"in the class {found.map_class}"
+    universe = f"in the class '{found.map_class}'"
     if found.size == 1:
         text = f"no other world {universe} has the same quotient: a robot can map this world"
         return parts.Headline("ALONE", text, "holds")

@@ -74,7 +74,7 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
         sizes = f"{plural(len(cells), 'size')} finished"
         if report.complete:
             sizes = f"all {plural(len(cells), 'size')} complete"
-        short["gate"] = f"{sizes}; the number equals an independent count{_listed(cells)}"
+        short["gate"] = f"{sizes}; an independent count agrees{_listed(cells)}"
     words = [(name, short.get(name, said)) for name, said in scope_words(report) if said]
     if report.tally.rows and not report.findings:
         rows = sorted(report.tally.rows.items())
@@ -195,7 +195,7 @@ def _of_sample(report: CheckReport) -> Iterator[tuple[str, str]]:
     sample = report.asked.coverage
     if not isinstance(sample, units.Sample):
         return
-    yield "mixture", f"{', '.join(sample.mix)}; in turn, each with the seed {sample.seed}"
+    yield "mixture", f"{', '.join(sample.mix)} (one draw of each in turn); seed {sample.seed}"
     if report.bred:
         bred = "from drawn worlds, for lines of code that few runs reach; not counted"
         yield "bred", f"{plural(report.bred, 'world')} {bred}"
@@ -280,7 +280,7 @@ def _listed(cells: Sequence[GateCell]) -> str:
     Empty if there is no such number.
     """
     most = max((cell.edges for cell in cells if cell.listed), default=0)
-    return f"; up to {plural(most, 'edge')} listed" if most else ""
+    return f"; up to {plural(most, 'edge')} another list agrees" if most else ""
 
 
 def _why_vacuous(report: CheckReport) -> str:

@@ -28,7 +28,7 @@ SAID = (
 
 
 def of_the_class(extent: Extent, least: int = 1) -> str:
-    """The class in words, such as ``of the class maps, trees, with at most 3 edges``.
+    """The class in words, such as ``of the class 'maps', trees, with at most 3 edges``.
 
     Behind the class stands the condition, here trees; ``least`` is the smallest number of edges.
     """
@@ -42,7 +42,7 @@ def of_the_class(extent: Extent, least: int = 1) -> str:
     if extent.vertices:
         limits.append(f"at most {words.plural(extent.vertices, 'vertex', 'vertices')}")
     bounds = f" with {' and '.join(limits)}" if limits else ""
-    return f"of the class {extent.map_class}{where}{bounds}"
+    return f"of the class '{extent.map_class}'{where}{bounds}"
 
 
 def each_of(given: MapSource) -> str:

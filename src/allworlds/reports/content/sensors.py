@@ -141,7 +141,7 @@ def weakest_content(found: AmbiguityWeakest) -> parts.ReportContent:
         f"in every world {of_the_class(found.extent)}, {len(found.minimal)} of them minimal"
     )
     header = ["letters", "features, | between letters", "edges of twins below"]
-    table = parts.Table(header, rows, "Minimal sensors: if two letters become one, there are twins")
+    table = parts.Table(header, rows, "Minimal sensors: if two letters were one, twins exist")
     seen = parts.Section("seen", "", [table, parts.fact("scope", _scope(found.extent))])
     return parts.ReportContent(
         "allworlds ambiguity weakest",

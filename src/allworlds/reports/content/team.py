@@ -128,7 +128,7 @@ def scope_words(report: TeamReport) -> list[tuple[str, str]]:
 
 def _anonymous(report: TeamReport) -> str:
     alike = len(report.asked.team.subjects) == 1 and len(report.explorers) > 1
-    said = "starts that differ only in the robots' numbers are searched separately"
+    said = "starts that differ only in the robots' numbers are searched one by one"
     return said if alike and not report.asked.starts else ""
 
 

@@ -141,7 +141,7 @@ class Batch(Struct, frozen=True):
                 size = random.randint(self.min_edges, extent.levels[-1])
         assert extent.where is not None
         raise InputError(
-            f"where {show(extent.where.name)}: {tries + 1} maps of the class {extent.map_class} "
+            f"where {show(extent.where.name)}: {tries + 1} maps of the class '{extent.map_class}' "
             f"with {self.min_edges} to {extent.levels[-1]} edges were drawn, and the condition is "
             "true of none; legal is a condition that is true of more maps"
         )
