@@ -42,11 +42,11 @@ The modules, in this order; ``protocol.playing`` and ``log`` make and read logs:
 ``across``
     all runs in small worlds, played in both orders, to find earlier runs that change a later run;
 ``players``, ``player``
-    the owner's side of a player, which starts it, hears it and notices its loss; the program that
-    a player process executes;
+    the code by which the owner of a player starts the player, hears it and notices its loss; the
+    program that a player process executes;
 ``judge``, ``compiled_judge``, ``judges``
-    the judge of every law; its twin in compiled code, which judges the same logs by the laws that
-    the kernel knows; the choice between the two;
+    the judge in Python, which knows every law; the judge in compiled code, which judges the same
+    logs by the laws that the kernel knows; the choice between these two judges;
 ``tally``
     the counts and the findings;
 ``compiled_engine``, ``kernel``

@@ -3,7 +3,7 @@
     one process:      run 1, run 2, ..., run N
     another process:  run N, ..., run 2, run 1; with few edges run 1, run 2, ..., run N once more
 
-So of any two runs, also of different units, each is once played before the other run.  The two
+Take any two runs, perhaps of different units: each is once played before the other.  The two
 processes play nothing but these runs.  If a run has different logs in the two processes, a
 bisection finds the fewest earlier runs that cause the difference.  These plays are not counted,
 because each run is counted in another unit.
@@ -35,9 +35,9 @@ MOST_EARLIER = 4
 """The largest number of earlier runs that a finding names."""
 
 FEW = 3
-"""The largest number of runs with different logs of which the causes are searched.
+"""The largest number of runs whose logs differ and for which a cause is searched.
 
-The causes of a difference are earlier runs.
+The cause of a difference is a list of earlier runs.
 """
 
 AtPlace: TypeAlias = tuple[CombinatorialMap, int]
@@ -45,9 +45,12 @@ AtPlace: TypeAlias = tuple[CombinatorialMap, int]
 
 
 class FirstLog(NamedTuple):
-    """A run as the unit that counts it has played it: the run, its log, and whether it is right.
+    """A run with its log from the unit that counts the run.
 
-    A run is right if it breaks no law.
+    Attributes:
+        due: the run.
+        log: the log that the first player of that unit has made.
+        right: whether the run breaks no law.
     """
 
     due: Due
@@ -100,7 +103,8 @@ class Across:
     Attributes:
         batch: the batch of all runs.
         begun: whether the plays have begun.
-        found: for the index of each run that refutes the explorer, the outcome of the run.
+        found: a dictionary from the index of each run that refutes the explorer to the outcome of
+            the run.
         odd: pairs of the index of a run and its second log, if the two logs of the run differ and
             no earlier run is the cause.
     """
@@ -117,7 +121,7 @@ class Across:
         self.odd: list[tuple[int, Log]] = []
 
     def begin(self, known: Mapping[AtPlace, FirstLog]) -> None:
-        """Begin the plays, once the units of the runs are done.
+        """Begin the plays, once the units that count these runs are done.
 
         Args:
             known: the logs of one process that has played nothing else, in the order of its plays;
@@ -232,11 +236,11 @@ class Across:
     # ---------------------------------------------------------------- differences
 
     def settle(self) -> None:
-        """Find the smallest run whose log is another one after other runs in its process.
+        """Find the smallest run whose log changes if other runs came before in the same process.
 
-        A run that breaks a law when it is played alone is found, too, if it is smaller.
+        A smaller run that breaks a law when it is played alone is also found.
 
-        Its outcome is put into :attr:`found`.
+        The outcome of the run is put into :attr:`found`.
         """
         first, second = self._plays
         if not (first.logs and second.logs):
@@ -279,17 +283,18 @@ class Across:
         ]
 
     def _size(self, index: int) -> tuple[Any, ...]:
-        """The key by which runs are ordered as findings are, for the run of this index."""
+        """The sort key of the run with this index; it sorts runs as findings are sorted."""
         _, place, world, _ = self.batch.runs[index]
         map_ = world.map
         code = rooted_code(map_.sigma, map_.alpha, world.start)
         return map_.edge_count, map_.vertex_count, code, place
 
     def _named(self, index: int, earlier: Sequence[int]) -> Outcome | None:
-        """The outcome that names those of the ``earlier`` runs that change the log of a run.
+        """The outcome of a run whose log is changed by ``earlier`` runs.
 
-        ``index`` is the index of the run.  Return None if no earlier runs change its log, or if
-        a second play after the same runs does not show the change again.
+        The outcome names these earlier runs.  ``index`` is the index of the run.  Return None if no
+        earlier runs change its log, or if a second play after the same runs does not show the
+        change again.
         """
         alone = self._after(self._seed, [], index)
         needed = self._needed(alone, index, earlier)
@@ -301,7 +306,7 @@ class Across:
         return after_worlds(wrong, [canonical_world(self.batch.runs[i].world) for i in needed])
 
     def _needed(self, alone: bytes, index: int, earlier: Sequence[int]) -> list[int]:
-        """The fewest earlier runs after which the run ``index`` has another log than ``alone``.
+        """The fewest earlier runs that change the log of the run ``index``.
 
         ``alone`` is the log of the run if it is played alone.  The list is empty if the log after
         all earlier runs equals ``alone``, if a second play of the run alone has another log, or if

@@ -74,7 +74,8 @@ class Judged(NamedTuple):
     Attributes:
         log: the log of the run.
         outcome: the outcome of the run.
-        fits: whether the log makes the choices that were due; True unless every schedule is tried.
+        fits: whether the run made the choices of its script, and then always the first choice; True
+            unless every schedule is tried.
     """
 
     log: Log
@@ -114,8 +115,8 @@ class RunBatch:
             each run have been compared.
         logs: the logs of the first play, and the logs of the second play.
         plain: whether Python plays the runs, and not compiled code.
-        broken: the indices of the runs that break a law, or that did not make the choices that were
-            due; if compiled code has judged the batch, only those of the smallest such runs.
+        broken: the indices of the runs that break a law, or that did not make the choices of their
+            scripts; if compiled code has judged the batch, only the smallest of these runs.
         lost: the indices of the runs in which a player was lost; their logs are missing or
             incomplete.
         judged: the runs that the Python judge has judged, by their indices.
@@ -191,7 +192,10 @@ class Judge(Protocol):
     every: bool
 
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[RunBatch]:
-        """Yield the runs of a unit in batches of about ``size()`` runs."""
+        """Yield the runs of a unit in batches.
+
+        Each call of ``size`` returns about how many runs the next batch has.
+        """
 
     def judge(self, batch: RunBatch) -> bool:
         """Judge and count the logs of a batch's first play.

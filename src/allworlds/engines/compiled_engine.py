@@ -1,4 +1,4 @@
-"""The compiled engine of a check of a built-in explorer; the Python engine checks it first.
+"""The compiled engine, which checks built-in explorers, after a comparison with the Python engine.
 
 The kernel is the compiled code.  In small worlds the kernel plays and judges every run.  With
 :data:`allworlds.engines.engine_table.WALKED_FROM` edges or more, Algorithm 1 with its directional
@@ -209,7 +209,10 @@ def compared_to(scope: Scope) -> int:
 
 
 AGREED: set[object] = set()
-"""The comparisons that have already succeeded in this process: explorer, rules, extent, walked."""
+"""The comparisons that have already succeeded in this process.
+
+Each is named by the explorer, the rules, the extent, and whether maps are also walked once.
+"""
 
 
 BATCH = 8
@@ -299,7 +302,7 @@ class CompiledEngine(Struct, frozen=True):
 
 
 def load_native() -> None:
-    """Load or compile the code that judges logs, and the code that plays libraries.
+    """Load or compile the code that judges logs, and the code that plays shared libraries.
 
     The code that makes the lighthouses of worlds is not loaded.
     """

@@ -1,4 +1,4 @@
-"""The judge in compiled code, which knows some of the laws; its twin is the judge in Python.
+"""The judge in compiled code, which knows some of the laws; the judge in Python knows all.
 
 Both judges read the same logs.  A lane keeps all logs of the smallest worlds.  When the lane loads
 the compiled judge, it compares both judges on these logs, and then on the first batch.  If the
@@ -27,10 +27,12 @@ LIBRARIES = 8
 
 
 class CompiledBatch(RunBatch):
-    """Runs that compiled code has written into arrays; a run becomes a value of Python on demand.
+    """Runs of a unit, which compiled code has written into arrays.
+
+    The method :meth:`due` makes a value of Python of a run.
 
     Attributes:
-        laid: the number of the runs in the batch, and their range among all runs of the unit.
+        laid: the number of the runs in the batch, and the numbers of these runs in the unit.
         heads: for each run some numbers, such as its number, its place and its step budget.
         tables: for each run the table of its world, with a row of numbers for each dart.
     """
@@ -77,7 +79,11 @@ class CompiledJudge:
         self.judged, self._compared = python.judged, False
 
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[CompiledBatch]:
-        """Yield the runs of a unit in batches of ``size()`` runs, or more for a library."""
+        """Yield the runs of a unit in batches.
+
+        Each call of ``size`` returns about how many runs the next batch has; if the explorer is a
+        shared library, the batch is larger.
+        """
         unit = work.unit
         assert isinstance(unit, LevelUnit)
         scope, edges = self.counter.scope, unit.edges
@@ -164,7 +170,7 @@ class CompiledJudge:
         return tally
 
     def _index_of(self, batch: CompiledBatch, code: Code, place: int | None) -> int:
-        """The index in the batch of the run with this code of its rooted map, and with this place.
+        """The index, in the batch, of the run with this place in the map with this canonical code.
 
         Raises:
             EnginesDisagree: if the batch has no such run.

@@ -267,7 +267,9 @@ def end_job(job: str) -> None:
 
 @contextmanager
 def local_cluster(workers: int) -> Iterator[str]:
-    """A context with the address of a new cluster on this machine; its end kills the processes.
+    """A context with the address of a new cluster on this machine.
+
+    At the end of the context the processes of the cluster are killed.
 
     All processes of the cluster have one parent, so that they can be killed without asking them.
     """
@@ -297,7 +299,7 @@ def local_cluster(workers: int) -> Iterator[str]:
 
 
 def serve(workers: int) -> None:
-    """Print the address of a new cluster with this number of workers; end it when stdin ends."""
+    """Print the address of a new cluster with these workers; end the cluster when stdin ends."""
     from distributed import LocalCluster
 
     stdout = os.dup(1)

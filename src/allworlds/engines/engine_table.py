@@ -69,8 +69,8 @@ def local_or_dask(
     Args:
         cluster: the address of the scheduler; None for no cluster.
         deadline: the end of the time limit, on the monotonic clock; or None.
-        workers: the number of processes of a local cluster, or of threads without a cluster; 0
-            stands for one process for each core, or without a cluster for this thread.
+        workers: for a cluster on this machine, the number of its processes, with 0 for one process
+            on each core; without a cluster, the number of threads, with 0 for this thread alone.
         batch: the number of units that a thread gets at a time.
     """
     if cluster is None:
@@ -274,9 +274,9 @@ class Compiled(EngineKind):
     name = "kernel"
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:
-        """The reason why one walk in a large map counts for every bearing; empty if it does not.
+        """The reason why one walk in a large map counts for every bearing, or an empty text.
 
-        Then every run is played.
+        If the text is empty, every run is played.
         """
         if not walks(scope, subject, scope.extent.levels[-1]):
             return ""
@@ -347,9 +347,9 @@ EngineName: TypeAlias = Annotated[str, one_of(*ENGINES)]
 def why_not_compiled(scope: Scope, subject: Subject, memory: int | None = None) -> str:
     """The reason why a large check does not use the compiled engine, although the user expects it.
 
-    The user expects this engine if the explorer is a shared library; with more than
-    :data:`COMPILED_FROM` edges also if only the compiler is missing.  In all other cases, and if
-    the engine is used, the reason is empty.
+    The user expects this engine in two cases: the explorer is a shared library; or the check has
+    more than :data:`COMPILED_FROM` edges, and only the compiler is missing.  In all other cases the
+    reason is empty.  It is also empty if the engine is used.
     """
     most = scope.extent.levels[-1]
     if most < COMPILED_FROM or _is_kept_out(subject, memory):

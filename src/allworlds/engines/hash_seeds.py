@@ -1,5 +1,7 @@
 """The hash seeds of the plays, and the meaning of two plays of a run that differ.
 
+The left column says what further plays show, the right column what follows:
+
     ==================================================  ======================================
     under each seed, fresh players repeat the play      the seeds explain the difference: the run
     of that seed every time                             is right if it is right with each seed

@@ -43,7 +43,11 @@ class PythonJudge:
         self._given = given or ()
 
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[RunBatch]:
-        """Yield the runs of a unit in batches of ``size()`` runs; the last batch may be smaller."""
+        """Yield the runs of a unit in batches.
+
+        Each call of ``size`` returns the number of runs of the next batch; the last batch may be
+        smaller.
+        """
         batch = RunBatch(self, work, ())
         for run in self.counter.runs(work.unit):
             world = self.counter.count_run(run, batch.tally)
@@ -58,7 +62,10 @@ class PythonJudge:
             work.tally.add(batch.tally)
 
     def judge(self, batch: RunBatch) -> bool:
-        """Judge and count the logs of a batch's first play; return True: all can be judged."""
+        """Judge and count the logs of a batch's first play.
+
+        Return True, because no log is missing.
+        """
         work = batch.work
         for index, due in enumerate(batch.runs):
             one = batch.outcome(index)
@@ -166,8 +173,9 @@ class PythonJudge:
 def table_of(world: World) -> bytes | tuple[int, ...]:
     """The table from which a player makes a :class:`allworlds.protocol.playing.TableWorld`.
 
-    It has five numbers for each dart: the first dart of the vertex, the other dart of the edge, and
-    the percept on arriving by the dart, with the bearing plus 1, or 0 without a bearing.
+    The table has five numbers for each dart: the first dart of its vertex; the other dart of its
+    edge; and the percept of a robot that arrives by the dart, which is three numbers: degree,
+    marks, and the bearing plus 1 (0 stands for no bearing).
 
     Args:
         world: a world with a static lighthouse: no action changes a percept.
@@ -189,9 +197,9 @@ BACK = actions.Move(0)
 
 @lru_cache(1)
 def _vertex_by_vertex(map_: CombinatorialMap, start: Dart) -> dict[Dart, int]:
-    """The darts from the start on, each with the position of the first dart of its vertex.
+    """All darts, vertex by vertex, each with the position of the first dart of its vertex.
 
-    The darts of each vertex are consecutive, and clockwise.
+    The first dart is ``start``.  The darts of each vertex are consecutive, and clockwise.
     """
     first: dict[Dart, int] = {}
     for dart in (start, *map_.darts):

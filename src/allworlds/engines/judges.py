@@ -1,4 +1,4 @@
-"""The choice of the judge of a unit: in Python; or in compiled code, which pays in large levels."""
+"""The choice between two judges of a unit: in Python, or in compiled code for large levels."""
 
 from functools import partial
 from random import Random

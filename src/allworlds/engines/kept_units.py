@@ -59,12 +59,15 @@ class Identity(doc.Document):
 
     @property
     def portion(self) -> Shard:
-        """The shard of the units that is done."""
+        """The shard: the part of all units that the job does."""
         return a_shard(shard_numbers(self.shard))
 
     @property
     def code(self) -> dict[str, str]:
-        """The user's code that the job needs: by name, the text of a file or a module's digest."""
+        """The user's code that the job needs.
+
+        Return a dictionary from each name to the text of the file, or to the digest of the module.
+        """
         code: dict[str, str] = self.parameters.get("code", {})
         return code
 

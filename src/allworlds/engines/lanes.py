@@ -45,7 +45,7 @@ AT_A_TIME = 4096
 """The number of units that are put into a random order at a time."""
 
 MOST_ATTEMPTS = 2
-"""The job is given up once this number of lanes has ended too early while they had one unit."""
+"""The job is given up once this number of lanes has ended too early with the same unit."""
 
 AHEAD = 2
 """The largest number of units that a forked lane has at a time."""
@@ -111,7 +111,7 @@ def _heard(processes: Sequence[_Process], seconds: float) -> list[_Process]:
 
 
 class Lanes(Struct):
-    """The transport into lanes: one here, others in processes of their own.
+    """The transport into lanes: one in this process, the others in processes of their own.
 
     Attributes:
         subject: the explorer.
@@ -228,9 +228,10 @@ class Lanes(Struct):
         """Remove a forked lane whose process has ended too early; return its units.
 
         Raises:
-            InputError: if too many lanes have ended over one of these units, and a lighthouse, task
-                or condition of the user takes part.
-            Unsettled: if too many lanes have ended over one of these units, in all other cases.
+            InputError: if too many lanes have ended while they did one of these units, and a
+                lighthouse, task or condition of the user takes part.
+            Unsettled: if too many lanes have ended in this way, and no such code of the user takes
+                part.
         """
         self._processes.remove(process)
         how, left = process.end(), process.units

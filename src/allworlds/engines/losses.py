@@ -1,5 +1,7 @@
 """The meaning of the loss of a player.
 
+The left column says what a further play shows, the right column what follows:
+
     ======================================================  ====================================
     a fresh player that plays this run alone is also lost   the run breaks the law of the loss
     the fresh player is not lost; the machine cannot be     the run breaks that law after other runs

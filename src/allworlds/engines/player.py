@@ -238,7 +238,7 @@ def played(
 
 
 def turns_of(subject: Subject, player: Player, beat: Any) -> Turns:
-    """The explorer as a program that replies turn by turn, before its first turn."""
+    """The explorer in a form that answers single turns; no turn has been taken yet."""
     from allworlds.protocol.turns import Turns
 
     if subject.program:
@@ -247,7 +247,7 @@ def turns_of(subject: Subject, player: Player, beat: Any) -> Turns:
 
 
 def turns_taken(turns: Turns, batch: dict[str, Any]) -> list[bytes]:
-    """The replies of a program, as bytes, to the turns or the histories of a batch."""
+    """The replies of a program, as bytes, to all turns or to all histories in a batch."""
     if batch["kind"] == "histories":
         return turns.plays(batch["content"])
     return turns.replies(batch["content"], known=batch["known"])
@@ -286,7 +286,10 @@ def senses(world: World, made: Sequence[actions.Action]) -> bytes:
 
 
 def in_bytes(told: actions.Told, transcript: actions.Transcript) -> bytes:
-    """The value that a robot is told, and its transcript, as bytes; equal pairs, equal bytes."""
+    """The value that a robot is told, and its transcript, as bytes.
+
+    Equal values and transcripts give equal bytes.
+    """
     return repr((told, transcript.to_json())).encode()
 
 

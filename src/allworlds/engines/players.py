@@ -1,4 +1,4 @@
-"""The owner's side of a player: it starts the player, gives batches, hears logs, notices a loss.
+"""The code by which an owner starts a player, gives it batches, hears logs, and notices a loss.
 
 A player is a process with an explorer (:mod:`allworlds.engines.player`); its owner is the process
 that has started it.  An explorer that no other process can import plays in :class:`PlayerHere`.
@@ -177,7 +177,8 @@ class PlayerProcess:
         seed: the hash seed of the process.
 
     Attributes:
-        jobs: pairs of a job and its message, if there is no answer to the message yet.
+        jobs: the messages that have no answer yet, each in a pair after its job; a job is any value
+            by which the owner knows the message.
         beat: two numbers in shared memory: the number of the run in progress, or
             :data:`player.NO_RUN`; and the number of the explorer's turn in this run.
         part: the log so far of a run, if the player sends it turn by turn.
@@ -222,7 +223,10 @@ class PlayerProcess:
         return (link,) if self.prints.ended else (link, self._printed)
 
     def give(self, job: Any, message: dict[str, Any]) -> None:
-        """Give the player a message; :meth:`heard` returns the answer together with ``job``."""
+        """Give the player a message; :meth:`heard` returns the answer together with ``job``.
+
+        The parameter ``job`` is any value by which the owner knows the message.
+        """
         if not self.jobs:
             self._seen, self._since = None, time.monotonic()
         self.jobs.append((job, message))
@@ -442,7 +446,7 @@ class PlayerHere:
 
     Attributes:
         beat, description, files, part: as in :class:`PlayerProcess`.
-        prints: the prints of all jobs so far, if they are recorded.
+        prints: the explorer's prints since the player was made, if they are recorded.
     """
 
     description = Description(frozenset(), has_shield=False)
@@ -469,7 +473,10 @@ class PlayerHere:
         self.jobs.append((job, message))
 
     def heard(self) -> list[JobLogs]:
-        """Answer the next message; return its job with the logs, or an empty list without a job."""
+        """Answer the next message; return its job with the logs.
+
+        Return an empty list if there is no message.
+        """
         if not self.jobs:
             return []
         job, message = self.jobs[0]
@@ -562,7 +569,7 @@ def started(setup: Setup, seed: int, notice: Any = None) -> PlayerProcess | Play
 
 
 def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> Sequence[bytes]:
-    """Give a message to a player that has no other job; return the logs with which it answers.
+    """Give a message to a player that has no other message; return the logs that it sends back.
 
     Raises:
         Lost: if the player is lost.
@@ -575,7 +582,10 @@ def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> Seq
 
 
 def logs_from(player: PlayerProcess | PlayerHere) -> Sequence[bytes]:
-    """The logs with which a player answers its only job; raises as :func:`answered` does."""
+    """The logs with which a player answers its only message.
+
+    This raises the exceptions that :func:`answered` raises.
+    """
     while True:
         wait([player], POLL)
         if isinstance(player, PlayerProcess):

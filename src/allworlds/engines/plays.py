@@ -162,7 +162,7 @@ class BothPlays:
     # ---------------------------------------------------------------- fresh ones
 
     def alone(self, which: int, batch: RunBatch, index: int) -> Attempt:
-        """The attempt of a fresh player to play one run of a batch.
+        """Let a fresh player play one run of a batch; return its logs, or how it was lost.
 
         The fresh player plays as the player ``which`` does: in the world or by percepts.
         """
@@ -189,7 +189,7 @@ class BothPlays:
         return dict(zip(runs, map(Log, logs), strict=True))
 
     def anew(self, seed: int, message: Message) -> Attempt:
-        """The attempt of a fresh player with this hash seed to answer a message."""
+        """Let a fresh player with this hash seed answer a message; return its logs, or its loss."""
         player = started(self.setup, seed)
         try:
             return answered(player, message | {"hear": message["runs"] == 1}), None

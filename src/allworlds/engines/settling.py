@@ -1,4 +1,4 @@
-"""Settling: the search for runs of a batch that break a law, once both plays of each are known.
+"""The search for runs of a batch that break a law, after both plays of every run.
 
 If the two plays of a run differ, fresh players repeat both plays, each under its own hash seed and
 twice: once in the order of the runs, and once in the reverse order.
@@ -105,7 +105,7 @@ class Settler:
     def _own(self, batch: RunBatch, index: int) -> Outcome:
         """The outcome of a run by its first play.
 
-        If that play did not make the choices that were due, the explorer is nondeterministic.
+        If that play did not make the choices of its script, the explorer is nondeterministic.
         """
         one = batch.outcome(index)
         if not one.fits:
@@ -191,7 +191,7 @@ class Settler:
 def _is_refused(without_words: Log, in_words: Log) -> bool:
     """Whether both plays end with the same illegal action.
 
-    The log without texts does not contain this action; the log with texts does, as its last one.
+    The log without texts leaves this action out; the log with texts ends with this action.
     """
     known = without_words.actions
     faults = fault_of(without_words), fault_of(in_words)

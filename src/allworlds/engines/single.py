@@ -175,7 +175,10 @@ REPEATED = 5
 
 
 class OutcomeCounter(RunCounter, frozen=True):
-    """The counter of a single run, which keeps all outcomes of the run; the last outcome counts."""
+    """The counter of a single run.
+
+    It keeps all outcomes of the run; the last of them is the outcome that is reported.
+    """
 
     outcomes: list[Outcome] = field(default_factory=list)
 
@@ -353,7 +356,7 @@ def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limi
 
 
 def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
-    """The finding of a loss, with the walk of this log.
+    """The finding of a loss, in which the walk is now that of this log.
 
     ``confirmed`` says whether the player was lost again by the same law.
     """
@@ -368,11 +371,13 @@ def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
 
 
 def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: int) -> Finding:
-    """The finding with ``confirmed``: whether fresh processes repeat the run by its percepts alone.
+    """The finding, with the result of playing its run again by its percepts alone.
 
-    If a process plays the run differently, the returned finding says that the explorer is
-    nondeterministic.  Such a finding is confirmed by plays that differ.  The players of ``later``
-    first play runs in other worlds.  ``first`` is the log of a play that has been made already.
+    The field ``confirmed`` of the returned finding says whether fresh processes repeat the run.  If
+    a process plays the run differently, the returned finding says that the explorer is
+    nondeterministic.  A finding that already says so is confirmed if the plays differ.  The players
+    of ``later`` first play runs in other worlds.  ``first`` is the log of a play that has been made
+    already.
     """
     record = finding.transcript.actions, finding.choices
     if finding.after:

@@ -99,9 +99,11 @@ class Sweep(ABC, Generic[Total, Answer]):
         verb: the study's name on the command line.
         request_type: the class of the study's requests.
         result: the class of the results of units, if its constructor needs no arguments.
-        finer: the number of decisions by which prefixes of units are longer than usual.
+        finer: the number of decisions by which the prefix of each unit is longer than usual; a unit
+            holds the maps that are made by decisions beginning with its prefix, so that a longer
+            prefix makes a smaller unit.
         narrowed: the extent whose condition is checked in fresh processes; None for no check.
-        portion: the shard of the units that is done.
+        portion: the shard: the part of all units that the job does.
         seconds: the seconds that each finished level took.
         deadline: the end of the time limit, on the monotonic clock; or None.
         kept: the finished units of the job, while it goes on.

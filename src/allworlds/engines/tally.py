@@ -149,9 +149,9 @@ class Tally:
         return (edges, vertices) <= self.findings[-1].key[:2]
 
     def find(self, finding: Finding) -> None:
-        """Keep the finding if it is the smallest of its law and map, and among all the smallest.
+        """Keep the finding if it is one of the ``keep`` smallest.
 
-        At most ``keep`` findings are kept.
+        Of several findings with the same law and map only the smallest is kept.
         """
         if len(self.findings) >= self.keep and finding.rank >= self.findings[-1].rank:
             return
@@ -221,8 +221,9 @@ class RunCounter(Struct, frozen=True):
     Attributes:
         scope: the worlds and the rules of the check.
         keep: the number of findings that are kept.
-        compiled_from: the least number of worlds of a level whose runs compiled code judges, if
-            the explorer is a user's; in smaller levels Python judges.  None: Python judges always.
+        compiled_from: if a level has at least this number of worlds, compiled code judges the runs
+            of a user's explorer in that level; in smaller levels Python judges.  None if Python
+            judges always.
     """
 
     scope: units.Scope
@@ -273,7 +274,10 @@ class RunCounter(Struct, frozen=True):
     def settle(
         self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
     ) -> None:
-        """Keep the finding of a run if the run breaks a law; its two plays have been compared."""
+        """Keep the finding of a run if the run breaks a law.
+
+        The two plays of the run have been compared before.
+        """
         if outcome.violation and tally.wants(world.map.edge_count, world.map.vertex_count):
             tally.find(referee.finding(world, place, outcome))
 

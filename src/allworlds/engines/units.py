@@ -98,9 +98,13 @@ class Transport(Protocol):
 class Shard(Struct, frozen=True):
     """One of ``count`` parts, to which the units of every level are dealt; the first has index 0.
 
-    A scope says by a shard or by a :class:`Sample` which worlds are tried.  So both classes have
-    the attributes ``drawn``: whether worlds are drawn at random; ``finished``: the words of reports
-    for what is finished; and ``min_edges``: the least number of edges of a world.
+    A scope has a shard or a :class:`Sample`, which says which worlds are tried.  So both classes
+    have these attributes.
+
+    Attributes:
+        drawn: whether worlds are drawn at random.
+        finished: the words of reports for what is finished.
+        min_edges: the least number of edges of a world.
 
     Raises:
         InputError: if the index or the count is no integer, or is out of range.
@@ -209,7 +213,10 @@ _LONG = "this takes long, or does not end; an interrupt ends it with what is fin
 
 
 class LevelUnit(Struct, frozen=True):
-    """All maps of a level that the enumeration makes by decisions which begin with ``prefix``."""
+    """All maps of a level whose first decisions are ``prefix``.
+
+    The enumeration makes each map by a list of decisions.
+    """
 
     edges: int
     prefix: tuple[int, ...]
@@ -285,8 +292,8 @@ def units_of_level(
     """The units of a level that belong to a shard; the number of workers does not change them.
 
     If there are several shards, the weights of all units are computed first, so that each shard
-    gets about the same number of worlds.  The prefix of each unit is longer by ``finer`` decisions
-    than usual: if one world takes long, a unit must have fewer worlds.
+    gets about the same number of worlds.  The larger ``finer`` is, the fewer worlds a unit has: the
+    prefix of each unit is longer than usual by this number of decisions.
     """
     given = extent.given
     if isinstance(given, GivenMaps):
@@ -485,7 +492,7 @@ class Sample(Struct, frozen=True):
     """Random worlds that are tried in place of all worlds: their number, their seed, their least m.
 
     ``mix`` names ways of drawing a map, which take turns; if it is empty, the class of maps
-    determines the ways.  ``portion`` is the shard of the drawn worlds that is done.
+    determines the ways.  ``portion`` is the shard: the part of the drawn worlds that this job does.
 
     Raises:
         InputError: for numbers out of range.

@@ -6,7 +6,7 @@ searches the dart of v0 that leads to v1; and after a test that has come to v0 i
 it goes out by that dart, and back.  Hypotheses are tried in the order in which their darts came
 into S; each test walks to v0 on the first of the shortest paths.
 
-The twin is :mod:`allworlds.explorers.builtin.algorithm1`.
+The twin, Python code with the same results: :mod:`allworlds.explorers.builtin.algorithm1`.
 
 Source: Algorithm 1, Section IV.
 """
@@ -181,7 +181,7 @@ def _test(robot, action):
 
 @inner
 def reject(robot, action):
-    """Count the case, (1) or (2), in which a test fails, and take the first step of line 15."""
+    """Note that a test fails: count its case, (1) or (2), and take the first step of line 15."""
     robot.events[names.CASE_2 if robot.owner[robot.here] == 0 else names.CASE_1] += 1
     robot.turned = -robot.turned
     retrace(robot, action)
@@ -237,7 +237,10 @@ def _augment_by_vertex(robot, action):
 
 @inner
 def _add_vertex(robot, degree, marks, bearing):
-    """Add a vertex to S and its darts to U; this percept is expected on arriving by any of them."""
+    """Add a vertex to S, and its darts to U.
+
+    A robot that arrives by one of these darts should get this percept.
+    """
     entry, v = robot.darts, robot.vertices
     for dart in range(entry, entry + degree):
         robot.sigma[dart] = dart + 1
@@ -303,7 +306,7 @@ def _plan(robot, start, goal):
 
 @inner
 def _nearer(robot, v):
-    """The first dart of vertex v that leads nearer to the goal of the last ``_measure``."""
+    """The first dart of vertex v that leads nearer to the goal of the last :func:`_measure`."""
     dart = robot.first[v]
     while robot.length[robot.owner[robot.alpha[dart]]] != robot.length[v] - 1:
         dart += 1

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Level(Struct, frozen=True, eq=False):
-    """The request that all units of a level share.
+    """What Python asks of the kernel about a level; it is the same for all units of the level.
 
     A level is all worlds with one number of edges.  A map is made by decisions, its *gluing*; a
     unit is the maps of a level whose gluing begins with one list of decisions.
@@ -171,7 +171,7 @@ GLUING = _record(
     # For the rule, by vertices: the set of neighbours, and the number of open darts.
     (int64, "neighbours unmatched", DARTS),
 )
-"""The state of the enumeration: a partial map, which decisions extend and which shrinks again."""
+"""The state of the enumeration: a partial map.  Decisions add to the map, and are undone again."""
 
 WORLD = _record(
     # The lighthouse: the number of its place, its dart at v0, what it tells.
@@ -380,7 +380,10 @@ class Kept(NamedTuple):
 
 
 def new(kind: Any) -> Any:
-    """A structured array of this type, all zero; a page of it takes memory once it is written."""
+    """A structured array of this type, all zero.
+
+    A page of the array takes memory only once something is written to the page.
+    """
     memory = mmap(-1, kind.itemsize, MAP_PRIVATE)
     return frombuffer(memory, kind).view(recarray)[0]
 

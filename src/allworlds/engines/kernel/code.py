@@ -1,4 +1,4 @@
-"""Canonical codes and fingerprints of rooted maps, and sorted rows with the least runs."""
+"""Canonical codes and fingerprints of rooted maps, and rows that hold the least of many runs."""
 
 from allworlds.engines.kernel.arrays import NONE
 from allworlds.engines.kernel.compiling import inlined, inner
@@ -9,7 +9,7 @@ FACTOR, LESS = 0x1E3779B97F4A7C15, (1 << 62) - 1
 
 @inlined
 def mixed(code, decision):
-    """The fingerprint of a gluing after one more decision; ``code`` is the fingerprint before."""
+    """The fingerprint of a partial map after one more decision; ``code`` is that before it."""
     code = (code ^ decision) * FACTOR & LESS
     return code ^ code >> 31
 
@@ -18,7 +18,7 @@ def mixed(code, decision):
 def fingerprint(world, alpha):
     """The fingerprint of the rooted map, if the darts of each vertex are consecutive.
 
-    The twin is :func:`allworlds.maps.enumeration.fingerprint`.
+    The twin, Python code with the same results: :func:`allworlds.maps.enumeration.fingerprint`.
     """
     number, order = world.number, world.order
     code = met = known = taken = dart = 0
@@ -92,7 +92,10 @@ def _encode_unrooted(world, row, start):
 
 @inner
 def note(world, law, row):
-    """Write a run to ``row``, without the last part, the code of its map without a root."""
+    """Write the numbers of a run to ``row``.
+
+    The last part of the row, the code of the map without a root, is left as it is.
+    """
     row[0] = world.vertices
     encode(world, 0, row, 1)
     row[1 + 2 * world.darts] = world.place
@@ -101,10 +104,11 @@ def note(world, law, row):
 
 @inner
 def blame(world, law, least, row):
-    """Keep a run that breaks this law if it is among the least.
+    """Keep a run that breaks this law, if there is room, or if it is less than a kept run.
 
-    The kept runs are the rows of ``least``.  Of all runs that break one law in one map, whatever
-    the root of the map, only the least is kept.  ``row`` is room for the run.
+    The kept runs are the rows of ``least``, sorted by number of vertices, code, place and law.  Of
+    all runs that break one law in one map, with any root, only the least is kept.  ``row`` is room
+    for the run.
     """
     note(world, law, row)
     if not _before(row, least, least.shape[0] - 1):

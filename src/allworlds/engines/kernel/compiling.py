@@ -148,7 +148,7 @@ def _call(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> 
 
 @intrinsic
 def call(_context, address, arguments):
-    """Call the function at the address, which returns nothing, with a tuple of arguments."""
+    """Call the function at the address with a tuple of arguments; the function returns nothing."""
     return types.void(address, arguments), _call
 
 
@@ -214,7 +214,7 @@ def neighbours(graph, front):
 
 
 def _at(builder: Any, address: Any, index: Any, kind: Any) -> Any:
-    """The pointer to entry ``index`` of an array at the address, whose entries are of this type."""
+    """The pointer to entry ``index`` of the array at the address; the entries are of this type."""
     return builder.gep(builder.inttoptr(address, kind.as_pointer()), [index])
 
 

@@ -7,12 +7,12 @@ turn: the dart is joined to another open dart, or to the first dart of a new ver
 after which W can be finished are tried.  Each finished walk belongs to one world, and each world to
 one finished walk.
 
-In each pass of Algorithm 1 two conditions are checked: a new vertex of S stands for a vertex of W
-for which no other vertex of S stands; and a dart of U that is joined to another dart of U leads in
-W to the same dart as in S.  From these conditions the laws invariant-1, invariant-2 and variant
-follow.  The robot joins two darts of U only on an arrival at v0 by the last dart of the tested
-path.  That arrival also merges the robot's vertex in the folded log with v0, so the folded log
-holds every edge of S.  At the end S must be all of W.
+In each pass of Algorithm 1 two conditions are checked.  First: if a vertex is added to S, no other
+vertex of S stands for the same vertex of W.  Second: if two darts of U are joined in S, the darts
+of W for which they stand are joined in W.  From these conditions the laws invariant-1, invariant-2
+and variant follow.  The robot joins two darts of U only on an arrival at v0 by the last dart of the
+tested path.  That arrival also merges the robot's vertex in the folded log with v0, so the folded
+log holds every edge of S.  At the end S must be all of W.
 
 ``w`` is the state of the check, an array ``WALK``.  ``s`` is the part of ``w`` that is copied at
 each decision, so that the walk can go back to the decision.  Numbers of lines, e, H and the cases
@@ -53,7 +53,7 @@ _FEW = 0xFF
 
 @entry
 def explore(w, prefix, kept, halt):
-    """Walk once in every world whose gluing begins with ``prefix``, and count the world.
+    """Walk once in every world whose first decisions are ``prefix``, and count the world.
 
     If a law is broken in a world, a run with place 0 and law 0 is kept, which stands for all places
     in the world and for all laws.  The work is given up once ``halt[0]`` is not 0.
@@ -89,7 +89,7 @@ def explore(w, prefix, kept, halt):
 
 @inlined
 def _begin(w, s, prefix):
-    """Take the decisions of the prefix; let S be v0, with the robot at dart 0 of W and of S."""
+    """Take the first decisions of W; let S be v0, with the robot at dart 0 of W and of S."""
     s.open = s.darts = s.vertices = 0
     _add_vertex(w, s, -prefix[0])
     for i in range(1, len(prefix)):
@@ -136,7 +136,7 @@ def _glue(w, s, z):
 def _choose(w, s):
     """Take the next decision for the dart ``s.y``, and return True.
 
-    If no decision is left for this dart, drop its choice, and return False.
+    If no decision is left for this dart, remove it from the list of choices, and return False.
     """
     choice = w.choices[w.depth - 1]
     if choice.untried:
@@ -187,7 +187,10 @@ def _tally(w, s, kept):
 
 @inlined
 def _fingerprint(w, s):
-    """The fingerprint of W; a walk under the policy fifo has computed it, unless it has failed."""
+    """The fingerprint of W.
+
+    Under the policy fifo the walk has computed the fingerprint already, unless the walk has failed.
+    """
     if w.policy == FIFO and s.stage != FAILED:
         return s.code
     return fingerprint(w, w.partner)

@@ -50,11 +50,12 @@ from allworlds.engines.linux import COMPILER
 
 
 def judge(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Sums:
-    """Play and judge every run of the maps whose gluing begins with ``prefix``.
+    """Play and judge every run of the maps whose first decisions are ``prefix``.
 
     Args:
         level: the request.
-        prefix: the first decisions, at least one (:func:`allworlds.maps.enumeration.prefixes`).
+        prefix: the first decisions, at least one, by which these maps are made
+            (:func:`allworlds.maps.enumeration.prefixes`).
         keep: the largest number of kept runs that break a law; of all runs that break one law in
             one map only the least is kept.
         halt: an array of one number; once this number is not 0, the work is given up, and its
@@ -146,7 +147,7 @@ def _at(row: list[int], darts: int) -> At:
 
 
 def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Sums:
-    """Walk Algorithm 1 once in every map whose gluing begins with ``prefix``.
+    """Walk Algorithm 1 once in every map whose first decisions are ``prefix``.
 
     The class is ``maps``, the lighthouse is directional, all laws are checked together, and the
     bound depends on n alone.  A walk that costs more than the largest budget has failed.  If a law
@@ -214,10 +215,11 @@ class UnitJudge:
     """The compiled judge of the runs of a unit, which other processes play batch by batch.
 
     Args:
-        level, prefix: the request, and the first decisions of the gluing of each map.
+        level, prefix: the request, and the first decisions by which each map of the unit is made.
         keep: the largest number of kept runs that break a law, for each batch.
-        stretch: the memory of the first play of a batch, in worlds.
-        replay: the memory of the second play, by the percepts of the first play.
+        stretch: the memory of the first play of a batch, in which the explorer walks in worlds.
+        replay: the memory of the second play, in which the explorer gets the percepts of the first
+            play.
     """
 
     def __init__(

@@ -10,7 +10,7 @@ then leads to two nodes, these two nodes are merged, too.  Each node is a copy o
 true map, and its darts have the numbers of that vertex's darts.  Dart d of node v is the number
 ``v << NODE | d``.
 
-The twins are :mod:`allworlds.judging.laws` and
+The twins, Python code with the same results: :mod:`allworlds.judging.laws` and
 :class:`allworlds.maps.combinatorial.CombinatorialMap`.
 """
 

@@ -1,8 +1,8 @@
 """Batches of runs that a shared library plays; only player processes use this module.
 
 A batch is played in its worlds, and then again by the percepts of this first play.  A run yields a
-log (:mod:`allworlds.log`), which another process judges.  The twin is
-:mod:`allworlds.explorers.shared_library`, which plays a library in Python.
+log (:mod:`allworlds.log`), which another process judges.  The twin, Python code with the same logs:
+:mod:`allworlds.explorers.shared_library`.
 """
 
 from collections.abc import MutableSequence, Sequence
@@ -50,7 +50,9 @@ class Handed(NamedTuple):
 
 
 class LibraryPlayer:
-    """A library that plays batches whose worlds compiled code has written into arrays.
+    """The player of a shared library.
+
+    It plays batches.  Compiled code has written the worlds of each batch into arrays.
 
     Args:
         explorer: the explorer, loaded in this process.
@@ -120,7 +122,7 @@ def _handed(functions: Sequence[int], memory: Sequence[Any], beat: Any) -> Hande
 
 
 def load_player() -> None:
-    """Load or compile the code by which a library plays."""
+    """Load or compile the code that plays a shared library."""
     memory = [bytearray(4 * length) for length in (3, 2, 1, 1, 1)]
     handed = _handed([0] * 5, memory, bytearray(16))
     no_runs = Stretch.of(1)
@@ -130,7 +132,10 @@ def load_player() -> None:
 
 @entry
 def move(begins, lengths, logs, moved):
-    """Copy the parts of ``logs`` with these beginnings and lengths to ``moved``, without gaps."""
+    """Copy parts of ``logs`` to ``moved``, without gaps.
+
+    The parts have the given lengths, and begin at the given indices.
+    """
     to = 0
     for run in range(len(lengths)):
         for at in range(begins[run], begins[run] + lengths[run]):

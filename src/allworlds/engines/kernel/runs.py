@@ -103,8 +103,8 @@ def examine(job, player, unit, halt):
 def _bound_of(world, bounds, met):
     """The largest legal cost of this run, or UNDEFINED if the bound has no value.
 
-    Note in ``met`` that a run of this size has occurred.  The size is n and those of the two
-    degrees on which the bound depends.
+    Note in ``met`` that a run of this size has occurred.  The size of a run consists of n, the
+    degree of v0 and the largest degree; a degree on which the bound does not depend is noted as 0.
     """
     n, d0, largest = world.vertices, 0, 0
     if bounds.shape[1] > 1:

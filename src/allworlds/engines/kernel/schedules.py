@@ -8,8 +8,8 @@ edges and each dart to cross.  The search tries each test on every simple path t
 false hypothesis must be rejected on each of these paths.
 
 Since every choice of a dart is tried, the costs are equal for all roots at v0.  So of all rooted
-maps that differ only in the root at v0, only one is searched: the one whose code, the list of its
-darts in a fixed order, is the least.
+maps that differ only in the root at v0, only one is searched: the rooted map with the least code.
+The code of a map is the list of its darts in a fixed order.
 
 Source: Algorithm 1, Section IV.
 """
@@ -53,7 +53,7 @@ class Rooms(NamedTuple):
 
 @entry
 def search(job, prefix, viable, rooms, halt):
-    """Search all schedules in every map whose gluing begins with ``prefix``.
+    """Search all schedules in every map whose first decisions are ``prefix``.
 
     The job is a new array ``SCHEDULES`` with the request filled in.  The search is given up once
     ``halt[0]`` is not 0.
@@ -126,7 +126,8 @@ def _solve(job, worst, best, reached):
 def _begin(job, reached):
     """Number the edges, and find the sets of edges that a sequence of passes can explore.
 
-    For such a set, an entry of ``reached`` is the set of its vertices and v0; else it is 0.
+    The index of an entry of ``reached`` is a set of edges.  The entry is 0 if no sequence of passes
+    explores just this set; else it is the set of the vertices of these edges, with v0.
     """
     world = job.world
     job.tests = job.wrong = 0
@@ -353,12 +354,12 @@ def schedule_costs_of_unit(
     simple: bool = False,
     planar: bool = False,
 ) -> list[ScheduleCosts]:
-    """The schedule costs of every map of a class whose gluing begins with ``prefix``.
+    """The schedule costs of every map of a class whose first decisions are ``prefix``.
 
     Args:
         edges: m.
         limit: the largest number of vertices.
-        prefix: the first decisions, at least one.
+        prefix: the first decisions, at least one, by which these maps are made.
         transit: the paths to the next dart that are tried: ``shortest`` or ``simple``.
         halt: an array of one number; once this number is not 0, the work is given up, and its
             result is void.

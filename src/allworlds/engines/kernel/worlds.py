@@ -8,7 +8,8 @@ a rule decides whether the latest decision is legal.
 
 The darts of a vertex are consecutive and clockwise, and the start is dart 0.  Each kind of
 lighthouse is a function that moves the lighthouse to its next place.  ``world.place`` is NONE
-before the first place and after the last place.  The twin is :mod:`allworlds.world.lighthouses`.
+before the first place and after the last place.  The Python code with the same lighthouses is
+:mod:`allworlds.world.lighthouses`.
 """
 
 from collections.abc import Sequence
@@ -33,9 +34,10 @@ from allworlds.engines.kernel.compiling import (
 
 
 def gluing_rule(edges: int) -> Any:
-    """A table by the number of missing and the number of open darts of a partial map.
+    """A table that says which partial maps are legal.
 
-    An entry is 1 if these numbers are legal, else 0: while darts are missing, some dart must be
+    Entry ``[missing, open]`` is 1 if a partial map may have this number of darts that are still to
+    be added, and this number of open darts; else 0.  While darts are to be added, some dart must be
     open.
     """
     viable = ones((2 * edges + 1, 4 * edges + 1), int64)
@@ -46,7 +48,7 @@ def gluing_rule(edges: int) -> Any:
 def by_vertices_and_faces(
     edges: int, limit: int, prefix: Sequence[int]
 ) -> dict[tuple[int, int], int]:
-    """The number of maps whose gluing begins with ``prefix``, by (vertices, faces).
+    """The number of maps whose first decisions are ``prefix``, by (vertices, faces).
 
     Cost: some 150 ns a map; constant memory.
     """
@@ -62,7 +64,7 @@ def by_vertices_and_faces(
 
 @entry
 def count(g, prefix, viable, counts):
-    """Count each map whose gluing begins with ``prefix``, in ``counts[vertices, faces]``."""
+    """Count each map whose first decisions are ``prefix``, in ``counts[vertices, faces]``."""
     while advance(g, prefix, viable):
         faces, left = 0, (1 << g.darts) - 1
         while left:
