@@ -1,4 +1,4 @@
-"""One run: played, judged, made a finding, explained.
+"""The way of one run: it is played and judged, perhaps becomes a finding, and is explained.
 
 ``episode``
     a run of an explorer in a world, and the ways in which a run can end;
@@ -17,7 +17,7 @@
 ``laws``
     the laws, each of which compares an answer and a log with the truth;
 ``findings``
-    a run that breaks a law as a value that can be run again;
+    findings: a run that breaks a law is kept as a value, so that the run can be played again;
 ``explanations``
     a finding in plain words.
 """

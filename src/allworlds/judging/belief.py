@@ -1,4 +1,4 @@
-"""The walk of a run in the map of its answer, and where it first contradicts the world."""
+"""The walk of a run in the map of its answer; the first step at which the world contradicts it."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
@@ -15,7 +15,9 @@ from allworlds.world.state import State
 
 
 def trail_to(map_: CombinatorialMap, here: Dart, walk: Walk | Transcript) -> list[Dart]:
-    """The robot's darts in this map, at the start and after each step, if it stops at ``here``.
+    """The robot's darts in this map, at the start and after each step.
+
+    The last dart is ``here``.
 
     Motions are reversible, so the walk is traced back to the dart where it must have begun.
     """
@@ -88,9 +90,9 @@ def find_parting(
 ) -> Parting | None:
     """The first step at which the two walks diverge; None if they never do.
 
-    After each step the robot's dart in the world is identified with its dart in the answer, and the
-    other darts of its vertex in the world, clockwise, with those of its vertex in the answer.  The
-    walks diverge when an identification contradicts an earlier one, or when a percept does not fit.
+    After each step the robot stands at a dart of the world and at a dart of the answer.  These two
+    darts are paired.  Then the next darts clockwise are paired, and so on round the two vertices.
+    The walks diverge when a pair contradicts an earlier pair, or when a percept does not fit.
 
     Args:
         world: the true map.
@@ -120,11 +122,11 @@ class BelievedWalk(Struct, frozen=True):
 
     Attributes:
         trail: the robot's darts in the answer at the start and after each step; the last dart is
-            where the robot stands by the answer.
+            the answer's ``here``.
         percepts: the percepts that the answer predicts; None if its map has no place for the
             lighthouse.
-        expected: the same percepts; if ``percepts`` is None, percepts with the answer's degrees
-            alone.
+        expected: equal to ``percepts``; if ``percepts`` is None, percepts that hold nothing but the
+            degrees in the answer.
         misfits: the steps at which the sensed percept differs from the expected one.
         parting: the first step at which the walks diverge; None if they never do.
     """
@@ -145,9 +147,10 @@ def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
     """The walk in the answer that agrees for longest with the walk in the world.
 
     The first candidate is the walk that ends at ``here``, because an explorer that errs only at the
-    end was right before.  The other candidates begin at any dart of the answer; their order is the
-    number of steps for which their degrees agree with the sensed ones, then the number of the dart.
-    Of several walks that agree equally long, the first one is taken.
+    end was right before.  There is one further candidate for each dart of the answer, which begins
+    at this dart.  These candidates are tried in an order: first the walk in which most degrees,
+    from the start on, equal the sensed degrees; among equal walks, first the walk from the smaller
+    dart.  Of several walks that agree equally long, the first one is taken.
 
     Cost: the steps times the number of darts of the answer from which the degrees agree for longer
     than the best walk so far.
@@ -171,7 +174,7 @@ def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
 
 
 def _alike(map_: CombinatorialMap, trail: Iterable[Dart], degrees: Sequence[int]) -> int:
-    """The number of steps, with the start, before a dart of the trail has not the sensed degree."""
+    """The number of darts of the trail before the first dart that has not the sensed degree."""
     pairs = zip(trail, degrees, strict=True)
     return next(
         (step for step, (dart, degree) in enumerate(pairs) if map_.degree_at[dart] != degree),

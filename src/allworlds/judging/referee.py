@@ -141,15 +141,15 @@ class Referee:
 
 
 DARTS = range(1 << 63)
-"""The darts that a document can hold; other numbers in a checkpoint are not darts."""
+"""The numbers that can be darts in a document; in a checkpoint there may also be other numbers."""
 
 
 def _believed(episode: Episode, step: int | None) -> tuple[Believed | None, str]:
     """The first wrong checkpoint, and its fault in words.
 
     If ``step`` is given, only the checkpoints after exactly this number of steps are examined, else
-    all.  If none of them is wrong, the last of them is returned with an empty fault; if there are
-    none, None is returned with an empty fault.
+    all.  If no examined checkpoint is wrong, the last one is returned with an empty fault.  If
+    there is no checkpoint to examine, None is returned with an empty fault.
     """
     at = [i for i, (steps, _) in enumerate(episode.checkpoints) if step in (None, steps)]
     given = tuple([episode.checkpoints[i] for i in at])

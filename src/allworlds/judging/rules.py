@@ -77,7 +77,7 @@ def _bound(given: object) -> Bound | None:
 def _laws(given: object) -> tuple[str, ...] | None:
     """The given names of laws, after a check that each is known and none stands twice.
 
-    None: no laws are given.
+    The result is None if no laws are given.
     """
     if given is None:
         return None
@@ -310,7 +310,10 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def judged(self) -> tuple[str, ...]:
-        """The laws that are checked, for any task other than ``map`` after the name ``task``."""
+        """The laws that are checked.
+
+        For a task other than ``map`` the first of them is the law ``task``.
+        """
         return self.applying if self.task.is_map else (TASK, *self.applying)
 
     def budget(self, map_: combinatorial.CombinatorialMap) -> int:
@@ -357,8 +360,8 @@ class Rules(RuleOptions, kw_only=False):
     def arguments(self, script: Sequence[int] = ()) -> list[str]:
         """The options of the command ``run`` for these rules, and for these first choices.
 
-        ``run`` cannot be told of a promised property, so if there is one, the options name the laws
-        that are checked.
+        The command ``run`` has no option for a promised property of the worlds.  So if there is
+        such a property, the options name the laws that are checked.
         """
         answered = any(script) or (script and self.policy != DEFAULT_POLICY)
         choices = ["--choices", ",".join(map(str, script))] if answered else []
@@ -373,7 +376,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def in_effect(self) -> dict[str, Any]:
-        """The options with their effective values, by the keys that they have in documents."""
+        """The options with the values that take effect, by the keys of the options in documents."""
         effective = {
             "task": None if self.task.is_map else self.task,
             "bound": self.the_bound,
@@ -424,10 +427,10 @@ class RecordedRules(doc.Document, forbid_unknown_fields=False):
     ] = None
 
     def rules(self, world: World, own_bound: str | None = None) -> Rules:
-        """The rules in a world; ``own_bound`` is the bound of the explorer's own, if it has one.
+        """The rules in a world; ``own_bound`` is the explorer's own bound, or None.
 
-        A recorded bound without the law ``bound``, or this law without a bound, was not checked,
-        and is left out.
+        If the record holds a bound but not the law ``bound``, the bound was not checked, and is
+        left out.  If the record holds the law ``bound`` but no bound, the law is left out.
 
         Raises:
             InputError: naming the offending option.

@@ -47,12 +47,12 @@ def visits_everything(world: World, walk: Walk, _answer: object) -> str | None:
 
 
 def walks_everything(world: World, walk: Walk, _answer: object) -> str | None:
-    """The complaint that an edge was not walked along; None if every edge was."""
+    """The complaint that an edge was not walked along; None if there is no such edge."""
     return _left(len(walk.walked), world.map.edge_count, "edges not walked along")
 
 
 def comes_home(world: World, walk: Walk, answer: object) -> str | None:
-    """The complaint that a vertex was not visited, or that the walk does not end at v0.
+    """The complaint that a vertex was not visited, or that the walk does not end where it began.
 
     None if the run has neither fault.
     """
@@ -115,7 +115,7 @@ TASK_ROLE = Role(
 
 
 class Task(Struct, frozen=True):
-    """A task: the criterion of a finished run, in a form that other processes can load.
+    """A task: what a finished run must have done, in a form that other processes can load.
 
     Attributes:
         name: a name in :data:`TASKS`, or the name of a user's function.

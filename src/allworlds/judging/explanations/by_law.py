@@ -40,9 +40,9 @@ from allworlds.world.world import World
 def _say_message(finding: Finding) -> list[str]:
     """Tell the explorer's last message: the last line that names an error, or else the last line.
 
-    The lines are those of the traceback, or of stderr; after a crash that has left none of these,
-    as by ``abort``, they are the lines that the explorer printed.  There is no sentence if there is
-    no line, or if the observation already contains the last line.
+    The lines are those of the traceback, or of stderr.  Some crashes leave neither, for example a
+    call of ``abort``; then the lines are those that the explorer printed.  There is no sentence if
+    there is no line, or if the observation already contains the last line.
     """
     said = finding.detail or (finding.output if finding.law == "crash" else "")
     lines = [line.strip() for line in said.splitlines() if line.strip()]
@@ -128,7 +128,7 @@ def tell_budget(story: Story) -> Telling:
 
 
 def tell_whose_budget(finding: Finding) -> str:
-    """Tell where the step budget comes from, and an option with which no law breaks, if known."""
+    """Tell where the step budget comes from; if known, tell options with which no law is broken."""
     rules, map_ = finding.rules, finding.world.map
     if rules.step_budget is not None:
         return f"--step-budget sets the budget: {plural(rules.step_budget, 'traversal')}."
@@ -207,7 +207,11 @@ GUESSED = "guessed"
 
 
 def tell_map(story: Story) -> Telling:
-    """Tell the slip, or the sizes of both maps, and the step at which the walks in them diverge."""
+    """Tell how the answer differs from the world, and the step at which the two walks diverge.
+
+    If a slip is found (one mistake that makes a right answer wrong), tell the slip; else tell the
+    sizes of both maps.  If the walks never diverge, tell that the answer fits the whole log.
+    """
     belief = Belief(story)
     slip, parting = the_slip(belief), tell_parting(belief)
     name = slip.name if slip else ""
@@ -285,7 +289,7 @@ def _say_misfit(belief: Belief, step: int) -> str:
 
 
 TURNED, ELSEWHERE = "off by a turn", "another vertex"
-"""The names of the mistake in ``here``: a dart of the robot's vertex, or another vertex."""
+"""Two names for a wrong ``here``: another dart of the robot's vertex; a dart of another vertex."""
 
 
 def tell_pose(story: Story) -> Telling:
@@ -313,7 +317,10 @@ def tell_pose(story: Story) -> Telling:
 
 
 def _images(belief: Belief) -> list[Dart]:
-    """The darts of the world for which ``here`` can stand; by symmetry there may be several."""
+    """The darts of the world for which the answer's ``here`` can stand.
+
+    If the map is symmetric, there are several.
+    """
     answer, map_ = belief.answer, belief.story.map
     sigma, alpha = answer.map.sigma, answer.map.alpha
     order = numbering(sigma, alpha, answer.here)
@@ -423,8 +430,8 @@ def another_world(world: World, transcript: actions.Transcript) -> World | None:
     """Another world that agrees with the log; None if the log determines the world.
 
     The other world is the folded log with a new vertex of degree 1 at the end of each open dart.
-    If this is the given world, the first new vertex gets a second edge, to a further new vertex.
-    None of the new edges is a loop.
+    If the result equals the given world, the first new vertex gets a second edge, to one more new
+    vertex.  None of the new edges is a loop.
 
     Cost: the folding, and linear in the log.
     """
@@ -463,7 +470,10 @@ def tell_bound(story: Story) -> Telling:
 
 
 def tell_whose_bound(finding: Finding) -> list[str]:
-    """Tell the other laws that hold, where the bound comes from, and an option that helps."""
+    """Tell the other laws that hold, and where the bound comes from.
+
+    If options are known with which no law is broken, tell these options, too.
+    """
     others = [law for law in finding.rules.applying if law != "bound"]
     rest = f"every other law that was checked holds: {listed(others)}" if others else ""
     if {"map", "pose"} <= {*others}:

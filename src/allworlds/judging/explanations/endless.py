@@ -36,7 +36,9 @@ class Round(Struct, frozen=True):
 
 
 def round_of(walk: Sequence[Any]) -> Round | None:
-    """The round of the longest end of a walk that repeats the same steps; None if no end does.
+    """The round with which a walk ends; None if the walk ends in no round.
+
+    If several rounds are possible, the one whose repetitions begin earliest is taken.
 
     Cost: linear, by the borders of the reversed walk (Knuth, Morris and Pratt).
     """
@@ -78,10 +80,11 @@ def tell_round(story: Story) -> list[str]:
 def tell_way_back(story: Story) -> list[str]:
     """Tell where a robot confuses two doors after a way back; no sentence if it does not.
 
-    Back at a vertex, the robot faces the door by which it had left, but some explorers count from
-    the door by which the robot had first come.  There is a sentence if two things hold when motions
-    are counted so: some motion along an edge that was walked before would have led along a new
-    edge, and no motion along a new edge would have led along an edge that was walked before.
+    A robot that comes back to a vertex faces the door by which it had left.  Some explorers count
+    doors from another door instead: the one by which the robot had first come.  There is a sentence
+    if the walk looks like this mistake.  That is: with doors counted in this wrong way, some motion
+    along a walked edge would have led along a new edge, and no motion along a new edge would have
+    led along a walked edge.
     """
     map_, darts = story.map, story.walk.darts
     came, left, walked, remarks = dict[int, Dart](), dict[int, Dart](), set[Dart](), list[str]()

@@ -162,8 +162,8 @@ class Slip(Struct, frozen=True):
         name: the name of the slip, in a word or two.
         sentence: a description with the darts of the world.
         mended: the answer's map without the slip; None if the slip is in the reading of percepts.
-        truth: the map to which the mended map is equal: the world's map, or, if one edge is the
-            slip, the world's map without this edge.
+        truth: the map that equals the mended map: the world's map; but if the answer lacks or
+            misplaces an edge of the world, the world's map without this edge.
         here: the robot's dart in the mended map; None if the answer's ``here`` is also wrong, or if
             the dart is unknown.
     """
@@ -182,7 +182,10 @@ Recogniser: TypeAlias = Callable[[Belief], Slip | None]
 
 
 def the_slip(belief: Belief) -> Slip | None:
-    """The first slip that alone explains how the answer differs from the world; None: none does."""
+    """The first slip that alone explains how the answer differs from the world.
+
+    Return None if no slip does, or if a map has more than :data:`LARGEST` edges.
+    """
     if max(belief.answer.map.edge_count, belief.story.map.edge_count) > LARGEST:
         return None
     return next((slip for recognise in SLIPS if (slip := recognise(belief))), None)
@@ -354,10 +357,10 @@ def _without_an_edge(
     larger: CombinatorialMap,
     smaller: CombinatorialMap,
 ) -> Iterator[tuple[Dart, CombinatorialMap]]:
-    """The edges whose removal makes the larger map the smaller one.
+    """The edges whose removal makes the larger map equal to the smaller map.
 
-    ``taking`` removes an edge from a map, or returns None if it cannot.  Each edge is given by its
-    first dart, together with the map that is left.
+    The function ``taking`` removes an edge from a map, or returns None if that is impossible.  Each
+    edge is given by its first dart, together with the map that is left.
     """
     if larger.edge_count == smaller.edge_count + 1:
         for d, _ in larger.edges:

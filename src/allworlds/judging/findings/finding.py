@@ -231,7 +231,10 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @cached_property
     def kind(self) -> tuple[str, Code]:
-        """The kind of the finding: the law, and the code of the map without its start."""
+        """The kind of the finding: the law, and the map without its start.
+
+        The map is given by the least of its canonical codes, one for each start.
+        """
         map_ = self.world.map
         return self.law, min(rooted_code(map_.sigma, map_.alpha, dart) for dart in map_.darts)
 
@@ -263,8 +266,8 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
     def from_json(cls, document: str | Mapping[str, Any]) -> "Finding":
         """The finding in a document or its text, as :meth:`to_json` writes it.
 
-        The document may also be a report: of ``check`` the first finding is returned, of ``run``
-        the only one.
+        The document may also be a report.  A report of ``check`` may hold several findings, of
+        which the first is returned; a report of ``run`` holds at most one.
 
         Raises:
             InputError: naming the offending value and what would be legal.
@@ -323,7 +326,10 @@ def canonical_world(world: World) -> World:
 
 
 def labelled(world: World, given: Iterable[World]) -> World:
-    """The canonical world, with the labels of the first given world that equals it, if one does."""
+    """The canonical world, with labels if it equals a given world.
+
+    The labels are those of the first given world that equals it.
+    """
     sized = (one for one in given if one.map.edge_count == world.map.edge_count)
     return next((one for one in map(canonical_world, sized) if one == world), world)
 

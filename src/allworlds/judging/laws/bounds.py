@@ -1,4 +1,4 @@
-"""Bounds on the number of traversals: those with names (paper, two-vertices, none), expressions."""
+"""Bounds on the number of traversals: bounds with names, and bounds that expressions define."""
 
 import ast
 import operator
@@ -46,10 +46,10 @@ def paper_terms(vertices: int, edges: int) -> tuple[int, int]:
 
 
 def two_vertices_bound(vertices: int, edges: int, degree: int) -> int:
-    """The bound (1) + (2), with two traversals for each test, and the search among the darts of v0.
+    """The paper's bound, plus two traversals for each test, plus the cost of the search for v1.
 
-    In pass p = 0, 1, ..., m-1 there are at most 2m - 2p - 1 hypotheses to test, which makes
-    m^2 in all; the search costs at most 2 deg(v0).  ``degree`` is deg(v0).
+    In pass p = 0, 1, ..., m-1 there are at most 2m - 2p - 1 hypotheses to test, which makes m^2 in
+    all; the search tries the darts of v0, and costs at most 2 deg(v0).  ``degree`` is deg(v0).
     """
     return paper_bound(vertices, edges) + 2 * edges**2 + 2 * degree
 

@@ -52,7 +52,9 @@ def fold(transcript: Transcript) -> Folded:
 
 
 class _Folding:
-    """Nodes in a union-find forest; a merged node keeps the turn of its darts against its parent's.
+    """Nodes in a union-find forest, a forest of trees in which merged nodes have one root.
+
+    A merged node keeps the number of darts by which it is turned against its parent.
 
     Node v owns the darts ``first[v] .. first[v] + degree[v] - 1``.  If ``parent[v] = w``,
     dart i of v is dart ``i + shift[v]`` (modulo the degree) of w.

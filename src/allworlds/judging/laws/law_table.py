@@ -324,7 +324,10 @@ def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Da
 
 
 def first_wrong(case: Case) -> tuple[int, str] | None:
-    """The number of the first checkpoint that breaks an invariant, and its fault, or None."""
+    """The number of the first checkpoint that breaks an invariant, with its fault in words.
+
+    Return None if no checkpoint breaks an invariant.
+    """
     for number, (steps, checkpoint) in enumerate(case.checkpoints):
         if broken := _half_entered(checkpoint) or _wrong_s(case, steps, checkpoint):
             return number, broken
@@ -419,9 +422,10 @@ OF_CHECKPOINTS = ("invariant-1", "invariant-2", "variant")
 
 
 def checked_laws(laws: Iterable[str], runs: int, checkpoints: int) -> tuple[str, ...]:
-    """Those of the laws that were checked: none without a run.
+    """The given laws that were checked in this number of runs, with this number of checkpoints.
 
-    Without a checkpoint the laws about checkpoints were not checked.
+    Without a run no law was checked.  Without a checkpoint the laws about checkpoints were not
+    checked.
     """
     if not runs:
         return ()
