@@ -1,9 +1,10 @@
 """Every schedule and every choice of the adversary in one world, as a graph of configurations.
 
-A configuration is the state of the world with one *mind* for each robot: all that the robot's
-program remembers, and the action that is due.  The search is breadth first, so the first run that
-breaks a law is a shortest such run.  A *layer* holds the new configurations that one more step
-reaches.  Schedules that differ only by the order of independent steps lead to one configuration.
+A configuration is a state of the world, with one *mind* for each robot.  A mind is all that the
+robot's program remembers, with the action that the robot has still to do.  The search is breadth
+first, so the first run that breaks a law is a shortest such run.  A *layer* holds the new
+configurations that one more step reaches.  Schedules that differ only by the order of independent
+steps lead to one configuration.
 """
 
 from __future__ import annotations
@@ -47,12 +48,17 @@ class Ends(Struct):
 
 
 PlannedTurn: TypeAlias = tuple[Any, int, bool]
-"""The turn of a robot in a configuration: the action, the end or the fault of its program; the mind
-after the turn; and whether the action is done in a later event."""
+"""The turn of a robot in a configuration: three values.
+
+They are the action, the end or the fault of its program; its mind after the turn; and whether the
+action is done in a later event.
+"""
 
 
 class Search:
-    """The search of one world.
+    """The search of one world, through all configurations that runs can reach.
+
+    A configuration is a state of the world, with the minds of all robots.
 
     Args:
         world: the model in its map.
@@ -92,7 +98,9 @@ class Search:
         self._plans: list[tuple[int, Sequence[int], Sequence[int]]] = []
 
     def begin(self) -> None:
-        """Make the first configurations, one for each state at the start and each delay of robot 1.
+        """Make the first configurations.
+
+        There is one for each pair of a state at the start and a delay of robot 1.
 
         Raises:
             InputError: if there are too many robots, or if a bound on activations is given and all
@@ -126,14 +134,15 @@ class Search:
     def going(self) -> bool:
         """Whether the search goes on.
 
-        It goes on if the last layer is not empty, no law is broken, and no limit is reached.
+        It goes on if its last step has reached new configurations, no law is broken, and no limit
+        is reached.
         """
         return bool(self._layer) and self.broken is None and not self.full
 
     def plan(self) -> None:
-        """Plan the transitions from the last layer.
+        """Plan the transitions from the last layer, which holds the newest configurations.
 
-        The percepts that robots get in these transitions go into the next messages to the programs.
+        The percepts of the robots in these transitions go into the next messages to the programs.
         """
         for number in self._layer:
             state = self.states[self._keys[number][0]]
@@ -239,8 +248,8 @@ class Search:
     def _goes_on(self, number: int) -> bool:
         """Whether a run goes on although no robot can be activated.
 
-        It goes on if robot 1 begins later; or if there are rounds, in each of which the world makes
-        a step, and not all programs have ended.
+        It goes on if robot 1 begins later.  It also goes on if the world makes a step in each
+        round, and not all programs have ended.
         """
         _, _, counts = self.configuration(number)
         if self.timing.start_delay and counts[0]:
@@ -287,7 +296,7 @@ class Search:
         return ((event.group, bits_of(event.group)),)
 
     def _chosen(self, following: Sequence[Any]) -> Iterable[tuple[int, Any]]:
-        """The states that follow, with their indices.
+        """The states ``following`` that are tried, each with its index.
 
         If a schedule is given, the only state is the one that the schedule's next event chooses.
 
@@ -305,9 +314,10 @@ class Search:
         return ((index, following[index]),)
 
     def _looks(self, number: int, able: Iterable[int]) -> list[int]:
-        """The mind of each able robot after its look, or a promise of it as in :meth:`Minds.look`.
+        """The mind of each able robot after its look, or a promise of this mind.
 
-        For a robot that moves now, the result is its present mind, which is below 0.
+        :meth:`Minds.look` says what a promise is.  A robot that has looked in an earlier step moves
+        now; for this robot the result is its present mind, which is below 0.
         """
         key = self._keys[number]
         sensed, look = self._sensed_in(key[0]), self.minds.look
@@ -399,7 +409,7 @@ class Search:
     def _passed(
         self, counts: tuple[int, ...], group: Iterable[int], minds: Sequence[int]
     ) -> tuple[int, ...]:
-        """The scheduler's counts after a group was activated."""
+        """The scheduler's counts after a group was activated; see :meth:`configuration`."""
         slept: tuple[int, ...] = ()
         if self.timing.start_delay:
             slept = (max(0, counts[0] - 1),)
@@ -455,7 +465,10 @@ class Search:
         self.ends.longest = max(self.ends.longest, *depths)
 
     def _stop(self, number: int) -> None:
-        """Note that a run ends in a configuration that never changes, and a law that it breaks."""
+        """Note that a run ends in a configuration that never changes.
+
+        If the run breaks a law by this end, note the law, too.
+        """
         if broken := self.stopped(number):
             self.broken = self.broken or broken
         self._end(number)
@@ -486,7 +499,7 @@ class Search:
         return Broken(law, seen, number) if seen else None
 
     def finish(self) -> None:
-        """Look for runs that never end, after all layers."""
+        """After the last layer, look for runs that never end."""
         self.graph.begin(len(self._keys))
         if self.broken or self.full or self.timing.schedule is not None:
             return
@@ -523,7 +536,7 @@ class Search:
         return way[::-1]
 
     def assumed(self, assumption: Assumption, before: int, index: int) -> bool:
-        """Whether an assumption says that the adversary makes such a transition again and again.
+        """Whether the assumption is about the adversary's choice in a transition.
 
         The transition has the index ``index`` and leads from the configuration ``before``.
         """

@@ -1,9 +1,11 @@
 """Runs that never end, found as fair cycles that break a condition on infinite runs.
 
-A cycle is fair (weak fairness) if each robot is activated on the cycle, or cannot be activated in
-one of its configurations.  Fairness for each robot, and each assumption on the adversary, is a
-*criterion*: the cycle must have a transition that meets it.  A strongly connected component has a
-cycle that meets all criteria if each criterion is met by some transition in the component.
+The graph consists of configurations (a state of the world, with all that the programs remember) and
+of transitions between them.  A cycle is fair (weak fairness) if each robot is activated on the
+cycle, or cannot be activated in some configuration of the cycle.  A *criterion* is a condition on
+one transition; the cycle must have a transition that meets it.  Fairness gives one criterion for
+each robot, and each assumption on the adversary is one criterion.  A strongly connected component
+has a cycle that meets all criteria if each criterion is met by some transition in the component.
 """
 
 from __future__ import annotations
@@ -19,7 +21,10 @@ if TYPE_CHECKING:
     from allworlds.robots.configurations import Search
 
 Outgoing: TypeAlias = Callable[[int], Iterable[int]]
-"""The function from a configuration to the indices of its transitions that a cycle may use."""
+"""A function that returns the transitions by which a cycle may leave a configuration.
+
+The transitions are given by their indices.
+"""
 
 Unable: TypeAlias = Callable[[int], int]
 """The function from a configuration to the robots that cannot be activated in it, as a bit set."""
@@ -57,9 +62,9 @@ def broken_for_ever(search: Search) -> Broken | None:
 
 
 def cut_for_ever(search: Search) -> int | None:
-    """The number of a configuration on a cycle on which the budget alone stops a robot.
+    """Find a cycle on which the budget alone stops a robot, while other robots go on for ever.
 
-    The other robots go on for ever on this cycle.  Return None if there is no such cycle.
+    Return the number of a configuration on the cycle; None if there is no such cycle.
     """
 
     def cut(before: int, _index: int) -> bool:
@@ -79,7 +84,7 @@ def _broken_in_component(
     criteria: list[Criterion],
     outgoing: Outgoing,
 ) -> Broken | None:
-    """The law that a cycle in a component breaks; None if no law is broken.
+    """The law that a cycle in a strongly connected component breaks; None if no law is broken.
 
     If no robot is activated on the first cycle that is found, and this cycle breaks no law, a cycle
     with an activation is tried.
@@ -103,7 +108,7 @@ def _broken(search: Search, condition: Liveness, at: int, cycle: tuple[int, ...]
 
 
 def _activated(search: Search) -> Criterion:
-    """The criterion that transitions meet in which a robot is activated."""
+    """The criterion that at least one robot is activated in a transition."""
     return lambda _before, index: bool(search.graph.bits(index))
 
 
@@ -114,8 +119,9 @@ def _holds(search: Search, condition: Liveness, number: int) -> bool:
 def _criteria_of(search: Search, condition: Liveness) -> Iterator[Criterion]:
     """The criteria for a cycle that breaks the condition.
 
-    There are none for a condition that must hold again and again: it holds nowhere in the subgraph
-    in which cycles are then searched, so that every cycle breaks it.
+    A condition that must hold again and again needs no criterion.  For such a condition, cycles are
+    searched only among configurations in which the condition does not hold, so every cycle breaks
+    it.
     """
     if condition.holds is None:
         yield lambda _before, index: bool(search.graph.has_action(index))
@@ -124,7 +130,11 @@ def _criteria_of(search: Search, condition: Liveness) -> Iterator[Criterion]:
 
 
 def _fairness(search: Search, unable: Unable) -> Iterator[Criterion]:
-    """The criteria of weak fairness, one for each robot."""
+    """The criteria of weak fairness, one for each robot.
+
+    A transition meets the criterion of a robot if the robot is activated in the transition, or if
+    ``unable`` says that the robot cannot be activated in the configuration before the transition.
+    """
     bits, stuck = search.graph.bits, array("Q", map(unable, range(len(search))))
     for robot in range(len(search.program_of)):
 
@@ -217,7 +227,7 @@ def _cycle(
 
 
 def _meets(search: Search, inside: set[int], criteria: list[Criterion], outgoing: Outgoing) -> bool:
-    """Whether for each criterion a transition between configurations of ``inside`` meets it."""
+    """Whether each criterion is met by some transition between configurations of ``inside``."""
     to = search.graph.target
     within = [(at, index) for at in inside for index in outgoing(at) if to(index) in inside]
     return all(any(criterion(at, index) for at, index in within) for criterion in criteria)

@@ -61,7 +61,10 @@ class Event(NamedTuple):
 
 
 def event_of(search: Search, transition: Transition) -> Event:
-    """The event of a transition, which is made from stored replies without asking a program."""
+    """The event of a transition.
+
+    The event is made from stored replies; no program is asked.
+    """
     state, minds, _ = search.configuration(transition.before)
     group = [robot for robot in range(len(search.program_of)) if transition.bits >> robot & 1]
     turns, acts, due = [], dict[int, Any](), dict[int, Any]()
@@ -88,7 +91,7 @@ def event_of(search: Search, transition: Transition) -> Event:
 
 
 def events_of(search: Search, broken: Broken) -> Iterator[Event]:
-    """The events of a run that breaks a law; if it ends in a cycle, this cycle comes once."""
+    """The events of a run that breaks a law; if the run ends in a cycle, this cycle comes once."""
     for number in search.way(broken.at)[1:]:
         yield event_of(search, search.graph.discovery(number))
     if broken.group:

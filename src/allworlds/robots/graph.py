@@ -29,7 +29,7 @@ class Broken(NamedTuple):
 
     Attributes:
         law: the name of the law.
-        seen: how it is broken, in words.
+        seen: how the law is broken, in words.
         at: the number of the last configuration of the run, or of the first configuration of its
             cycle.
         group: the robots whose step from ``at`` breaks the law; empty if no step breaks it.
@@ -56,6 +56,9 @@ MOST_ROBOTS = BITS
 class Graph:
     """The transitions of a search, each packed into 64 bits and named by its index.
 
+    A transition leads from one configuration to another: a configuration is a state of the world,
+    with the minds of all robots.
+
     The transitions from one configuration are consecutive, in the order of the configurations.
     """
 
@@ -72,7 +75,9 @@ class Graph:
             self._first.append(len(self._packed))
 
     def add(self, target: int, bits: int, *, has_action: bool) -> None:
-        """Add a transition to the configuration ``target``, from the configuration begun last.
+        """Add a transition to the configuration ``target``.
+
+        The transition leads from the configuration for which :meth:`begin` was called last.
 
         ``bits`` is the bit set of the activated robots; ``has_action`` says whether any of these
         robots acts in the world.
@@ -115,7 +120,10 @@ class Graph:
         return bool(self._packed[index] & 1)
 
     def without_action(self, number: int) -> list[int]:
-        """The indices of the transitions from a configuration in which no robot acts."""
+        """The transitions from a configuration, except those in which a robot acts.
+
+        The transitions are given by their indices.
+        """
         return [index for index in self.transitions(number) if not self.has_action(index)]
 
     def discovery(self, number: int) -> Transition:

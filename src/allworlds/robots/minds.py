@@ -65,10 +65,12 @@ class Dialogue(Struct):
 
     Attributes:
         program: the program.
-        roots: by the value that a robot is told, the mind before the first percept.
+        roots: a dictionary from the value that a robot is told to the robot's mind before its first
+            percept.
         turns: all turns so far, in their order.
         replies: the program's reply in each of these turns.
-        waiting: the turns of the next message, each with its mind; an automaton's turn has -1.
+        waiting: the turns of the next message, each with its mind; for an automaton, with -1 in
+            place of a mind.
         automaton: whether the program is an automaton; None if it has not been asked yet.
     """
 
@@ -82,6 +84,9 @@ class Dialogue(Struct):
 
 class Minds:
     """The minds of all robots in some searches.
+
+    A mind is a number.  It stands for all that a robot's program remembers, with the action that
+    the robot has still to do.
 
     Args:
         programs: the programs of the team, each once.
@@ -190,7 +195,7 @@ class Minds:
             dialogue.waiting = []
 
     def resolved(self, mind: int) -> int:
-        """The mind for which a promise of :meth:`look` stands; for any other mind the mind itself.
+        """The promised mind, if ``mind`` is a promise of :meth:`look`; else ``mind`` itself.
 
         The promise must have been made after the last call of :meth:`forget`.
         """
@@ -210,7 +215,7 @@ class Minds:
         self._promised.clear()
 
     def after(self, mind: int) -> int:
-        """The mind after its action is done.
+        """The mind of a robot after the action of the mind ``mind`` is done.
 
         For an automaton this is the mind with the same memory, and without an action.
         """
@@ -221,10 +226,10 @@ class Minds:
         return self._automaton(program, self._memory[mind], None, None)
 
     def precedes(self, mind: int, before: int) -> bool:
-        """Whether a turn can be the next turn after a mind.
+        """Whether a turn can be the next turn of a robot with this mind.
 
-        ``before`` is the second item of the turn: the number of the turn before it; for an
-        automaton, the memory before it.
+        ``before`` is the second item of the turn.  For a generator, it is the number of the turn
+        before; for an automaton, it is the memory before the turn.
         """
         automaton = self.dialogues[self._program_of[mind]].automaton
         first = self.depth[mind] == 0 and self.sensed[mind] is None

@@ -194,7 +194,7 @@ class Places(NamedTuple):
 def every_start(map_: CombinatorialMap, robots: int) -> Iterator[tuple[Dart, ...]]:
     """Every start with robot 0 at dart 0, the root of the map, and the other robots at any darts.
 
-    A search goes through each map with every root, so that each map with the darts of all robots
+    A search goes through each map once for each root.  So each way to place all robots in a map
     comes once.
     """
     return ((0, *others) for others in product(map_.darts, repeat=robots - 1))

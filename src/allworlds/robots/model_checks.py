@@ -10,7 +10,9 @@ from allworlds.robots.model import ModelError, ModelInMap
 
 
 def ensure_same_model(search: Search) -> None:
-    """Ask the model again about every state of a search, in reverse order; then renumber the darts.
+    """Ask the model again about every state of a search; then search again with renumbered darts.
+
+    The states are asked about in reverse order.
 
     Raises:
         ModelError: if the model answers differently; or if a search in the map with renumbered
@@ -46,7 +48,7 @@ def _ensure_same_answers(search: Search) -> None:
 
 
 def _other_names(darts: int) -> list[list[int]]:
-    """Two permutations of this number of darts, as lists of the new numbers."""
+    """Two ways to renumber this number of darts; each is a list of the new numbers."""
     turned = [(dart + 1) % darts for dart in range(darts)]
     return [turned, [darts - 1 - dart for dart in range(darts)]]
 

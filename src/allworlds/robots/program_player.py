@@ -209,7 +209,7 @@ def histories_of(dialogue: Dialogue) -> list[History]:
 
 
 def difference(dialogue: Dialogue, again: ProgramPlayer) -> Difference | None:
-    """The first turn whose reply differs when all histories are played again; None if none differs.
+    """The first turn whose reply differs when all histories are played again; else None.
 
     The histories are played in the reverse order.
     """
@@ -240,10 +240,10 @@ def _beginning(dialogue: Dialogue, told: Any) -> Iterator[int]:
 
 
 def _alike(first: bytes, second: bytes, numbers: dict[int, int]) -> bool:
-    """Whether two replies are equal, if each memory of the first play has one number in the second.
+    """Whether two replies are equal, if the numbers of memories may differ between the plays.
 
-    ``numbers`` maps the numbers of the memories in the first play to those in the second play; a
-    new number is added.
+    ``numbers`` is a dictionary from the number of each memory in the first play to its number in
+    the second play; a new number is added.
     """
     if not first or not second:
         return first == second

@@ -83,7 +83,7 @@ class SearchLane:
         return bool(self._units)
 
     def turn(self, others: Sequence[int] = ()) -> list[PartialResult]:  # noqa: ARG002  # they wait
-        """Do some more searches of the first unit; return their results as a part of its result.
+        """Do some more searches of the first unit; return a part of the unit's result.
 
         Raises:
             InputError: if a program cannot be loaded, or the model has an error.
@@ -134,7 +134,7 @@ class SearchLane:
         yield self._taken()
 
     def _taken(self) -> TeamTally:
-        """The tally of all since the last call; what comes now goes into a new one."""
+        """The tally of everything since the last call; a new tally begins."""
         taken, self._tally = self._tally, self.counter.tally()
         return taken
 
@@ -177,7 +177,7 @@ class SearchLane:
 def _where_sensed(
     search: Search, program: int, found: Difference, minds: Minds
 ) -> tuple[int, tuple[int, ...], int] | None:
-    """The first configuration in which a robot has the turn of a difference.
+    """The first configuration in which a robot takes the turn in which two plays differ.
 
     Return the number of the configuration, a group of robots that can be activated there together,
     and the robot, which belongs to the group.  Return None if there is no such configuration.

@@ -72,7 +72,7 @@ class Team(Struct, frozen=True, weakref=True):
     def not_alike(self, digests: tuple[str, ...], answer_timeout: float) -> str:
         """The reason why a program on this machine does not have the expected digest.
 
-        It is empty if all programs have their digests.
+        The reason is empty if all programs have the expected digests.
         """
         pairs = zip(self.subjects, digests, strict=True)
         found = (not_alike(subject, digest, answer_timeout) for subject, digest in pairs)
@@ -243,8 +243,8 @@ class TeamScope(Struct, frozen=True):
     def searches(self, unit: LevelUnit, minds: Minds) -> Iterator[tuple[bool, Search | ModelInMap]]:
         """The searches of a unit, in a fixed order.
 
-        Each item is a pair.  Its first value says whether the map is another one than before; its
-        second value is the search, or for a map without a start the model in this map.
+        Each item is a pair.  The first value says whether the item is the first of its map.  The
+        second value is the search; for a map without a start it is the model in this map.
         """
         for map_ in unit.maps(self.extent):
             world, first = ModelInMap(self.model.model, map_, self.model.name), True

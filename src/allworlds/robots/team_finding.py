@@ -169,12 +169,18 @@ class TeamFinding(doc.Document, forbid_unknown_fields=False, kw_only=True):
 
     @property
     def rank(self) -> tuple[Any, ...]:
-        """The key by which findings are ordered, and then, for findings in one world, the law."""
+        """The key by which findings are ordered: :attr:`key`, and then the law.
+
+        The law decides between several findings in one world.
+        """
         return self.key, [*LAWS].index(self.law)
 
     @cached_property
     def kind(self) -> tuple[str, Code]:
-        """The kind of the finding: the law, and the map without a root."""
+        """The kind of the finding: the law, and the map without a root.
+
+        The map is given by the least of its canonical codes, one for each root.
+        """
         return self.law, min(rooted_code(*self._code, dart) for dart in self.map.darts)
 
     @property

@@ -86,7 +86,9 @@ class WhiteboardModel(Model):
 
 
 def _parts(action: Any) -> dict[str, Any]:
-    """The value that an action writes and the number of its motion, by the keys write and move.
+    """The parts of an action, by their keys: ``write`` for the value, ``move`` for the motion.
+
+    The action may have only one of the two parts.
 
     Raises:
         IllegalAction: for any other action.

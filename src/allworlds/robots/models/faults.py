@@ -16,7 +16,7 @@ from allworlds.robots.model import Assumption, Liveness, Model, Places, Schedule
 
 
 class FaultsState(NamedTuple):
-    """A state of a model that wraps another model.
+    """A state of a model that wraps another model, and makes robots or markers fail.
 
     Attributes:
         inside: the state of the wrapped model.
@@ -112,7 +112,7 @@ class Wrapper(Model):
 
 
 def _inside(holds: Callable[..., bool]) -> Callable[..., bool]:
-    """Return the condition on states of the wrapper that follows from one on the states inside."""
+    """Return a condition on states of the wrapper: that ``holds`` is true of the states inside."""
     return lambda *values: holds(*(v.inside if isinstance(v, FaultsState) else v for v in values))
 
 

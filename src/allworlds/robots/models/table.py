@@ -75,7 +75,7 @@ class NamedModel(Struct, frozen=True):
     def __reduce__(self) -> tuple[Any, ...]:
         """The values from which pickle makes the model again: its name, and texts of user's code.
 
-        A model that exists in this process alone is itself such a value.
+        If the model exists in this process alone, the model itself is one of these values.
         """
         if self.here:
             return NamedModel, (self.name, self.model, (), True)
@@ -135,7 +135,7 @@ def _wrapped(plain: str, rest: str, name: str) -> tuple[Model, str]:
 
 
 def _own(name: str) -> tuple[user_code.UserCode, str]:
-    """The user's code that a name begins with, and the text of the model's options."""
+    """The user's code with which the name of a model begins, and the text of the options."""
     parts = re.fullmatch(r"(.+)[:?]([^:?=]+=.*)", name)
     plain, options = (parts[1], parts[2]) if parts else (name, "")
     return MODEL.find(plain), options
@@ -152,7 +152,10 @@ def _class_of(code: user_code.UserCode) -> type[Model]:
 
 
 def _made(kind: Any, plain: str, text: str, name: str) -> tuple[Model, str]:
-    """A model with the options of a text, and its name with the options that are not defaults."""
+    """A model with the options that ``text`` names, and the name of the model.
+
+    The name contains those options whose values are not the defaults.
+    """
     legal = options_of(kind)
     given = {}
     for key, value in importing.pairs_in(name, text) if text else []:
