@@ -26,7 +26,7 @@ The modules, in this order; ``protocol.playing`` and ``log`` make and read logs:
 ``listeners``
     listeners to the progress of a job;
 ``lanes``, ``dask``
-    transports, which bring units to lanes in this or in forked processes; or to a Dask cluster;
+    transports, which bring units to lanes: in this process, in forked processes, or on a cluster;
 ``lane``
     the loop over the batches of some units, for a judge and its two players;
 ``batch``
@@ -34,8 +34,8 @@ The modules, in this order; ``protocol.playing`` and ``log`` make and read logs:
 ``plays``
     the two players of a lane and their messages; fresh players for runs that are played anew;
 ``losses``, ``hash_seeds``
-    two tables: what it means for a run that a player was lost in it; what it means that two plays
-    of a run differ, perhaps because their processes have different hash seeds;
+    two tables: the meaning of the loss of a player; the meaning of a difference between two plays
+    of a run, perhaps because their processes have different hash seeds;
 ``settling``, ``more_seeds``
     the search for runs of a batch that break a law; runs of the largest worlds, which are played
     again under six further hash seeds;

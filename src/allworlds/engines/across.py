@@ -59,7 +59,7 @@ class FirstLog(NamedTuple):
 
 
 def remember(batch: RunBatch, known: dict[AtPlace, FirstLog]) -> None:
-    """Add the logs of a batch to ``known``, in the order of the plays, if its worlds are small."""
+    """If the worlds of a batch are small, add its logs to ``known``, in the order of the plays."""
     unit, logs, broken = batch.work.unit, batch.logs[FIRST], {*batch.broken}
     small = isinstance(unit, LevelUnit | GivenUnit) and unit.edges <= ACROSS
     if small and batch.plain:  # a library draws the order
@@ -228,7 +228,10 @@ class Across:
             player.close()
 
     def _differ(self, one: bytes, other: bytes) -> bool:
-        """Whether two logs differ; False if a log is empty, which stands for an unknown log."""
+        """Whether two logs differ; False if one of them is empty.
+
+        An empty log stands for an unknown log.
+        """
         if one == other or not (one and other):
             return False
         return difference_of(Log(one), Log(other), choices=self._judge.every) is not None

@@ -154,7 +154,7 @@ class RunBatch:
         known.update(zip(indices, logs, strict=True))
 
     def unplayed(self, which: int, indices: Indices) -> list[int]:
-        """The given indices of runs that have no log of the player ``which`` yet."""
+        """Those of the indices whose runs have no log of the player ``which`` yet."""
         known = self.logs[which]
         return [index for index in indices if index not in known] if isinstance(known, dict) else []
 

@@ -66,7 +66,7 @@ class CompiledJudge:
 
     Args:
         python: the judge in Python, with which this judge is compared.
-        seed: the function that draws a seed for the order in which a library plays.
+        seed: the function that draws a seed for the order in which a shared library plays the runs.
         native: whether the explorer is a shared library; then compiled code also plays it.
     """
 

@@ -285,7 +285,7 @@ class Compiled(EngineKind):
         return SYMMETRY
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
-        """Return a clause about the first unknown option, or about a package that is missing.
+        """Return a clause about an option that this engine does not know, or a missing package.
 
         The clause is empty if this engine can do the check.
         """

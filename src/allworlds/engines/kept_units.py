@@ -107,7 +107,10 @@ class Identity(doc.Document):
 
 
 def _in_words(value: Any) -> str:
-    """A parameter as on the command line: ``the default`` for None, a list with commas."""
+    """A parameter in the form of the command line.
+
+    None is ``the default``, and a list is a text with commas.
+    """
     if value is None:
         return "the default"
     return ",".join(map(str, value)) if isinstance(value, list | tuple) else show(value)

@@ -36,8 +36,8 @@ class Lane:
         subject: the explorer.
         counter: the counter of the runs, which also holds the scope.
         limits: the limits of the time for an answer, and of memory.
-        given: the choices of the only run, which is not played again under further seeds; None if
-            the scope determines the choices.
+        given: if there is only one run, its choices; such a run is not played again under further
+            seeds.  None if the scope determines the choices.
         seeds: the hash seeds of both players.
         first_lane: whether this is the one lane that starts the compiler and tries six more seeds.
         deadline: the time, on the monotonic clock, after which the lane waits for no play; or None.

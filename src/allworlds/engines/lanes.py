@@ -101,7 +101,7 @@ class _Process:
 
 
 def _heard(processes: Sequence[_Process], seconds: float) -> list[_Process]:
-    """Wait for messages for at most these seconds; return the processes that have sent one."""
+    """Wait at most these seconds for messages; return the processes that have sent messages."""
     if not processes:
         return []
     from multiprocessing.connection import wait
@@ -193,9 +193,9 @@ class Lanes(Struct):
             yield PartialResult(last, first.end(), last=False)
 
     def _lane_here(self, counter: tally.RunCounter) -> Lane | None:
-        """The lane of this process, for the runs of this counter; None if forked lanes do the work.
+        """The lane in this process, which has this counter; None if forked lanes do the work.
 
-        A lane for another counter is closed first.
+        If there is a lane with another counter, it is closed before a new lane is made.
         """
         self._began = self._began or time.monotonic()
         late = self.apart and time.monotonic() > self._began + FIRST_LEVELS

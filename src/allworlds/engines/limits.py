@@ -86,7 +86,7 @@ def positive(name: str) -> Callable[[Any], Any]:
 
 
 def _seconds(about: str, panel: str = RARE_EFFORT) -> Option:
-    """An option for a number of seconds, which does not belong to the identity of a job."""
+    """An option for a number of seconds; the option does not belong to the identity of a job."""
     return Option(panel, "S", about, parse=seconds_of, apart=True)
 
 
@@ -106,7 +106,7 @@ class TimeoutOptions(Request):
 
     @property
     def limits(self) -> "Limits":
-        """The fields of this request that are limits; the limits that it lacks have defaults."""
+        """The limits that this request has as fields; all other limits have their defaults."""
         shared = {each.name for each in fields(Limits)} & {each.name for each in fields(self)}
         return Limits(**{name: getattr(self, name) for name in shared})
 

@@ -48,7 +48,7 @@ def meaning(lost: Lost, *, again: bool, before: int) -> Meaning:
 
     Args:
         lost: the loss.
-        again: whether a fresh player repeated a loss by this law, in this run or in an earlier one.
+        again: whether a fresh player repeated a loss by this law, in this run or in an earlier run.
         before: the number of earlier losses by this law that no fresh player repeated.
     """
     if again:

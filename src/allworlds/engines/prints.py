@@ -11,7 +11,7 @@ KEPT = 4096
 """The largest number of bytes of a text; if prints are longer, their middle is left out."""
 
 SIGN = "\n[... {} bytes more ...]\n"
-"""The line in place of a middle that is left out, with the number of bytes, of up to 15 digits."""
+"""The line that stands for a middle that is left out; it says how many bytes are left out."""
 
 
 class Prints:

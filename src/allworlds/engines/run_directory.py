@@ -35,7 +35,7 @@ in_order = json.JSONEncoder(separators=(",", ":")).encode
 FILE, DRAFT = "units.sqlite", "draft.sqlite"
 
 APPLICATION = 0x616C6C77
-"""The number in the header of an SQLite file by which the file belongs to a run directory."""
+"""The number in the header of an SQLite file that marks the file of a run directory."""
 
 SCHEMA = 2
 """The version of the tables below and of their content; files of other versions are refused."""

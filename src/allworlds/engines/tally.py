@@ -105,7 +105,7 @@ class Row:
             self.bound = run if self.bound is None else max(self.bound, run)
 
     def best_of(self, run: int | None) -> None:
-        """Update the best cost by the cost of a run's cheapest schedule; None changes nothing."""
+        """Update the best cost by the cost of a run's cheapest schedule, if ``run`` is not None."""
         if run is not None:
             self.best_cost = max(run, self.best_cost or 0)
 

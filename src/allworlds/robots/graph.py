@@ -1,4 +1,7 @@
-"""The graph of a search: transitions between configurations; and the run that breaks a law."""
+"""The graph of a search: the transitions between its configurations; the run that breaks a law.
+
+A configuration is a state of the world, with the minds of all robots.
+"""
 
 from __future__ import annotations
 
@@ -56,7 +59,7 @@ MOST_ROBOTS = BITS
 class Graph:
     """The transitions of a search, each packed into 64 bits and named by its index.
 
-    A transition leads from one configuration to another: a configuration is a state of the world,
+    A transition leads from one configuration to another.  A configuration is a state of the world,
     with the minds of all robots.
 
     The transitions from one configuration are consecutive, in the order of the configurations.

@@ -255,7 +255,10 @@ class Minds:
 
 
 def value_of(letter: str, words: Any) -> Any:
-    """The action, the end or the fault in a program's reply, from its letter and its words."""
+    """The action, the end or the fault that a program's reply names.
+
+    The reply consists of a letter and words.
+    """
     if letter == ACTION:
         return None if words is None else action_of(words)
     ending = ending_of(Log(words))

@@ -178,7 +178,7 @@ class Model:
 
 
 class Places(NamedTuple):
-    """The content of a picture of a state.
+    """What a picture of a state shows.
 
     Attributes:
         darts: the dart of each robot; None for a robot that is gone.
@@ -325,7 +325,7 @@ class ModelInMap:
             raise self._raised("progress", error) from None
 
     def places(self, state: Any) -> Places:
-        """The content of a picture of a state."""
+        """What a picture of a state shows."""
         return Places(*self._ask("places", state))
 
     # ---------------------------------------------------------------- mistakes

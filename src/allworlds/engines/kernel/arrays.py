@@ -83,7 +83,7 @@ class Counts(Struct, frozen=True):
 
 
 class At(NamedTuple):
-    """A run: the map of its world, in canonical numbering, and its place.
+    """A run: its place, and the map of its world in canonical numbering.
 
     Attributes:
         vertices: n.

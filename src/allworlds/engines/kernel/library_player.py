@@ -221,7 +221,7 @@ def _episode(handed, shared, run, again, at):
 
 @inlined
 def _sense(address, percept):
-    """Write the percept whose three bytes are at the address to ``percept``."""
+    """Read the percept whose three bytes are at the address; write the percept to ``percept``."""
     percept[0], percept[1] = byte_of(address, 0), byte_of(address, 1)
     percept[2] = byte_of(address, 2) - 1
 
@@ -267,9 +267,10 @@ def _end(handed, logs, at):
 
 @inner
 def _publish(handed, logs, at, what):
-    """Write the explorer's map, after the code ``what``; return the index after the map.
+    """Write the byte ``what``, then the explorer's map; return the index after the map.
 
-    If a number of the map does not fit into a byte, write the code BEYOND, and return its index.
+    If a number of the map does not fit into a byte, write the byte BEYOND instead of all this, and
+    return its index.
     """
     explorer, here = handed.library, handed.here
     here[0] = NONE

@@ -194,7 +194,7 @@ def _pass(job, explored, known, worst, best):
 
 @inner
 def _ways(job, explored, known, worst, best):
-    """Find the worst and the best cost up to the answer when these edges are explored.
+    """Find the worst and the best cost that remain when the edges ``explored`` are explored.
 
     For each vertex v at which the robot can be between two passes, the costs are written to
     ``worst[explored, v]`` and ``best[explored, v]``.

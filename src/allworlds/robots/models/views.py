@@ -1,4 +1,4 @@
-"""The view from a dart, of a map with robots; it does not depend on the numbers of the darts."""
+"""The view of a map with robots, from a dart; it does not depend on the numbers of the darts."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ class ViewOrder(NamedTuple):
     """The order of vertices and darts in the view from a dart.
 
     Attributes:
-        vertices: the vertices, in the order of a depth-first walk that begins with the dart, and
-            tries the darts of each vertex in their order round the vertex, from the dart of
-            arrival on.
+        vertices: the vertices, in the order in which a depth-first walk reaches them.  The walk
+            begins at the dart.  At each vertex it tries the darts in their order round the vertex,
+            from the dart of arrival on.
         degrees: the degrees of these vertices.
         alpha: the other end of each dart; the darts are numbered vertex by vertex, in the order in
             which the walk tries them.
