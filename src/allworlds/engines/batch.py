@@ -204,7 +204,7 @@ class Judge(Protocol):
         """
 
     def judged(self, due: Due, log: bytes) -> Judged:
-        """The judgement of the judge in Python on one run, by this log."""
+        """Let the judge in Python judge one run by this log."""
 
     def worlds(self, batch: RunBatch, indices: Indices) -> Message:
         """The message that tells a player to play these runs in their worlds."""

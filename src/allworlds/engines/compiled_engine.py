@@ -255,7 +255,9 @@ class CompiledEngine(Struct, frozen=True):
         self.flag[0] = 1
 
     def parts(self, unit: LevelUnit) -> Iterator[Tally]:
-        """Yield one part: the tally of the unit, which equals the Python engine's tally.
+        """Yield one part: the tally of the unit.
+
+        This tally equals the tally of the Python engine.
 
         Raises:
             EnginesDisagree: if the Python engine does not confirm a broken law.

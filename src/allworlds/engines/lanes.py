@@ -287,10 +287,10 @@ def _lane_of(link: Connection, lanes: Lanes, *, first_lane: bool) -> None:
 
 
 def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:
-    """The units in a random order, which is drawn for :data:`AT_A_TIME` units at a time.
+    """The units in a random order.
 
-    Among :data:`AT_A_TIME` units an :class:`AcrossUnit` comes last, since a lane has then judged
-    most of the runs that this unit plays again.
+    The order is drawn for :data:`AT_A_TIME` units at a time.  Among these an :class:`AcrossUnit`
+    comes last, since a lane has then judged most of the runs that this unit plays again.
     """
     every, order = iter(units), Random()  # noqa: S311  # from the system; no verdict depends on it
     while some := list(islice(every, AT_A_TIME)):

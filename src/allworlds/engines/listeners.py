@@ -5,7 +5,7 @@ class Listener:
     """A listener to the progress of a job; by default each event is ignored."""
 
     def level(self, edges: int, worlds: int) -> None:
-        """Hear that a level begins, which has this number of worlds.
+        """Hear that a level with this number of worlds begins.
 
         If a shard is done, ``worlds`` is about the number of worlds of the level in this shard.
         """

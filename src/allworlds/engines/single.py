@@ -115,7 +115,7 @@ class SingleRun(Report):
 
     @cached_property
     def walk(self) -> Walk:
-        """The walk in the world as it was given."""
+        """The walk in the world, whose darts have the numbers that were given."""
         return Walk.of(self.world, self.outcome.episode.walk.actions)
 
     @property
@@ -201,7 +201,9 @@ def _outcome_of(
     limits: limits.Limits,
     hash_seed: int | None,
 ) -> Outcome:
-    """The outcome of one run of a user's explorer, which a lane plays twice and compares.
+    """The outcome of one run of a user's explorer.
+
+    A lane plays the run twice, and compares the two plays.
 
     ``world`` is in canonical numbering; ``script`` holds the first choices.
     """
@@ -323,12 +325,12 @@ class Plays:
 
 
 def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limits) -> Finding:
-    """Play a finding again; return it with the prints of these plays, and with ``confirmed``.
+    """Play a finding again; return it with new values of two fields, ``output`` and ``confirmed``.
 
-    ``confirmed`` says whether fresh processes repeat the run.  A run in which the player was lost
-    is played once more in its world, because its walk is not known yet.  If no other process can
-    import the explorer, its finding is not confirmed; the explorer plays once more in this process,
-    for its prints.
+    ``output`` holds the prints of these plays.  ``confirmed`` says whether fresh processes repeat
+    the run.  A run in which the player was lost is played once more in its world, because its walk
+    is not known yet.  If no other process can import the explorer, its finding is not confirmed;
+    the explorer plays once more in this process, for its prints.
 
     Raises:
         InputError: if a user's lighthouse gives another answer when it is asked again.
@@ -356,7 +358,7 @@ def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limi
 
 
 def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
-    """The finding of a loss, in which the walk is now that of this log.
+    """The finding of a loss, with the walk of this log in place of its own walk.
 
     ``confirmed`` says whether the player was lost again by the same law.
     """

@@ -264,7 +264,8 @@ class Sweep(ABC, Generic[Total, Answer]):
     def _guarded(self, job: Callable[[], outcome.Ending | None]) -> outcome.Ending | None:
         """Call ``job``, which does a part of the work; return its ending.
 
-        If it raises an exception that ends the job early, return the ending for this exception.
+        If ``job`` raises an exception that ends the work early, return the ending for this
+        exception.
         """
         try:
             with limits.models_bounded(self.deadline):

@@ -72,7 +72,7 @@ def ensure_same_senses(finding: Finding) -> None:
 def _answers_of_processes(
     kind: str, content: Any, number: int, said: str, deadline: float | None
 ) -> list[Any]:
-    """The answers of :data:`PROCESSES` fresh processes to one message; each answer lists bytes.
+    """The answers of :data:`PROCESSES` fresh processes to one message, as lists of byte strings.
 
     Args:
         kind: the kind of the message.

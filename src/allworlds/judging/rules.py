@@ -58,7 +58,7 @@ SIZE = {"n", "m"}
 
 
 def law_names(text: str) -> tuple[str, ...]:
-    """The names of laws in a text, in which commas separate them."""
+    """The names of laws in a text that separates them by commas."""
     return tuple(part.strip() for part in text.split(","))
 
 

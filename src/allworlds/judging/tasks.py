@@ -135,7 +135,10 @@ class Task(Struct, frozen=True):
 
     @property
     def is_map(self) -> bool:
-        """Whether the answer must be an estimate, which laws judge; else any answer is legal."""
+        """Whether the answer must be an estimate; laws judge estimates.
+
+        If not, any answer is legal.
+        """
         return self.name == MAP
 
     @property

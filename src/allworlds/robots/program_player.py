@@ -1,4 +1,4 @@
-"""A program that a player in another process plays turn by turn, and the second play of a program.
+"""A program that a player in another process plays turn by turn; the second play of a program.
 
 In place of a lost player a new player is started, which hears all earlier turns again.  If the new
 player is lost in the same turn, the reply in that turn is a fault.

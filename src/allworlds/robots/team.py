@@ -51,7 +51,7 @@ class Team(Struct, frozen=True, weakref=True):
 
     @property
     def digests(self) -> tuple[str, ...]:
-        """The digest of each program's source, which other machines must have, too."""
+        """The digest of each program's source; on other machines it must be the same."""
         return tuple(map(content_digest, self.subjects))
 
     @property

@@ -159,7 +159,7 @@ def ask(_context, address, arguments):
 
 
 def expression(function: Callable[..., Any]) -> Any:
-    """Make a function for compiled code, which takes and returns 64-bit integers.
+    """Make a function for compiled code; the function takes and returns 64-bit integers.
 
     The given function builds the instructions of the function that is made.
     """
@@ -190,13 +190,13 @@ def lowest(builder, mask):
 
 @expression
 def highest(builder, mask):
-    """The greatest number in a nonempty set, which is given as a mask as in :func:`lowest`."""
+    """The greatest number in a nonempty set; the set is a mask, like that of :func:`lowest`."""
     return builder.sub(number(63), builder.ctlz(mask, _NOT_EMPTY))
 
 
 @expression
 def size(builder, mask):
-    """The number of elements of a set, which is given as a mask as in :func:`lowest`."""
+    """The number of elements of a set; the set is a mask, like that of :func:`lowest`."""
     return builder.ctpop(mask)
 
 

@@ -435,7 +435,7 @@ def _augment_by_loop(w, s):
 
 @inner
 def _distance(w, start, goal):
-    """The length of a shortest walk in S between two vertices, which S connects."""
+    """The length of a shortest walk in S between two vertices that S connects."""
     reached = front = 1 << start
     steps = 0
     while not reached >> goal & 1:

@@ -212,7 +212,7 @@ class LaidOutRuns(Struct, frozen=True):
 
 
 class UnitJudge:
-    """The compiled judge of the runs of a unit, which other processes play batch by batch.
+    """The compiled judge of the runs of a unit; other processes play these runs, batch by batch.
 
     Args:
         level, prefix: the request, and the first decisions by which each map of the unit is made.

@@ -211,7 +211,10 @@ def _step(world, fold, entered):
 
 @inlined
 def _lead(fold, v, leaving, w, entered):
-    """Join dart ``leaving`` of node v and dart ``entered`` of node w, which had no partners."""
+    """Join dart ``leaving`` of node v and dart ``entered`` of node w.
+
+    Before, neither dart had a partner.
+    """
     fold.link[v << NODE | leaving], fold.link[w << NODE | entered] = w, v
     fold.linked[v] |= 1 << leaving
     fold.linked[w] |= 1 << entered

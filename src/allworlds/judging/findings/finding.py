@@ -339,5 +339,5 @@ DIGITS = 12
 
 
 def digest_of(text: str) -> str:
-    """The digest of the text of a finding's file, as the name of the file holds it."""
+    """The digest of the text of a finding's file; it is a part of the name of the file."""
     return hashlib.sha256(text.encode()).hexdigest()[:DIGITS]
