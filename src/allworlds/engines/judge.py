@@ -45,7 +45,7 @@ class PythonJudge:
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[RunBatch]:
         """Yield the runs of a unit in batches.
 
-        Each call of ``size`` returns the number of runs of the next batch; the last batch may be
+        A batch is full when it has as many runs as ``size`` then returns; the last batch may be
         smaller.
         """
         batch = RunBatch(self, work, ())

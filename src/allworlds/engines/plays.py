@@ -162,7 +162,7 @@ class BothPlays:
     # ---------------------------------------------------------------- fresh ones
 
     def alone(self, which: int, batch: RunBatch, index: int) -> Attempt:
-        """Let a fresh player play one run of a batch; return its logs, or how it was lost.
+        """Let a fresh player play one run of a batch; return the log, and the loss if it was lost.
 
         The fresh player plays as the player ``which`` does: in the world or by percepts.
         """
@@ -189,7 +189,10 @@ class BothPlays:
         return dict(zip(runs, map(Log, logs), strict=True))
 
     def anew(self, seed: int, message: Message) -> Attempt:
-        """Let a fresh player with this hash seed answer a message; return its logs, or its loss."""
+        """Let a fresh player with this hash seed answer a message.
+
+        Return the logs, with None, or with the loss if the player was lost.
+        """
         player = started(self.setup, seed)
         try:
             return answered(player, message | {"hear": message["runs"] == 1}), None
