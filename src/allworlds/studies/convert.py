@@ -26,7 +26,7 @@ from allworlds.notations.table import Notation, entries, legal, to_write, writte
 from allworlds.world.world import Entry
 
 DRAWN = 12
-"""The number of worlds of a file, from the first on, that are drawn."""
+"""The number of worlds that are drawn: the first worlds of a file."""
 
 
 def _files(given: Any) -> tuple[str, ...]:

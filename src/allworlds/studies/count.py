@@ -25,7 +25,7 @@ from allworlds.studies.swept import SweptOptions, SweptReport, ToldGate
 from allworlds.world.selection import WhereOptions
 
 TOLD_EVERY = 1000
-"""The number of maps between two reports to the listener."""
+"""The number of maps that are counted between two reports to the listener."""
 
 UNROOTED_LIMIT = 6
 """The largest number of edges for which unrooted maps are counted."""
@@ -80,9 +80,10 @@ class CountRow(doc.Document, kw_only=True):
 
     @property
     def agrees(self) -> bool:
-        """Whether enumeration and source agree for every number of vertices; true without a source.
+        """Whether enumeration and source give equal counts for every number of vertices.
 
-        In a shard: whether the enumeration counts no more maps than the source.
+        It is true without a source.  In a shard: whether the enumeration counts no more maps than
+        the source.
         """
         return not self.miscounts
 
@@ -150,7 +151,7 @@ def count(request: CountRequest) -> Census:
 
 
 class CountSweep(sweep.Sweep["Counted", Census]):
-    """The sweep through the levels of a class that counts the maps of each."""
+    """The sweep through the levels of a class; it counts the maps of each level."""
 
     verb, request_type = "count", CountRequest
     extent: classes.Extent
@@ -236,7 +237,7 @@ def count_compiled(extent: classes.Extent, unit: LevelUnit) -> Counted:
 
 
 def count_one_by_one(extent: classes.Extent, unit: LevelUnit) -> Iterator[Counted]:
-    """Enumerate the maps of a unit, of any class; yield their counts, some maps at a time."""
+    """Enumerate the maps of a unit, of any class; yield counts, each of some of these maps."""
     counted = Counted()
     for met, map_ in enumerate(unit.maps(extent), 1):
         cell = map_.vertex_count, map_.genus

@@ -55,12 +55,12 @@ class Picture(Struct, frozen=True):
 
 
 class Found(Struct, frozen=True):
-    """The result of checking a sentence, independent of any expectation.
+    """The result of checking a sentence; it does not depend on what is expected.
 
     Attributes:
         verdict: whether the sentence holds in the scope.
-        witnesses: the number of occurrences of each case that the sentence is about; a case without
-            occurrences makes the verdict vacuous.
+        witnesses: for each case that the sentence is about, the number of its occurrences; a case
+            without occurrences makes the verdict vacuous.
         figures: the numbers that the sentence names.
         pictures: worlds that show the result, each with its caption.
         told: the refutation or an explanation, in words; may be empty.
@@ -80,7 +80,7 @@ class NotChecked(Struct, frozen=True):
 
 
 class Unfinished(RuntimeError):
-    """Raised if a check that a claim's function runs has no answer; the claim counts as refuted."""
+    """Raised if a claim's function runs a check that gives no answer; the claim is then refuted."""
 
 
 class Means(Struct, frozen=True):
@@ -232,7 +232,7 @@ FAULTS = (Unfinished, outcome.Disagreement, tally.EnginesDisagree)
 
 
 QUICK = 0.5
-"""The most seconds that the check of a claim may take if it is to be repeated.
+"""The most seconds of a check of a claim that is made a second time.
 
 Both outcomes must be equal.
 """
@@ -450,8 +450,8 @@ def entry_of(claim: Claim, check: ClaimFunction, means: Means) -> CheckedClaim:
     If the check takes at most :data:`QUICK` seconds, it is made twice.
 
     Raises:
-        InputError: naming the claim, if its function ends the process, returns no outcome, or
-            returns another outcome the second time.
+        InputError: naming the claim.  Its function ends the process, returns no outcome, or returns
+            another outcome the second time.
     """
     began = time.monotonic()
     entry = entry_with(claim, means.budget, _outcome_of(claim, check, means))
@@ -468,7 +468,10 @@ def entry_of(claim: Claim, check: ClaimFunction, means: Means) -> CheckedClaim:
 
 
 def _outcome_of(claim: Claim, check: ClaimFunction, means: Means) -> Returned:
-    """The outcome of one call of the claim's function; it may be an exception."""
+    """The outcome of one call of the claim's function.
+
+    An exception that the function raises is returned as the outcome.
+    """
 
     def act() -> Any:
         try:
@@ -521,7 +524,7 @@ def entry_with(claim: Claim, budget: Budget, found: Returned, seconds: float = 0
 
 
 def _ensure_named(option: str, names: Iterable[str], legal: Sequence[str]) -> None:
-    """Raise InputError for the first of ``names`` that is no claim; ``legal`` has all claims."""
+    """Raise InputError if one of ``names`` is no claim; ``legal`` has the ids of all claims."""
     for name in names:
         if name not in legal:
             some = f"; the first of {len(legal)} are {', '.join(legal[:3])}"

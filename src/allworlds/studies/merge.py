@@ -236,4 +236,4 @@ def status(request: StatusRequest) -> Standing:
 
 
 NAMED = ("edges", "vertices", "map_class", "family", "to", "where", "lighthouse", "task")
-"""The fields of requests that the report of ``status`` names in sentences, not as options."""
+"""The fields of requests that the report of ``status`` tells in sentences, not as options."""

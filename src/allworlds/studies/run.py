@@ -1,6 +1,6 @@
 """One run: ``run`` plays it in one world, ``replay`` plays the run of a finding again.
 
-A replayed finding may be an entry of the corpus.  In ``play`` the user is the robot, in a page that
+A replayed finding may be an entry of the corpus.  In ``play`` the user is the robot: a page
 compares the user's cost with that of Algorithm 1.
 """
 
@@ -110,7 +110,7 @@ def run(request: RunRequest) -> single.SingleRun:
 
 
 def _located(run: single.SingleRun, subject: Any, limits: limits.Limits) -> single.SingleRun:
-    """The run; if it has a finding, lines of the explorer's code are added to the finding."""
+    """The run; if the run has a finding, lines of the explorer's code are added to the finding."""
     found = run.finding and hints.located(run.finding, subject, limits)
     return doc.replace(run, finding=found)
 
@@ -190,7 +190,7 @@ class Replay(Report):
 
     @property
     def facts(self) -> Facts:
-        """The facts that decide the exit code: that the finding is fixed, or that this is open."""
+        """The facts that decide the exit code: the finding is fixed, or this is left open."""
         outcome = self.outcome
         return Facts(fixed=outcome == "fixed", undecided=outcome == "not-reproduced")
 
@@ -252,7 +252,7 @@ VARIANTS = {
     BUILT_IN[name].lighthouse: name
     for name in ("algorithm1", "algorithm1-cluster", "algorithm1-natural", "algorithm1-door")
 }
-"""The variant of Algorithm 1 for each lighthouse that has one."""
+"""The name of the variant of Algorithm 1 for each lighthouse for which there is a variant."""
 
 
 def _cost_of_algorithm1(world: World) -> int | None:

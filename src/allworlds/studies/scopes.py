@@ -1,4 +1,4 @@
-"""The function that makes the scope of a report from a request, and keys of several scopes."""
+"""The function that makes the scope of a report from a request, and a key of several scopes."""
 
 from typing import Annotated, Any, TypeAlias, TypeVar
 

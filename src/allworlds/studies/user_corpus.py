@@ -1,6 +1,6 @@
 """The user's corpus: a directory of findings.
 
-A check first tries these findings again, and in the end adds its new findings to the directory.
+A check first tries these findings again; at its end it adds its new findings to the directory.
 """
 
 from __future__ import annotations
@@ -105,7 +105,7 @@ class UserCorpus(Struct, Generic[Found]):
     Attributes:
         directory: the path, which need not exist yet.
         read: the function that makes a finding from the text of its file.
-        files: the names of the files, by the keys of :class:`CorpusReport`.
+        files: the names of the files, for each key of :class:`CorpusReport`.
     """
 
     directory: Path
@@ -183,7 +183,7 @@ class UserCorpus(Struct, Generic[Found]):
         return finding in self._standing
 
     def write(self, findings: Iterable[Found]) -> Iterator[str]:
-        """Write the findings that are new; yield a message for each file that cannot be written."""
+        """Write the new findings; yield a message for each file that cannot be written."""
         for finding in findings:
             if not self.holds(finding):
                 try:
@@ -194,7 +194,10 @@ class UserCorpus(Struct, Generic[Found]):
                     self.files["written"].append(finding.file_name)
 
     def _write(self, finding: Found) -> None:
-        """Write the file of a finding, completely or not at all, unless the file exists already."""
+        """Write the file of a finding, unless the file exists already.
+
+        The file is written completely, or not at all.
+        """
         self.directory.mkdir(parents=True, exist_ok=True)
         path = self.directory / finding.file_name
         if path.exists():

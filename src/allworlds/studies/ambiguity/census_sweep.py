@@ -85,7 +85,10 @@ class SizeCounts(Struct):
     largest_class: int = 0
 
     def add_class(self, members: int, of: int) -> None:
-        """Count ``members`` worlds of these sizes, which belong to one class of ``of`` worlds."""
+        """Count a class of ``of`` worlds.
+
+        ``members`` of these worlds have the sizes that are counted here.
+        """
         self.ambiguous_worlds += members
         self.classes += 1
         self.largest_class = max(self.largest_class, of)
@@ -111,7 +114,7 @@ class SensedParts(Struct, forbid_unknown_fields=True):
     counted: dict[str, int] = field(default_factory=dict)
 
     def add(self, other: "SensedParts") -> None:
-        """Add the worlds of another part."""
+        """Add the worlds of another part of the census."""
         self.worlds += other.worlds
         self.sizes |= other.sizes
         self.alike |= other.alike
@@ -166,7 +169,10 @@ class SensedParts(Struct, forbid_unknown_fields=True):
                 yield found
 
     def counts(self, name: Callable[[SizePair], Key]) -> dict[Key, SizeCounts]:
-        """The counts of the worlds, grouped by the key that ``name`` gives to their sizes."""
+        """The counts of the worlds, by key.
+
+        The function ``name`` makes the key of a world from its numbers of edges and of vertices.
+        """
         found: dict[Key, SizeCounts] = {}
         for size, number in Counter(self.sizes.values()).items():
             found.setdefault(name(size), SizeCounts()).marked_worlds += number
@@ -197,7 +203,7 @@ class SensedParts(Struct, forbid_unknown_fields=True):
 
 
 class PartBySensing(Struct, frozen=True):
-    """The engine of the census.
+    """The engine of the census: it makes the worlds of a unit, and compares their looks.
 
     ``counted``: whether sizes of ambiguity classes are also computed by Burnside's lemma.
     """
@@ -207,7 +213,7 @@ class PartBySensing(Struct, frozen=True):
     counted: bool
 
     def parts(self, unit: AnyUnit) -> Iterator[SensedParts]:
-        """Yield the worlds of the unit, some at a time."""
+        """Yield the worlds of the unit in batches; each batch is a part of the census."""
         kind = self.kind.as_class
         if isinstance(unit, units.LevelUnit) and arrays.compiled_name(kind, self.extent):
             several = arrays.laid_out(unit, self.extent, kind)
@@ -402,7 +408,10 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         pair = self._compared(self._met.smallest_pair()) if whole else None
 
         def shown(counts: SizeCounts) -> dict[str, int]:
-            """The counts as keys of a row; of a shard, only the count that needs no other shard."""
+            """The counts, by the keys of a row.
+
+            For a shard this is only the number of worlds, since the other counts need all shards.
+            """
             return asdict(counts) if whole else {"marked_worlds": counts.marked_worlds}
 
         return AmbiguityCensus(

@@ -90,7 +90,7 @@ class Formula:
         self.clauses += [(-a, -b) for a, b in combinations(variables, 2)]
 
     def equivalent(self, a: Literal, b: Literal, *unless: Literal) -> None:
-        """Require both of two literals or neither to be true, unless one of ``unless`` is true."""
+        """Require two literals to be both true or both false, unless one of ``unless`` is true."""
         self.clauses += [(-a, *unless, b), (a, *unless, -b)]
 
     def write(self, path: Path) -> None:
@@ -122,7 +122,7 @@ def dimacs(variables: int, clauses: Sequence[Clause]) -> list[str]:
 
 
 def read_dimacs(path: Path, leave_out: str = "") -> tuple[int, list[Clause]]:
-    """The number of variables and the clauses of a DIMACS file that :class:`Formula` wrote.
+    """Read a DIMACS file that :class:`Formula` wrote: its number of variables and its clauses.
 
     Args:
         path: the path of the file.

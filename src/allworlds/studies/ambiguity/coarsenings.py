@@ -1,4 +1,4 @@
-"""The weakest sensors: the minimal ones among the coarsenings of a finest sensor that suffice.
+"""The weakest sensors: the coarsenings of a finest sensor that suffice and are minimal.
 
 A coarsening is a sensor that tells no more percepts apart than the finest sensor.  A coarsening
 suffices if no two worlds with different rooted maps look alike under it.  It is minimal if no
@@ -106,7 +106,7 @@ class Coarser(base.Lighthouse):
 
     Attributes:
         finest: the lighthouse of the finest sensor, at its place.
-        letters: the letter of each feature.
+        letters: the letter of each feature; several features can have the same letter.
     """
 
     finest: base.Lighthouse
@@ -116,7 +116,7 @@ class Coarser(base.Lighthouse):
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[base.Lighthouse]:  # noqa: ARG003
-        """Yield no lighthouse: a coarser sensor is made from one of the finest sensor instead."""
+        """Yield no lighthouse; a coarser sensor is made from a lighthouse of the finest sensor."""
         yield from ()
 
     @override
@@ -145,9 +145,10 @@ class FinestLevel(NamedTuple):
     roots: list[int]
 
     def looks(self, letters: Letters, indices: Sequence[int]) -> Iterator[bytes]:
-        """Yield the code of each world with one of these indices, under a coarsening.
+        """Yield a code of what a robot can find out in each world with one of these indices.
 
-        Two worlds have equal codes if and only if they look alike.
+        The robot senses by a coarsening, which is given by its letters.  Two worlds have equal
+        codes if and only if they look alike.
         """
         import numpy as np
 
@@ -170,7 +171,7 @@ def partitions(count: int) -> list[Letters]:
 
 
 def lower(letters: Letters) -> list[Letters]:
-    """The coarsenings that arise from this coarsening when two of its letters become one."""
+    """The next coarser coarsenings; each makes one letter of two letters of this coarsening."""
     count, found = max(letters) + 1, list[Letters]()
     for other in range(count):
         for one in range(other):
@@ -193,7 +194,7 @@ class Refuter:
     def pair(self, letters: Letters) -> tuple[WorldAt, WorldAt] | None:
         """Return two worlds with different rooted maps that look alike; None if there are none.
 
-        Each world is given as the index of its level, and its index there.
+        Each world is given by two indices: that of its level, and that of the world in the level.
         """
         known = sorted({index for pair in self.pairs for index in pair})
         if pair := self._alike(letters, known):
@@ -206,7 +207,7 @@ class Refuter:
         return pair
 
     def _alike(self, letters: Letters, worlds: Sequence[WorldAt]) -> tuple[WorldAt, WorldAt] | None:
-        """The first two of these worlds that look alike and have different rooted maps, or None."""
+        """The first two of ``worlds`` that look alike and have different rooted maps, or None."""
         first: dict[bytes, WorldAt] = {}
         for i, level in enumerate(self.levels):
             indices = [index for number, index in worlds if number == i]
@@ -272,7 +273,7 @@ def weakest(request: WeakestRequest) -> AmbiguityWeakest:
 
 
 def _features(kind: kinds.LighthouseKind) -> tuple[str, ...]:
-    """The names of the features of a sensor: of the parts of what it senses, as its degree.
+    """The names of the features of a sensor: what a robot can sense at a dart besides the degree.
 
     Raises:
         InputError: if the sensor has no features, or too many.
@@ -294,7 +295,8 @@ def _levels(
     """Yield each level that has worlds, with all its worlds.
 
     Raises:
-        InputError: if a robot senses or is told anything but the number of a feature.
+        InputError: if the sensor shows anything but the degree and the number of a feature, or if a
+            robot is told a value before the start.
     """
     import numpy as np
 

@@ -87,7 +87,10 @@ def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, PairVariabl
 
 
 def world_formula(question: Question, sizes: Sizes) -> Formula:
-    """The formula 'one world of the second size, in which the walk senses what is asked'."""
+    """The formula 'in one world of the second size, the robot senses the percepts of the walk'.
+
+    The walk and its percepts are those that the user asked for.
+    """
     formula = Formula(_title(question, sizes))
     _walk(formula, question, one_world(formula, "1", sizes.two, question))
     return formula
@@ -99,9 +102,9 @@ def _title(question: Question, sizes: Sizes) -> list[str]:
 
 
 def _reference_darts(formula: Formula, name: str, where: Where, world: OneWorld) -> Atoms:
-    """Require exactly one reference dart at every vertex, or at v0 alone; return its block.
+    """Require exactly one reference dart at every vertex, or one at v0 alone.
 
-    The variable x of the block says whether dart x is a reference dart.
+    The variable x of the returned block says whether dart x is a reference dart.
     """
     darts, most = world.size.darts, world.size.most
     pointed = formula.block(f"pointed{name}", (darts,), "x is a reference dart")
@@ -127,9 +130,9 @@ def _letters(
 ) -> Atoms:
     """Require the letters of v0's word at the darts of v0, and no letters elsewhere.
 
-    ``words`` has a word for each degree that v0 can have: the letters at the bearings 0, 1 and so
-    on.  The start is at bearing 0.  The variable ``[x, l]`` of the returned block says whether dart
-    x has the l-th letter.
+    A letter is a mark at a dart of v0.  ``words`` has a word for each degree that v0 can have: the
+    letters at the bearings 0, 1 and so on.  The start is at bearing 0.  The variable ``[x, l]`` of
+    the returned block says whether dart x has the l-th letter.
     """
     found, (darts, degrees) = sorted({*chain(*words.values())} - {0}), world.degree.shape
     meaning = f"x has one of {','.join(map(str, found))}"
@@ -182,7 +185,7 @@ def _sense_the_same(formula: Formula, pair: PairVariables, related: int, x: int,
 def _smaller_code(formula: Formula, pair: PairVariables) -> None:
     """Require the first world's code to be smaller, at the first step in which the codes differ.
 
-    If two worlds look alike in one order, so they do in the other, and no pair is lost.
+    No pair is lost: if two worlds look alike, they also look alike in the other order.
     """
     one, two, darts = pair.one, pair.two, pair.one.size.darts
     steps = 2 * darts
@@ -243,7 +246,7 @@ def forbid_other_start(formula: Formula, pair: PairVariables, start: int) -> Non
 
 
 def _walk(formula: Formula, question: Question, world: OneWorld) -> None:
-    """Require that the robot senses the question's percepts on the question's walk."""
+    """Require that a robot that goes the walk of the question senses the question's percepts."""
     if not question.walk:
         return
     darts = range(world.size.darts)

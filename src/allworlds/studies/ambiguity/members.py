@@ -1,4 +1,4 @@
-"""Worlds that look alike: the comparison of two worlds, and all members of a class.
+"""Worlds that look alike: the comparison of two worlds, and all members of an ambiguity class.
 
 A bisimulation proves that no motion tells two worlds apart; a walk proves that motions tell them
 apart.  The members of an ambiguity class are the maps that have the quotient of the class; the name
@@ -310,7 +310,8 @@ def uniform_permutations(k: int, b: int) -> Iterator[SheetPermutation]:
 def _choices(kinds: Sequence[_Kind]) -> Iterator[tuple[tuple[int, ...], ...]]:
     """Yield every combination with one option of each kind, in lexicographic order.
 
-    A kind is a function: it makes its options from the options that were chosen of earlier kinds.
+    A kind is a function: it gets the options chosen for the earlier kinds, and returns its own
+    options.
 
     No options are stored, unlike in a product; there may be thousands of kinds, unlike in a
     recursion.
@@ -405,7 +406,7 @@ class AmbiguityClass(Report):
 
 
 def projection_of(world: World) -> Projection:
-    """The quotient of a world, rooted at the start, and the class of each dart.
+    """The quotient of a world, rooted at the class of the start, and the class of each dart.
 
     The labels of the quotient are the percepts.
     """
@@ -481,8 +482,8 @@ def _checked(world: World, limit: int, universe: MapClass) -> None:
 def _members(quotient: Quotient, limit: int, own: LeastRooting) -> dict[Code, LeastRooting]:
     """The members of an ambiguity class by their codes, at most ``limit`` of them.
 
-    If there are more members, the given world, whose code is in ``own``, and the first other
-    members are returned.
+    If there are more than ``limit`` members, the given world is always returned, with the first
+    other members.  ``own`` has the code of the given world.
     """
     alike = range(quotient.sheets)  # the darts of a lift that lie over class 0
     found: dict[Code, LeastRooting] = {}
@@ -511,7 +512,7 @@ def _check_complete(quotient: Quotient, found: dict[Code, LeastRooting], own: Le
 
 
 def _poses(quotient: Quotient, found: dict[Code, LeastRooting]) -> int:
-    """The number of pairs of a world of the class and a dart of the robot, up to isomorphism.
+    """The number of poses: pairs of a world of the class and a dart in it, up to isomorphism.
 
     It is the sum of k / |Aut(world, v0)| over the worlds of the class (the mass formula); k is the
     number of sheets, and Aut(world, v0) are the automorphisms that fix v0.

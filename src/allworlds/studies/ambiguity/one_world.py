@@ -32,11 +32,11 @@ class OneWorld(Struct, frozen=True):
     offset: Atoms
 
     def step(self, t: int, y: int) -> int:
-        """The variable that says that the value found in step t is y."""
+        """The variable of the statement 'the value found in step t is y'."""
         return (self.alpha if t % 2 else self.sigma)[t // 2, y]
 
     def has_degree(self, x: int, degree: int) -> Clause:
-        """The literal that says that the vertex of dart x has this degree, as a part of a clause.
+        """A part of a clause: the literal that says that the vertex of dart x has this degree.
 
         The part is empty if no vertex can have this degree.
         """
@@ -136,7 +136,10 @@ def _vertices(formula: Formula, world: OneWorld) -> None:
 
 
 def _constant(formula: Formula, step: Atoms, here: Atoms, there: Atoms) -> None:
-    """Require that ``step(x)`` has in ``there`` the label that dart x has in ``here``."""
+    """Require: if ``step`` leads from dart x to dart y, the label of y is the label of x.
+
+    The label of x is that in the block ``here``, the label of y that in the block ``there``.
+    """
     labels = range(here.shape[1])
     for x, y in product(*map(range, step.shape)):
         formula.clauses += [(-step[x, y], -here[x, v], there[y, v]) for v in labels]

@@ -85,7 +85,9 @@ def _derive(known: dict[int, Clause], number: int, clause: Clause, hints: list[i
 
 
 class RupChecker:
-    """A checker by unit propagation: the given and the derived clauses, with two watched literals.
+    """A checker by unit propagation.
+
+    It holds the given and the derived clauses; two literals of each clause are watched.
 
     Attributes:
         lemmas: the literals and hints of each derived clause, by its number.
@@ -153,7 +155,7 @@ class RupChecker:
             self._watched[literal].append(number)
 
     def _settle(self, number: int) -> None:
-        """Derive the unit clauses that follow from a clause, by its number, by unit propagation."""
+        """Derive, by unit propagation, the unit clauses that follow from clause ``number``."""
         free = [literal for literal in self._clauses[number] if self._value[literal] >= 0]
         if len(free) > 1 or (free and self._value[free[0]] > 0):
             return
@@ -176,7 +178,9 @@ class RupChecker:
             self._insert(number, (literal,))
 
     def _hints(self, clause: Clause) -> list[int]:
-        """The numbers of the clauses, in order, by which propagation refutes a clause's negation.
+        """The numbers of the clauses by which unit propagation refutes the negation of ``clause``.
+
+        They are in the order of the propagation.
 
         Raises:
             ProofRefused: if propagation finds no conflict.

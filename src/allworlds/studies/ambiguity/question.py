@@ -1,4 +1,7 @@
-"""The question of a search for twins: lighthouse, class, bounds and walk; bad ones are refused."""
+"""The question of a search for twins: lighthouse, class, bounds and walk.
+
+Illegal values are refused.
+"""
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -30,7 +33,7 @@ from allworlds.world.selection import TRIED_EDGES, tried_kind
 
 
 def motion_list(text: str) -> tuple[int, ...]:
-    """The motions that a text such as ``1,-1,0`` names.
+    """The motions in a text such as ``1,-1,0``.
 
     Raises:
         InputError: if the text does not consist of integers with commas between.
@@ -98,11 +101,11 @@ SEARCHED: Mapping[str, Callable[[Sequence[combinatorial.Dart]], base.Lighthouse]
     marked.Directional.kind: lambda darts: marked.Directional(darts[0]),
     marked.Compass.kind: lambda darts: marked.Compass(tuple(darts)),
 }
-"""For some kinds of lighthouses, the function that makes one from its reference darts.
+"""Functions, by kind of lighthouse; each makes a lighthouse of its kind from the reference darts.
 
-The formulas of these kinds name the reference darts.  Other formulas are for lighthouses with
-letters, marks at v0 that depend on the bearing: there the start has bearing 0, since turning is
-free.
+For these kinds the formulas say which darts are reference darts.  For all other kinds the formulas
+say which letters are at the darts of v0; a letter is a mark that depends on the bearing.  There the
+start has bearing 0, since turning is free.
 """
 
 LETTERS = (marked.Door.kind, marked.Word.kind)
@@ -142,7 +145,7 @@ class Sizes(NamedTuple):
 
     @property
     def name(self) -> str:
-        """The name for files: as ``m4n2to5``, or ``m3n2-m4n3`` if the two sizes differ."""
+        """The name for files: for example ``m4n2to5``, or ``m3n2-m4n3`` if the two sizes differ."""
         return "-".join(
             f"m{size.edges}n{size.fewest}" + (f"to{size.most}" if size.most > size.fewest else "")
             for size in dict.fromkeys(self)
@@ -185,10 +188,11 @@ class Question(Struct, frozen=True, dict=True):
 
     @cached_property
     def words(self) -> Mapping[int, tuple[int, ...]]:
-        """The letters at bearings 0, 1, ... for each degree of v0; empty for kinds without letters.
+        """The letters of v0, for each degree of v0; empty for the kinds in :data:`SEARCHED`.
 
-        Letters are the marks that a robot senses at the hub of a star, under the lighthouse at its
-        first place.  In a star every edge leads from the hub to a vertex of degree 1.
+        Letters are the marks that a robot senses at v0 at the bearings 0, 1 and so on.  They are
+        read from a star: a map in which every edge leads from the hub, here v0, to a vertex of
+        degree 1.  The lighthouse is at its first place.
         """
         if self.lighthouse in SEARCHED:
             return {}
@@ -254,7 +258,10 @@ def letters_at(placed: base.Lighthouse, map_: combinatorial.CombinatorialMap) ->
 
 
 def _ensure_at_v0(question: Question) -> None:
-    """Raise InputError if in a small map a robot senses more than degrees and letters at v0."""
+    """Raise InputError if a robot senses more than degrees and the letters at v0.
+
+    This is tried in all small maps.
+    """
     most = min(question.edges, TRIED_EDGES)
     for map_ in (map_ for edges in range(1, most + 1) for map_ in rooted_maps(edges)):
         for placed in question.kind.places(map_, 0):

@@ -53,12 +53,12 @@ class SensedWorlds(NamedTuple):
     vertices: Sequence[int]
 
     def chosen(self, indices: Any) -> "SensedWorlds":
-        """Return the worlds with these indices, without told values and numbers of vertices."""
+        """Return the worlds with these indices, without the fields ``told`` and ``vertices``."""
         return SensedWorlds(self.sigma[indices], self.alpha[indices], self.sensed[indices], (), ())
 
 
 def matrices(worlds: Sequence[LitMap]) -> SensedWorlds:
-    """The worlds as arrays; a percept has the same number in all worlds.
+    """The worlds as arrays, in which a percept is a number, the same in all worlds.
 
     Raises:
         InputError: for more marks than a number can hold.
@@ -84,11 +84,9 @@ def matrices(worlds: Sequence[LitMap]) -> SensedWorlds:
 
 
 def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
-    """The name of a lighthouse in compiled code, if compiled code is to make the worlds.
+    """The name of a lighthouse in compiled code; empty if compiled code does not make the worlds.
 
-    The name is empty if Python makes the worlds.
-
-    Lighthouses with letters have the name of ``Door``.
+    Then Python makes them.  Lighthouses with letters have the name of ``Door``.
     """
     name = Door.kind if issubclass(kind, SensedByBearing) else kind_of(kind)
     name = Nothing.kind if kind is Labels else name
@@ -99,7 +97,7 @@ def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
 
 @lru_cache(16)
 def _room(edges: int, thread: int) -> tuple[Any, ...]:  # noqa: ARG001  # each has its own
-    """Four arrays for the compiled code: a job, a robot that stands still, and two for the worlds.
+    """Four arrays for the compiled code: for a job, a robot that stands still, and the worlds.
 
     The first array of worlds has an entry for each world, the second one for each dart of a world.
     Each thread has its own arrays.
@@ -113,9 +111,10 @@ def _room(edges: int, thread: int) -> tuple[Any, ...]:  # noqa: ARG001  # each h
 def laid_out(
     unit: LevelUnit, extent: Extent, kind: type[Lighthouse]
 ) -> Iterator[tuple[int, SensedWorlds]]:
-    """Yield batches of a unit's worlds, made by compiled code.
+    """Yield the worlds of a unit in batches; compiled code makes them.
 
-    With each batch comes the number of its rooted maps; maps without a place are counted, too.
+    With each batch comes the number of its rooted maps.  Maps in which the lighthouse has no place
+    are counted, too.
     """
     import numpy as np
 
@@ -166,7 +165,7 @@ def _labelled(worlds: SensedWorlds, first: Matrix) -> SensedWorlds:
 
 
 def _ranks(keys: Matrix) -> Matrix:
-    """A matrix with the number of different smaller values in the same world, for each entry."""
+    """A matrix that has, for each entry, the number of different smaller values in its world."""
     import numpy as np
 
     order = np.argsort(keys, axis=1, kind="stable")
@@ -257,10 +256,10 @@ class NamedWorld(NamedTuple):
     """Names by which worlds are compared.
 
     Attributes:
-        look: a text that two worlds share if and only if no motion from their starts, and no value
-            told before the start, tells them apart.
-        name: a text that two worlds share if and only if they are isomorphic, with percepts and
-            told values; their starts do not matter.
+        look: a text.  Two worlds have the same text if and only if no motion from their starts,
+            and no value told before the start, tells the worlds apart.
+        name: a text.  Two worlds have the same text if and only if an isomorphism keeps percepts
+            and told values; their starts do not matter.
         sheets: the number of darts in each class of the quotient.
     """
 

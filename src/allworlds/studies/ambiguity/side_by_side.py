@@ -1,4 +1,4 @@
-"""The comparison of sensors, which are lighthouses, by what a robot can tell apart under each.
+"""The comparison of sensors: what can a robot tell apart under each lighthouse?
 
 The smallest worlds that look alike under each sensor are found, and which sensor tells more apart.
 """
@@ -174,7 +174,8 @@ class Sensor(Struct):
     def meet(self, worlds: Sequence[LitMap], number: dict[CombinatorialMap, int]) -> None:
         """Add worlds that are no smaller than the earlier ones.
 
-        ``number`` has a number for each rooted map that some sensor has met; new maps are added.
+        ``number`` has a number for each rooted map in the worlds of any sensor so far; new maps are
+        added.
         """
         arrays = matrices(worlds)
         in_order = zip(worlds, named(arrays), arrays.sensed.tolist(), strict=True)
@@ -220,7 +221,7 @@ class Sensor(Struct):
 
 
 def _place(lighthouse: Any) -> list[Any]:
-    """The names and values of the fields that say where a lighthouse of any kind stands."""
+    """The names and values of the fields that say where a lighthouse stands, whatever its kind."""
     return [
         (key, getattr(part, key))
         for part in kinds.parts_of(lighthouse)
@@ -264,7 +265,7 @@ def compared(request: SensorsRequest) -> AmbiguitySensors:
 
 
 def _follows(one: Sequence[Hashable], other: Sequence[Hashable]) -> bool:
-    """Whether entries with equal values in ``other`` always have equal values in ``one``, too."""
+    """Whether ``one`` has equal values at any two indices at which ``other`` has equal values."""
     return len({*zip(other, one, strict=True)}) == len({*other})
 
 

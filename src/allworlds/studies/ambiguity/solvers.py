@@ -31,7 +31,10 @@ OLDEST = 2
 """The first major version of CaDiCaL that writes LRAT."""
 
 LONGEST_WAIT = 10**6
-"""The most seconds of waiting for a solver, since solvers count milliseconds in 32 bits."""
+"""The most seconds of waiting for a solver.
+
+Solvers count milliseconds in 32 bits.
+"""
 
 
 class SolverAnswer(Struct, frozen=True):
@@ -96,7 +99,7 @@ def solve_with_python_sat(formula: Path, proof: Path, deadline: float | None) ->
 
 
 def solve_here(formula: str, proof: str) -> None:
-    """Solve the formula in a DIMACS file by python-sat, and print the verdict as solvers do.
+    """Solve the formula in a DIMACS file by python-sat; print the verdict in the format of solvers.
 
     If the formula has no model, a DRAT proof is written to the file ``proof``.
     """

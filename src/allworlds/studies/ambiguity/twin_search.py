@@ -335,7 +335,7 @@ class _TwinsSearch(Struct):
     def _decide(self, sizes: Sizes) -> Searched:
         """Solve the formula of two sizes.
 
-        A pair that is one map with two starts is excluded, and the formula is solved again.
+        If the found worlds are one map with two starts, the formula is solved again without them.
         """
         began = monotonic()
         formula, pair = formulas.pair_formula(self.question, sizes)
@@ -400,7 +400,7 @@ class _TwinsSearch(Struct):
         return twins
 
     def _found(self, twins: Twins, ending: Ending = COMPLETED) -> SearchResult:
-        """The result with the pair, after the pair and its bisimulation are written to a file."""
+        """The result with a found pair; the pair and its bisimulation are written to a file."""
         file = self.directory / "pair.json"
         file.write_text(json.dumps(twins.to_json()) + "\n", encoding="ascii")
         found = {"pair": twins.pair, "bisimulation": twins.bisimulation}
@@ -431,8 +431,8 @@ class _TwinsSearch(Struct):
     def _prove(self) -> bool:
         """Write a checked LRAT proof for each formula; return whether all formulas have a proof.
 
-        The proofs are made from DRAT proofs.  For each reason why proofs are missing, one notice
-        names formulas without a proof.
+        The proofs are made from DRAT proofs.  If proofs are missing, there is one notice for each
+        reason, with the name of a formula without a proof.
         """
         missing: dict[str, list[str]] = {}
         for number, searched in enumerate(self.done):
@@ -447,7 +447,10 @@ class _TwinsSearch(Struct):
         return not missing
 
     def _write_proof(self, formula: Path) -> str:
-        """Write a checked LRAT proof for a formula; return why there is none, or an empty text."""
+        """Write a checked LRAT proof for a formula.
+
+        Return an empty text, or the reason why there is no proof.
+        """
         if not python_sat_is_installed():
             return f"{INSTALL.format('proofs')}, or name a CaDiCaL 2 with --solver"
         drat = formula.with_suffix(".drat")

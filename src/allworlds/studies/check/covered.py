@@ -11,10 +11,10 @@ from allworlds.maps.combinatorial import CombinatorialMap
 def telling_apart(map_: CombinatorialMap) -> tuple[int, int]:
     """The number of sheets of the map, and the number of traversals that tell darts apart.
 
-    There is no lighthouse: a robot senses degrees alone.  Darts that no walk tells apart look
-    alike.  Equally many darts look like each dart, itself included; this is the number of sheets.
-    Any two darts that do not look alike are told apart by a walk with at most the second number of
-    traversals.
+    There is no lighthouse: a robot senses degrees alone.  Darts look alike if no walk tells them
+    apart.  Classes of darts that look alike are equally large; their size is the number of sheets.
+    If two darts do not look alike, a walk tells them apart whose traversals are at most the second
+    number.
 
     Cost: O(m log m) for each of these traversals.
     """

@@ -104,7 +104,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
 
     @override
     def levels(self) -> Iterable[units.SweptLevel]:
-        """The levels; small levels have further units, which test whether a run affects others."""
+        """The levels; small levels have further units, which test whether one run affects another."""
         for level in super().levels():
             across = units.across_level(self.scope.extent, level.edges, self.portion)
             subject = self.job.subject
@@ -117,7 +117,10 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
 
     @override
     def begin(self) -> outcome.Ending | None:
-        """Try the findings of the user's corpus again; end the check if enough are reproduced."""
+        """Try again the findings of the user's corpus.
+
+        The check ends if as many of them are reproduced as the check keeps.
+        """
         return self.retry_past(self._tally)
 
     @override

@@ -35,7 +35,7 @@ from allworlds.world.lighthouses.options import InvalidWorld
 from allworlds.world.world import World
 
 MOST = 4000
-"""The most runs of a trial; a level that would make the trial larger is not tried."""
+"""The most runs of a trial; a level with which the trial would have more runs is not tried."""
 
 SECONDS = 5.0
 """The most seconds of a trial; an option whose trial would take longer is not named."""
@@ -51,7 +51,7 @@ RIGHT = 200
 
 
 def hinted(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> Finding:
-    """The confirmed finding of a check, with hints: options that help, and lines of code."""
+    """The confirmed finding with hints: options with which no law is broken, and lines of code."""
     levels = (edges for edges in scope.extent.levels if edges <= finding.world.map.edge_count)
     others = (run for edges in levels for run in _runs(scope, edges))
     tried = tried_options(finding, subject, limits, scope)
@@ -112,7 +112,7 @@ def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Sco
 def _runs(scope: Scope, edges: int) -> Iterator[WorldAtPlace]:
     """Yield all worlds with this number of edges, each with the number of its lighthouse's place.
 
-    The check itself, if it is a shard, tries only a part of these.
+    If the check is a shard, it has tried only a part of these worlds itself.
     """
     for unit in units_of_level(scope.extent, edges):
         for run in numbered_runs(unit, scope.extent, scope.rules.kind):
@@ -130,15 +130,17 @@ Trace: TypeAlias = list[tuple[bool, UserLine]]
 def located(
     finding: Finding, subject: Subject, limits: Limits, others: Iterable[WorldAtPlace] = ()
 ) -> Finding:
-    """The finding with lines of code, if its explorer is in Python and repeats the run.
+    """The finding with lines of its explorer's code.
+
+    The finding stays as it is if the explorer is not in Python, or does not repeat the run.
 
     Args:
         finding: the finding.
         subject: the explorer.
         limits: the limits of the time for an answer, and of memory.
-        others: further worlds, each with the number of its lighthouse's place.  A line that also
-            runs in one of them, in a run without a broken law, is not named as a line of this
-            finding alone.
+        others: further worlds, each with the number of its lighthouse's place.  The explorer is
+            also run in these worlds.  A line is not named as a line of this finding alone if it
+            also runs there, in a run that breaks no law.
 
     Cost: that of the runs, each some ten times slower than a run whose lines are not traced.
     """

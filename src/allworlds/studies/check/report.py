@@ -42,9 +42,10 @@ SharedFile: TypeAlias = Annotated[
 
 
 def shared_file(explorer: str, rules: Rules, where: Condition | None) -> str:
-    """The name of the explorer's file, if code that judges the explorer is also in it; else empty.
+    """The name of the explorer's file if this file also has code that judges the explorer.
 
-    The judge's process must then load the explorer's file, whose code could change a verdict.
+    The name is empty if there is no such code.  Otherwise the judge's process must load the
+    explorer's file, whose code could change a verdict.
     """
     files = (*rules.files, *selection.files_of_condition(where))
     if not files:
@@ -152,26 +153,26 @@ class GateCell(doc.Document):
 
     @property
     def agrees(self) -> bool:
-        """Whether the maps are as many as the source counts, and their fingerprint is ``listed``.
+        """Whether the maps are as many as the source counts, and have the fingerprint ``listed``.
 
-        The fingerprint is not compared if ``listed`` is empty.
+        If ``listed`` is empty, fingerprints are not compared.
         """
         return self.counted == self.enumerated and self.listed in ("", self.fingerprint)
 
 
 LISTED_EDGES = 5
-"""The largest number of edges for which each check lists all maps once more, in another way.
+"""The largest number of edges for which each check lists all maps a second time, by other code.
 
 Then the fingerprints of both lists are compared.
 """
 
 
 def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
-    """The known fingerprints of the worlds with this number of edges, in hexadecimal, by vertices.
+    """The known fingerprint, in hexadecimal, of all worlds with these edges, by number of vertices.
 
-    A fingerprint here is the sum of the fingerprints of single worlds.  Up to :data:`LISTED_EDGES`
-    edges, other code than the check's lists the worlds once more; beyond, the fingerprints are
-    those in the corpus that ships with the package.
+    The fingerprint of many worlds is the sum of the fingerprints of single worlds.  Up to
+    :data:`LISTED_EDGES` edges, code that the check does not use lists the worlds once more.  For
+    more edges, the fingerprints are those in the corpus that ships with the package.
     """
     if edges <= LISTED_EDGES:
         return {n: f"{each:x}" for n, each in count_source.listed(extent, edges).items()}
@@ -184,8 +185,9 @@ def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
 def count_gate(extent: classes.Extent, edges: int, tally: Tally) -> list[GateCell]:
     """Compare the number of a level's maps with that of an independent source.
 
-    There is a comparison for each number of vertices, and none if no source counts the maps, as
-    under some conditions.  The fingerprints of the maps are compared, too, if they are known.
+    There is a comparison for each number of vertices.  There is none if no source counts the maps,
+    for example under some conditions.  The fingerprints of the maps are compared, too, if they are
+    known.
     """
     source = count_source.source_of(extent)
     if source is None:
@@ -217,8 +219,8 @@ def missing_witnesses(
     """The events that must occur in a check of the whole extent, but are not in ``seen``.
 
     Events that the explorer reports are required only if its task is to draw the map, since runs
-    with another task may end before such an event.  They are also required only without a condition
-    on the worlds, since the smallest worlds with these events need not satisfy the condition.
+    with another task may end before such an event.  These events are required only if there is no
+    condition on the worlds, since the smallest worlds with them need not satisfy the condition.
     """
     simple, last = extent.map_class.simple, extent.levels[-1]
     required = {event for event, least in SMALLEST.items() if extent.include(named_map(least))}

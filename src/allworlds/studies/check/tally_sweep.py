@@ -46,8 +46,8 @@ class Confirmation(Struct, frozen=True):
     Attributes:
         subject, limits, scope: the explorer, the limits and the scope of the job.
         deadline: the time after which findings are no longer played again.
-        kept: what the run directory keeps of earlier confirmations, which are not repeated, so that
-            all reports of a job agree.
+        kept: the records of earlier confirmations in the run directory.  These are not repeated,
+            so all reports of a job agree.
     """
 
     subject: loading.Subject
@@ -85,10 +85,11 @@ class Confirmation(Struct, frozen=True):
         return bool(remarks)
 
     def replaced(self, name: str, found: Finding, by: Callable[[Finding], Finding]) -> Finding:
-        """The finding that ``by`` makes of ``found``, which is then recorded under ``name``.
+        """The finding that the function ``by`` makes from ``found``.
 
-        A recorded finding is returned without another call of ``by``.  If a remark is recorded
-        instead, or nothing is recorded and the deadline is past, ``found`` is returned.
+        The new finding is recorded under ``name``.  If one is recorded already, it is returned
+        without another call of ``by``.  If a remark is recorded instead, ``found`` is returned.  If
+        nothing is recorded and the deadline is past, ``found`` is returned, too.
         """
         settled = self._recorded(name, found, by)
         return found if isinstance(settled, str) else settled
@@ -101,8 +102,9 @@ class Confirmation(Struct, frozen=True):
     def _again(self, found: Finding, *, number: int) -> Finding:
         """The finding, played again, with hints.
 
-        ``number`` is the number of findings before ``found``.  The finding with number 0 gets all
-        hints, the next ones get lines of code, and those from :data:`LOCATED` on get no hint.
+        ``number`` is the number of findings before ``found``.  If it is 0, the finding gets all
+        hints.  The next findings get lines of code; findings from number :data:`LOCATED` on get no
+        hint.
         """
         again = single.played_again(found, self.subject, self.limits)
         if number == 0:
@@ -197,13 +199,13 @@ def _retry(finding: Finding, subject: loading.Subject, limits: Limits) -> Findin
 
 
 def rules_record(rules: Rules) -> dict[str, Any]:
-    """The options of the rules that may depend on the explorer, by name, for a run directory."""
+    """The options of the rules that may depend on the explorer: a record for a run directory."""
     names = ("lighthouse", "step_budget", "promised", "own_bound", "shared_file")
     return {name: requests.as_json(getattr(rules, name)) for name in names}
 
 
 def rules_known(request: Any, record: Mapping[str, Any]) -> Rules:
-    """The rules of a request, made without its explorer.
+    """The rules of a request, made without loading its explorer.
 
     ``record``, made by :func:`rules_record`, has the options that may depend on the explorer.
     """
@@ -229,7 +231,7 @@ def record_of(subject: loading.Subject) -> dict[str, Any]:
 
 
 def subject_of_record(record: Mapping[str, Any]) -> loading.Subject:
-    """An explorer with the name and the keywords of a record, without code.
+    """An explorer that has a name and keywords, from a record, but no code.
 
     It is for jobs whose runs are all done.
     """

@@ -18,7 +18,7 @@ from allworlds.studies.check.exhaustive import job_of
 from allworlds.studies.check.report import CheckRequest
 
 SECONDS = 2.0
-"""The seconds for which a sample goes on after its first unit is done."""
+"""The seconds for which a sample continues after its first unit is done."""
 
 MOST_SECONDS = 4.0
 """The most seconds of a sample, without compiling; an estimate has at most two samples.
@@ -136,10 +136,10 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
 
 
 def one_larger(job: Job) -> classes.Extent | None:
-    """The job's class of maps with one edge more.
+    """The job's class of maps with one more edge.
 
-    None if the job has no bound on the edges, if no map has one edge more, or if the maps with more
-    than :data:`COUNTABLE` edges would have to be counted.
+    None if the job has no bound on the edges, if no map has one more edge, or if one more edge is
+    more than :data:`COUNTABLE` edges, since counting so many maps takes long.
     """
     extent = job.scope.extent
     if extent.edges is None or extent.edges >= COUNTABLE:

@@ -135,7 +135,7 @@ def compare(*explorers: str | Callable[..., Any], **options: Any) -> Comparison 
 def _contest(
     entrants: tuple[Entrant, ...], request: CompareRequest
 ) -> "SameWorlds | GrowingWorlds":
-    """The sweep that answers a request: ``GrowingWorlds`` for a request with ``to``.
+    """The sweep that answers a request: ``GrowingWorlds`` if ``to`` is given, else ``SameWorlds``.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -224,7 +224,10 @@ class SameWorlds(Contest[Comparison]):
                 yield UnitOfOne(number, unit)
 
     def _placed(self, one: Entrant, map_: CombinatorialMap) -> tuple[tuple[World, int], ...]:
-        """The worlds of a map: one for each place of the entrant's lighthouse, with its number."""
+        """The worlds of a map, one for each place of the entrant's lighthouse.
+
+        With each world comes the number of the place.
+        """
         places = enumerate(one.rules.kind.places(map_, 0))
         return tuple((World(map_, lighthouse, 0), place) for place, lighthouse in places)
 
@@ -248,7 +251,8 @@ class SameWorlds(Contest[Comparison]):
         """Keep the map if the mean costs differ more than in all earlier maps.
 
         Keep the runs in the map, too, if the user asks for a row for each world or run.  ``found``
-        has for each explorer the costs in the map, by the number of the lighthouse's place.
+        has an entry for each explorer: its costs in the map, by the number of the lighthouse's
+        place.
         """
         first, *others = means = [_mean(costs) for costs in found]
         difference = max(abs(other - first) for other in others)
@@ -288,8 +292,8 @@ def row_of(
         edges: the number of edges.
         vertices: the number of vertices.
         names: the names of the explorers.
-        maps: for each rooted map a list with the costs of each explorer, by the number of the place
-            of its lighthouse.
+        maps: a list for each rooted map.  For each explorer it has the costs in this map, by the
+            number of the place of the explorer's lighthouse.
     """
     by_explorer = dict(zip(names, zip(*maps, strict=True), strict=True))
     means = {name: [_mean(costs) for costs in found] for name, found in by_explorer.items()}

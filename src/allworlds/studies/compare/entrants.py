@@ -1,7 +1,7 @@
-"""The request of ``compare``, and what its sweeps through fixed and growing worlds share.
+"""The request of ``compare``, and the common part of its sweeps through fixed and growing worlds.
 
-They share the entrants, which are explorers with their rules, the units, the costs, and the base of
-the report.
+This part is: the entrants, which are explorers with their rules; the units; the costs; and the base
+of the report.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -168,7 +168,7 @@ class CostTally(Tally):
     costs: dict[MapKey, dict[int, int]] = entry(default_factory=dict)
 
     def add(self, other: Tally) -> None:
-        """Add another tally, of runs that are not in this one."""
+        """Add a tally of other runs to this tally."""
         # Zero-argument super() does not know a class with slots.
         Tally.add(self, other)
         if isinstance(other, CostTally):
@@ -235,7 +235,10 @@ class UnitOfOne(Struct, frozen=True):
 
 
 class CostsOfAll(Struct):
-    """The costs of each entrant's runs, by the entrant's number; parts are added in any order."""
+    """The costs of each entrant's runs, by the entrant's number.
+
+    Parts can be added in any order.
+    """
 
     of: dict[int, CostTally] = field(default_factory=dict)
 
@@ -255,7 +258,10 @@ class CostsOfAll(Struct):
 
 
 class SideBySide:
-    """A transport for the units of all entrants, made of one transport for each entrant."""
+    """A transport, which sends units to workers, for the units of all entrants.
+
+    It is made of one transport for each entrant.
+    """
 
     def __init__(self, transports: Sequence[units.Transport]) -> None:
         self._transports, self._stack = transports, ExitStack()
@@ -312,7 +318,7 @@ class Entrant(Struct, frozen=True):
         return self.named(self.subject.name)
 
     def named(self, explorer: str) -> str:
-        """The name ``explorer``; ``@`` and a lighthouse follow as in the entrant's own name."""
+        """The text ``explorer``, with ``@`` and a lighthouse if the entrant's name has these."""
         return f"{explorer}{AT}{self.at}" if self.at else explorer
 
     def scope(self, extent: classes.Extent, portion: units.Shard = units.WHOLE) -> units.Scope:
@@ -343,7 +349,7 @@ def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
 
 
 def _with_lighthouse(explore: object) -> tuple[Any, LighthouseKind | None]:
-    """An explorer, without ``@LIGHTHOUSE`` behind its name, and this lighthouse, or None.
+    """An explorer without ``@LIGHTHOUSE`` behind its name, and this lighthouse, or None.
 
     Paths and commands may contain ``@``, too.  So ``@`` counts only before the name of a
     lighthouse.  If the text before ``@`` names an explorer, any other text behind ``@`` is an

@@ -36,10 +36,10 @@ class Growing(Struct, frozen=True):
     """A family of worlds that grow; its members are numbered by size.
 
     Attributes:
-        form: the form of its name on the command line; ``:D`` stands for a degree.
+        form: the form of the family's name on the command line; ``:D`` stands for a degree.
         member: a function that makes the name of a member from its number and the degree.
         degree: the default degree; None if the name has no degree.
-        holes: the share of edges that is removed, as ``10%``; None: no edge is removed.
+        holes: the share of edges that is removed, for example ``10%``; None: no edge is removed.
     """
 
     form: str
@@ -74,8 +74,8 @@ FORMS = ", ".join(growing.form for growing in GROWING.values())
 class Member(Struct, frozen=True):
     """One world of a family.
 
-    ``text`` is the family with a size, as ``torus:6x6``; ``holes`` is the share of edges that is
-    removed, as ``10%``, or None; ``seed`` is the seed of random choices.
+    ``text`` is the family with a size, for example ``torus:6x6``; ``holes`` is the share of edges
+    that is removed, for example ``10%``, or None; ``seed`` is the seed of random choices.
     """
 
     text: str
@@ -84,7 +84,7 @@ class Member(Struct, frozen=True):
 
     @property
     def name(self) -> str:
-        """The name of the world on the command line, as ``torus:6x6 --seed 1``."""
+        """The name of the world on the command line, for example ``torus:6x6 --seed 1``."""
         holes = f" --holes {self.holes}" if self.holes else ""
         return f"{self.text}{holes} --seed {self.seed}"
 
@@ -94,14 +94,17 @@ class Member(Struct, frozen=True):
 
 
 def member_named(name: str) -> Member:
-    """The member with this name; names have the form of :attr:`Member.name`."""
+    """The member with this name; the name has the form of :attr:`Member.name`."""
     words, _, seed = name.partition(" --seed ")
     text, _, holes = words.partition(" --holes ")
     return Member(text, holes or None, int(seed))
 
 
 def distinct(members: Iterable[Member]) -> dict[Member, CombinatorialMap]:
-    """The members, each with its map; of members with isomorphic rooted maps the first alone."""
+    """The different members, each with its map.
+
+    Of several members with isomorphic rooted maps, only the first is returned.
+    """
     seen: dict[Code, Member] = {}
     maps = {member: member.map() for member in members}
     for member, map_ in maps.items():
@@ -112,7 +115,8 @@ def distinct(members: Iterable[Member]) -> dict[Member, CombinatorialMap]:
 def form_of(family: str) -> tuple[Growing, int] | None:
     """The growing family that a text such as ``regular:6`` names, and the degree.
 
-    The degree is 0 in a family without a degree.  None if the text names no growing family.
+    The degree is 0 in a family without a degree.  If the text names no growing family, None is
+    returned.
     """
     name, colon, degree = family.partition(":")
     growing = GROWING.get(name)
@@ -127,7 +131,8 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
     """The members of a family: a list for each size, the sizes ascending.
 
     The sizes are those of the largest members with at most ``to``, ``to / 2``, ``to / 4``, ...
-    edges.  The members of one size have the seeds ``seed``, ``seed + 1``, ..., ``worlds`` in all.
+    edges.  The members of one size have the seeds ``seed``, ``seed + 1``, and so on; there are
+    ``worlds`` seeds.
 
     Raises:
         InputError: for a text that names no growing family, and for a family without a member of at
@@ -149,9 +154,10 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
 
 
 def _largest(growing: Growing, degree: int, edges: int) -> str:
-    """The name of the largest member with at most ``edges`` edges before edges are removed.
+    """The name of the largest member with at most ``edges`` edges; removed edges are counted, too.
 
-    The name is empty if this member has fewer than :data:`LEAST` edges, or no member is so small.
+    The name is empty if this member has fewer than :data:`LEAST` edges, or if all members have more
+    than ``edges`` edges.
     """
     number = 1
     while families.edges_of(growing.member(number + 1, degree)) <= edges:
@@ -364,11 +370,11 @@ def _rounded(interval: intervals.Interval | None, digits: int = 6) -> intervals.
 
 
 class _Size(Struct, frozen=True):
-    """The members of a family of one size.
+    """The members of a family that have one size.
 
     Attributes:
         number: the number of the family among those of the request, from 0 on.
-        family: the name of the family, as it was asked for.
+        family: the name of the family in the request.
         edges: the number of edges of a member before edges are removed.
         seeds: the number of members that were drawn.
         maps: the maps of the different members in which explorers run.
@@ -528,7 +534,7 @@ def _ensure_grows(who: Sequence[entrants.Entrant], request: entrants.CompareRequ
 
 
 def _size(number: int, family: str, members: Sequence[Member]) -> _Size:
-    """The members of a family of one size, as a :class:`_Size`; isomorphic members count once."""
+    """The members of a family that have one size; isomorphic members count once."""
     maps = distinct(members)
     member, map_ = next(iter(maps.items()))
     drawn_from = families.rootings(member.text, map_, member.holes)

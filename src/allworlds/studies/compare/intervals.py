@@ -92,7 +92,10 @@ def power(costs: Mapping[int, float]) -> Power:
 
 
 def _left_by(across: Sequence[float], up: Sequence[float]) -> list[float]:
-    """The residuals of the heights ``up`` over the abscissas ``across``, after a linear fit."""
+    """The residuals of ``up`` after a linear fit over ``across``.
+
+    ``up`` has the heights of the points, ``across`` their abscissas.
+    """
     slope, height = linear_regression(across, up)
     return [y - height - slope * x for x, y in zip(across, up, strict=True)]
 
@@ -110,8 +113,8 @@ def _reach(left: Sequence[float], across: Sequence[float], degrees: int) -> floa
 def _bend(sizes: Sequence[float], heights: Sequence[float]) -> str:
     """A text that says how the points bend; empty if no quadratic term is significant.
 
-    By the theorem of Frisch, Waugh and Lovell the term's coefficient is the slope of the residuals
-    of the heights over the residuals of the squares.
+    By the theorem of Frisch, Waugh and Lovell the coefficient of the quadratic term is a slope:
+    that of the residuals of the heights over the residuals of the squares.
     """
     left = _left_by(sizes, heights)
     if max(map(abs, left)) < CLOSE:

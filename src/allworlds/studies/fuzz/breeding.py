@@ -1,6 +1,6 @@
-"""Worlds that are bred from draws, which are random worlds.
+"""Worlds that are bred from draws: mutants of random worlds.
 
-The aim is that the explorer runs those lines of its code that it runs in few worlds.
+The aim is that the explorer runs those lines of its code that run in few worlds.
 """
 
 from collections import Counter, deque
@@ -40,7 +40,7 @@ BRED_PER_GENERATION = 16
 """The number of worlds in a generation; for the next generation, parents are chosen anew."""
 
 RAREST_LINES = 4
-"""The number of lines, the rarest ones, such that worlds in which they ran can be parents."""
+"""The number of rarest lines.  A world in which one of them ran can be a parent."""
 
 PARENTS_PER_LINE = 8
 """The number of worlds that are kept for a line: the last worlds in which the line ran."""
@@ -49,11 +49,11 @@ TRAVERSALS_TRACED = 20_000
 """The most traversals of a traced run."""
 
 MUTANTS_TRIED = 20
-"""The most mutants of a world that are made until one of them is in the class."""
+"""The most mutants that are made of a world until one of them is in the class."""
 
 
 class Bred(Struct, frozen=True):
-    """The unit of the worlds that are bred from ``drawn``, the first draws of a block."""
+    """The unit of the worlds that are bred from ``drawn``: the first draws of a block."""
 
     drawn: Batch
 
@@ -70,7 +70,7 @@ class Bred(Struct, frozen=True):
 def bred_of(sample: Sample, begins: Iterable[int]) -> Iterator[Bred]:
     """Yield a unit of bred worlds for each block of draws that belongs to the sample's shard.
 
-    ``begins`` has the number of the first draw of each block, in any shard.
+    ``begins`` has the number of the first draw of each block, whatever shard the block belongs to.
     """
     for first in begins:
         if first // DRAWS_PER_BLOCK % sample.portion.count == sample.portion.index:
@@ -80,7 +80,11 @@ def bred_of(sample: Sample, begins: Iterable[int]) -> Iterator[Bred]:
 
 
 def is_bred_for(subject: loading.Subject) -> bool:
-    """Whether worlds are bred for an explorer: it is a user's, and its lines can be traced."""
+    """Whether worlds are bred for an explorer.
+
+    This is so if the explorer is a user's, and is no program or shared library, so that its lines
+    can be traced.
+    """
     return subject.from_user and not (
         loading.is_program(subject.name) or loading.is_library(subject.name)
     )
@@ -96,16 +100,16 @@ def bred(
     bred worlds depend on the explorer and on these draws alone.  If the player is lost, breeding
     ends.
 
-    Rare lines are the only target, since two other targets did not help.  Measured with up to 60
-    edges, in 48 searches for a slip behind four nested conditions: 256 draws found 4 slips, 64
-    draws and 192 bred worlds found 14.  With up to 12 edges, breeding found one such slip from 7 of
-    8 seeds, and 448 draws found this slip from one of these seeds.  The two other targets, a high
-    cost and long agreement with a wrong hypothesis, found less than plain draws, in up to four
+    Rare lines are the only target, since two other targets did not help: a high cost, and long
+    agreement with a wrong hypothesis.  Measured with up to 60 edges, in 48 searches for a slip
+    behind four nested conditions: 256 draws found 4 slips, 64 draws and 192 bred worlds found 14.
+    With up to 12 edges, breeding found one such slip from 7 of 8 seeds, and 448 draws found this
+    slip from one of these seeds.  The two other targets found less than plain draws, in up to four
     times the time.  The slip of an explorer that trusts a hypothesis after 24 steps was found by
     these two targets from 2 and from 1 of 6 seeds, by plain draws from 4; a cost above 8,000 was
     found by the two targets from 4 and from 3 of the seeds, by plain draws from 5.
 
-    Cost: 256 traced runs, each some three times a plain one.
+    Cost: 256 traced runs, each some three times as expensive as a plain run.
     """
     rules, extent = replace(scope.rules, step_budget=TRAVERSALS_TRACED), scope.extent
     number, pool = 0, _Pool(unit, extent, rules.kind)
@@ -168,7 +172,7 @@ class _Pool:
     def _child(self, parent: CombinatorialMap) -> CombinatorialMap:
         """A mutant of the parent that is in the class of maps and within the bounds.
 
-        After :data:`MUTANTS_TRIED` mutants that are not, the parent itself.
+        If none of :data:`MUTANTS_TRIED` mutants is, the parent itself is returned.
         """
         for _ in range(MUTANTS_TRIED):
             child = mutated(parent, self._extent.levels[-1], self._random)

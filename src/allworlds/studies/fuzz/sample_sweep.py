@@ -124,10 +124,10 @@ def scope_of(request: FuzzRequest, rules: Rules) -> Scope:
 
 
 class SampleCounter(RunCounter, frozen=True, kw_only=True):
-    """The counter of the runs of a sample, of its worlds' features, and of runs in bred worlds.
+    """The counter of a sample: of its runs, its worlds' features, and the runs in bred worlds.
 
     Attributes:
-        subject, limits: the explorer, and the limits of its players, which breeding needs.
+        subject, limits: the explorer, and the limits of its players; breeding needs both.
     """
 
     subject: loading.Subject
@@ -193,7 +193,10 @@ class FuzzSweep(TallySweep[CheckReport]):
 
     @override
     def begin(self) -> Ending | None:
-        """Try the findings of the user's corpus again; end the job if enough are reproduced."""
+        """Try again the findings of the user's corpus.
+
+        The job ends if as many of them are reproduced as the job keeps.
+        """
         return self.retry_past(self._tally)
 
     @override

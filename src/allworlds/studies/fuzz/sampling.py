@@ -1,8 +1,8 @@
 """The draws of a sample, which are random worlds, in batches and in waves.
 
 A *batch* is some runs that one worker does at a time.  A *wave* is several batches; after a wave
-with a finding the search ends.  The *mixture* has several parts; each part is a way of drawing a
-map.
+with a finding the search ends.  The *mixture* has several parts; each part is one way to draw a
+random map.
 """
 
 from collections.abc import Iterator
@@ -37,7 +37,10 @@ REJECTED_BEFORE_REFUSAL = 2000
 
 
 def waves(runs: int) -> Iterator[tuple[int, int]]:
-    """Yield for each wave its first run and the run after its last: (0, 16), (16, 64), ..."""
+    """Yield for each wave the number of its first run, and that of the run after its last one.
+
+    The first waves are (0, 16) and (16, 64).
+    """
     begin = 0
     while begin < runs:
         end = min(max(RUNS_OF_FIRST_WAVE, 4 * begin), runs)
@@ -46,14 +49,14 @@ def waves(runs: int) -> Iterator[tuple[int, int]]:
 
 
 def batches(sample: Sample, begin: int = 0, end: int | None = None) -> "Iterator[Batch]":
-    """Yield the batches of a sample; for shard i of k, the batches i, i + k, i + 2k, ...
+    """Yield the batches of a sample; shard i of k has the batches i, i + k, i + 2k, ...
 
     The batches do not depend on the number of workers or shards.
 
     Args:
         sample: the sample, or its part in a shard.
-        begin: the first run, which begins a batch.
-        end: the run after the last one; by default all runs are done.
+        begin: the number of the first run; a batch begins there.
+        end: the number of the run after the last one; by default all runs are done.
     """
     end, portion = sample.runs if end is None else end, sample.portion
     for first in range(begin, end, RUNS_PER_BATCH):
@@ -63,7 +66,7 @@ def batches(sample: Sample, begin: int = 0, end: int | None = None) -> "Iterator
 
 
 SMALL, SMALL_RUNS = 4, 8
-"""The most edges, and the number, of the small worlds that are tried before the sample."""
+"""The small worlds that are tried before the sample: their most edges, and the number of runs."""
 
 
 class SmallBatch(Struct, frozen=True):
@@ -81,7 +84,7 @@ class SmallBatch(Struct, frozen=True):
         return f"{self.seed}/small"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
-        """Yield one world for each run, as :meth:`Batch.placed` does, with few edges."""
+        """Yield one world with few edges for each run, in the way of :meth:`Batch.placed`."""
         small = replace(extent, edges=min(SMALL, extent.levels[-1]))
         with suppress(InputError):  # the condition may admit none
             yield from Batch(self.seed, 0, SMALL_RUNS, self.mix).placed(small, kind)
@@ -91,7 +94,7 @@ class Batch(Struct, frozen=True):
     """The runs from ``first`` to ``last - 1`` of a sample.
 
     ``seed``, ``mix`` and ``min_edges`` are those of the sample: its seed, the parts of the mixture
-    that come in turn, and the least number of edges.
+    that take turns, and the least number of edges.
     """
 
     seed: int
@@ -111,7 +114,7 @@ class Batch(Struct, frozen=True):
         The parts of the mixture take turns.  Each part has its own sequence of random maps, which
         does not depend on the other parts.  In place of a map that is too small, is not in the
         class or does not satisfy the condition, another map is drawn.  If many maps of a part are
-        rejected, the part ``histories`` takes its place, which glues maps of the class at random.
+        rejected, the part ``histories`` takes its place: it glues maps of the class at random.
         """
         mix = self.mix or default_mix(extent)
         for run in range(self.first, self.last):

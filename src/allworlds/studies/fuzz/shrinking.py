@@ -1,4 +1,4 @@
-"""Shrinking: from a refuting world to smaller and smaller ones."""
+"""Shrinking: the way from a refuting world to smaller and smaller refuting worlds."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
@@ -35,12 +35,12 @@ def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
     """Yield smaller and smaller refuting worlds, until no neighbour that is tried refutes.
 
     First, pieces of the map are removed: half of the map, a quarter and so on, but never the start.
-    Then single edges are deleted or contracted.  If no world with an edge less refutes, worlds with
-    as many edges are tried: a dart moves to another position, or the start or the marker turns; the
-    world must then have fewer vertices or a smaller code.  A world after one change is a
-    *neighbour*.  Every neighbour is tried with every root and every place of the lighthouse, and
-    the smallest refuting one is taken, so the result depends on the finding alone.  In the end all
-    worlds with few edges are tried.
+    Then single edges are deleted or contracted.  If no world with one edge less refutes, worlds
+    with as many edges are tried: a dart moves to another position, or the start or the marker
+    turns; the world must then have fewer vertices or a smaller code.  A world after one such change
+    is called a *neighbour*.  Every neighbour is tried with every root and every place of the
+    lighthouse, and the smallest refuting one is taken, so the result depends on the finding alone.
+    In the end all worlds with few edges are tried.
 
     Cost: O(m^3) runs for each step in small worlds, but at most ``NEIGHBOURS_PER_STEP``; a large
     world is not changed if no piece can be removed.
@@ -68,7 +68,7 @@ EDGES_TRIED_IN_FULL = 4
 """The largest number of edges of the worlds that are all tried in the end."""
 
 EDGES_OF_FINE_STEPS = 16
-"""The most edges of a world whose neighbours are tried; of larger worlds, pieces are removed."""
+"""The most edges of a world whose neighbours are tried; larger worlds only lose pieces."""
 
 NEIGHBOURS_PER_STEP = 4000
 """The most neighbours that are tried in a step."""
@@ -80,10 +80,10 @@ TRAVERSALS_BESIDES = 100
 """The number of traversals that may be added to those that :data:`TIMES_AS_FAR` allows."""
 
 LARGE_WORLDS_PER_CHUNK = 4
-"""The number of worlds that a worker tries at a time, where whole pieces are removed."""
+"""The number of worlds that a worker tries at a time while pieces are removed."""
 
 LARGE_CHUNKS_PER_WAVE = 2
-"""The number of chunks that are tried together, where whole pieces are removed."""
+"""The number of chunks that are tried together while pieces are removed."""
 
 
 def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
@@ -108,7 +108,7 @@ def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterato
 
 
 def _less_by(piece: int, finding: Finding, scope: Scope) -> Iterator[tuple[world.World, int]]:
-    """Yield smaller worlds, in which one piece of the finding's world is deleted or contracted.
+    """Yield smaller worlds: in each, one piece of the finding's world is deleted or contracted.
 
     A piece has ``piece`` edges; every piece is tried.  With each world comes the number of its
     lighthouse's place.
@@ -130,7 +130,7 @@ def _smallest(
 ) -> Finding | None:
     """The smallest finding of the first wave that has a finding; None if no wave has one.
 
-    A wave consists of ``at_once`` chunks; the waves after one with a finding are not tried.
+    A wave consists of ``at_once`` chunks.  After a wave with a finding, no further wave is tried.
     """
     waves = (refute(chunks[i : i + at_once]) for i in range(0, len(chunks), at_once))
     return next((found for found in waves if found), None)
@@ -144,9 +144,9 @@ def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
 
 
 def _smaller(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -> list[GivenWorlds]:
-    """The worlds of these maps that are smaller than the finding's world, ascending, in chunks.
+    """Worlds with these maps that are smaller than the finding's world, ascending, in chunks.
 
-    If there are more than :data:`NEIGHBOURS_PER_STEP`, the larger ones are left out.
+    If there are more than :data:`NEIGHBOURS_PER_STEP` such worlds, the largest ones are left out.
     """
     size = finding.key[:4]
     placed = takewhile(lambda each: each[0] < size, placed_rootings(maps, scope))
@@ -158,10 +158,10 @@ def placed_rootings(
 ) -> Iterator[tuple[tuple[int, int, Code, int], tuple[world.World, int]]]:
     """Yield a key and a world for each rooting of these maps and each place, by ascending keys.
 
-    A key is the numbers of edges and vertices, the code of the rooted map, and the number of the
-    lighthouse's place; this last number also comes with the world.  Isomorphic rootings come once.
-    Maps that are not in the scope's class, or do not satisfy its condition, are left out; the
-    bounds of the scope do not matter.
+    A key has four entries: the numbers of edges and of vertices, the code of the rooted map, and
+    the number of the lighthouse's place.  This last number also comes with the world.  Of
+    isomorphic rootings only one is yielded.  Maps that are not in the scope's class, or do not
+    satisfy its condition, are left out; the bounds of the scope do not matter.
     """
     extent = scope.extent
     rootings = {
@@ -179,7 +179,10 @@ def placed_rootings(
 def in_chunks(
     worlds: Sequence[tuple[world.World, int]], length: int = WORLDS_PER_CHUNK
 ) -> list[GivenWorlds]:
-    """Chunks of ``length`` worlds with the numbers of their places; a worker tries one chunk."""
+    """The worlds, each with the number of its place, in chunks of ``length`` worlds.
+
+    A worker tries one chunk at a time.
+    """
     starts = range(0, len(worlds), length)
     return [GivenWorlds(tuple(worlds[start : start + length])) for start in starts]
 

@@ -1,4 +1,4 @@
-"""Reports about one finding of a team: its world searched again, and its run in words."""
+"""Reports about one finding of a team: a new search of its world, and its run in words."""
 
 from __future__ import annotations
 
@@ -101,7 +101,11 @@ def sentences_of(finding: TeamFinding) -> Iterator[str]:
 
 
 def _stale(finding: TeamFinding) -> Iterator[str]:
-    """Yield, in words, each move whose robot has sensed its percept before another robot moved."""
+    """Yield a sentence for each stale move.
+
+    A robot looks, then another robot moves, and then the first robot moves by what it has seen
+    before.
+    """
     looked: dict[int, int] = {}
     moved: dict[int, int] = {}
     for number, event in enumerate(finding.events, 1):

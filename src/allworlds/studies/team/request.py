@@ -76,7 +76,7 @@ def darts_of(text: str) -> tuple[int, ...]:
     """The darts that a text such as ``0,3,5`` names.
 
     Raises:
-        InputError: if there is anything but an integer between commas.
+        InputError: if the text does not consist of integers with commas between.
     """
     return tuple(integer_of(part) for part in text.split(","))
 
@@ -338,8 +338,8 @@ def _one(
 ) -> GivenMaps:
     """The given maps that consist of one map alone, under this name.
 
-    The map comes with every root; of roots that an automorphism takes to each other, with one.  If
-    starts are given, the first start is the only root.
+    The map comes with every root; if an automorphism takes one root to another, only the first of
+    them is used.  If starts are given, the first start is the only root.
     """
     if starts is not None:
         renamed(map_, starts)

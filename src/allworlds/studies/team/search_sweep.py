@@ -122,7 +122,10 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 
     @override
     def begin(self) -> outcome.Ending | None:
-        """Try the past findings of the corpus; end the job if enough of them are reproduced."""
+        """Try again the past findings of the corpus.
+
+        The job ends if as many of them are reproduced as the job keeps.
+        """
         if self.corpus is None:
             return None
         for found in self.corpus.retry(self._again, partial(is_inside, scope=self.scope)):
@@ -132,7 +135,9 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
         return None
 
     def _again(self, finding: TeamFinding) -> TeamFinding | None:
-        """A new finding, by today's programs, in the world of a past one; None if no law is broken.
+        """The new finding in the world of an earlier finding, with the programs as they are now.
+
+        None if no law is broken.
 
         Raises:
             OtherText: if the finding's model has changed, or its run has another number of robots.
@@ -198,7 +203,8 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 def gate_of(extent: Extent, edges: int, tally: TeamTally) -> Iterator[TeamCell]:
     """Compare the numbers of a level's maps with those of an independent source.
 
-    Yield a comparison for each number of vertices; none if no source counts maps of this extent.
+    Yield a comparison for each number of vertices.  Yield nothing if no source counts maps of this
+    extent.
     """
     source = count_source.source_of(extent)
     if source is None:
@@ -231,7 +237,7 @@ def request_again(
 ) -> TeamRequest:
     """The request that searches the world of a finding again, with these programs.
 
-    ``here`` is a model that may exist in this process alone; it is used if the finding names it.
+    The model ``here`` is used if the finding names it.  It may exist in this process alone.
 
     Raises:
         InputError: if the model cannot be found, or has changed.
@@ -271,12 +277,16 @@ def is_inside(finding: TeamFinding, scope: TeamScope) -> bool:
 
 
 def _place(map_: CombinatorialMap, starts: Sequence[int]) -> Any:
-    """A value that two maps share exactly if an isomorphism takes the starts to the starts."""
+    """A value for a map with starts.
+
+    Two such values are equal if and only if an isomorphism of the maps takes the starts of one to
+    the starts of the other.
+    """
     return rooted_code(map_.sigma, map_.alpha, starts[0]), renamed(map_, starts)
 
 
 def _rooted_like(map_: CombinatorialMap, extent: Extent) -> Iterator[CombinatorialMap]:
-    """Yield maps of an extent, among them each map that is ``map_`` with any root."""
+    """Yield maps of an extent; if ``map_``, with any root, is in the extent, it is among them."""
     if extent.given is not None:
         for unit in units.units_of_level(extent, map_.edge_count, units.WHOLE):
             yield from unit.maps(extent)

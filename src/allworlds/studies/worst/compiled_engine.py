@@ -13,7 +13,7 @@ from allworlds.studies.worst.every_schedule import Transit
 
 
 class ScheduleCostsBySize(Struct):
-    """Costs over every schedule, by the number of vertices; parts are added in any order."""
+    """Costs over every schedule, by the number of vertices; parts can be added in any order."""
 
     by_vertices: dict[int, schedules.ScheduleCosts] = field(default_factory=dict)
 
@@ -23,7 +23,7 @@ class ScheduleCostsBySize(Struct):
         return sum(row.rooted for row in self.by_vertices.values())
 
     def add(self, other: "ScheduleCostsBySize") -> None:
-        """Add the costs of other worlds with as many edges."""
+        """Add the costs of other worlds that have the same number of edges."""
         for vertices, row in other.by_vertices.items():
             mine = self.by_vertices.get(vertices)
             self.by_vertices[vertices] = _joined(mine, row) if mine else row
@@ -46,7 +46,10 @@ def _joined(a: schedules.ScheduleCosts, b: schedules.ScheduleCosts) -> schedules
 
 
 class ScheduleSearch(Struct, frozen=True):
-    """The engine that searches all schedules; the array ``flag`` can stop its compiled search."""
+    """The engine that searches all schedules.
+
+    The array ``flag`` is shared with the compiled search, and can stop this search.
+    """
 
     extent: Extent
     transit: Transit
@@ -57,7 +60,7 @@ class ScheduleSearch(Struct, frozen=True):
         self.flag[0] = 1
 
     def parts(self, unit: LevelUnit | GivenUnit) -> Iterator[ScheduleCostsBySize]:
-        """Yield the costs in the unit's worlds, with a most expensive world for each size."""
+        """Yield costs in the unit's worlds: for each size the costs, and a most expensive world."""
         map_class = self.extent.map_class
         prefixes: Iterable[Sequence[int]]
         if isinstance(unit, GivenUnit):

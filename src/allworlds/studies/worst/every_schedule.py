@@ -33,11 +33,14 @@ Explored: TypeAlias = frozenset[Dart]
 """The darts of the explored edges, two for each edge."""
 
 Path: TypeAlias = tuple[Dart, ...]
-"""The darts by which a simple path in S leaves its vertices."""
+"""The darts by which the robot leaves the vertices of a simple path in S."""
 
 
 class WrongTest(Disagreement):
-    """Raised when a false hypothesis was confirmed, which would refute Algorithm 1."""
+    """Raised if a test was wrong: it confirmed a false hypothesis, or rejected a true one.
+
+    A wrong test would refute Algorithm 1.
+    """
 
 
 class TestCost(Struct, frozen=True):
@@ -53,7 +56,8 @@ class PassCosts(Struct, frozen=True):
 
     Attributes:
         dart: the dart e that the pass takes from U.
-        worst, best: the tests in the most expensive and in the cheapest course of the pass.
+        worst: the tests of the pass if its cost is as large as possible.
+        best: the tests of the pass if its cost is as small as possible.
         explored: the explored darts after the pass.
         robot: the robot's vertex after the pass.
     """
@@ -70,7 +74,7 @@ class PassCost(Struct, frozen=True):
 
     Attributes:
         vertices, explored: the numbers of vertices of S and of explored edges before the pass.
-        cost: the number of traversals of the pass, those on the way to its dart included.
+        cost: the number of traversals of the pass, including those on the way to its dart.
     """
 
     vertices: int
@@ -114,7 +118,7 @@ class EverySchedule:
         return self._best(frozenset(), self._v0)
 
     def most_expensive_picks(self) -> list[int]:
-        """A most expensive schedule: the darts of S that are picked, in the order of the picks."""
+        """A most expensive schedule: the darts of S in the order in which the robot picks them."""
         numbers: dict[Dart, int] = {}
         self._number(numbers, self._start)
         explored, robot = Explored(), self._v0
@@ -150,9 +154,10 @@ class EverySchedule:
                     queue.append(following)
 
     def _number(self, numbers: dict[Dart, int], first: Dart) -> None:
-        """Give the next numbers to the darts of a vertex, clockwise from ``first`` on, as S does.
+        """Number the darts of a vertex, clockwise from ``first`` on, as they are numbered in S.
 
-        ``first`` is the dart by which the vertex was discovered.
+        The numbers are the next free ones.  ``first`` is the dart by which the vertex was
+        discovered.
         """
         for i in range(self._map.degree_at[first]):
             numbers[self._map.turn(first, i)] = len(numbers)
@@ -168,7 +173,7 @@ class EverySchedule:
         return self._most(explored, robot, chosen) + self._worst(chosen.explored, chosen.robot)
 
     def _most(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
-        """The largest cost of a pass, the way to the pass's dart included."""
+        """The largest cost of a pass, including the way to the dart that the pass takes."""
         transit = self._transits(explored, robot, self._owner[chosen.dart])[-1]
         return len(transit) + 1 + sum(test.cost for test in chosen.worst)
 
@@ -232,7 +237,10 @@ class EverySchedule:
         return tests
 
     def _mismatch(self, hypothesis: Dart, path: Path, robot: Dart) -> int | None:
-        """The number of steps until a percept differs from the expected one; None if all match."""
+        """The number of steps until the robot's percept differs from the expected one.
+
+        None if all percepts on the path are as expected.
+        """
         alpha, at = self._map.alpha, hypothesis
         for steps, dart in enumerate(path, 1):
             motion = self._map.offset(at, dart)
@@ -242,9 +250,9 @@ class EverySchedule:
         return None
 
     def _sensed(self, dart: Dart) -> tuple[int, Dart | None]:
-        """The degree at a dart by which the robot arrives; at v0 also the dart, else None.
+        """The degree at a dart by which the robot arrives, and this dart if it is at v0, else None.
 
-        At v0 the bearing tells the dart.
+        At v0 the robot knows the dart by the bearing.
         """
         marked = self._owner[dart] == self._v0
         return self._map.degree_at[dart], dart if marked else None
