@@ -104,7 +104,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
 
     @override
     def levels(self) -> Iterable[units.SweptLevel]:
-        """The levels; small levels have further units, which test whether one run affects another."""
+        """The levels; small levels have further units, which test if one run affects another."""
         for level in super().levels():
             across = units.across_level(self.scope.extent, level.edges, self.portion)
             subject = self.job.subject
