@@ -8,11 +8,12 @@
 ``plain_text``, ``web``
     content as a text, and as a web page; these modules know no verb;
 ``formats``
-    the texts and files of a verb's result, those for CI services too, and the table of the formats;
+    the table of the formats; the texts and files of a verb's result, including the files for CI
+    services;
 ``drawing``
     pictures of maps, of worlds and of walks;
 ``schemas``
     the schemas of all documents;
 ``notebook``
-    results as notebooks and ``print`` show them.
+    results in the form in which notebooks and ``print`` show them.
 """

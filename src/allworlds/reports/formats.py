@@ -162,7 +162,7 @@ def runner_commands(content: parts.ReportContent) -> str:
 
 
 def _texts(finding: "Finding | TeamFinding", number: int) -> tuple[str, str]:
-    """A finding as a line, and as a text with its picture."""
+    """A finding as one line, and as a text with a picture."""
     if not isinstance(finding, Finding):
         from allworlds.reports.content import team
 
@@ -176,10 +176,10 @@ def _texts(finding: "Finding | TeamFinding", number: int) -> tuple[str, str]:
 def _at(
     finding: "Finding | TeamFinding", source: SourceLine | None, root: Path
 ) -> SourceLine | None:
-    """The line of the user's code to which a finding belongs.
+    """The line of the user's code to which a finding belongs; else ``source``.
 
-    It is the first wrong line, if this is known and inside the repository; for a team, the line of
-    the program that is to blame; else ``source``.
+    For one robot it is the first wrong line.  For a team it is the line of the program that is to
+    blame.  The line must be known, and its file must be inside the repository.
     """
     if not isinstance(finding, Finding):
         blamed = place_of_explorer(finding.programs[finding.robot or 0])
@@ -285,8 +285,8 @@ def _result(
 def _source_of_check(root: Path) -> SourceLine | None:
     """The line of a workflow, or of a file with options, in which ``allworlds`` is named.
 
-    If no line names it, the first line of a workflow or of another file; None if there are no
-    files.
+    If no line has this name, the first line of a workflow or of another file is returned; None if
+    there are no files.
     """
     running = os.environ.get("GITHUB_WORKFLOW_REF", "").partition("@")[0].split("/", 2)[2:]
     options = (root / "allworlds.toml", root / "pyproject.toml")
@@ -304,8 +304,9 @@ def _source_of_check(root: Path) -> SourceLine | None:
 def _project(explorer: str) -> tuple[Path, SourceLine | None]:
     """The root of the repository, and the line of the explorer's code, if its file is inside.
 
-    The root is the git repository of the current folder or else of the explorer; else the folder
-    that a CI service names; else the current folder.
+    The root is the folder of the git repository that holds the current folder, or else the
+    explorer. Without a repository it is the folder that a CI service names, or else the current
+    folder.
     """
     here, source = Path.cwd().resolve(), place_of_explorer(explorer)
     above = (here, *here.parents, *(source.file.parents if source else ()))
@@ -341,7 +342,7 @@ MAKERS = {
     "sensors.weakest_content": ("AmbiguityWeakest",),
     "ledger.ledger_content": ("LedgerReport",),
 }
-"""The functions of ``content`` that make contents, each with the names of the reports' classes."""
+"""The functions of ``content``, each with the names of the classes of reports that it takes."""
 
 
 def _maker(kind: type) -> Callable[[Any], parts.ReportContent]:
@@ -375,8 +376,9 @@ class Format(Struct, frozen=True):
             ``FORMAT:`` before the name.
         shows: the kinds of content that the format can show, as in ``verbs``; a verb with one of
             these has the format; empty: every verb has it.
-        library: a library that the format needs, by its import name; the extra of this package
-            that installs it; and the words for a refusal without it; None: no library is needed.
+        library: three words about a library that the format needs: its import name, the extra of
+            this package that installs it, and the words for a refusal without it.  None: no library
+            is needed.
         summary: the environment variable with the name of a file to which a CI service wants the
             report added by default; empty if there is none.
         read_by: the environment variable that tells that a CI service reads the format on stderr;

@@ -1,4 +1,4 @@
-"""Results as notebooks and ``print`` show them."""
+"""Results in the form in which notebooks and ``print`` show them."""
 
 from html import escape
 from typing import Any
@@ -50,7 +50,7 @@ def short_text_of(value: Report | Finding) -> str:
 
 
 def records(report: Report) -> list[dict[str, Any]]:
-    """The rows of ``-o FILE.csv`` as dictionaries, by the names of their columns."""
+    """The rows that ``-o FILE.csv`` writes, as dictionaries, by the names of the columns."""
     return rows_of(formats.content_of(report)).records
 
 

@@ -82,7 +82,10 @@ class Scene(Struct, frozen=True):
         return self.vertices or [f"v{vertex}" for vertex in range(self.map.vertex_count)]
 
     def short_names(self, width: int) -> Sequence[str]:
-        """The names of the vertices; those longer than ``width`` are cut and numbered to differ."""
+        """The names of the vertices, in which each name longer than ``width`` is cut.
+
+        A cut name ends in the vertex's number, so that names differ.
+        """
         if not self.vertices:
             return self.vertex_names
         ends = (f"…{vertex}" for vertex in range(self.map.vertex_count))
@@ -141,7 +144,11 @@ def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
 
 
 def _names(world: World) -> Sequence[str]:
-    """The names of the vertices, with the fields of a user's lighthouse that hold darts there."""
+    """The names of the vertices.
+
+    A user's lighthouse may have fields that hold darts.  The names of such fields follow the name
+    of the vertex of the dart.
+    """
     map_, labels = world.map, world.labels
     named = [
         one
@@ -198,7 +205,7 @@ class CsvRows(Struct, frozen=True):
 
     @classmethod
     def of(cls, results: Iterable[Any], **columns: type) -> CsvRows:
-        """A row for each result; each column holds the attribute of its name."""
+        """A row for each result; the column with the name of an attribute holds its value."""
         return cls(columns, [[getattr(result, name) for name in columns] for result in results])
 
     @property

@@ -11,12 +11,16 @@ from allworlds.reports.drawing.text import draw
 from allworlds.words import harmless
 
 MOST, FEW = 30, 3
-"""The largest number of lines on a terminal if a content has short facts, and of lines there for
-the findings after the first one."""
+"""The largest numbers of lines on a terminal if a content has short facts.
+
+The first number is for all lines, the second for those about the findings after the first one.
+"""
 
 LONGEST_WALK, LONGEST_REFUTING = 60, 16
-"""The largest number of steps of a walk that is shown whole; of a longer walk that breaks a law the
-second number of steps is shown, half of them at each end."""
+"""In steps: the longest walk that is shown whole; and the part that is shown of a longer walk.
+
+The second number is for walks that break a law: half of these steps are shown at each end.
+"""
 
 GAP = 2
 """The number of spaces between the columns of a table."""

@@ -72,7 +72,7 @@ NAMES: dict[str, tuple[str, Iterable[Any]]] = {
 
 @cache
 def reports() -> dict[str, Any]:
-    """The type of every report by the name of its schema."""
+    """The types of all reports, by the names of their schemas."""
     found: dict[str, Any] = {}
     for verb in verbs.VERBS:
         if reports_of(verb) != [Any]:  # merge hands on that of another verb
@@ -90,7 +90,7 @@ def reports_of(verb: verbs.Verb) -> list[Any]:
 
 @cache
 def pages() -> dict[str, Any]:
-    """The type of every document by the name of its schema: reports, then all other documents."""
+    """The types of all documents, by the names of their schemas: first the reports."""
     merged = dict.fromkeys(kind for verb in verbs.VERBS if verb.swept for kind in reports_of(verb))
     return reports() | {
         "merge": Union[tuple(merged)],  # noqa: UP007  # of as many as there are
@@ -120,7 +120,7 @@ class Shapes:
         self._made: dict[Any, Any] = {}
 
     def of(self, tp: Any) -> Any:
-        """The type, as msgspec can describe it, of the JSON of a value of type ``tp``."""
+        """A type that msgspec can describe: that of the JSON for a value of type ``tp``."""
         if get_origin(tp) is Annotated:
             base, *notes = get_args(tp)
             kind = next((n.extra["kind"] for n in notes if n.extra and "kind" in n.extra), base)
@@ -255,7 +255,10 @@ def schema_of(tp: Any, *, written: bool = True) -> tuple[Schema, dict[str, Schem
 
 
 def page(name: str) -> Schema:
-    """The schema of a document; if the document is also read, of everything that is accepted."""
+    """The schema of a document.
+
+    If this program also reads the document, the schema has everything that the program accepts.
+    """
     found, parts = schema_of(pages()[name], written=name not in READ)
     if found.keys() == {"$ref"}:
         found = parts.pop(found["$ref"].rpartition("/")[2])

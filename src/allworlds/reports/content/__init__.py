@@ -1,1 +1,4 @@
-"""The content of the report of each verb; the table of the verbs names the function of each."""
+"""The content of the report of each verb.
+
+The table ``MAKERS`` of ``reports.formats`` names the functions that make contents.
+"""

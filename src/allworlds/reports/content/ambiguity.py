@@ -58,7 +58,10 @@ def twins_content(comparison: ComparedWorlds) -> parts.ReportContent:
 
 
 def _rows(worlds: Sequence[World], classes: Sequence[Sequence[int]]) -> parts.CsvRows:
-    """A row for each dart of each world; no motion tells two darts with the same class apart."""
+    """A row for each dart of each world, with the class of the dart.
+
+    No motion tells two darts of one class apart.
+    """
     named = any(world.labels.vertices for world in worlds)
     rows: list[list[parts.CellValue]] = [
         [number, dart, v, of_world[dart], *([world.labels.vertex(v)] if named else [])]
@@ -128,7 +131,10 @@ def _size_of(found: AmbiguityClass) -> parts.Headline:
 def alike(
     names: Sequence[str], worlds: Sequence[World], classes: Sequence[Sequence[int]]
 ) -> parts.ShownWalk:
-    """The walk along every edge of worlds that no motion tells apart; classes become letters."""
+    """A walk along every edge of worlds that no motion tells apart.
+
+    The pictures show the class of each dart as a letter.
+    """
     scenes = [
         doc.replace(parts.scene_of(world), labels=[letters(q) for q in of_world])
         for world, of_world in zip(worlds, classes, strict=True)
@@ -144,7 +150,7 @@ def _walk(
     motions: Sequence[int],
     sentences: Sequence[str],
 ) -> parts.ShownWalk:
-    """One walk, with the same motions in each of the worlds."""
+    """One walk: the same motions in each of the worlds."""
     walks = [Walk.of(world, map(actions.Move, motions)) for world in worlds]
     views = [
         parts.View(
@@ -182,8 +188,9 @@ def _why_alike(quotients: Sequence[Quotient]) -> str:
 def _quotient(quotient: Quotient) -> tuple[parts.Paragraph, parts.Table]:
     """A sentence, and a table with a row for each vertex of the quotient.
 
-    The columns are its classes of darts clockwise, each with its class under alpha; the percept;
-    and how many times round a vertex of the quotient a vertex of the world goes.
+    The table has three columns: the vertex's classes of darts, clockwise, each with its class under
+    alpha; the percept at the vertex; and how often one turn round a vertex of the world goes
+    round this vertex.
     """
     rows: list[list[parts.Cell]] = []
     for vertex, cone in zip(quotient.vertices, quotient.cone_indices, strict=True):
@@ -301,7 +308,7 @@ def search_content(result: twin_search.SearchResult) -> parts.ReportContent:
 
 
 def _found(result: twin_search.SearchResult) -> tuple[parts.Headline, list[tuple[str, str]]]:
-    """The answer of a search, and its proof as named texts."""
+    """The answer of a search, and named texts about its proof."""
     asked = result.question.describes
     if result.status == "unknown":
         return parts.Headline("UNKNOWN", f"{asked}: undecided.", "inconclusive"), []
@@ -320,10 +327,11 @@ def _found(result: twin_search.SearchResult) -> tuple[parts.Headline, list[tuple
 
 
 def tour(worlds: Sequence[World]) -> list[int]:
-    """The motions of a walk in the first of these worlds that goes along every edge of each world.
+    """The motions of one walk that, made in each of these worlds, goes along every edge there.
 
-    The worlds must look alike.  The walk takes the nearest new edge of the first world, of equally
-    near edges the first clockwise; if no edge is left, it goes on with the next world.
+    The worlds must look alike.  The walk takes the nearest new edge of the first world; of equally
+    near edges it takes the first one clockwise.  If no edge is left, it continues with the edges of
+    the next world.
 
     Cost: the edges of all worlds, times the darts of one world.
     """

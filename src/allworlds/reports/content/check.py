@@ -53,7 +53,7 @@ def check_content(report: CheckReport | time_estimate.TimeEstimate) -> parts.Rep
 
 
 def _command(report: CheckReport) -> str:
-    """The explorer and those given options on which the outcome depends, as on the command line."""
+    """The explorer, and the given options on which the outcome depends, as on the command line."""
     options = given_again(type(report.request), report.request)
     shard = [] if report.whole else ["--shard", str(report.portion)]
     return join([report.explorer, *options, *shard])
@@ -293,11 +293,11 @@ def _why_vacuous(report: CheckReport) -> str:
 
 
 def _cases(report: CheckReport) -> Iterator[parts.SuiteCase]:
-    """A case for past findings, one for each number of edges, and one for the witnesses.
+    """Yield test cases: for past findings, for each number of edges, and for the witnesses.
 
-    The case of a number of edges is passed; or failed, with its findings; or an error, if the count
-    gate or two engines disagree; or skipped, with the reason, if this level was not finished.  A
-    sample is one case.
+    The case of a number of edges has one of four results.  It is passed; failed, with its findings;
+    an error, if the count gate or two engines disagree; or skipped, with the reason, if this level
+    was not finished.  A sample is one case.
     """
     if isinstance(report.asked.coverage, units.Sample):
         yield replace(_sample(report, report.asked.coverage), seconds=sum(report.seconds))

@@ -88,7 +88,7 @@ def _lines_of_levels(report: comparison.Comparison) -> Lines:
 
 
 def _lines_of_families(report: growth.Growth) -> Lines:
-    """The lines of a curve: for each explorer and family one, and one for the explorer's bound."""
+    """The lines of a curve: one for each explorer and family, and one for each bound."""
     lines: Lines = {}
     shown = dict(zip(report.names, _short_names(report), strict=True))
     for row in report.rows:
@@ -125,7 +125,7 @@ ENDS = {"low": float, "high": float, "ratio": float, "ratio_low": float, "ratio_
 
 
 def _growth_rows(report: growth.Growth) -> parts.CsvRows:
-    """A row for each family, size and explorer, for each world, or for each run."""
+    """A row for each family, size and explorer; or for each world or run, if asked for."""
     if report.by != "size":
         return rows_of_worlds(report.in_worlds(), report.names[0], report.by or "run")
     ratios = {(one.family, one.edges, one.explorer): one for one in report.ratios}
@@ -247,7 +247,10 @@ def _rows(report: comparison.Comparison) -> parts.CsvRows:
 
 
 def _by_size(report: comparison.Comparison, names: Sequence[str]) -> list[list[parts.CellValue]]:
-    """A row for each size and explorer, under ``names``; ratios are to the first explorer."""
+    """A row for each size and explorer; ``names`` has the names to show for the explorers.
+
+    The column of ratios compares each explorer with the first one.
+    """
     return [
         [
             *(row.edges, row.vertices, row.worlds, shown),
@@ -323,7 +326,7 @@ WORLD |= {"mean": float, "worst": int, "bound": int, "ratio": float}
 
 
 def _names(one: entrants.InWorld) -> list[parts.CellValue]:
-    """The words by which ``run`` finds the world, and its size: the columns :data:`NAMES`."""
+    """The columns :data:`NAMES`: the words by which ``run`` finds the world, and its size."""
     member = growth.member_named(one.member) if one.member else None
     words = [member.text, member.holes, member.seed] if member else [None] * 3
     return [code_of(one.map), *words, one.map.edge_count, one.map.vertex_count]

@@ -59,7 +59,7 @@ def maps_in_words(report: OfWorlds) -> str:
 
 
 def finished(report: SweptReport, last: int) -> str:
-    """The maps of the finished levels in words; ``last`` is the last level's number of edges."""
+    """The maps of the finished levels in words; ``last`` is the last finished level."""
     extent = report.extent
     return of_the_class(extent if report.complete else doc.replace(extent, edges=last))
 
@@ -77,7 +77,7 @@ def explorer_facts(report: ContestReport) -> list[tuple[str, str]]:
 
 
 def trust(file: str) -> str:
-    """A sentence about the explorer's file, if the file also has code that judges; else empty."""
+    """A sentence about the explorer's file if this file also has code that judges; else empty."""
     return file and f"{file} holds the explorer, and code that judges it: see docs/trust.md"
 
 
@@ -93,7 +93,7 @@ def option_facts(report: OfWorlds, said: Iterable[str]) -> list[tuple[str, str]]
 
 
 def miscount(edges: int, vertices: int, met: int, source: str, counted: int) -> str:
-    """A sentence about maps of one size, whose enumerated number is not the one of the source."""
+    """A sentence about maps of one size: enumeration and source give different numbers."""
     where = words.size(edges, vertices)
     return f"maps with {where}: {met} were enumerated, but {source} counts {counted}"
 
@@ -104,7 +104,7 @@ def gate_facts(report: Any, what: str, *, is_compared: bool) -> list[tuple[str, 
     Args:
         report: the report of a job or of a shard, with the source of its counts.
         what: the name of what was counted.
-        is_compared: whether a level was finished, and so compared.
+        is_compared: whether a level was finished, so that its counts were compared.
     """
     if report.extent.given is not None:
         said = report.extent.given.gate

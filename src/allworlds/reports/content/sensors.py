@@ -76,7 +76,10 @@ def _scope(extent: Extent) -> str:
 
 
 def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
-    """A line for each sensor, below the sensors that tell more; equal sensors share a line."""
+    """A line for each sensor; it stands below the sensors that tell more worlds apart.
+
+    Sensors that tell the same worlds apart share a line.
+    """
     above = {name: {a for a, b in dominates if b == name} for name in names}
     below = {name: {b for a, b in dominates if a == name} for name in names}
     first = [
@@ -102,7 +105,7 @@ def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
 
 
 def _less_at_a_step(found: AmbiguitySensors) -> Iterator[str]:
-    """A sentence for each sensor that tells as much as other sensors, but senses less at a step."""
+    """A sentence for each sensor that senses less at a step than others, but tells as much."""
     for row in found.rows:
         less = row.lighthouse
         more = [b for a, b in found.coarser if a == less and (b, a) not in found.coarser]
@@ -123,10 +126,10 @@ def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]
 
 
 def weakest_content(found: AmbiguityWeakest) -> parts.ReportContent:
-    """The content for weakest sensors: the minimal coarsenings, and worlds against coarser ones.
+    """The content for the weakest sensors: minimal coarsenings, and twins under coarser sensors.
 
-    A coarsening is a sensor made from a finer one, some of whose letters become one letter; a
-    minimal one suffices, but none of the next coarser coarsenings does, as these worlds show.
+    A coarsening is a sensor that is made from a finer sensor: some of its letters become one
+    letter. A minimal coarsening suffices, but no next coarser one does, as these twins show.
     """
     rows: list[list[parts.Cell]] = [
         [

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 
 def known(run: SingleRun) -> parts.ShownMap | None:
-    """The part of the world that a run's checkpoints show, and when.
+    """The part of the world that a run's checkpoints show, with the first step of each piece.
 
     None if there is no checkpoint, or if an S cannot be embedded in the world.
     """
@@ -92,7 +92,10 @@ def _said(run: SingleRun) -> str:
 
 
 def replay_content(replay: Replay) -> parts.ReportContent:
-    """The content for a new run; if it breaks no law, a page shows it, with the recorded run."""
+    """The content for a new run of a finding.
+
+    If the new run breaks no law, a page shows it, and the recorded run, too.
+    """
     recorded, run = replay.recorded, replay.again
     again = run.finding
     if again and again.law == recorded.law:
@@ -166,7 +169,7 @@ def run_section(run: SingleRun, name: str, title: str = "") -> parts.Section:
 
 
 def _quotient(answer: Ambiguous) -> list[parts.Block]:
-    """The blocks for an answer without a map: the quotient of all worlds with its percepts."""
+    """The blocks for an answer without a map: the quotient that all possible worlds share."""
     header = ["dart", "sigma", "alpha", "degree", "marks", ""]
     columns = (range(len(answer.sigma)), answer.sigma, answer.alpha, answer.degree, answer.marks)
     rows = [[*row, "here" if row[0] == answer.here else ""] for row in zip(*columns, strict=True)]
@@ -247,7 +250,7 @@ counted."""
 
 
 def wrong_line(finding: Finding, step: int | None) -> str:
-    """The line of the user's code of the first wrong step, checkpoint or end; empty if unknown.
+    """The line of the user's code at the first wrong step, checkpoint or end; empty if unknown.
 
     Args:
         finding: the finding.
@@ -266,7 +269,11 @@ def wrong_line(finding: Finding, step: int | None) -> str:
 
 
 def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
-    """Facts about the first wrong line, and about the lines that only refuting runs reach."""
+    """Facts about lines of code.
+
+    They name the first wrong line, the lines that only the finding's run reaches, and the lines
+    that ran most.
+    """
     code = finding.code
     if code is None:
         return
@@ -283,7 +290,10 @@ def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
 
 
 def _law(finding: Finding, step: int | None) -> parts.FactList:
-    """Facts: the law, the expected and the found result if these are no maps, and lines of code."""
+    """Facts: the law, the expected and the found result, and lines of code.
+
+    If the found result is a map, the two results are left out.
+    """
     lines = [*_lines(finding, step)]
     wrong = {
         "map": "the answer is not the same map as the world",
@@ -336,7 +346,10 @@ def _walk(story: Story, explanation: Explanation, title: str) -> parts.ShownWalk
 
 
 def _belief(story: Story) -> list[parts.Block]:
-    """The wrong checkpoint beside the world at its step; no block if an answer is shown instead."""
+    """Two pictures: the wrong checkpoint, and the world at the same step.
+
+    There is no block if the wrong result is an answer, which is shown elsewhere.
+    """
     finding, shown = story.finding, story.finding.believed
     if shown is None or (finding.step is None and isinstance(finding.seen, Estimate)):
         return []

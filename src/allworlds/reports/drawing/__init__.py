@@ -8,8 +8,10 @@ Scenes are made of percepts, so no picture depends on the kind of a lighthouse.
 ``svg``
     the scene as a drawing in a page, or as a drawing alone, with its own style; elements of HTML
     and SVG;
-``layout``, ``planar``
-    the drawing in pixels; a map beside another one is drawn like it, as far as the two agree;
+``layout``
+    the drawing in pixels; of two maps side by side, the second one is drawn like the first, as far
+    as the two agree;
+``planar``
     a planar drawing with few crossings, and a triangulation that gives every dart room;
 ``positions``
     the drawing with given positions of the vertices, if these fit the map;

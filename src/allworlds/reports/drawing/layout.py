@@ -1,6 +1,6 @@
 """The layout of a map: on a planar mesh, or else with the vertices on a circle.
 
-A map can also be drawn and named like another one, as far as the two agree.
+A map can also be drawn and named like another map, as far as the two maps agree.
 """
 
 from cmath import exp, phase, rect
@@ -117,8 +117,9 @@ STUB, NARROWEST, WIDEST = 24.0, 130.0, 900.0
 of a drawing."""
 
 DISC, CHIP, HIGH, GAP, FAR = 12.0, 10.0, 14.0, 16.0, 46.0
-"""In pixels: the radii of a vertex and of the robot, the height of a number, the least distance of
-two numbers, and the largest distance of a number from its vertex, if it is moved for that."""
+"""In pixels: the radii of a vertex and of the robot; the height of a number; the least distance of
+two numbers; and how far a number may be moved from its vertex to keep this distance.
+"""
 
 
 class Layout(Struct, frozen=True):
@@ -228,7 +229,7 @@ def _ways(map_: CombinatorialMap) -> list[list[complex]]:
 
 
 def _round_a_circle(map_: CombinatorialMap) -> list[list[complex]]:
-    """The ways of a drawing with the vertices on a circle.
+    """The control points of each edge in a drawing with the vertices on a circle.
 
     The darts round each vertex leave at equal angles, its first dart outwards.
     """
@@ -248,7 +249,7 @@ def _finished(
     ways: Sequence[Sequence[complex]],
     letters: Mapping[Dart, str] | None = None,
 ) -> Layout:
-    """The drawing, turned, and scaled so that the numbers of the darts fit.
+    """Turn a drawing, scale it so that the numbers of the darts fit, and return its layout.
 
     A lattice stays upright.  ``letters`` is None unless the map is a lattice; it may be empty.
     """
@@ -277,9 +278,10 @@ def _coordinates(points: Sequence[complex]) -> tuple[list[float], list[float]]:
 def drawn_beside(
     first: View, other: View, drawn: Layout, agreement: int
 ) -> tuple[View, View, Layout]:
-    """Both views, and the layout of the other one; in both the first difference is ringed.
+    """Both views for pictures side by side, and the layout of the view ``other``.
 
-    The darts and vertices of the other view are named like those of the first view.
+    In both views the dart of the first difference has a ring.  The darts and vertices of ``other``
+    are named like those of ``first``.
 
     Args:
         first: the view of one map.
@@ -302,7 +304,7 @@ def drawn_beside(
 
 
 def named_like(first: View, other: View, agreement: int) -> View:
-    """The other view with the names of the first view's vertices, if these have names.
+    """The view ``other``, named like the view ``first``, if the vertices of ``first`` have names.
 
     The first ``agreement`` elements of both trails agree.
     """
@@ -313,7 +315,7 @@ def named_like(first: View, other: View, agreement: int) -> View:
 
 
 def _ties(first: View, other: View, agreement: int) -> dict[Dart, Dart]:
-    """For each dart of the other view its partner in the first view, as far as the two agree."""
+    """The partners of darts of ``other`` in the view ``first``, as far as the two views agree."""
     world, answer = first.scene.map, other.scene.map
     ties: dict[Dart, Dart] = {}
     for robot, belief in zip(first.trail[:agreement], other.trail[:agreement], strict=True):
@@ -374,9 +376,9 @@ def vertex_names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, other: 
 
 
 def mirror_of(map_: CombinatorialMap, other: CombinatorialMap) -> dict[Dart, Dart]:
-    """For each dart the partner in the other map, if that is the mirror image of the map.
+    """The partner of each dart in the map ``other``, if ``other`` is the mirror image of the map.
 
-    The result is empty if it is no mirror image, or if the map is also isomorphic to it.
+    The result is empty if ``other`` is no mirror image, or if the two maps are also isomorphic.
     """
     if isomorphism(map_, other):
         return {}
@@ -390,7 +392,9 @@ def layout_like(
     other: CombinatorialMap,
     drawn: Layout,
 ) -> Layout:
-    """Draw a map like another one if it is that map or its mirror image; else by itself.
+    """Draw a map like the map ``other`` if the two are the same map or mirror images.
+
+    Otherwise the map is drawn by itself.
 
     Args:
         ties: for each dart of the map its partner in the other map.

@@ -31,7 +31,7 @@ class PlanarMap(Struct, frozen=True):
     unbent: int
 
     def way(self, dart: Dart) -> list[Dart]:
-        """The darts along the edge of the drawn map that begins with a dart, two for each piece."""
+        """The darts along one edge of the drawn map, from ``dart`` on, two for each piece."""
         way = [dart, self.alpha[dart]]
         while way[-1] >= self.own:
             after = self.sigma[way[-1]]
@@ -77,7 +77,7 @@ def _drawn(map_: CombinatorialMap, order: Sequence[tuple[Dart, Dart]]) -> Planar
 def _spanning_tree(
     map_: CombinatorialMap, order: Sequence[tuple[Dart, Dart]]
 ) -> list[tuple[Dart, Dart]]:
-    """The edges of a spanning tree; each edge has a vertex that an earlier edge has, too.
+    """The edges of a spanning tree, in an order in which each edge touches an earlier edge.
 
     For a map with one vertex the result is the first edge, since a drawing begins with an edge.
     """
@@ -91,7 +91,10 @@ def _spanning_tree(
 
 
 class _Plane:
-    """The drawing made so far, as a planar map: some of the darts, and crossings."""
+    """The drawing made so far, as a planar map.
+
+    Its darts are those darts of the map that are drawn, and four for each crossing.
+    """
 
     def __init__(self, map_: CombinatorialMap) -> None:
         self.map = map_
@@ -100,7 +103,10 @@ class _Plane:
         self.next = len(map_.sigma)
 
     def route(self, a: Dart, b: Dart) -> list[Dart]:
-        """The darts that a shortest way from a's corner to b's crosses, from left to right."""
+        """The darts that a shortest way from dart a's corner to dart b's corner crosses.
+
+        The way crosses each of these darts from left to right.
+        """
         face_of, darts = self._faces()
         goal = self._face_at(b, face_of)
         came: dict[int, list[Dart]] = {self._face_at(a, face_of): []}
@@ -116,7 +122,7 @@ class _Plane:
         return came[goal]
 
     def join(self, a: Dart, b: Dart, crossed: Sequence[Dart]) -> None:
-        """Draw the edge of a and b across the darts ``crossed``."""
+        """Draw the edge from dart a to dart b; it crosses the darts ``crossed``."""
         self._put(a)
         end = a
         for dart in crossed:
@@ -131,7 +137,7 @@ class _Plane:
         self._link(end, b)
 
     def bend(self, a: Dart, b: Dart) -> None:
-        """Put a vertex of degree 2 in the middle of the edge of a and b, as a bend."""
+        """Put a bend into the edge of the darts a and b: a vertex of degree 2 in its middle."""
         near, far = self.next, self.next + 1
         self.next += 2
         self.sigma |= {near: far, far: near}
@@ -210,7 +216,10 @@ class Mesh(Struct, frozen=True):
 
 
 def mesh(drawn: PlanarMap) -> Mesh:
-    """The triangulation of a planar map with its longest face outside, bends not counted."""
+    """The triangulation of a planar map, with the longest face outside.
+
+    Bends do not count for the length of a face.
+    """
     sigma, alpha, size = drawn.sigma, drawn.alpha, len(drawn.sigma)
     vertices = cycles(sigma)
     after, before, left, first_vertex = size, 2 * size, 3 * size, 4 * size

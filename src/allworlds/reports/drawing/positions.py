@@ -1,4 +1,7 @@
-"""Layouts at given positions of the vertices: straight edges, if they leave in the map's order."""
+"""Layouts at given positions of the vertices.
+
+Edges are straight, if they then leave each vertex in the map's order.
+"""
 
 from cmath import phase, rect
 from collections.abc import Iterator, Sequence
@@ -22,7 +25,7 @@ WIDE = 0.35 * tau
 
 
 def laid_out(scene: Scene) -> Layout:
-    """The drawing at the scene's positions; if there are none that fit, that of :func:`layout`."""
+    """The drawing at the scene's positions; that of :func:`layout` without positions that fit."""
     placed = at_positions(scene.map, scene.positions) if scene.positions else None
     return placed or layout(scene.map, scene.root)
 
@@ -75,9 +78,10 @@ def _distance(point: complex, start: complex, end: complex) -> float:
 def _angles(
     map_: CombinatorialMap, around: Sequence[Dart], centres: Sequence[complex]
 ) -> Iterator[tuple[Dart, float]]:
-    """The darts of a vertex with their angles; none if the order of the angles is not the map's.
+    """Yield the darts of a vertex with their angles.
 
-    Parallel edges leave side by side, and loops next to the edge before them.
+    Nothing is yielded if the angles are in another order than the darts of the map.  Parallel edges
+    leave side by side, and loops next to the edge before them.
 
     Args:
         map_: a map with at least two vertices.

@@ -69,10 +69,11 @@ def lattice(map_: CombinatorialMap, root: Dart) -> tuple[Ways, dict[Dart, str]]:
 
 
 def _walked(map_: CombinatorialMap, root: Dart) -> dict[Dart, tuple[complex, int]]:
-    """For each dart the point of its vertex, and its direction in quarter turns clockwise from 1.
+    """The point of each dart's vertex, and the dart's direction.
 
-    The result is empty unless all vertices have different points, and the darts round each vertex
-    have the map's order.
+    The direction is a number of quarter turns clockwise from the direction to the right.  The
+    result is empty unless all vertices have different points, and the darts round each vertex have
+    the map's order.
     """
     sigma = map_.sigma
     square = {dart for dart in map_.darts if map_.degree_at[dart] == 4}

@@ -93,7 +93,7 @@ COLOURS = 12
 
 
 def at(point: complex) -> str:
-    """A point, as it is written in a path of SVG."""
+    """The text for a point in a path of SVG."""
     return f"{rounded(point.real)} {rounded(point.imag)}"
 
 
@@ -191,7 +191,10 @@ def in_words(scene: Scene) -> str:
 
 
 def _edge(scene: Scene, drawn: Layout, dart: Dart) -> Iterator[ET.Element]:
-    """The elements of an edge, after those of the gaps that it makes in the edges below it."""
+    """The elements of an edge.
+
+    Where the edge crosses edges below it, elements that make gaps in these edges come first.
+    """
     other = scene.map.alpha[dart]
     walked = dart in scene.walked or other in scene.walked
     kind, darts = "edge walked" if walked else "edge", f"{dart} {other}"
@@ -243,7 +246,7 @@ def _vertex(scene: Scene, drawn: Layout, vertex: int, name: str) -> ET.Element:
 
 
 def _beside(along: Sequence[complex]) -> float:
-    """The distance of a vertex's name below it (or above it, if negative).
+    """The distance from a vertex down to its name; it is negative if the name is above the vertex.
 
     ``along`` holds the directions of the vertex's darts, whose numbers the name must not touch.
     """
@@ -291,7 +294,7 @@ def _number(scene: Scene, dart: Dart, point: complex) -> ET.Element:
 
 
 def _width(scene: Scene, dart: Dart) -> float:
-    """The width in pixels of the dart's number with its letters."""
+    """The width in pixels of the dart's number, with the dart's label and marks."""
     letters = "" if scene.labels is None else scene.labels[dart]
     marks = f"●{scene.letters[dart]}" if dart in scene.letters else ""
     return 4.0 + 7.0 * len(scene.dart_names[dart] + letters + marks)

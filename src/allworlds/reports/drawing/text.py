@@ -134,9 +134,9 @@ def _groups(map_: CombinatorialMap, root: Dart) -> list[list[Dart]]:
 
 
 def _cut(texts: list[str], what: str) -> list[str]:
-    """The texts; of many texts the first, the number of those between, and the last.
+    """The texts; if there are more than :data:`LONGEST_ROW`, only the first and the last ones.
 
-    ``what`` is the noun for the number.
+    The number of left out texts stands between them, with the noun ``what``.
     """
     if len(texts) <= LONGEST_ROW:
         return texts

@@ -67,7 +67,10 @@ def game(play: Play) -> str:
 
 
 def costs_data(play: Play) -> dict[str, Any]:
-    """The costs for the script: that of Algorithm 1, if it was run, and the bound or None."""
+    """The costs for the script: that of Algorithm 1, if it was run, and the bound.
+
+    The bound is None if there is none.
+    """
     world = play.world
     bound = bound_named(world.lighthouse.as_kind.default_bound).of(world.map, world.start)
     others = [] if play.algorithm1 is None else [["Algorithm 1", play.algorithm1]]

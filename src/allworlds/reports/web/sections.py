@@ -55,7 +55,7 @@ def framed(
 ) -> str:
     """A page as an HTML document that refers to no other file.
 
-    A browser runs no style and script but the page's own, which hashes name.
+    A browser runs only the style and the scripts of the page, which the page names by their hashes.
 
     Args:
         title: the command and its subject.
@@ -176,7 +176,7 @@ def figure(
 
 
 NEVER = 10**9
-"""A number larger than every step, as the step of a part that never becomes known."""
+"""A number larger than every step: the step of a part that never becomes known."""
 
 
 def let_grow(drawn: ET.Element, map_: CombinatorialMap, seen: ShownMap) -> None:
@@ -205,8 +205,8 @@ def _steps(walk: ShownWalk, name: str, views: Mapping[str, View]) -> ET.Element:
     Args:
         walk: the walk.
         name: the name of the walk, with which the names of its steps begin.
-        views: the pictures, each by the name of the attribute in which a step has the robot's dart
-            there.
+        views: the pictures, by name.  The element of each step has an attribute for each picture:
+            its name is ``data-`` and the picture's name, its value the robot's dart there.
     """
     items = [
         _step(walk, i, f"{name}-step-{i}") for i in range(len(walk.walked.walk.darts[:LONGEST]))
