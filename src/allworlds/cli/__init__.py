@@ -1,4 +1,4 @@
-"""The command line: options in, text or JSON out; the other wings make every decision."""
+"""The command line: it reads options, and prints text or JSON; other packages decide."""
 
 import atexit
 import gc
@@ -14,7 +14,7 @@ __all__ = ["main"]
 def main() -> NoReturn:
     """Run a verb and end the process with its exit code.
 
-    Everything else is loaded here, so that even an early interrupt is answered in one line.
+    All other modules are loaded here, so that even an early interrupt is answered in one line.
     """
     gc.set_threshold(10_000)  # much is made that stays, and nearly nothing in circles
     try:
@@ -40,7 +40,7 @@ def _interrupt(*_: object) -> NoReturn:
 
 
 def drop_closed_terminals() -> None:
-    """Drop what is still written to a terminal that was closed."""
+    """Drop all further output to stdout and to stderr, if they are terminals that were closed."""
     for stream in (1, 2):
         terminal = select.poll()
         terminal.register(stream, select.POLLHUP)
@@ -49,7 +49,10 @@ def drop_closed_terminals() -> None:
 
 
 def _interrupt_again(dropped: Any) -> None:
-    """Interrupt once more, and soon, where Python has dropped an interrupt: in a finalizer."""
+    """Interrupt the command again, soon, if Python has dropped an interrupt.
+
+    Python drops an exception that is raised in a finalizer.
+    """
     if issubclass(dropped.exc_type, KeyboardInterrupt):
         signal.signal(signal.SIGALRM, _interrupt)
         signal.setitimer(signal.ITIMER_REAL, 0.01)

@@ -33,15 +33,18 @@ from allworlds.verbs import GROUPS, ROOT, VERBS, Group, Verb
 from allworlds.version import __version__
 
 COMPLETION = "_ALLWORLDS_COMPLETE"
-"""The variable by which a shell asks how a command line can go on."""
+"""The environment variable by which a shell asks how a command line can be completed."""
 
 
 NARROW = 80
-"""Columns below which the help has no column for the values of options: names would be cut."""
+"""The least number of columns with which the help has a column for the values of options.
+
+With fewer columns the names of options would be cut.
+"""
 
 
 class _Verb(click.RichCommand):
-    """A verb, or a group of them, with the help as this program has it."""
+    """A verb or a group of verbs, with the help in the form that this program uses."""
 
     def __init__(self, name: str, listed: Verb | Group, **settings: Any) -> None:
         layout: dict[str, Any] = {"padding_helptext_first_line": (0, 0, 1, 0)}
@@ -57,7 +60,7 @@ class _Verb(click.RichCommand):
 
 
 class _Group(_Verb, click.RichGroup):  # type: ignore[misc]  # as rich-click's own classes
-    """A group of verbs; alone it shows its help."""
+    """A group of verbs; without a verb, the group shows its help."""
 
     def __init__(self, name: str, group: Group, **settings: Any) -> None:
         help_ = f"Example: {group.example}\n\n{group.summary}"
@@ -70,11 +73,11 @@ class _Group(_Verb, click.RichGroup):  # type: ignore[misc]  # as rich-click's o
 
 @cache
 def command_line(first: str | None = None) -> click.RichGroup:
-    """All verbs, as click sees them.
+    """The command of click that holds all verbs.
 
     Args:
-        first: the first word after ``allworlds``: only the verb, or the group, of that name gets
-            its options, since making them takes long; by default every verb gets them.
+        first: the first word after ``allworlds``.  Only the verb or the group with this name gets
+            its options, since making options takes long.  None: every verb gets its options.
     """
     version = printing(["--version"], "Print the version and exit.", lambda _: __version__)
     root = _Group("allworlds", ROOT, params=[version])
@@ -89,15 +92,15 @@ def command_line(first: str | None = None) -> click.RichGroup:
 
 
 def _listed(verb: Verb, **settings: Any) -> _Verb:
-    """The command of a verb, by default without options."""
+    """The command of click for a verb; it has no options unless ``settings`` has them."""
     return _Verb(verb.name.rpartition(" ")[2], verb, **settings)
 
 
 def _command(verb: Verb) -> _Verb:
-    """The verb with an option for each field of its requests.
+    """The command of click for a verb, with an option for each field of the verb's requests.
 
-    A parameter of its function is a part of a request; in place of :class:`OutputGroup` stands
-    that of the verb.
+    Each parameter of the verb's function is a part of the request.  For the parameter ``output``,
+    the class :class:`OutputGroup` is replaced by the subclass for this verb.
     """
     function, parts, help_ = _function_of(verb)
     parts["output"] = output_of(verb.name)
@@ -116,7 +119,8 @@ def _command(verb: Verb) -> _Verb:
 def _function_of(verb: Verb) -> tuple[Callable[..., int], dict[str, Any], str]:
     """The function of a verb on the command line, the parts of its request, and its help.
 
-    A verb that does more than answer a request, and write, has a function of its own.
+    Most verbs answer a request, and write the answer: they share one function.  A verb that does
+    more has its own function.
     """
     if verb.help:
         answers = resolve_name(verb.path)
@@ -148,9 +152,10 @@ def main() -> NoReturn:
 
 
 def call(arguments: list[str]) -> int:
-    """Run a verb in this process and return its exit code; no exception leaves it.
+    """Run a verb in this process and return its exit code; no exception leaves this function.
 
-    What the verb notes about its command, as the options that a file sets, ends with it.
+    The verb notes facts about its command, such as the options that a file sets.  These notes are
+    dropped when the verb ends.
     """
     return copy_context().run(_called, arguments)
 
@@ -190,7 +195,7 @@ def _called(arguments: list[str]) -> int:
 
 
 def _somewhere() -> bool:
-    """Whether there is a current directory."""
+    """Whether the current directory exists."""
     try:
         Path.cwd()
     except FileNotFoundError:
@@ -199,10 +204,10 @@ def _somewhere() -> bool:
 
 
 def _invoked(arguments: list[str], defaults: Defaults) -> int:
-    """The exit code of the verb.
+    """Run the verb that the arguments name, and return its exit code.
 
-    Click's own ``main`` is left out: it makes an exit code of 1 of every broken pipe, which is
-    no verdict, and keeps interrupts to itself.
+    Click's own ``main`` is not used: at a broken pipe it exits with 1, which means ``refuted``
+    here, and it handles interrupts itself.
     """
     first = next((word for word in arguments if not word.startswith("-")), "")
     # A file's defaults are compared with the options of every verb.
@@ -216,7 +221,7 @@ def _invoked(arguments: list[str], defaults: Defaults) -> int:
 
 
 def _complaint(error: Exception) -> str:
-    """The message of a refusal; click's of an unknown option is told in fewer words."""
+    """The message of a refused command line; for an unknown option it is shorter than click's."""
     if isinstance(error, click.NoSuchOption):
         like = f" (Possible options: {', '.join(sorted(error.possibilities or ()))})"
         return f"No such option: {error.option_name}{like if error.possibilities else ''}"

@@ -1,7 +1,7 @@
-"""The defaults of options in a user's file, and the origin of a document.
+"""Defaults of options from a user's file, and the origin of a document.
 
 The file is ``allworlds.toml``, or the table ``[tool.allworlds]`` in a project's ``pyproject.toml``.
-The origin holds what may differ between two documents of one command: version, host, time, speed.
+The origin has all that may differ between two documents of one command: version, host, time, speed.
 """
 
 import tomllib
@@ -29,10 +29,10 @@ class Defaults:
     """The defaults that a file gives.
 
     Attributes:
-        file: its path; empty if there is none.
-        options: values by name for every verb that has such an option, and tables of such by the
-            names of verbs.
-        used: those that took effect in the command, as it goes on.
+        file: the path of the file; empty without a file.
+        options: the defaults by the names of options; they apply to every verb that has such an
+            option.  Under the name of a verb there is a table with defaults for this verb alone.
+        used: the defaults that have taken effect in the command so far.
     """
 
     file: str = ""
@@ -40,14 +40,14 @@ class Defaults:
     used: dict[str, Any] = field(default_factory=dict)
 
     def map_for(self, root: Any, words: list[str]) -> dict[str, Any]:
-        """The defaults of the verb that the words name, as click takes them.
+        """The defaults of the verb that the words name, in the form that click expects.
 
         Args:
-            root: the command line, on which every verb has its options if there are defaults.
-            words: of the command.
+            root: the command line.  If there are defaults, every verb in it has its options.
+            words: the words of the command.
 
         Raises:
-            InputError: naming a key that is no option of a verb, or a value that is none.
+            InputError: naming a key that is no option of a verb, or an illegal value.
         """
         if not self.options:
             return {}
@@ -81,9 +81,9 @@ class Defaults:
 
 
 def defaults_here() -> Defaults:
-    """The defaults of the nearest file: in the current directory, or in one above it.
+    """The defaults of the nearest file: in the current directory, or else in one above it.
 
-    In a directory ``allworlds.toml`` comes first.
+    In each directory ``allworlds.toml`` is tried before ``pyproject.toml``.
 
     Raises:
         InputError: naming a file that is no TOML.
@@ -103,7 +103,7 @@ def defaults_here() -> Defaults:
 
 
 def _table(file: str, text: str, name: str) -> dict[str, Any] | None:
-    """The table of that name, with a table for each verb; None if there is none."""
+    """The table ``name`` of a TOML text, with a table for each verb; None without such a table."""
     try:
         found: Any = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -115,7 +115,10 @@ def _table(file: str, text: str, name: str) -> dict[str, Any] | None:
 
 
 def _flat(table: Mapping[str, Any], group: str = "") -> Iterator[tuple[str, Any]]:
-    """The entries, with the tables of a group's verbs by their whole names."""
+    """Yield the entries of a table; the tables of a group's verbs get the whole names of the verbs.
+
+    The whole name of a verb has two words: the group and the verb.
+    """
     for key, value in table.items():
         inner = isinstance(value, dict) and any(isinstance(each, dict) for each in value.values())
         if inner:
@@ -125,12 +128,15 @@ def _flat(table: Mapping[str, Any], group: str = "") -> Iterator[tuple[str, Any]
 
 
 def _command(root: Any, name: str) -> Any:
-    """The command of a verb, whose name may have two words."""
+    """The command of a verb; its name may have two words."""
     return reduce(lambda home, word: home.commands[word], name.split(), root)
 
 
 def _options(command: Any) -> dict[str, Any]:
-    """The parameters by the names that a file uses: those of the options, without dashes."""
+    """The parameters of a command, by the names that a file uses.
+
+    These are the names of the options, without dashes.
+    """
     return {
         max(param.opts, key=len).lstrip("-").lower(): param
         for param in command.params
@@ -139,14 +145,20 @@ def _options(command: Any) -> dict[str, Any]:
 
 
 def _ensure_known(keys: Iterable[str], owner: str, known: Collection[str]) -> None:
-    """Refuse a key that is none of the options of a verb, or of any verb."""
+    """Raise InputError for a key that is not among the known options.
+
+    ``owner`` is for the message: the name of a verb, or ``a verb``.
+    """
     for key in keys:
         if key not in known:
             raise InputError(f"{key} is no option of {owner}{did_you_mean(key, known)}")
 
 
 def _value(key: str, value: object, param: Any) -> Any:
-    """The value as the command line gives it: a text, a list of texts, or whether a flag is set."""
+    """A value of the file, in the form in which the command line gives it.
+
+    This is a text, a list of texts, or, for a flag, whether it is set.
+    """
     if getattr(param, "is_flag", False):
         if isinstance(value, bool):
             return value
@@ -164,7 +176,7 @@ def _text(key: str, value: object) -> str:
 
 @dataclass(frozen=True, slots=True)
 class _BegunCommand:
-    """A command line and the time when it was started."""
+    """A command line, its defaults, and the time when it was started."""
 
     command: tuple[str, ...]
     defaults: Defaults
@@ -176,29 +188,32 @@ _COMMAND: ContextVar[_BegunCommand] = ContextVar("command")
 
 
 def begin(command: Sequence[str], defaults: Defaults) -> None:
-    """Note the beginning of a command."""
+    """Note that a command begins, with its words, its defaults and the time."""
     _COMMAND.set(_BegunCommand(tuple(command), defaults, datetime.now(UTC), perf_counter()))
 
 
 def words_of_command() -> tuple[str, ...]:
-    """The words of the command that has begun, without the program's name; none without one."""
+    """The words of the command that has begun, without the program's name.
+
+    Empty if no command has begun.
+    """
     begun = _COMMAND.get(None)
     return begun.command if begun else ()
 
 
 def defaults_used() -> dict[str, dict[str, Any]]:
-    """The options that a file gave to the command, by the file; empty if it gave none."""
+    """The options that a file gave to the command, by the file's path; empty without options."""
     begun = _COMMAND.get(None)
     used = begun.defaults if begun else None
     return {used.file: used.used} if used and used.used else {}
 
 
 def made_by(report: Report, workers: int | None = None) -> MadeBy:
-    """Origin and measurements of the document of a report that is written now.
+    """The origin of the document of a report that is written now, with measured times.
 
     Args:
-        report: may know how long its parts took.
-        workers: processes or threads; None of a verb that takes none.
+        report: the report; it may know the durations of its parts.
+        workers: the number of processes or threads; None for a verb without workers.
     """
     parts: dict[str, Any] = {
         name: tuple(round(each, 3) for each in seconds)

@@ -1,4 +1,4 @@
-"""Output: results go to stdout and into files, everything else goes to stderr."""
+"""Output: results go to stdout and into files, all other texts go to stderr."""
 
 import errno
 import io
@@ -32,12 +32,14 @@ Answer = TypeVar("Answer", bound=outcome.Result)
 NARROWEST = 40
 
 LONGEST, KEPT_END, CUT = 300, 120, " [...] "
-"""The longest line on stderr, how much of its end is kept, and what stands for the rest."""
+"""For a line on stderr: its most characters, those kept of its end, and the sign for the rest."""
 
 
 @dataclass(frozen=True)
 class OutputGroup:
-    """Options for the form of the output of a verb: a subclass of :func:`output_of`.
+    """The options for a verb's output: files, and the form of the answer.
+
+    Each verb has its own subclass, made by :func:`output_of`.
 
     Raises:
         InputError: naming a file that cannot be written, and the reason.
@@ -63,13 +65,13 @@ class OutputGroup:
 
     @cached_property
     def named(self) -> list[tuple[str, str]]:
-        """The files that were named, each with its format before it."""
+        """For each file that the user named, its format and its path."""
         return [formats.form_and_path(self.verb, name) for name in self.files or ()]
 
 
 @cache
 def output_of(verb: str) -> type[OutputGroup]:
-    """The options of a verb's output, which tell of the files that it can write."""
+    """The class of the options for a verb's output; their help names the files it can write."""
     help_ = f"Also write this file, by its end: {formats.legal_files(verb)}. Repeat it for more."
     asked = Annotated[list[str] | None, Option(OUTPUT, "FILE", help_, short="o", repeated=True)]
     options: list[tuple[str, Any, Any]] = [("files", asked, field(default=None))]
@@ -82,13 +84,16 @@ def output_of(verb: str) -> type[OutputGroup]:
 
 
 def _times_named(path: str) -> int:
-    """How many words of the command name that file."""
+    """The number of words of the command that name the file with this path."""
     real = os.path.realpath(path)
     return sum(real in _files_in(word) for word in words_of_command())
 
 
 def _files_in(word: str) -> set[str]:
-    """The files that a word may name: as a whole, behind a sign, or before an attribute."""
+    """The real paths that a word of the command may name.
+
+    The path may be the whole word or value, may follow ``@``, or may be on either side of a colon.
+    """
     value = word.partition("=")[2] if word.startswith("--") else word.removeprefix("-o")
     found = set()
     for name in (value, value.removeprefix("@"), *value.partition(":")[::2]):
@@ -98,9 +103,9 @@ def _files_in(word: str) -> set[str]:
 
 
 def _write_files(result: Report, output: OutputGroup, document: Callable[[], str]) -> None:
-    """Write the result into each file that was named, and where a CI service looks for it.
+    """Write the result into each file that the user named, and where a CI service expects it.
 
-    A file that cannot be written is lost with a word on stderr; the verdict is not.
+    If a file cannot be written, a line on stderr says so; the verdict is not lost.
     """
     for form, path in output.named:
         made = document() if form == "json" else formats.file_of(form, result)
@@ -119,9 +124,9 @@ def _write_files(result: Report, output: OutputGroup, document: Callable[[], str
 
 
 def write_file(path: str, content: bytes) -> None:
-    """Write a file that was checked to be writable before the work began.
+    """Write a file; before the work began, a test found that it can be written.
 
-    If the file cannot be written any more, on a full disk for example, a line on stderr says so;
+    If the file cannot be written any more, for example on a full disk, a line on stderr says so;
     the report and its verdict are not lost.
     """
     try:
@@ -134,7 +139,9 @@ def write_file(path: str, content: bytes) -> None:
 
 
 def ensure_writable(path: str) -> None:
-    """Refuse a file that cannot be written. Its content stays, and no new file is made.
+    """Raise InputError if a file cannot be written.
+
+    The test keeps the content of an existing file, and leaves no new file.
 
     Raises:
         InputError: naming the file and the reason.
@@ -155,15 +162,15 @@ def _refusal(path: str, error: Exception) -> InputError:
 
 
 def width() -> int:
-    """Columns of the terminal; 100 without a terminal."""
+    """The number of columns of the terminal, but at least 40; without a terminal 100."""
     return max(NARROWEST, shutil.get_terminal_size((100, 24)).columns)
 
 
 def printable(text: str) -> str:
-    """The text with control characters as their numbers, lines and tabs excepted.
+    """The text with control characters written as numbers; only line ends and tabs stay.
 
-    Explorers have their words in texts; a terminal must not take orders from them, nor the runner
-    of a CI service.
+    Texts may contain words of an explorer.  These must not give commands to a terminal, or to the
+    runner of a CI service.
     """
     return words.harmless(text.replace("\r", r"\x0d"))
 
@@ -173,11 +180,14 @@ COLOURS = (
     | dict.fromkeys(("REFUTED", "REPRODUCED", "ERROR"), 31)
     | dict.fromkeys(("NOT REPRODUCED", "NOT-REFUTED", "INCONCLUSIVE", "VACUOUS", "EMPTY"), 33)
 )
-"""The colour in which a terminal shows the word that begins the line of a verdict."""
+"""The colour on a terminal for the first word of the line that tells a verdict."""
 
 
 def coloured(text: str) -> str:
-    """The text with its verdicts in colour, if it goes to a terminal that is to have colours."""
+    """The text with its verdicts in colour, if stdout is a terminal and the user allows colours.
+
+    The environment variable ``NO_COLOR`` forbids colours.
+    """
     if not sys.stdout.isatty() or os.environ.get("NO_COLOR"):
         return text
     return re.sub(
@@ -189,13 +199,13 @@ def coloured(text: str) -> str:
 
 
 def emit(result: Report, output: OutputGroup, workers: int | None = None) -> int:
-    """Write a verb's result in the forms that were asked for, and return its exit code.
+    """Write a verb's result in the forms that the user asked for, and return its exit code.
 
-    In a document all that can differ from run to run stands under the key ``made_by``, also the
-    number of workers.
+    In a document, all values that can differ from run to run are under the key ``made_by``; the
+    number of workers is there, too.
 
     Raises:
-        OSError: saying that it is stdout that cannot be written.
+        OSError: saying that stdout cannot be written.
     """
 
     def document() -> str:
@@ -230,7 +240,7 @@ def emit(result: Report, output: OutputGroup, workers: int | None = None) -> int
 
 
 def say(text: Callable[[], str]) -> None:
-    """Print a text on which no verdict depends, whether or not there is a reader to its end."""
+    """Print a text on which no verdict depends; a reader may close the pipe before the end."""
     try:
         print(text(), flush=True)
     except OSError as error:
@@ -240,10 +250,10 @@ def say(text: Callable[[], str]) -> None:
 
 
 def answered(function: Callable[..., Answer], request: Any, output: OutputGroup) -> Answer:
-    """Answer a request by a function of the package; there is progress if it names a listener.
+    """Answer a request by a function of the package; show progress if the request names a listener.
 
     Raises:
-        InputError: naming an option that tells of a file which is not written.
+        InputError: naming the option ``by`` if no file with rows is written.
     """
     from allworlds.studies.swept import RowOptions
 
@@ -257,10 +267,10 @@ def answered(function: Callable[..., Answer], request: Any, output: OutputGroup)
 
 
 def respond(function: Callable[..., Any], request: Any, output: OutputGroup) -> int:
-    """Answer a request by a function of the package, and write; return the exit code.
+    """Answer a request by a function of the package, write the answer, and return the exit code.
 
     Raises:
-        InputError: naming a corpus that cannot be written, or as :func:`answered`.
+        InputError: naming a corpus that cannot be written, or for the reason of :func:`answered`.
     """
     from allworlds.engines.limits import WorkerOptions
     from allworlds.studies.user_corpus import CorpusOptions
@@ -273,7 +283,10 @@ def respond(function: Callable[..., Any], request: Any, output: OutputGroup) -> 
 
 @contextmanager
 def stdout_on_stderr() -> Iterator[None]:
-    """Send to stderr what code of the user's, and programs that it starts, print to stdout."""
+    """Send to stderr all that the user's code prints to stdout.
+
+    This includes what programs print that the user's code starts.
+    """
     printed, stdout = sys.stdout, os.dup(1)
     os.dup2(2, 1)
     try:
@@ -286,15 +299,15 @@ def stdout_on_stderr() -> Iterator[None]:
 
 
 def abandon_stdout() -> None:
-    """Give up stdout, so that the rest of its buffer does not cause a second error."""
+    """Redirect stdout to the null device, so that the rest of its buffer causes no second error."""
     with suppress(io.UnsupportedOperation):  # it may be a stand-in without a file
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 def complain(text: str) -> None:
-    """Print one line on stderr, of at most ``LONGEST`` characters, whatever the text contains.
+    """Print one line of at most :data:`LONGEST` characters on stderr, whatever the text contains.
 
-    A longer one keeps both ends: the first says what is wrong, the last what is legal.
+    A longer line is cut in its middle: its beginning says what is wrong, its end what is legal.
     """
     line = f"allworlds: {printable(' '.join(text.split()))}"
     # What stderr cannot show it shows by numbers, which are longer.
@@ -306,10 +319,10 @@ def complain(text: str) -> None:
 
 
 def prepare_streams() -> None:
-    """Give this process, and those that it starts, all three standard streams.
+    """Make sure that this process and the processes that it starts have all three standard streams.
 
-    Of a stream that was closed at the start Python knows nothing, and the next file that is
-    opened takes its place: texts for stderr would turn up on stdout, and reports in files.
+    A stream may have been closed before the start.  Then the next file that is opened takes its
+    number: texts for stderr would appear on stdout, and reports for stdout in files.
     """
     for number, stream in enumerate((sys.stdin, sys.stdout, sys.stderr)):
         if stream is None:
@@ -329,13 +342,14 @@ def prepare_streams() -> None:
 
 
 SILENCE = 10.0
-"""The seconds without a finished world after which a run that goes on is told of at first."""
+"""The seconds without a finished world until the first line about the run in progress."""
 
 
 class Progress(Listener):
-    """Progress bar on stderr with the exact total and the time left; only on a terminal.
+    """A progress bar on stderr, with the exact total and the time left; only on a terminal.
 
-    A run that goes on for long is told in lines, each after twice the silence before.
+    If no world is finished for long, a line on stderr tells of the run in progress.  The time until
+    the next such line is doubled each time.
     """
 
     def __init__(self, *, quiet: bool, clock: Callable[[], float] = time.monotonic) -> None:
@@ -356,17 +370,17 @@ class Progress(Listener):
             self._bar.stop()
 
     def level(self, edges: int, worlds: int) -> None:
-        """Begin the bar of a level."""
+        """Begin the bar of a level: of all worlds with ``edges`` edges."""
         self.stage(f"edges {edges}", worlds, "worlds")
 
     def stage(self, name: str, total: int, of: str) -> None:
-        """Begin a line with a bar of its own."""
+        """Begin a stage, which has its own line and bar."""
         self._name, self._done, self._total, self._of = name, 0, total, of
         if self._bar:
             self._task = self._bar.add_task(name, total=total, of=of)
 
     def progress(self, count: int) -> None:
-        """Move the bar on by this many."""
+        """Move the bar forward by ``count``."""
         self._done += count
         if count > 0:
             self._silent_since = self._clock()
@@ -374,7 +388,7 @@ class Progress(Listener):
             self._bar.advance(self._task, count)
 
     def walk(self, turns: int, budget: int) -> None:
-        """Tell of a run that goes on, if nothing was done for long."""
+        """Print a line about the run in progress, if no world was finished for long."""
         now = self._clock()
         if now - self._silent_since < self._patience:
             return
@@ -413,7 +427,11 @@ def _bar() -> Any:
 
 
 def ensure_directory(name: str | Path | None) -> None:
-    """Make the directory if it is missing. It is bad input if no file can be written there."""
+    """Make the directory if it is missing.
+
+    Raises:
+        InputError: if no file can be written in the directory.
+    """
     if name is None:
         return
     path = a_path("corpus", name)

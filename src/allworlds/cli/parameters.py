@@ -1,6 +1,6 @@
 """Requests on the command line: each field of a request is an option or an argument.
 
-The values of the options and arguments become the request again; see ``inputs.requests``.
+The values of the options and arguments are made into the request; see ``inputs.requests``.
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping
@@ -22,11 +22,14 @@ from allworlds.inputs.requests import (
 )
 
 MOST = 16
-"""Options that the help of a verb shows at most; the others stand behind --help-all."""
+"""The most options of a verb for which ``--help`` shows all of them.
+
+If a verb has more options, ``--help`` leaves out rare ones, and ``--help-all`` shows all.
+"""
 
 
 def parameters_of(parts: Collection[type]) -> list[click.Parameter]:
-    """The arguments and options of a verb that takes these parts of requests."""
+    """The arguments and options of a verb whose request has these parts."""
     fields = [field for part in parts for field in _words_of(part)]
     rare = len(fields) >= MOST  # with --help
     more = [printing(["--help-all"], "Show every option.", _whole_help)] if rare else []
@@ -34,7 +37,10 @@ def parameters_of(parts: Collection[type]) -> list[click.Parameter]:
 
 
 def _words_of(part: type) -> Iterator[Field]:
-    """The fields that the command line gives by one option each, also those of groups."""
+    """Yield the fields of a part of a request that are options or arguments on the command line.
+
+    A field can stand for a group of options; then the fields of the group are yielded.
+    """
     for field in fields_of(part):
         if isinstance(field.asked, OptionGroup):
             yield from _words_of(field.asked.words)
@@ -43,11 +49,11 @@ def _words_of(part: type) -> Iterator[Field]:
 
 
 def request_of(part: type, given: Mapping[str, Any]) -> Any:
-    """Make the part of a request from the values of its fields.
+    """Make a part of a request from the values of its fields.
 
     Args:
         part: the class of the part.
-        given: the values by the names of the fields; where a value is None, the field gets its
+        given: the values by the names of the fields.  If a value is None, the field gets its
             default in Python.
     """
     found = {}
@@ -60,7 +66,7 @@ def request_of(part: type, given: Mapping[str, Any]) -> Any:
 
 
 def _parameter(field: Field, *, rare: bool) -> click.Parameter:
-    """The option or the argument of a field; rare ones may be hidden."""
+    """The option or the argument for a field; if ``rare`` is true, the help may hide the option."""
     asked: Any = field.asked
     names, help_ = [field.name], asked.help
     default = asked.default or field.default
@@ -87,13 +93,13 @@ def _parameter(field: Field, *, rare: bool) -> click.Parameter:
 
 
 def _complete(_context: object, _parameter: object, begun: str) -> list[CompletionItem]:
-    """Let a shell complete paths: most values are files, or free."""
+    """Let a shell complete paths, since most values are files or free texts."""
     return [CompletionItem(begun, type="file")]
 
 
 @dataclass(frozen=True, slots=True)
 class Reader:
-    """Reads the texts that the command line gives for a field.
+    """A function that reads the texts that the command line gives for a field.
 
     Attributes:
         asked: the form of the field on the command line.
@@ -102,10 +108,12 @@ class Reader:
     asked: Option
 
     def __call__(self, _context: click.Context, parameter: click.Parameter, given: Any) -> Any:
-        """The value, a list of values if the option may be repeated, or None without a text.
+        """The value of the text.
+
+        This is a list of values if the option may be repeated, and None if there is no text.
 
         Raises:
-            InputError: naming a text that is no value, or an option that is given twice.
+            InputError: naming a text that is no legal value, or an option that is given twice.
         """
         name, texts = parameter.opts[0], [given] if isinstance(given, str) else [*(given or ())]
         if len(texts) > 1 and not self.asked.repeated:
@@ -125,7 +133,7 @@ def _read_one(asked: Option, name: str, text: str) -> Any:
 
 
 def printing(names: list[str], help_: str, text: Callable[[click.Context], str]) -> click.Option:
-    """An option with which a command prints a text, and does nothing else."""
+    """An option for which a command only prints a text, and ends."""
 
     def act(context: click.Context, _option: click.Parameter, wanted: bool) -> None:
         if wanted and not context.resilient_parsing:

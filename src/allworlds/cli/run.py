@@ -66,10 +66,10 @@ class RunWords(ProgramWords):
     ] = 1
 
     def request(self, asked: RunOptions) -> RunRequest:
-        """One run of that explorer in that world.
+        """The request for one run of the explorer in the world that the words name.
 
         Raises:
-            InputError: naming the words of which nothing can be made.
+            InputError: naming the words that have no meaning.
         """
         explorer, world = explorer_and_world(
             list(self.arguments or []),
@@ -107,11 +107,14 @@ GDB = (
     "gdb -ex 'set breakpoint pending on' -ex 'set follow-fork-mode child' -ex 'break FUNCTION' "
     "-ex run --args python -m allworlds run ..."
 )
-"""The command that stops in a program or a library, which another process runs."""
+"""The command by which gdb stops in an explorer that is a program or a library.
+
+Such an explorer runs in another process.
+"""
 
 
 def ensure_debuggable(name: str) -> None:
-    """Raise InputError if that is no explorer of the user's in Python, in which pdb can stop."""
+    """Raise InputError unless pdb can stop in the explorer: a user's explorer in Python."""
     if loading.is_program(name) or loading.is_library(name):
         raise InputError(f"--pdb is for Python; a compiled explorer: {GDB}")
     if loading.entry_of(name) or loading.has_shield(name):
@@ -119,20 +122,26 @@ def ensure_debuggable(name: str) -> None:
 
 
 def ensure_step(run: SingleRun, step: int) -> None:
-    """Raise InputError if the explorer has chosen no such step; the last one is its answer."""
+    """Raise InputError if the run has no step with this number.
+
+    The last step is the explorer's answer.
+    """
     last = len(run.outcome.episode.transcript.steps) + 1
     if not 1 <= step <= last:
         raise InputError(f"--step {step} is not from 1 to {last}, where this run ends")
 
 
 class _Stopping:
-    """A generator in which the debugger stops after so many more percepts."""
+    """A generator in which the debugger stops after ``left`` more percepts."""
 
     def __init__(self, walk: Generator[Any, Any, Any], left: int) -> None:
         self._walk, self._left, self.close = walk, left, walk.close
 
     def send(self, reply: Any) -> Any:
-        """Go on to the next message."""
+        """Send a reply to the explorer, and return its next message.
+
+        If the time has come, the debugger stops in the explorer.
+        """
         self._left -= reply is not None
         if not self._left:
             from pdb import Pdb  # which takes long
@@ -147,7 +156,10 @@ class _Stopping:
         return self._walk.send(reply)
 
     def _waiting(self) -> Iterator[FrameType]:
-        """The user's generators that wait, from the explorer on through each ``yield from``."""
+        """Yield the user's generators that wait.
+
+        The first is the explorer; ``yield from`` leads from each of them to the next one.
+        """
         walk: Any = self._walk
         while frame := getattr(walk, "gi_frame", None):
             if frame.f_globals.get("__name__", "").partition(".")[0] != "allworlds":
@@ -156,9 +168,9 @@ class _Stopping:
 
 
 def debug(run: SingleRun, step: int) -> None:
-    """Play a run once more, in this process; the debugger stops where it begins to choose a step.
+    """Play a run again in this process; the debugger stops where the explorer chooses step ``step``.
 
-    Whatever the explorer does then, the report of the run stays as it is.
+    Whatever the explorer does then, the report of the run does not change.
     """
     subject = loading.load(run.explorer)
     explore: Any = subject.explore
@@ -182,7 +194,7 @@ _WORLDS = "a WORLD is inline JSON, @file, or a name such as k4, wheel:4, theta-t
 def explorer_and_world(
     words: list[str], *, family: bool, program: bool
 ) -> tuple[str | None, str | None]:
-    """The EXPLORER and the WORLD among the arguments of ``run``, where they are given.
+    """The EXPLORER and the WORLD among the words of ``run``; None for one that is not given.
 
     With a family there is no WORLD.
     """
