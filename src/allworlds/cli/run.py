@@ -168,9 +168,10 @@ class _Stopping:
 
 
 def debug(run: SingleRun, step: int) -> None:
-    """Play a run again in this process; the debugger stops where the explorer chooses step ``step``.
+    """Play a run again, in this process and in the debugger.
 
-    Whatever the explorer does then, the report of the run does not change.
+    The debugger stops where the explorer begins to choose the step.  Whatever the explorer does
+    then, the report of the run does not change.
     """
     subject = loading.load(run.explorer)
     explore: Any = subject.explore

@@ -134,7 +134,7 @@ class Scene(Struct, frozen=True):
 def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
     """The scene of a world, with everything that a robot can sense there.
 
-    ``dropped`` holds the vertices at which the robot has dropped markers, one entry a marker.
+    ``dropped`` holds the vertices at which the robot has dropped markers, an entry for each marker.
     """
     map_, lying = world.map, Counter(dropped)
     percepts = ((d, p.marked(lying[map_.vertex_of[d]])) for d, p in enumerate(world.percepts))

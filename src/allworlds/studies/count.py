@@ -213,7 +213,7 @@ class Enumerate(Struct, frozen=True):
     extent: classes.Extent
 
     def parts(self, unit: LevelUnit) -> Iterator[Counted]:
-        """Yield the counts of the unit's maps in parts, which are about different maps."""
+        """Yield counts of the unit's maps in parts; each part counts other maps."""
         extent = self.extent
         plain = extent.map_class is classes.MapClass.MAPS and extent.where is None
         if plain and unit.edges > UNROOTED_LIMIT and not checks.lack_of(*engine_table.COMPILER):

@@ -107,8 +107,8 @@ def truth(holds: object) -> Truth:
 def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
     """The outcome of a claim that an exhaustive check decides.
 
-    Its witnesses are the numbers of worlds, of runs and of the events that are named in ``events``;
-    ``figures`` are the numbers that the sentence names.
+    The witnesses of the outcome are the numbers of worlds, of runs and of the events that are named
+    in ``events``; ``figures`` are the numbers that the sentence names.
 
     Raises:
         Unfinished: if the check neither holds nor is refuted.

@@ -30,7 +30,8 @@ SAID = (
 def of_the_class(extent: Extent, least: int = 1) -> str:
     """The class in words, such as ``of the class 'maps', trees, with at most 3 edges``.
 
-    Behind the class stands the condition, here trees; ``least`` is the smallest number of edges.
+    The condition, in this example ``trees``, follows the class.  ``least`` is the smallest number
+    of edges.
     """
     where = f", {extent.where.name}," if extent.where else ""
     most = extent.edges
@@ -87,7 +88,7 @@ def left_out(worlds: int) -> str:
 
 
 def option_facts(report: OfWorlds, said: Iterable[str]) -> list[tuple[str, str]]:
-    """A fact about the given options, without the fields ``said``, which other facts describe."""
+    """A fact about the given options; the fields ``said`` are left out: other facts tell them."""
     given = given_again(type(report.request), report.request, but=said)
     return [("options", " ".join(given))] if given else []
 

@@ -45,7 +45,7 @@ def bridges_of(way: Sequence[complex]) -> list[tuple[complex, complex]]:
 
 
 SQUAREST = 0.42 * pi
-"""The least angle at which two edges cross in a drawing; an angle that is wider by itself stays."""
+"""The least angle at which two edges cross in a drawing; wider angles stay as they are."""
 
 STRAIGHT = 0.5
 """The length of the straight piece at a crossing, as a share of the shortest of the four pieces

@@ -100,8 +100,8 @@ class SensedParts(Struct, forbid_unknown_fields=True):
     Attributes:
         worlds: the number of rooted maps.
         sizes: the numbers of edges and of vertices of each world, by the world's name.
-        looks: the name of the smallest world with each look.  A look is a code of all that a robot
-            can find out from a start.
+        looks: for each look the name of the smallest world with this look.  A look is a code of all
+            that a robot can find out from a start.
         alike: pairs of names of worlds that share a look, the smaller world first.
         counted: for some looks the number of worlds in the ambiguity class with this look, computed
             by Burnside's lemma.

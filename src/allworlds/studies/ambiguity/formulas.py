@@ -30,7 +30,7 @@ class PairVariables(Struct, frozen=True):
     """The variables of two worlds, and the question of a search.
 
     Attributes:
-        question: the question of the search.
+        question: the properties that the two worlds must have.
         one, two: the variables of the maps, rooted at the starts.
         pointed: a block for each world; its variable x says whether dart x is a reference dart.
             Empty if the robot senses no bearing.
@@ -246,7 +246,7 @@ def forbid_other_start(formula: Formula, pair: PairVariables, start: int) -> Non
 
 
 def _walk(formula: Formula, question: Question, world: OneWorld) -> None:
-    """Require that a robot that goes the walk of the question senses the question's percepts."""
+    """Require that a robot on the walk that the user asked for senses the given percepts."""
     if not question.walk:
         return
     darts = range(world.size.darts)

@@ -46,9 +46,9 @@ class OneWorld(Struct, frozen=True):
 def one_world(formula: Formula, name: str, size: Size, question: Question) -> OneWorld:
     """Add variables and clauses of one rooted map, and return the variables.
 
-    Every model, restricted to sigma and alpha, is a rooted map of this size, with the class and the
-    degrees of the question; every rooted map with these properties is exactly one model.  ``name``
-    is appended to the names of the variables.
+    Every model, restricted to sigma and alpha, is a rooted map of this size.  It has the class and
+    the degrees that the question of the search asks for.  Every rooted map with these properties is
+    exactly one model.  ``name`` is appended to the names of the variables.
 
     Cost: O(N^3) clauses for N = 2m darts.
     """

@@ -1,6 +1,6 @@
-"""The question of a search for twins: lighthouse, class, bounds and walk.
+"""The question of a search for twins: the properties that the two worlds must have.
 
-Illegal values are refused.
+The properties are lighthouse, class, bounds and walk.  Illegal values are refused.
 """
 
 import re

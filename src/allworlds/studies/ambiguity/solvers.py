@@ -20,7 +20,7 @@ from allworlds.studies.ambiguity.clauses import dimacs, read_dimacs
 from allworlds.studies.ambiguity.formulas import ALIKE, DIFFERENT
 
 REQUIREMENTS = (DIFFERENT, ALIKE)
-"""Two sections of the formula of a search, which rule out a pair of worlds only together.
+"""Two sections of the formula of a search; only both together rule out a pair of worlds.
 
 So a sound formula has a model if one of these sections is left out.
 """

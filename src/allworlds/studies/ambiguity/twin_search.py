@@ -215,7 +215,10 @@ def _only(darts: list[Dart]) -> Dart:
 
 
 def _fits(world: World, question: Question) -> bool:
-    """Whether the world has the class, size, degrees and percepts on the walk of the question."""
+    """Whether the world has the properties that the question of the search asks for.
+
+    These are class, size, degrees, and percepts on the walk.
+    """
     map_, home = world.map, world.map.vertex_of[world.start]
     seen = sensed(world, [step.motion for step in question.walk])[1:]
     others = {degree for v, degree in enumerate(map_.degrees) if v != home}

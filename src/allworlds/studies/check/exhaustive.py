@@ -54,8 +54,9 @@ def job_of(
 
     Args:
         request: the request.
-        notice: a function that is called with the reason, if ``auto`` cannot take compiled code.
-        keep: the number of findings that are kept, the smallest ones.
+        notice: a function.  If the request leaves the choice of the engine open, and compiled code
+            cannot be used, the function is called with the reason.
+        keep: the number of findings to keep; the smallest ones are kept.
     """
     limits = request.limits
     subject = single.subject_of(request.explore, limits)

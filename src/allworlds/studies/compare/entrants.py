@@ -180,7 +180,7 @@ class CostEngine(RunCounter, frozen=True):
     """The run counter that also keeps the cost of every run."""
 
     def tally(self) -> CostTally:
-        """An empty tally, which keeps the costs of runs, too."""
+        """An empty tally that also keeps the costs of runs."""
         return CostTally(self.keep)
 
     def count_outcome(self, world: world.World, place: int, outcome: Outcome, tally: Tally) -> None:

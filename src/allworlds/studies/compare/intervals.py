@@ -34,7 +34,7 @@ LEAST_SIZES = 5
 """The least number of sizes from which an exponent is fitted."""
 
 CLOSE = 0.01
-"""The relative deviation from a power law up to which points are never said to bend."""
+"""A relative deviation from a power law.  Points that deviate less are not said to bend."""
 
 Interval: TypeAlias = tuple[float, float]
 
