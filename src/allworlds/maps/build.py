@@ -77,7 +77,7 @@ def from_rotation(
 
 
 def _neighbour(vertex: object, entry: object) -> tuple[Any, ...]:
-    """The neighbour that a vertex lists, and the key of the edge if it has one."""
+    """The neighbour in an entry of a vertex's list, and the key of the edge if there is one."""
     if isinstance(entry, list) and len(entry) != 2:
         legal = "a neighbour, or [neighbour, key]"
         raise InvalidMap(f"vertex {show(vertex)} lists {show(entry)}; legal is {legal}")
@@ -146,7 +146,9 @@ def _assembled(vertices: Mapping[Any, Sequence[Any]]) -> CombinatorialMap:
 def map_at(
     sigma: Sequence[int], alpha: Sequence[int], vertex_at: Sequence[object]
 ) -> CombinatorialMap:
-    """The map of two permutations; ``vertex_at`` holds the vertex of each dart, for errors.
+    """The map of the two permutations ``sigma`` and ``alpha``.
+
+    ``vertex_at`` holds the name of each dart's vertex; only error messages use these names.
 
     Raises:
         InvalidMap: naming a vertex that cannot be reached, or if there is no dart.
@@ -194,9 +196,9 @@ def lattice(rows: int, columns: int, holes: float = 0.0, seed: int = 0) -> Combi
 
 
 def dense(vertices: int, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
-    """The complete graph with every rotation in ascending order of neighbours, with holes.
+    """The complete graph, with holes; every vertex has its neighbours clockwise in ascending order.
 
-    ``holes`` and ``seed`` are as in :func:`lattice`.  The genus follows from the rotations.
+    ``holes`` and ``seed`` mean the same as in :func:`lattice`.  The genus follows from this order.
 
     Raises:
         ValueError: if ``vertices < 2``, ``holes`` is not in 0..1, or the removal would disconnect.
@@ -209,11 +211,11 @@ def dense(vertices: int, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
 
 
 def _with_holes(rotation: dict[int, list[int]], holes: float, seed: int) -> dict[int, list[int]]:
-    """The rotation without ``round(holes * m)`` edges, in a random order, but still connected.
+    """The rotation without ``round(holes * m)`` random edges; the rest of the graph is connected.
 
-    Suppose that edges are removed one after the other, except bridges.  The remaining edges are
-    the least spanning tree for weights that fall in this order.  So an edge is a bridge in its
-    turn exactly if the tree contains the edge.
+    The edges have a random order.  An edge is removed in its turn unless it is a bridge then.  If
+    the weights of the edges fall in this order, the bridges are the edges of the minimum spanning
+    tree.  So this tree is computed once, and the first edges outside the tree are removed.
     """
     if not 0 <= holes <= 1:
         raise ValueError(f"holes = {holes} is not a fraction in 0..1")
@@ -249,11 +251,12 @@ def _at_least(least: int, **values: int) -> None:
 def named_map(name: str) -> CombinatorialMap:
     """The map called ``name``; see :func:`named_maps` for the names.
 
-    The N of a family is the number of edges (dipole), loops (bouquet), leaves (star), vertices
-    (cycle, path), or spokes (wheel).  Dart 0 is at the hub of a wheel or star.  All families are
-    planar.  ``theta`` has three parallel edges; ``k4-torus`` is K4 with faces of 4 and 8 edges.
-    ``fig1-left`` and ``fig1-right`` are two planar simple maps with all properties in the caption
-    of the paper's Fig. 1.  Their marked vertex is the first one.  The paper may show another pair.
+    In a name such as ``wheel-N``, N is the number of edges (dipole), loops (bouquet), leaves
+    (star), vertices (cycle, path), or spokes (wheel).  Dart 0 is at the hub of a wheel or star.
+    All maps with an N are planar.  ``theta`` has three parallel edges; ``k4-torus`` is K4 with
+    faces of 4 and 8 edges.  ``fig1-left`` and ``fig1-right`` are two planar simple maps with all
+    properties in the caption of the paper's Fig. 1; the marked vertex is the first vertex.  The
+    paper may show another pair with these properties.
 
     Raises:
         NoSuchMap: for another name, or an N out of range, naming the legal names or numbers.
@@ -282,7 +285,7 @@ def _wheel(n: int) -> CombinatorialMap:
 
 
 def _of_digits(rotation: str) -> CombinatorialMap:
-    """The map of a rotation: each word is the list of a vertex, each digit in it a neighbour."""
+    """The map of a rotation in digits: a word for each vertex, a digit for each neighbour."""
     return from_rotation([[*map(int, vertex)] for vertex in rotation.split()])
 
 
@@ -344,8 +347,8 @@ def contracted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
 def completed(sigma: Sequence[int], alpha: Sequence[Dart]) -> CombinatorialMap:
     """The map of an explored part, in which each open dart leads to a new vertex.
 
-    A dart is open if ``alpha`` maps the dart to itself, and maps no other dart to this dart.  If
-    ``alpha`` maps another dart to such a fixed dart, the two darts become an edge.
+    Suppose that ``alpha`` maps a dart d to d itself.  If ``alpha`` maps another dart to d, this
+    dart and d become an edge.  Otherwise d is open, and a new vertex of degree 1 is made for it.
 
     Raises:
         InvalidMap: if the result is no map.
@@ -362,10 +365,10 @@ def completed(sigma: Sequence[int], alpha: Sequence[Dart]) -> CombinatorialMap:
 
 
 def without(map_: CombinatorialMap, gone: set[Dart]) -> CombinatorialMap | None:
-    """The connected part at the vertex of dart 0 after these edges are removed.
+    """The part with the vertex of dart 0, after the edges of the darts ``gone`` are removed.
 
-    The root is the first remaining dart of that vertex, clockwise from dart 0.  The result is None
-    if no dart of that vertex remains.
+    The root is the first remaining dart of this vertex, clockwise from dart 0.  The result is None
+    if no dart of this vertex remains.
     """
 
     def left(dart: Dart) -> Dart:
@@ -398,7 +401,10 @@ def moved(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
 def _rebuilt(
     map_: CombinatorialMap, rotations: Sequence[Sequence[Dart]]
 ) -> CombinatorialMap | None:
-    """The map with these rotations on the remaining edges."""
+    """The map with these cycles of darts round its vertices; its edges are edges of ``map_``.
+
+    The result is None if the map would be empty or not connected.
+    """
     number = {d: i for i, d in enumerate(sorted(d for vertex in rotations for d in vertex))}
     sigma, alpha = [0] * len(number), [0] * len(number)
     for vertex in rotations:

@@ -105,7 +105,7 @@ LEGAL = "cubic, regular:D, eulerian, trees, girth:G, genus:G, triangulation, qua
 
 
 class NamedCondition(Struct, frozen=True):
-    """A condition that comes with this program, perhaps with a number."""
+    """A condition that comes with this program; its name may hold a number, as in ``girth:4``."""
 
     name: str
 
@@ -152,7 +152,7 @@ class AllOf(Struct, frozen=True):
 
     @property
     def codes(self) -> tuple[Any, ...]:
-        """The user's code among the parts."""
+        """The user's programs on which the parts depend."""
         return tuple(code for part in self.parts for code in getattr(part, "codes", ()))
 
     def holds(self, map_: CombinatorialMap) -> bool:
@@ -164,7 +164,11 @@ class AllOf(Struct, frozen=True):
 
 
 def narrowing(where: Condition | None) -> tuple[NamedCondition, ...]:
-    """The conditions that cut off gluings: all of them are for maps, or all for their duals."""
+    """The named conditions that are tested on unfinished gluings, to cut them off early.
+
+    A gluing makes the maps themselves, or their duals.  So only conditions on maps are returned,
+    or, if there are none, the conditions on duals.
+    """
     parts = where.parts if isinstance(where, AllOf) else (where,)
     found = [part for part in parts if isinstance(part, NamedCondition)]
     return tuple([part for part in found if not part.dual] or found)
@@ -202,8 +206,8 @@ class ConditionKind(Struct, frozen=True):
     Attributes:
         holds: the function that tells, for a map and the number in the name, whether the map meets
             the condition.
-        begins: the function that tells, for a gluing and the number, whether a map that meets the
-            condition can begin as this gluing.
+        begins: the function that tells, for a gluing and the number, whether the gluing can still
+            become a map that meets the condition.
         least: the least legal number; None if the name has no number.
         dual: whether the maps are made as duals of maps that are glued together; if so, ``begins``
             takes the gluings of these dual maps.
@@ -234,7 +238,10 @@ def girth(map_: CombinatorialMap) -> int | None:
 
 
 def regular(gluing: Gluing, degree: int) -> bool:
-    """Whether all vertices so far have this degree, and the owed darts can form more of them."""
+    """Whether all vertices have this degree, and the darts still to be made can form more of them.
+
+    ``gluing.limit`` bounds the number of vertices.
+    """
     room = gluing.limit - len(gluing.degrees)
     return (
         all(met == degree for met in gluing.degrees)
@@ -275,9 +282,10 @@ def girth_at_least(gluing: Gluing, least: int) -> bool:
 def _shortest_round(
     start: int, goal: int, beyond: Callable[[int], Iterable[int]], most: int
 ) -> int | None:
-    """The length of a shortest cycle through an edge with these ends, if it is at most ``most``.
+    """The length of a shortest cycle through an edge from the vertex ``start`` to ``goal``.
 
-    ``beyond`` takes a vertex, and returns the vertices to which its other edges lead.
+    The result is None if this length is more than ``most``.  ``beyond`` takes a vertex, and returns
+    the vertices to which its edges lead; the edge from ``start`` to ``goal`` is left out.
     """
     ring, met = {start}, {start}
     for length in range(1, most + 1):
@@ -338,11 +346,11 @@ class MapSource(Protocol):
     """Maps that are given one by one, instead of all maps of a class.
 
     Attributes:
-        starts: the number of rooted maps for each number of edges, ascending.
+        starts: for each number of edges, ascending, the number of rooted maps.
         count: the number of the maps.
-        fixed: whether the start and the lighthouse of each map are fixed.
-        words: the words for the number and the origin of the maps.
-        gate: the reason why the number of the maps is not compared with a count.
+        fixed: whether each map comes with a single start and a single place of its lighthouse.
+        words: words about the number and the origin of the maps, for messages.
+        gate: the reason why no independent count exists to compare the number of the maps with.
     """
 
     starts: Mapping[int, int]
@@ -352,7 +360,7 @@ class MapSource(Protocol):
     gate: str
 
     def like(self, world: Any) -> Iterable[Any]:
-        """The given worlds that equal this one up to the numbering of darts, in their order."""
+        """The given worlds that equal ``world`` up to the numbering of darts, in their order."""
 
 
 class Extent(Struct, frozen=True):

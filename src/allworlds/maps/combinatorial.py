@@ -426,10 +426,10 @@ def carries(
     other_alpha: Sequence[Dart],
     image: Dart,
 ) -> bool:
-    """Whether ``order[0] -> image`` extends to an isomorphism onto a map of the same size.
+    """Whether some isomorphism from the first map to the other map takes ``order[0]`` to ``image``.
 
-    ``order`` is the :func:`numbering` of the first map.  Cost: O(m), but O(1) on average without
-    such an isomorphism.
+    ``order`` is the :func:`numbering` of the first map; both maps have the same number of darts.
+    Cost: O(m), but O(1) on average if there is no such isomorphism.
     """
     to = [-1] * len(sigma)
     to[order[0]] = image
@@ -465,7 +465,10 @@ def isomorphism(a: CombinatorialMap, b: CombinatorialMap) -> tuple[Dart, ...] | 
 def rooted_isomorphism(
     a: CombinatorialMap, root: Dart, b: CombinatorialMap, other: Dart
 ) -> tuple[Dart, ...] | None:
-    """The only isomorphism with ``root -> other``; None if there is none.  Cost: O(m)."""
+    """The only isomorphism from ``a`` to ``b`` that takes the dart ``root`` to the dart ``other``.
+
+    The result is None if there is no such isomorphism.  Cost: O(m).
+    """
     order = numbering(a.sigma, a.alpha, root)
     if len(a.sigma) != len(b.sigma) or not carries(
         a.sigma, a.alpha, order, b.sigma, b.alpha, other

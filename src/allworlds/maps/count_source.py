@@ -21,7 +21,7 @@ NOTHING: Mapping[NewParts, int] = MappingProxyType({(0, 0): 1})
 
 
 def completions(gluing: Gluing) -> int:
-    """The number of rooted maps that begin as this gluing; an upper bound in simple classes.
+    """The number of rooted maps that this gluing can become; in simple classes an upper bound.
 
     The gluing has at least its first vertex.  Cost: microseconds; polynomial in the edges.
     """
@@ -36,7 +36,13 @@ def completions(gluing: Gluing) -> int:
 
 @cache
 def _anywhere(open_: int, owed: int, vertices: int) -> int:
-    """The number of ways to glue ``open_`` darts and exactly the owed darts, in any pairs."""
+    """The number of ways to finish a gluing in which any two open darts may become an edge.
+
+    Args:
+        open_: the number of open darts.
+        owed: the number of darts that must still be made.
+        vertices: the largest number of vertices that may still be made.
+    """
     if open_ == 0:
         return int(owed == 0)
     ways = (open_ - 1) * _anywhere(open_ - 2, owed, vertices) if open_ > 1 else 0
@@ -48,9 +54,10 @@ def _anywhere(open_: int, owed: int, vertices: int) -> int:
 
 @cache
 def _fillings(open_: int, most: int) -> Mapping[NewParts, int]:
-    """The numbers of ways, by size, to close a face of ``open_`` darts with at most ``most`` more.
+    """The numbers of ways to close a face of ``open_`` open darts with at most ``most`` new darts.
 
-    The oldest dart is glued to another dart, which divides the face, or to a new vertex.
+    The result has an entry for each pair: the number of new darts, and that of new vertices.  The
+    oldest open dart is glued to another dart, which divides the face, or to a new vertex.
     """
     if open_ == 0:
         return NOTHING
@@ -86,9 +93,10 @@ def source_of(extent: Extent) -> CountSource | None:
 
 @cache
 def listed(extent: Extent, edges: int) -> Mapping[int, int]:
-    """The sums of the fingerprints of a level, by vertices, without units and without cut-offs.
+    """For each number of vertices, the sum of the fingerprints of the extent's maps of one level.
 
-    All rooted maps with this number of edges are made; then the extent selects some of these maps.
+    The maps are enumerated in the plainest way: all rooted maps with this number of edges are made,
+    and then those of the extent are selected.  The work is not divided, and nothing is cut off.
     Cost: up to 5 edges 0.3 s; 0.03 ms for each map of any class.
     """
     sums: Counter[int] = Counter()

@@ -77,7 +77,7 @@ def partitions(total: int, parts: int, largest: int) -> Iterator[tuple[int, ...]
 def sequences(
     total: int, vertices: int, largest: int, legal: Degrees | None
 ) -> Iterator[tuple[tuple[int, ...], int]]:
-    """The partitions into legal degrees, each with the number of sequences of its parts."""
+    """The partitions into legal degrees, each with the number of orders of its parts."""
     for degrees in partitions(total, vertices, largest):
         if legal is None or legal.issuperset(degrees):
             orders = factorial(vertices) // prod(map(factorial, Counter(degrees).values()))
@@ -170,7 +170,10 @@ def _connected(edges: int, legal: Degrees | None) -> Polynomial:
 
 @cache
 def _permutations(length: int, legal: Degrees | None) -> Polynomial:
-    """The numbers of permutations of that many darts, by cycles; each cycle has a legal length."""
+    """The numbers of permutations of ``length`` darts in which every cycle has a legal length.
+
+    The coefficient of x^n is the number of these permutations with n cycles.
+    """
     result: Polynomial = (1,)
     if legal is None:
         for i in range(length):
@@ -195,7 +198,10 @@ def rooted_of_genus(edges: int, genus: int) -> Cells:
 
 @cache
 def carrell_chapuy(n: int, genus: int) -> Polynomial:
-    """The polynomial Q_g^n(x) of maps with n edges, by the authors' recurrence, times 12."""
+    """The polynomial Q_g^n(x): the coefficient of x^v counts rooted maps with v vertices, n edges.
+
+    It is computed with the recurrence of Carrell and Chapuy, multiplied by 12.
+    """
     if genus < 0 or 2 * genus > n:
         return ()
     if n == 0:
@@ -214,7 +220,7 @@ def carrell_chapuy(n: int, genus: int) -> Polynomial:
 
 
 def rooted_of_genus_by_contraction(edges: int, genus: int, legal: Degrees | None = None) -> Cells:
-    """``{vertices: rooted maps}`` of one genus, by contracting edges at every vertex degree.
+    """``{vertices: rooted maps}`` of one genus, by a recurrence that contracts edges.
 
     With ``legal``, only maps in which all vertices have legal degrees are counted.
 
@@ -238,7 +244,7 @@ def _rooted_by_contraction(edges: int, vertices: int, genus: int, legal: Degrees
 
 @cache
 def _dotted(degrees: tuple[int, ...], genus: int) -> int:
-    """The number of maps on labelled vertices of these ascending degrees.
+    """The number of maps with labelled vertices, of these degrees, which are ascending.
 
     Each vertex has a distinguished dart.
     """
@@ -346,7 +352,10 @@ def _connected_rotations(vertices: int, edges: int, legal: Degrees | None) -> in
 
 @cache
 def _rotations(vertices: int, edges: int, legal: Degrees | None) -> int:
-    """As :func:`_connected_rotations`, but for all graphs without isolated vertices."""
+    """The number of rotation systems of labelled simple graphs without isolated vertices.
+
+    In contrast to :func:`_connected_rotations`, the graphs need not be connected.
+    """
     if edges > comb(vertices, 2):
         return 0
     return sum(
@@ -393,7 +402,7 @@ def rooted_trees(edges: int) -> Cells:
 
 
 def rooted_with_faces(edges: int, length: int, genera: Iterable[int]) -> Cells:
-    """``{vertices: rooted maps}`` of these genera; each face has ``length`` darts."""
+    """``{vertices: rooted maps}`` of all genera in ``genera``; each face has ``length`` darts."""
     cells = dict.fromkeys(vertex_counts(edges), 0)
     faces, rest = divmod(2 * edges, length)
     for genus in genera if rest == 0 else ():
@@ -418,7 +427,10 @@ def rooted_simple_triangulations(edges: int) -> Cells:
 
 
 def _of_degrees(map_class: str, legal: Callable[[int], bool]) -> CountSource | None:
-    """The source for the maps whose degrees are all legal."""
+    """The source of counts for maps of a class in which the degree of every vertex is legal.
+
+    The result is None for the class ``planar-simple``, which has no such source.
+    """
 
     def degrees(edges: int) -> Degrees:
         return frozenset(filter(legal, range(1, 2 * edges + 1)))

@@ -63,19 +63,20 @@ class Gluing:
 
     @property
     def owed(self) -> int:
-        """The number of darts that have not been made yet."""
+        """The number of darts that must still be made."""
         return 2 * self.edges - len(self.alpha)
 
     @property
     def finished(self) -> bool:
-        """Whether no dart is open, and none is owed."""
+        """Whether the map is complete: no dart is open, and no dart must still be made."""
         return bool(self.degrees) and not self.faces
 
     def successors(self) -> "Iterator[tuple[Decision, Gluing]]":
         """Yield the legal decisions about the oldest open dart, with the gluings after them.
 
-        The order is fixed: ascending partners, then ascending degrees.  Each gluing can be
-        finished; in simple classes or under a condition, it only meets necessary conditions.
+        The order is fixed: ascending partners, then ascending degrees of a new vertex.  Each of
+        the gluings can be finished; but in simple classes, or under a condition on maps, a few
+        cannot.
 
         Cost: O(m) for each gluing.
         """
@@ -203,7 +204,7 @@ def rooted_maps(
         prefix: only the maps whose history begins with these decisions (:func:`prefixes`).
         where: only the maps that meet this condition.
 
-    Cost: a fixed order, constant memory.
+    The maps come in a fixed order.  Cost: constant memory.
     """
     gluing = Gluing(edges, map_class, vertices, where)
     for decision in prefix:
@@ -221,7 +222,10 @@ def rooted_maps(
 def _grown(
     gluing: Gluing, history: tuple[Decision, ...], depth: int | None = None
 ) -> Iterator[tuple[tuple[Decision, ...], Gluing]]:
-    """The gluings to which this gluing grows: until finished, or after ``depth`` decisions."""
+    """The gluings to which ``gluing`` grows, each with its history.
+
+    A gluing is yielded as soon as it is finished or has a history of ``depth`` decisions.
+    """
     if gluing.finished or len(history) == depth:
         yield history, gluing
         return
@@ -257,7 +261,7 @@ FINGERPRINTS = 1 << 62
 
 
 def fingerprint(map_: CombinatorialMap) -> int:
-    """A number of a map rooted at dart 0, computed from its :func:`history`.
+    """A number that stands for a map rooted at dart 0, computed from its :func:`history`.
 
     The sum of the fingerprints of some maps identifies the set of these maps.  Cost: O(m).
     """
@@ -277,7 +281,7 @@ def prefixes(
 ) -> Iterator[tuple[Decision, ...]]:
     """The histories cut after ``depth`` decisions; each map extends exactly one of them.
 
-    A history is left out if the condition cuts it off, because no such map can extend it.
+    A history is left out if no map that meets the condition can extend it.
     """
     for history, _ in _grown(Gluing(edges, map_class, vertices, where), (), depth):
         yield history

@@ -32,7 +32,7 @@ def torus(rows: int, columns: int, random: Random) -> CombinatorialMap:
 
 
 def regular(degree: int, vertices: int, random: Random) -> CombinatorialMap:
-    """A connected map in which every vertex has that degree; m = DN/2."""
+    """A random connected map with N vertices of degree D; m = DN/2."""
     if degree < 3 or vertices < 1 or degree * vertices % 2:
         raise ValueError("D is at least 3, and D times N is even")
     darts = [v for v in range(vertices) for _ in range(degree)]
@@ -40,7 +40,7 @@ def regular(degree: int, vertices: int, random: Random) -> CombinatorialMap:
 
 
 def cubic(vertices: int, random: Random) -> CombinatorialMap:
-    """A connected map in which every vertex has degree 3; m = 3N/2."""
+    """A random connected map with N vertices of degree 3; m = 3N/2."""
     if vertices < 1 or vertices % 2:
         raise ValueError("N is even, and at least 2")
     return regular(3, vertices, random)
@@ -98,10 +98,10 @@ def planar(edges: int, random: Random) -> CombinatorialMap:
 
 
 def _diagonals(previous: dict[int, int], root: int) -> CombinatorialMap:
-    """The diagonals of a quadrangulation at the colour of a dart, which becomes dart 0.
+    """The map of the diagonals between the vertices of one colour in a quadrangulation.
 
-    Edge i of the quadrangulation has the darts ``2i`` and ``2i + 1``; ``previous`` is the inverse
-    of the quadrangulation's sigma.
+    The colour is that of the vertex of the dart ``root``, which becomes dart 0.  Edge i of the
+    quadrangulation has the darts ``2i`` and ``2i + 1``; ``previous`` is the inverse of its sigma.
     """
     following = {d: e for e, d in previous.items()}
 
@@ -122,17 +122,20 @@ def _diagonals(previous: dict[int, int], root: int) -> CombinatorialMap:
 
 
 def bouquet(loops: int, random: Random) -> CombinatorialMap:
-    """A first vertex of degree 1, and a vertex with c randomly matched loops; m = c + 1."""
+    """A vertex with c loops, joined to a vertex of degree 1, which is the first; m = c + 1.
+
+    The order of the loops' ends round their vertex is random.
+    """
     names = [loop for loop in range(loops) for _ in range(2)]
     random.shuffle(names)
     return from_cycles([["stem"], ["stem", *names]])
 
 
 def lollipop(degree: int, length: int, random: Random) -> CombinatorialMap:
-    """A path from a first vertex of degree 1 to a knot that looks like the path.
+    """A path from a first vertex of degree 1 to a knot: a random part that looks like the path.
 
-    The path has ``length`` inner vertices; loops raise their degree to D.  The knot has the same
-    number of vertices; the last vertex of the knot has degree D + 1.
+    The path has ``length`` inner vertices; loops raise their degree to D.  The knot also has
+    ``length`` vertices, of degree D, but D + 1 for the last vertex; its edges are random.
     """
     if degree < 4 or degree % 2 or length < 1:
         raise ValueError("D is even and at least 4, L at least 1")
@@ -146,7 +149,10 @@ def lollipop(degree: int, length: int, random: Random) -> CombinatorialMap:
 
 
 def thick(degree: int, length: int, random: Random) -> CombinatorialMap:
-    """A path of ``length`` edges, from its end; loops raise the degrees to D, or D - 1 at ends."""
+    """A path of ``length`` edges; its first vertex is an end of the path.
+
+    Loops raise the degrees to D, and to D - 1 at both ends of the path.
+    """
     if degree < 2 or degree % 2 or length < 1:
         raise ValueError("D is even and at least 2, L at least 1")
     ends = list(pairwise(range(length + 1)))
@@ -157,7 +163,10 @@ def thick(degree: int, length: int, random: Random) -> CombinatorialMap:
 
 
 def switched_prism(length: int, random: Random) -> CombinatorialMap:
-    """Two rings with rungs, of which two are crossed: cubic, and nearly symmetric; m = 3N."""
+    """Two rings of N vertices, joined by N rungs; two neighbouring rungs cross; m = 3N.
+
+    The map is cubic and nearly symmetric.
+    """
     if length < 3:
         raise ValueError("N is at least 3")
     rungs = [(i, length + i) for i in range(length)]
@@ -194,14 +203,14 @@ def cover(sheets: int, random: Random) -> CombinatorialMap:
 
 
 def _matched(darts: list[int], random: Random) -> EdgeEnds:
-    """A random matching of darts, or of the vertices of these darts."""
+    """Random pairs of the elements of a list: of darts, or of the vertices of darts."""
     shuffled = darts[:]
     random.shuffle(shuffled)
     return list(zip(shuffled[::2], shuffled[1::2], strict=True))
 
 
 def _drawn(vertices: int, ends: EdgeEnds, random: Random) -> CombinatorialMap:
-    """The graph with random rotations."""
+    """The map of the graph with these edges, with a random order of edges round each vertex."""
     around: list[list[int]] = [[] for _ in range(vertices)]
     for edge, pair in enumerate(ends):
         for v in pair:
@@ -212,7 +221,7 @@ def _drawn(vertices: int, ends: EdgeEnds, random: Random) -> CombinatorialMap:
 
 
 def _connected(draw: Callable[[], CombinatorialMap]) -> CombinatorialMap:
-    """The first drawn map that is connected."""
+    """The first connected map that ``draw`` returns; it is called until then."""
     while True:
         try:
             return draw()
@@ -225,17 +234,23 @@ LEAST_DEGREE = 14
 
 
 def usual_degree(far: int) -> int:
-    """The default degree of hubs, 12F + 6; with this degree all hubs have different types."""
+    """The default degree of the hubs of a :func:`corridor` with F far hubs: 12F + 6.
+
+    With this degree all hubs have different types.
+    """
     return 12 * far + 6
 
 
 def out_darts(kind: int) -> tuple[int, int]:
-    """The two out-darts of a hub of this type, modulo the degree; types share no out-dart."""
+    """The two darts by which a hub of this type leads to the next hub, modulo the degree.
+
+    Two types have no such dart in common.  Hubs are vertices of a :func:`corridor`.
+    """
     return -4 * kind, -4 * kind - 2
 
 
 class CorridorShape(Struct, frozen=True):
-    """The numbers of a corridor.
+    """The numbers that describe a :func:`corridor`.
 
     Attributes:
         far: F, the number of far hubs.
@@ -249,7 +264,7 @@ class CorridorShape(Struct, frozen=True):
     degree: int
 
     def __post_init__(self) -> None:
-        """Check the numbers."""
+        """Check that the numbers F and R are legal."""
         if self.far < 1 or self.degree < LEAST_DEGREE or self.degree % 2:
             raise ValueError(f"F is at least 1, R even and at least {LEAST_DEGREE}")
 
@@ -260,7 +275,7 @@ class CorridorShape(Struct, frozen=True):
 
     @property
     def window(self) -> int:
-        """The number g of consecutive near hubs whose types identify them."""
+        """The number g: the types of g consecutive near hubs tell which hubs they are."""
         window = 1
         while self.types**window < (window + 1) * self.far:
             window += 1
@@ -283,9 +298,11 @@ class CorridorShape(Struct, frozen=True):
 
 
 def corridor(far: int, degree: int, seed: int) -> CombinatorialMap:
-    """The world with F far hubs of degree R; the near loops and the far matching are random.
+    """A corridor: vertex v0, then near hubs, then F far hubs in a row, all hubs of degree R.
 
-    Vertex 0 has the darts 0 and 1; hub l has the R darts from 2 + (l - 1)R on.
+    Two edges lead from each hub to the next hub.  The remaining darts of a near hub are joined
+    randomly to loops; the remaining darts of all far hubs are joined randomly to edges.  Vertex 0
+    has the darts 0 and 1; hub l has the R darts from 2 + (l - 1)R on.
     """
     shape = CorridorShape(far, degree)
     numbers = f"{far}" if degree == usual_degree(far) else f"{far}x{degree}"
@@ -311,15 +328,18 @@ def corridor(far: int, degree: int, seed: int) -> CombinatorialMap:
 
 
 def hub_types(shape: CorridorShape) -> Iterator[int]:
-    """The type 1..q of each hub; two windows of g near hubs have different sequences of types."""
+    """The type of each hub, from 1 to q.
+
+    Any two different groups of g consecutive near hubs have different sequences of types.
+    """
     return islice(repeated(_de_bruijn(shape.types, shape.window)), shape.hubs)
 
 
 def _de_bruijn(letters: int, length: int) -> Iterator[int]:
-    """The least cyclic word over 1..letters that contains each word of that length once.
+    """The least cyclic word over 1..letters that contains each word of length ``length`` once.
 
     Source: H. Fredricksen, J. Maiorana, Necklaces of beads in k colors and k-ary de Bruijn
-    sequences, Discrete Math. 23 (1978): Lyndon words whose lengths divide that length, ascending.
+    sequences, Discrete Math. 23 (1978): the ascending Lyndon words whose lengths divide ``length``.
     """
     word = [0]
     while word:
@@ -333,7 +353,7 @@ def _de_bruijn(letters: int, length: int) -> Iterator[int]:
 
 
 def corridor_edges(far: int, degree: int) -> int:
-    """The number of edges m; 0 if there is no such corridor."""
+    """The number of edges m of a :func:`corridor`; 0 if these two numbers are illegal."""
     try:
         return CorridorShape(far, degree).edges
     except ValueError:
@@ -366,7 +386,7 @@ def family(text: str, *, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
     """The map of a family.
 
     Args:
-        text: a member of :data:`FAMILIES`, such as ``lattice:5x6`` (5 x 6 vertices in the plane),
+        text: the name of a family's member, such as ``lattice:5x6`` (5 x 6 vertices in the plane),
             ``dense:7`` (a complete graph) or ``random:9`` (see :func:`random_map`).
         holes: the fraction of edges that are removed at random; lattice, strip and dense only.
         seed: the seed of all random choices.  In a lattice or a strip it draws the holes; without
@@ -387,7 +407,9 @@ def family(text: str, *, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
 
 
 def edges_of(text: str) -> int:
-    """The number of edges of a member without holes; the member need not exist.
+    """The number of edges that the member with this name has without holes.
+
+    The number is computed from the name alone, even if no map has these sizes.
 
     Raises:
         InputError: if the text belongs to no family.
@@ -397,10 +419,10 @@ def edges_of(text: str) -> int:
 
 
 def rootings(text: str, map_: CombinatorialMap, holes: float | str | None = None) -> int | None:
-    """The number of rooted maps that seeds draw for a member, with equal probability.
+    """The number of different rooted maps that the seeds draw for one member of a family.
 
-    The result is None if a seed draws more than the dart at which a robot starts.  ``map_`` is the
-    member for any seed.  Cost: O(m^2).
+    All of them have the same probability.  The result is None if a seed draws more than the dart
+    at which a robot starts.  ``map_`` is the map for any one of the seeds.  Cost: O(m^2).
     """
     kind, _ = _parsed(text)
     if not kind.one_map or holes:
@@ -451,7 +473,10 @@ def _random(edges: int, _holes: float, seed: int) -> CombinatorialMap:
 
 
 def _from_seed(draw: Callable[..., CombinatorialMap]) -> Callable[..., CombinatorialMap]:
-    """The builder of a drawn family; each size is drawn independently."""
+    """The function that builds the members of a family with ``draw`` from a random generator.
+
+    The generator depends on the sizes and the seed, so members of different sizes are independent.
+    """
 
     def build(*numbers: Any) -> CombinatorialMap:
         *sizes, _holes, seed = numbers

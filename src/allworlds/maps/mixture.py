@@ -24,9 +24,10 @@ DEAD_ENDS = 5
 
 
 def glued(map_class: MapClass, where: Condition | None = None) -> Generator:
-    """Draw maps of a class by uniform random decisions; the maps themselves are not uniform.
+    """The function that draws a map of a class by gluing; each decision is uniformly random.
 
-    If the first histories under the condition all end without a map, the condition is dropped.
+    The maps themselves are not uniform.  If the first :data:`DEAD_ENDS` attempts under the
+    condition ``where`` all end without a map, the condition is dropped.
     """
 
     def generate(edges: int, random: Random) -> CombinatorialMap:
@@ -77,7 +78,7 @@ def strip(edges: int, random: Random) -> CombinatorialMap:
 
 
 def edges_along(rows: int, edges: int) -> int:
-    """The largest number of columns of a lattice with these rows and at most these edges."""
+    """The largest number of columns of a lattice with ``rows`` rows and at most ``edges`` edges."""
     return max(0, (edges + rows) // (2 * rows - 1))
 
 
@@ -109,7 +110,10 @@ def corridor(edges: int, random: Random) -> CombinatorialMap:
 
 
 def cover(edges: int, random: Random) -> CombinatorialMap:
-    """A connected covering of a small map by random permutations, with at most one defect."""
+    """A connected covering of a small map; random permutations of the sheets determine its edges.
+
+    Then one edge may be removed, contracted, or crossed with another edge.
+    """
 
     def voltages(sheets: int, free: int) -> list[list[int]]:
         around = random.sample(range(sheets), sheets)
@@ -122,7 +126,11 @@ def cover(edges: int, random: Random) -> CombinatorialMap:
 
 
 def ring(edges: int, random: Random) -> CombinatorialMap:
-    """A covering of a small map by turns of a ring by at most one sheet; at most one defect."""
+    """A connected covering of a small map, with the sheets in a ring.
+
+    An edge leads to the same sheet or to a neighbouring sheet.  Then one edge may be removed,
+    contracted, or crossed with another edge.
+    """
 
     def voltages(sheets: int, free: int) -> list[list[int]]:
         turns = [1, *(random.choice((0, 0, 1, -1)) for _ in range(free - 1))]
@@ -138,16 +146,16 @@ LARGEST_BASE = 6
 def _lifted(
     edges: int, random: Random, voltages: Callable[[int, int], list[list[int]]]
 ) -> CombinatorialMap:
-    """The covering of a small map with a cycle, with the largest possible number of sheets.
+    """A covering of a small random map, with the largest possible number of sheets.
 
-    Half of the small maps are cubic.
+    If there is room for it, half of the small maps are cubic.
 
     Args:
-        edges: the largest number of edges.
+        edges: the largest number of edges of the covering.
         random: the source of all choices.
-        voltages: the function that draws a permutation of the sheets for each edge outside a
-            spanning tree, from the numbers of sheets and of such edges.  An edge of the tree joins
-            darts of the same sheet.
+        voltages: the function from two numbers to permutations of the sheets.  The numbers are
+            those of the sheets, and of the edges of the small map outside a spanning tree; each
+            of these edges gets one permutation.  An edge of the tree stays within a sheet.
     """
     size = random.randint(1, min(LARGEST_BASE, edges))
     base = families.sparse(random.randint(1, size), size, random)
@@ -182,7 +190,10 @@ def _spanning(base: CombinatorialMap) -> tuple[list[int], list[int]]:
 
 
 def _spoiled(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
-    """The map after one edge is removed or contracted, or two edges are crossed; or unchanged."""
+    """The map after one random change: an edge is removed or contracted, or two edges are crossed.
+
+    The map may also stay unchanged.
+    """
     a, c = random.choice(map_.darts), random.choice(map_.darts)
     b, d = map_.alpha[a], map_.alpha[c]
     crossed = None
@@ -196,9 +207,10 @@ def _spoiled(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
 
 
 def mutated(map_: CombinatorialMap, most: int, random: Random) -> CombinatorialMap:
-    """The map after one to four changes: an edge removed, contracted, crossed, added; a new root.
+    """The map after one, two or four random changes.
 
-    An added edge joins two corners of the map, or of its dual, where it splits a vertex.
+    A change removes, contracts, crosses or adds an edge, or chooses another root.  A new edge is
+    added to the map or to its dual; an edge added to the dual splits a vertex of the map.
 
     Args:
         map_: the map.
@@ -215,7 +227,7 @@ def mutated(map_: CombinatorialMap, most: int, random: Random) -> CombinatorialM
 
 
 def _with_more(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
-    """The map with one edge more, between random corners."""
+    """The map with an additional edge; both its darts are at random places round vertices."""
     sigma = [*map_.sigma]
     for new in (len(sigma), len(sigma) + 1):
         at = random.randrange(new)
@@ -253,19 +265,22 @@ MIXES: dict[MapClass, tuple[str, ...]] = {
 
 
 def default_mix(extent: Extent) -> tuple[str, ...]:
-    """The names of the parts of an extent; under a named condition only its histories."""
+    """The names of the parts of the mixture for an extent.
+
+    Under a named condition there is one part: :data:`HISTORIES`, the maps that :func:`glued` draws.
+    """
     return (HISTORIES,) if narrowing(extent.where) else MIXES.get(extent.map_class, (HISTORIES,))
 
 
 def generator(part: str, extent: Extent) -> Generator:
-    """The generator of that name; some of its maps may be outside the extent."""
+    """The function that draws maps of this part; some of the maps may be outside the extent."""
     if part == HISTORIES:
         return glued(extent.map_class, extent.where if narrowing(extent.where) else None)
     return PARTS[part]
 
 
 def mix_named(given: object) -> tuple[str, ...] | None:
-    """The names of parts, each once; None for None.
+    """The given names of parts as a tuple; None for None.
 
     Raises:
         InputError: naming a text that is no part, or occurs twice.

@@ -296,7 +296,7 @@ def compared(map_: CombinatorialMap, nodes: Sequence[Any], graph: nx.Graph) -> C
 
 
 def _from_darts(graph: nx.Graph) -> CombinatorialMap:
-    """The map that the attributes ``darts`` of nodes and edges describe."""
+    """The map of a graph whose nodes and edges have the attribute ``darts``."""
     around = {v: _darts(f"node {show(v)}", data) for v, data in graph.nodes(data=True)}
     owner = {dart: v for v, darts in around.items() for dart in darts}
     pairs, loose = [], dict(owner)
@@ -314,7 +314,7 @@ def _from_darts(graph: nx.Graph) -> CombinatorialMap:
 
 
 def _darts(node: str, data: Mapping[str, Any]) -> list[int]:
-    """The darts of the node or edge with these attributes; at least one."""
+    """The integers in the attribute ``darts`` of a node or an edge; at least one."""
     if "darts" not in data:
         raise InvalidMap(f"{node} has no attribute 'darts'; all nodes and edges have it, or none")
     try:

@@ -116,7 +116,11 @@ class Quotient(Struct, frozen=True, dict=True):
 
     @cached_property
     def cone_indices(self) -> tuple[int, ...]:
-        """For each vertex, how often a vertex of the map winds round it; this number divides k."""
+        """For each vertex of the quotient its cone index, which divides k.
+
+        The cone index is the degree of the map's vertices over this vertex, divided by the number
+        of classes at this vertex: a vertex of the map winds round it so many times.
+        """
         return tuple(self.degree[vertex[0]] // len(vertex) for vertex in self.vertices)
 
     @cached_property
@@ -223,10 +227,10 @@ def classes_of_union(*parts: Labelled) -> tuple[tuple[int, ...], ...]:
 
 
 def is_ambiguous(quotient: Quotient) -> bool:
-    """Whether two or more worlds have this quotient under position.
+    """Whether two or more worlds with the lighthouse ``position`` have this quotient.
 
-    True iff k >= 2, with two exceptions, both without a cycle (beta1 = 0).  The first: k = 2.  The
-    second: there is no semi-edge, and every cone index except that of v0 is 1.
+    k is the number of sheets.  True if and only if k >= 2, with two exceptions, both without a
+    cycle (beta1 = 0): k = 2; or there is no semi-edge, and every cone index but that of v0 is 1.
 
     Cost: O(m).
     """
@@ -239,8 +243,9 @@ def is_ambiguous(quotient: Quotient) -> bool:
 def pose_count(quotient: Quotient) -> int:
     """The number of poses (world, dart of v0): P = (k!)^beta1 N(k,2)^s prod N(k,b_v).
 
-    N(k,b) is the number of permutations of k things in which all cycles have length b.  s is the
-    number of semi-edges.  The product is over all vertices except v0.
+    k is the number of sheets, s that of semi-edges, and b_v the cone index of the vertex v.  N(k,b)
+    is the number of permutations of k things in which all cycles have length b.  The product is
+    over all vertices except v0.
     """
     return _fixed_by_rotations(quotient, quotient.sheets)
 
@@ -258,7 +263,12 @@ def class_size(quotient: Quotient) -> int:
 
 
 def _fixed_by_rotations(quotient: Quotient, cycles: int) -> int:
-    """The number of choices that commute with a power of c that has ``cycles`` cycles."""
+    """The number of choices of permutations that all commute with a power of c.
+
+    c is the cyclic shift of the k sheets round v0; the power has ``cycles`` cycles.  A choice has a
+    permutation of the sheets for each vertex but v0, for each semi-edge, and for each edge outside
+    a spanning tree.
+    """
     k = quotient.sheets
     lengths = Counter(quotient.cone_indices[1:])
     lengths[2] += len(quotient.semi_edges)
@@ -268,9 +278,10 @@ def _fixed_by_rotations(quotient: Quotient, cycles: int) -> int:
 
 
 def _uniform(k: int, cycles: int, b: int) -> int:
-    """The number of permutations of k things, all cycles of length b, that commute with c^i.
+    """The number of permutations of k things, with all cycles of length b, that commute with c^i.
 
-    The power c^i has ``cycles`` cycles of length ``r = k / cycles``.  A commuting permutation
+    c is a cyclic shift of the k things.  Its power c^i has ``cycles`` cycles of length
+    ``r = k / cycles``.  A commuting permutation
     permutes these cycles, and also turns each of them.  Suppose that it permutes t of them
     cyclically, and that their turns add up to an element of order o in Z_r.  On these t cycles
     it then has cycles of length t o = b; there are ``r^(t-1) phi(o)`` choices of such turns.
