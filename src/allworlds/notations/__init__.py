@@ -7,7 +7,8 @@
 ``objects``, ``worlds_as_json``, ``sage``
     worlds as objects, in JSON and as Python's literals;
 ``plantri``, ``edge_list``, ``graphs``
-    binary codes; tables of edges; graphs with positions;
+    plantri's binary notations; tables of edges; graphs with positions;
 ``given``
-    worlds that users give instead of a class: from files, from embeddings of a graph, or values.
+    worlds that users give instead of a class: from files, from embeddings of a graph, or as values
+    in Python.
 """

@@ -20,7 +20,7 @@ COLUMNS = ["from", "to", "from_rank", "to_rank"]
 
 
 def read_edge_list(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
-    """The only world of a table."""
+    """Yield the only world of a table of edges."""
     rows = csv.reader(io.StringIO(text_of(file.read()), newline=""), strict=True)
     ranks = dict[str, dict[float, int]]()
     try:
@@ -54,7 +54,7 @@ def _rank(text: str) -> float:
 
 
 def write_edge_list(entry: Entry) -> bytes:
-    """The table of a world."""
+    """The table of the edges of a world, in UTF-8."""
     out, map_ = io.StringIO(), entry.map
     rank = {dart: i for darts in map_.vertices for i, dart in enumerate(darts)}
     name = [entry.labels.vertex(vertex) for vertex in map_.vertex_of]

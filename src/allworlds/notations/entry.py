@@ -10,7 +10,7 @@ from allworlds.world.world import Entry
 
 @contextmanager
 def at(where: str) -> Iterator[None]:
-    """A context in which errors about bad input name this place."""
+    """A context in which the message of every :class:`InputError` begins with ``where``."""
     try:
         yield
     except InputError as error:
@@ -18,7 +18,7 @@ def at(where: str) -> Iterator[None]:
 
 
 def text_of(content: bytes) -> str:
-    """The text of some bytes of a file.
+    """The text of the bytes ``content`` of a file.
 
     Raises:
         InputError: naming the first byte that is not UTF-8.
@@ -30,7 +30,7 @@ def text_of(content: bytes) -> str:
 
 
 def neighbours(entry: Entry) -> list[list[Vertex]]:
-    """The other ends of the edges round each vertex, for a notation of simple maps.
+    """For each vertex its neighbours, clockwise, for a notation that only tells simple maps.
 
     Raises:
         InputError: naming a vertex with a loop or parallel edges.

@@ -1,4 +1,7 @@
-"""Worlds that users give instead of a class: from files, from embeddings of a graph, or values."""
+"""Worlds that users give instead of a class, and the options of requests that give them.
+
+The worlds come from files, are the embeddings of a graph, or are values in Python.
+"""
 
 import re
 from array import array
@@ -42,13 +45,13 @@ MapWithPlaces: TypeAlias = tuple[CombinatorialMap, list[tuple[int, Lighthouse]]]
 
 
 class GivenMap(Struct, frozen=True):
-    """A given map, with its fixed parts.
+    """A map that a user gives, perhaps with the start or the lighthouse.
 
     Attributes:
-        map: the map, with any numbering.
+        map: the map, with any numbering of its darts.
         starts: the darts that the robot may face at the start.
         lighthouse: the lighthouse at its only place; None if every place is tried.
-        labels: the user's names.
+        labels: the user's names of the world and its vertices, and their positions.
     """
 
     map: CombinatorialMap
@@ -57,7 +60,7 @@ class GivenMap(Struct, frozen=True):
     labels: Labelling = PLAIN
 
     def placed(self, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
-        """The map from each start, in canonical numbering, with the places that are tried."""
+        """For each start the map, renumbered canonically from it, and the places that are tried."""
         for start in self.starts:
             names = inverse(numbering(self.map.sigma, self.map.alpha, start))
             rooted = self.map.relabelled(names)
@@ -69,7 +72,7 @@ class GivenMap(Struct, frozen=True):
 
 
 class Digest(Struct, frozen=True):
-    """A file of worlds, as a part of an identity: its name, and the SHA-256 of its content."""
+    """The name of a file of worlds, and the SHA-256 of its content."""
 
     plain: str
     record: str
@@ -78,21 +81,23 @@ class Digest(Struct, frozen=True):
 class GivenMaps:
     """Maps that are given one by one, instead of all maps of a class.
 
-    Other processes get these attributes without the maps; units bring the maps to them.
+    If this object is sent to another process, it loses the maps; each unit of work brings its maps.
 
     Args:
-        noun: the noun for a single map.
-        of: the words for the origin of the maps; empty for worlds that were made in this process.
-        gate: the reason why the number of the maps is not compared with a count.
-        found: the maps, each with its name for error messages, and its key.
+        noun: the noun for a single map, for messages.
+        of: words about the origin of the maps; empty for worlds that were made in this process.
+        gate: the reason why no independent count exists to compare the number of the maps with.
+        found: for each map three things: its name for error messages, its key (the number of the
+            file, the offset in the file, and the number of the map), and the map.
         find: the function from a key to the map.
         codes: the files of the maps.
 
     Attributes:
-        count: the number of the maps; ``words`` is ``3 worlds of plan.json``.
-        starts: the number of rooted maps for each number of edges, ascending.
-        lighthouse: the kind of the fixed lighthouses; None if none is fixed.
-        fixed: whether start and lighthouse of each map are fixed.
+        count: the number of the maps.
+        words: the number and the origin of the maps, such as ``3 worlds of plan.json``.
+        starts: for each number of edges, ascending, the number of rooted maps.
+        lighthouse: the kind of lighthouse that the given worlds have; None if they have none.
+        fixed: whether each map comes with a single start and a single place of its lighthouse.
 
     Raises:
         InputError: if there are no maps, or lighthouses of two kinds.
@@ -132,23 +137,23 @@ class GivenMaps:
 
     @property
     def described(self) -> dict[str, Any]:
-        """The keys of the given maps in the scope of a document."""
+        """What the scope of a verdict tells of the given maps, by the keys of a JSON document."""
         digests = {code.plain: code.record for code in self.codes}
         named = {} if self.of else {"worlds": ()}
         return {"sha256": digests or None, "given": self.count, **named}
 
     def weights(self, edges: int) -> list[int]:
-        """The number of rooted maps in each piece of a level."""
+        """For each piece of a level (:data:`PIECE` maps) the number of rooted maps in it."""
         starts = self._at[edges][3::4]
         return [sum(starts[i : i + PIECE]) for i in range(0, len(starts), PIECE)]
 
     def piece(self, edges: int, number: int) -> tuple[GivenMap, ...]:
-        """The maps of a piece of a level."""
+        """The maps of one piece of the level with ``edges`` edges."""
         keys = self._at[edges][4 * PIECE * number : 4 * PIECE * (number + 1)]
         return tuple(map(self._find, keys[::4], keys[1::4], keys[2::4]))
 
     def like(self, world: World) -> Iterator[World]:
-        """The given worlds that equal this one up to the numbering of darts, in their order."""
+        """The given worlds that equal ``world`` up to the numbering of darts, in their order."""
         order = numbering(world.map.sigma, world.map.alpha, world.start)
         edges = world.map.edge_count
         pieces = (self.piece(edges, i) for i in range(len(self.weights(edges))))
@@ -169,10 +174,11 @@ def held(
 
 
 def files_of(*names: str) -> tuple[Digest, ...]:
-    """The digests of these files, each once.
+    """The digests of these files; a file that is named twice has one digest.
 
     Raises:
-        InputError: if a file cannot be read, or differs from the record that is being read.
+        InputError: if a file cannot be read; or if a report is being read, and the file has
+            changed since the report was made.
     """
     found = list[Digest]()
     for name in dict.fromkeys(names):
@@ -185,7 +191,9 @@ def files_of(*names: str) -> tuple[Digest, ...]:
 
 @lru_cache(maxsize=4)
 def worlds_of_files(codes: tuple[Digest, ...], order: Order | None, y: YAxis | None) -> GivenMaps:
-    """All worlds of these files, which are read twice, and never kept in memory.
+    """All worlds of these files.
+
+    The worlds are not kept in memory: each is read now, and again when it is needed.
 
     Raises:
         InputError: naming the file, the world in it, and what would be legal.
@@ -228,9 +236,10 @@ def embeddings_of(
 
 
 def _given(entry: Entry, name: str) -> GivenMap:
-    """The entry with its lighthouse, and the starts from which this lighthouse is legal.
+    """The map of an entry of a file, with its lighthouse and its starts.
 
-    The name is for error messages.
+    If the file names no start, the starts are those for which the lighthouse is legal.  ``name`` is
+    for error messages.
     """
     map_, placed = entry.map, None
     starts: Sequence[Dart] = map_.darts if entry.start is None else (entry.start,)
@@ -251,7 +260,7 @@ def _given(entry: Entry, name: str) -> GivenMap:
 
 
 def _worlds(given: object) -> tuple[Any, ...] | None:
-    """The names of files, or the worlds, unchanged."""
+    """The names of files, or the worlds, as a tuple; None for None."""
     if given is None:
         return None
     every = [given] if isinstance(given, str | Path) else given
@@ -368,10 +377,10 @@ class GivenOptions(FileOptions):
         return {**super().in_effect, **(self.given.described if self.given else {})}
 
     def lighthouse_of_given(self, named: Any) -> Any:
-        """The lighthouse that the given worlds fix, or the named one.
+        """The kind of lighthouse that the given worlds have; without one, the kind ``named``.
 
         Raises:
-            InputError: if both are given, and differ.
+            InputError: if the worlds have a lighthouse of another kind than ``named``.
         """
         fixed = self.given and self.given.lighthouse
         if named and fixed and named != fixed:

@@ -47,7 +47,7 @@ Box: TypeAlias = tuple[Point, Point]
 def read_graph(
     make: Callable[[bytes], nx.Graph],
 ) -> Callable[[IO[bytes]], Iterator[tuple[int, Entry]]]:
-    """A reader of the world of a file; ``make`` makes the graph from its content."""
+    """The function that reads the world in a file; ``make`` makes the graph from the content."""
 
     def read(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
         yield 0, _entry(named_graph(make, file.read()))
@@ -151,14 +151,20 @@ def of_yed(content: bytes) -> nx.Graph:
 
 
 def _box_in_yed(box: ET.Element) -> dict[str, float]:
-    """The box of a node in the form of GML; yEd gives its upper left corner."""
+    """The box of a node in the form that GML has: the middle, the width and the height.
+
+    A file of yEd has the upper left corner of the box instead of its middle.
+    """
     x, y = (float(box.get(key, "nan")) for key in "xy")
     width, height = (float(box.get(key, "0")) for key in ("width", "height"))
     return {"x": x + width / 2, "y": y + height / 2, "w": width, "h": height}
 
 
 def _line_in_yed(edge: ET.Element, source: Any, target: Any) -> dict[str, Any]:
-    """The line of an edge with its ends in the form of GML; empty for a straight line."""
+    """The points of an edge's line, both ends included, in the form that GML has.
+
+    The result is empty if the line is straight, from the middle of a box to the middle of a box.
+    """
     path = edge.find(f".//{YED}Path")
     if path is None or not (source and target):
         return {}
@@ -178,7 +184,10 @@ def _label_in_yed(node: ET.Element) -> str:
 
 
 def _root_and_graph(content: bytes) -> tuple[ET.Element, nx.Graph]:
-    """The root of a text in GraphML, in the usual namespace, and the graph in it, without groups.
+    """The root element of a text in GraphML, and the graph in the text.
+
+    All elements are moved to the usual XML namespace.  The nodes in a group belong to the graph;
+    the group itself does not.
 
     Raises:
         InputError: naming a node or an edge of the text that the graph would lack.
@@ -227,7 +236,7 @@ def _take_out_of_groups(root: ET.Element, groups: set[str | None]) -> None:
 
 
 def _ensure_rooms(v: object, w: object, groups: set[Any], names: dict[Any, str]) -> None:
-    """Refuse an edge that ends at a group."""
+    """Refuse the edge from ``v`` to ``w`` if one of them is a group."""
     for end in groups.intersection((v, w)):
         raise InputError(
             f"the edge from {names.get(v, v)} to {names.get(w, w)} ends at {names[end]}, a group "
@@ -236,7 +245,7 @@ def _ensure_rooms(v: object, w: object, groups: set[Any], names: dict[Any, str])
 
 
 def _ensure_both_ways(v: str, w: str, heads: Iterable[str | None]) -> None:
-    """Refuse an edge with an arrow at one end."""
+    """Refuse the edge from ``v`` to ``w`` if it has an arrow at exactly one end."""
     if [head or "none" for head in heads].count("none") == 1:
         raise InputError(f"the edge from {v} to {w} has an arrow at one end: it leads one way")
 
@@ -270,7 +279,7 @@ def _label(data: dict[str, Any]) -> str:
 
 
 def _entry(graph: nx.Graph) -> Entry:
-    """The world of a graph whose nodes have positions."""
+    """The world that a graph with positions shows: the drawing gives the order of the edges."""
     names = [*graph]
     lines = {
         (v, w, *key): _line(f"from {show(v)} to {show(w)}", graph.edges[v, w, *key])
@@ -290,7 +299,10 @@ def _entry(graph: nx.Graph) -> Entry:
 
 
 def _box(name: str, data: dict[str, Any]) -> Box:
-    """The middle of the box of a node, from any attribute, and half its width and height."""
+    """The box of a node: its middle, and half its width and height.
+
+    They are read from the attributes ``pos``, ``x`` and ``y``, or ``graphics``.
+    """
     graphics = data.get("graphics")
     drawn = graphics if isinstance(graphics, dict) else data
     pos = data.get("pos") or [drawn.get("x"), drawn.get("y")]
@@ -311,7 +323,7 @@ def _point(given: Iterable[Any]) -> Point:
 
 
 def _line(ends: str, data: dict[str, Any]) -> list[Point]:
-    """The points of the line of an edge, with its ends; empty for a straight line.
+    """The points of the line of an edge, both ends included; empty for a straight line.
 
     The points are read from ``Line`` of GML, or from ``geometry`` of OSMnx.
     """
@@ -330,7 +342,7 @@ def _line(ends: str, data: dict[str, Any]) -> list[Point]:
 
 
 def _ends(v: str, w: str, line: list[Point], boxes: Mapping[str, Box]) -> Any:
-    """Both ends of an edge, each with the direction in which the edge leaves."""
+    """For both ends of an edge: the vertex, and the direction in which the edge leaves it."""
     if v == w and not line:
         raise InputError(f"the edge from {show(v)} to {show(v)} is a loop that is drawn as a point")
     path = line or [boxes[v][0], boxes[w][0]]

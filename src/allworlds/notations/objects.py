@@ -1,8 +1,9 @@
-"""Worlds as objects of JSON, or of Python's literals: sigma and alpha, rotations, fat graphs.
+"""Worlds as JSON objects or Python literals: sigma and alpha, rotations, fat graphs.
 
 ========================================  ========================================================
-``{"sigma": [...], "alpha": [...]}``      our own; also ``start``, ``lighthouse``, ``name``,
-                                          ``names`` and ``positions`` of the vertices
+``{"sigma": [...], "alpha": [...]}``      the notation of this program; it may also have the keys
+                                          ``start``, ``lighthouse``, ``name``, and ``names`` and
+                                          ``positions`` of the vertices
 ``{"hall": ["a", ["b", 0], ...], ...}``   a rotation: the neighbours of each vertex; parallel edges
                                           have keys, which stand at both ends
 ``{"vertices": [[0, 1], ...], "edges":``  a fat graph: cycles of darts; two of the three keys
@@ -33,7 +34,7 @@ FAT = {"vertices", "edges", "faces"}
 
 
 def entry_of(given: object, name: str = "") -> Entry:
-    """The world of an object; ``name`` is the name of the world in its file.
+    """The world that an object describes; ``name`` is the name of the world in its file.
 
     Raises:
         InputError: naming the key, the vertex or the dart.
@@ -60,12 +61,15 @@ def _end(given: Any) -> Any:
 
 
 def rotation_of(entry: Entry) -> dict[str, list[str | list[str | int]]]:
-    """The rotation of a world, by names."""
+    """The rotation of a world: for the name of each vertex its neighbours, clockwise."""
     return {entry.labels.vertex(v): ends for v, ends in enumerate(doors_of(entry))}
 
 
 def doors_of(entry: Entry) -> list[list[str | list[str | int]]]:
-    """The neighbours of each vertex, clockwise; edges with the same ends have keys."""
+    """The names of each vertex's neighbours, clockwise.
+
+    Parallel edges have keys: an entry is then the pair of the neighbour's name and the key.
+    """
     map_, at_ = entry.map, entry.map.vertex_of
     edge = {dart: number for number, darts in enumerate(map_.edges) for dart in darts}
     ends = [frozenset((at_[d], at_[e])) for d, e in map_.edges]
@@ -107,7 +111,7 @@ def fat_of(entry: Entry) -> dict[str, list[list[int]]]:
 
 
 def own_of(entry: Entry) -> dict[str, Any]:
-    """The object of a world in our notation."""
+    """The object of a world in this program's notation, with ``sigma`` and ``alpha``."""
     labels, map_ = entry.labels, entry.map
     fixed = map_.sigma, map_.alpha, entry.start, entry.lighthouse
     values = *fixed, labels.name, labels.vertices, labels.positions

@@ -27,7 +27,10 @@ MOST = 255
 
 
 def _begun(file: IO[bytes], code: bytes) -> bytes:
-    """The word after the name in the header; leave the file at least at the header's end."""
+    """The word after the notation's name in the header of a file; empty without such a word.
+
+    If the position in the file is before the end of the header, it is moved to this end.
+    """
     here = file.tell()
     file.seek(0)
     header = file.read(len(code) + 5)
@@ -42,7 +45,7 @@ def _begun(file: IO[bytes], code: bytes) -> bytes:
 
 
 def _number(file: IO[bytes], size: int, order: Literal["little", "big"] = "big") -> int:
-    """The next number, which has this many bytes."""
+    """The next number in the file, which has ``size`` bytes."""
     read = file.read(size)
     if len(read) < size:
         raise InputError("the file ends in the middle of a world")

@@ -1,4 +1,6 @@
-"""Embeddings as Sage prints them: dictionaries of clockwise neighbours, in one or more lines each.
+"""Embeddings in the form in which Sage prints them: dictionaries of clockwise neighbours.
+
+A dictionary stands in one line or in several.
 
 ``graph.get_embedding()`` returns, for example, ``{0: [1, 2], 1: [2, 0], 2: [0, 1]}``.  Keys are
 numbers, texts or tuples; the texts of the keys become the names.  A file may also hold fat graphs,
@@ -19,7 +21,7 @@ from allworlds.world.world import Entry
 
 
 def opens(line: str) -> int:
-    """The number of brackets that a line opens and does not close, except in texts."""
+    """The number of opening brackets in a line minus that of closing brackets, outside of texts."""
     plain = re.sub(r"'[^']*'|\"[^\"]*\"", "", line)
     return sum((sign in "([{") - (sign in ")]}") for sign in plain)
 
@@ -33,7 +35,7 @@ FAT_GRAPH = re.compile(
 
 
 def _fat_graph(text: str) -> dict[str, list[list[int]]] | None:
-    """The permutations of a fat graph whose text is a call; None for any other text."""
+    """The permutations in a text such as ``FatGraph('(0)(1)', '(0,1)')``; None for other texts."""
     found = FAT_GRAPH.fullmatch(text)
     if not found:
         return None
@@ -43,7 +45,10 @@ def _fat_graph(text: str) -> dict[str, list[list[int]]] | None:
 
 
 def literal(text: str) -> Any:
-    """The value of a literal; raise InputError if the text is no literal, or repeats a key."""
+    """The value of a Python literal or a fat graph; raise InputError for any other text.
+
+    A dictionary in which a key stands twice is refused, too.
+    """
     if fat := _fat_graph(text):
         return fat
     try:
@@ -60,7 +65,7 @@ def literal(text: str) -> Any:
 
 
 def write_sage(entry: Entry) -> bytes:
-    """A simple world, a dictionary in a line; vertices without names are numbers.
+    """A line with a world as a dictionary; vertices without names are numbers.
 
     Raises:
         InputError: naming a vertex with a loop or parallel edges.

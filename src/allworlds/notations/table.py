@@ -53,20 +53,22 @@ EVERY = ("name", "names", "positions", "start", "lighthouse")
 
 
 class Notation(Struct, frozen=True):
-    """One notation.
+    """A notation of embedded graphs in files.
 
     Attributes:
         name: the usual name.
-        suffixes: the suffixes of its files.
-        read: the function that yields the entries of an open binary file from its position on,
-            read clockwise and with the y axis upward.  Each entry comes with its offset in the
-            file, or with its number if the notation does not stream.
-        write: the function from an entry to bytes; None if the notation is not written.
+        suffixes: the suffixes of files in this notation.
+        read: the function that yields the worlds of an open binary file, from the position in the
+            file on.  It takes the order of edges as clockwise and the y axis as upward.  Each
+            world comes with its offset in the file, or with its number if ``streams`` is false.
+        write: the function from a world to bytes; None if the notation is not written.
         keeps: the parts in :data:`EVERY` that the notation can express.
-        mark: bytes near the beginning of such files, which other files lack; may be empty.
-        streams: whether a file with many entries is read with a single entry in memory.
-        y: the usual direction of the y axis, if the order of edges follows from positions.
-        graph: the function from a content to its graph, for callers that need only the edges.
+        mark: bytes near the beginning of files in this notation, which other files lack; or empty.
+        streams: whether worlds are read one by one, with a single world in memory.
+        y: the usual direction of the y axis if the order of edges follows from positions, else
+            None.
+        graph: the function from a file's content to its graph, for callers that need only the
+            edges; None for most notations.
     """
 
     name: str
@@ -83,7 +85,7 @@ class Notation(Struct, frozen=True):
 def _graph(
     name: str, suffixes: tuple[str, ...], graph: Callable[[bytes], Any], y: YAxis, mark: bytes = b""
 ) -> Notation:
-    """A notation of graphs, whose order follows from positions."""
+    """A notation of graphs; the order of the edges follows from the positions of the nodes."""
     return Notation(name, suffixes, read_graph(graph), mark=mark, y=y, graph=graph)
 
 
@@ -122,13 +124,16 @@ HEAD = 2000
 
 
 def by_suffix(file: str) -> Notation | None:
-    """The notation with the longest suffix with which the name ends; None without a suffix."""
+    """The notation of a file's name: of the suffixes at its end, the longest decides.
+
+    The result is None if the name ends with no suffix of a notation.
+    """
     ends = ((end, each) for each in NOTATIONS for end in each.suffixes if file.endswith(end))
     return max(ends, key=lambda found: len(found[0]), default=("", None))[1]
 
 
 def notation_in(stream: IO[bytes], file: str) -> Notation:
-    """The notation of an open file, by its mark, its suffix, or its first character."""
+    """The notation of an open file: its mark decides, else its suffix, else its first character."""
     head = stream.read(HEAD)
     stream.seek(0)
     for each in NOTATIONS:
@@ -142,7 +147,7 @@ def notation_in(stream: IO[bytes], file: str) -> Notation:
 
 
 def legal(*, written: bool = False) -> str:
-    """The suffixes of all notations, or of the written ones, in words."""
+    """The suffixes of all notations, in words; with ``written``, only of those that are written."""
     notations = (each for each in NOTATIONS if each.write or not written)
     return one_of(end for each in notations for end in each.suffixes)
 
@@ -189,7 +194,10 @@ def _check(notation: Notation, order: str | None, y: str | None) -> None:
 
 
 def _turned(entry: Entry, notation: Notation, order: Order | None, y: YAxis | None) -> Entry:
-    """The entry with its right order and y axis; it was read clockwise, with the y axis upward."""
+    """The world as it is meant in its file, with another order of edges or another y axis.
+
+    ``entry`` was read as if the order were clockwise and the y axis upward.
+    """
     labels = entry.labels.checked(entry.map)
     if notation.y:
         if order == "anticlockwise":
@@ -207,9 +215,10 @@ def _turned(entry: Entry, notation: Notation, order: Order | None, y: YAxis | No
 def entry_at(
     file: str | Path, offset: int, order: Order | None = None, y: YAxis | None = None
 ) -> Entry:
-    """The world of a file at an offset from :func:`entries`.
+    """The world of a file at an offset that :func:`entries` has yielded.
 
-    Cost: the cost of this world.  If the notation does not stream, the whole file is read, once.
+    Cost: the reading of this world.  If the notation does not stream, the whole file is read once,
+    and kept.
     """
     with _opened(file) as (stream, notation):
         if notation.streams:
@@ -225,7 +234,7 @@ def entry_at(
 
 @lru_cache(maxsize=4)
 def _whole(file: str, _changed: int, order: Order | None, y: YAxis | None) -> tuple[Entry, ...]:
-    """All entries of a file, as long as it does not change."""
+    """All worlds of a file; they are kept until the file changes."""
     return tuple(entry for _, entry in entries(file, order, y))
 
 
@@ -236,7 +245,7 @@ SHOWN = 5
 def entry_named(
     file: str | Path, name: str, order: Order | None = None, y: YAxis | None = None
 ) -> Entry:
-    """The world of this name or number (from 1 on) in the file; for ``""`` the only one.
+    """The world of this name or number (from 1 on) in the file; for ``""`` the file's only world.
 
     Raises:
         InputError: naming the first worlds, if there is no such world, or if there are several
@@ -262,7 +271,9 @@ def entry_named(
 def graph_in(
     file: str | Path, order: Order | None = None, y: YAxis | None = None
 ) -> tuple[Any, Labelling]:
-    """The graph of networkx of a file, for its edges and the names of its vertices.
+    """The graph in a file, as networkx has it, and the names of its vertices.
+
+    Only the edges of the graph count, not their order.
 
     Raises:
         InputError: naming the part that cannot be read.

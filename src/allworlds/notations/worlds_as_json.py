@@ -18,7 +18,10 @@ Objects = Iterator[tuple[int, Entry]]
 
 
 def read_json(file: IO[bytes]) -> Objects:
-    """The worlds of a document: an object, a list of objects, or an object of named objects."""
+    """Yield the worlds of a JSON file, each with its number from 0 on.
+
+    The file holds an object, a list of objects, or an object with names as keys, objects as values.
+    """
     worlds = _worlds(parse_json(text_of(file.read())))
     for number, (name, given) in enumerate(worlds):
         where = f"world {show(name) if name else number + 1}"
@@ -38,10 +41,10 @@ def _worlds(document: Any) -> list[tuple[str, Any]]:
 def read_lines(
     parse: Callable[[str], Any], opens: Callable[[str], int] = lambda _line: 0
 ) -> Callable[[IO[bytes]], Objects]:
-    """A reader of files with one world in each line; ``parse`` reads the line.
+    """The function that reads files with a world in each line; ``parse`` reads the text of a world.
 
-    ``opens`` takes a line, and returns the number of brackets that the line opens and leaves open.
-    A world ends with the line that closes its last bracket.
+    ``opens`` takes a line, and returns the number of its opening brackets minus that of its closing
+    brackets.  A world with open brackets goes on in the next line.
     """
 
     def read(file: IO[bytes]) -> Objects:
@@ -64,11 +67,11 @@ def read_lines(
 
 
 def _entry(parse: Callable[[str], Any], text: str, line: int, start: int) -> Entry:
-    """The world of a text that begins in this line after this byte of the file."""
+    """The world of a text; errors name its line, counted from the byte ``start`` of the file on."""
     with at(f"line {line}" + (f" from byte {start} on" if start else "")):
         return entry_of(parse(text.strip()))
 
 
 def write_json(of: Callable[[Entry], Any]) -> Callable[[Entry], bytes]:
-    """A writer that writes the JSON value of each entry in a line."""
+    """The function from a world to a line of JSON; ``of`` makes the JSON value."""
     return lambda entry: f"{json.dumps(of(entry), ensure_ascii=False)}\n".encode()
