@@ -10,9 +10,9 @@ from allworlds.world.world import World
 def flaw(worlds: Sequence[World], bisimulation: Sequence[Sequence[int]]) -> str | None:
     """The reason why the classes do not prove the worlds indistinguishable; None if they do.
 
-    No motions distinguish the worlds if two conditions hold: the starts are in one class; and any
-    two darts of one class have equal percepts, and sigma leads from them to darts of one class, and
-    alpha, too.  The reason is that each motion consists of sigma and alpha.
+    The classes prove it if the starts are in one class, and if any two darts of one class agree in
+    three things: they have equal percepts, sigma leads from both into one class, and so does alpha.
+    Then no motions distinguish the worlds, because each motion consists of sigma and alpha.
 
     Args:
         worlds: two worlds (or any number).
@@ -37,10 +37,11 @@ def flaw(worlds: Sequence[World], bisimulation: Sequence[Sequence[int]]) -> str 
 
 
 def same_world_from(a: World, b: World) -> Dart | None:
-    """The start with which ``b`` is the same world as ``a``, if possible the start of ``b``.
+    """A dart of ``b``: if the robot starts there, ``b`` is the same world as ``a``.
 
-    The same world: an isomorphism of the maps preserves the percepts and maps start to start.  None
-    if there is no such start, because the two worlds are different.
+    If possible, it is the start of ``b``.  Two worlds are the same if an isomorphism of their maps
+    preserves the percepts and takes start to start.  The result is None if no start makes ``b`` the
+    same world.
 
     Cost: O(m) if the first start suffices, O(m^2) at worst.
     """

@@ -69,7 +69,7 @@ class Labelling(Struct, frozen=True, rename={"vertices": "names"}):
     def relabelled(
         self, map_: CombinatorialMap, names: Sequence[Dart], other: CombinatorialMap
     ) -> "Labelling":
-        """The labels for the map ``other``, in which dart ``d`` of ``map_`` is ``names[d]``."""
+        """The labels for the map ``other``, where dart ``d`` of ``map_`` is called ``names[d]``."""
         old = [0] * other.vertex_count
         for vertex, darts in enumerate(map_.vertices):
             old[other.vertex_of[names[darts[0]]]] = vertex
@@ -93,8 +93,8 @@ def labels_of_nodes(
 ) -> Labelling:
     """The labels of a graph: its name, and the names and positions of its nodes.
 
-    The nodes come in the order of the vertices, each with its attributes.  If a label is illegal,
-    the result is :data:`PLAIN`.
+    ``nodes`` holds each node with its attributes, in the order of the map's vertices.  If a label
+    is illegal, the result is :data:`PLAIN`.
     """
     names = [data.get("name", node) for node, data in nodes]
     if names == [*range(map_.vertex_count)]:

@@ -1,4 +1,4 @@
-"""The world that a text names: inline JSON, a file, a name, a family of maps, or the corpus.
+"""The world that a text means: inline JSON, a file, a named map, a family, or a corpus entry.
 
 The corpus comes with the package: known worlds, and every finding so far.  It consists of a
 manifest and a file for each entry: named worlds, findings, pairs of indistinguishable worlds,
@@ -122,12 +122,14 @@ def world_named(
     seed: int | None = None,
     holes: str | None = None,
 ) -> World:
-    """The world of inline JSON, of ``@file``, of the corpus, of a named map, of a family or a code.
+    """The world that a text means.
+
+    The text is inline JSON, ``@file``, a canonical code of a map (see :func:`code_of`), or the name
+    of a family's member, of a map, or of a world in the corpus.
 
     Args:
         given: the text; or a world, which is returned unchanged.
-        kind: the kind of the lighthouse if the text names none; it stands at its default place, in
-            a named map at dart 0.
+        kind: the kind of lighthouse if the text names none; it stands at its default place.
         seed: the seed of a family, by default 0.
         holes: the share of a family's edges to remove.
 
@@ -169,7 +171,7 @@ def _world_of_text(text: str, kind: LighthouseKind, seed: int | None, holes: str
 
 
 def _names_family(given: str | World) -> bool:
-    """Whether a WORLD names a family, and so depends on a seed."""
+    """Whether a WORLD (a text that means a world) names a family, and so depends on a seed."""
     if isinstance(given, World) or _is_json(given):
         return False
     return given.partition(":")[0] in _families()
@@ -188,7 +190,7 @@ def code_of(map_: CombinatorialMap, root: Dart = 0) -> str:
 
 
 def map_of_code(text: str) -> CombinatorialMap:
-    """The map of a text that :func:`code_of` returns, or of another numbering in the same form.
+    """The map of a text in the form of :func:`code_of`; its numbering need not be canonical.
 
     Raises:
         InvalidMap: naming the part that is no map.
@@ -198,7 +200,10 @@ def map_of_code(text: str) -> CombinatorialMap:
 
 
 def names_of_worlds() -> dict[str, tuple[str, ...]]:
-    """The names that a WORLD can be: maps, families (a capital letter is a number), the corpus."""
+    """The names that mean worlds: of maps, of families, and of worlds in the corpus.
+
+    A capital letter in a name stands for a number.
+    """
     plain = [name for name in named_maps() if name.removesuffix("-N") not in _families()]
     return {
         "maps": tuple(name.replace("-N", ":N") for name in plain),
@@ -233,7 +238,7 @@ def _is_json(text: str) -> bool:
 
 
 class WorldOptions(Request):
-    """The part of a request that completes the text of a WORLD, or names a family."""
+    """The part of a request that names a family, or adds to a WORLD, a text that means a world."""
 
     family: Annotated[str | None, Option(SCOPE, "F", f"One world of a family: {FORMS}.")] = None
     holes: Annotated[str | None, HOLES] = None
@@ -261,10 +266,11 @@ class WorldOptions(Request):
     ] = None
 
     def meant(self, given: str | World | None, usual: GivenLighthouse) -> World:
-        """The world of a text, the given world, or the world of the option ``family``.
+        """The world that the request is about.
 
         Args:
-            given: a world, or a text for :func:`world_named`; None for the family.
+            given: a world, or a text for :func:`world_named`; if None, the option ``family`` names
+                the world.
             usual: the default kind of lighthouse.
 
         Raises:
@@ -287,7 +293,10 @@ class WorldOptions(Request):
 
 
 def map_of_family(text: str, holes: str | None, seed: int) -> CombinatorialMap:
-    """The map of a family, or a named map with a number; ``holes`` is ``10%``, ``0.1`` or None."""
+    """The map of a family's member such as ``lattice:5x6``, or a named map such as ``wheel:4``.
+
+    ``holes`` is a text such as ``10%`` or ``0.1``, or None.
+    """
     kind, _, number = text.partition(":")
     names = {name.removesuffix("-N") for name in named_maps() if name.endswith("-N")}
     if holes is None and kind in names - _families():
@@ -304,7 +313,7 @@ def _families() -> set[str]:
 
 
 def _fraction(text: str) -> float:
-    """The fraction of ``10%`` or ``0.1``; raise InputError outside 0..1."""
+    """The number that ``10%`` or ``0.1`` means; raise InputError unless it is from 0 to below 1."""
     match = re.fullmatch(r"([0-9]+(?:\.[0-9]+)?)(%?)", text)
     value = float(match[1]) / (100 if match[2] else 1) if match else -1.0
     if not 0 <= value < 1:

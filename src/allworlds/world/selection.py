@@ -1,6 +1,6 @@
-"""The selection of worlds: a condition on the maps, and the kind of the lighthouse.
+"""The selection of worlds: a condition on the maps, and the kind of lighthouse.
 
-The user's code in this selection is tried in small maps before it is used.
+A condition or a kind may be a user's program; it is tried in small maps before it is used.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -66,7 +66,10 @@ Predicate: TypeAlias = Callable[[CombinatorialMap], bool]
 
 
 class OwnCondition(Struct, frozen=True):
-    """A condition that is a user's predicate; each process that makes maps loads the predicate."""
+    """A condition on maps for which a user has written a predicate.
+
+    Each process that makes maps loads the user's program.
+    """
 
     code: UserCode | LocalCode
 
@@ -77,7 +80,7 @@ class OwnCondition(Struct, frozen=True):
 
     @property
     def codes(self) -> tuple[UserCode, ...]:
-        """The code of the predicate, if other processes can load it; else nothing."""
+        """The program with the predicate as a tuple; empty if other processes cannot load it."""
         return (self.code,) if isinstance(self.code, UserCode) else ()
 
     def holds(self, map_: CombinatorialMap) -> bool:
@@ -96,14 +99,17 @@ class OwnCondition(Struct, frozen=True):
 
 
 def a_condition(given: object, *, local: bool = False) -> Condition | None:
-    """The condition of a name or function, or of several; users' code is tried on small maps.
+    """The condition that a name or a function means, or several of these together.
+
+    A user's function is tried on small maps first.
 
     Args:
         given: names, functions, or conditions; None for no condition.
         local: whether only this process uses the condition, so that any function is legal.
 
     Raises:
-        InputError: naming the legal conditions, or a map for which the predicate has two values.
+        InputError: naming the legal conditions, or a map on which the function returns once True,
+            once False.
     """
     if given is None:
         return None
@@ -127,10 +133,12 @@ def _one_condition(given: object, *, local: bool) -> Condition:
 
 
 def _tried(own: OwnCondition) -> OwnCondition:
-    """The condition, after a trial of its predicate; a recorded predicate was tried before.
+    """The condition, after a trial of its predicate on small maps.
+
+    There is no trial if the predicate comes from a report, since it was tried before.
 
     Raises:
-        InputError: if the predicate is no function of the map.
+        InputError: if the predicate says different things about the same map.
     """
     if own.codes and own.codes[0].recorded:
         return own
@@ -146,7 +154,7 @@ def _tried(own: OwnCondition) -> OwnCondition:
 
 
 def files_of_condition(condition: Condition | None) -> tuple[Path, ...]:
-    """The user's files that a condition needs; none for None."""
+    """The user's files that a condition needs; the result is empty for None."""
     return tuple(file for code in getattr(condition, "codes", ()) for file in code.files)
 
 
@@ -154,11 +162,11 @@ def files_of_condition(condition: Condition | None) -> tuple[Path, ...]:
 
 
 def tried_kind(given: object) -> LighthouseKind:
-    """The kind of lighthouse of a name or a class; a user's kind is tried in all small maps.
+    """The kind of lighthouse that a name or a class means; a user's kind is tried in small maps.
 
     Raises:
-        InvalidWorld: naming the legal kinds, or a map in which the kind is no function of the
-            world.
+        InvalidWorld: naming the legal kinds, or a small map with a fault that :func:`flaws_of`
+            finds.
     """
     kind = lighthouse_kind(given)
     if any(not code.recorded for code in kind.codes):
@@ -173,13 +181,13 @@ def _try(kind: LighthouseKind) -> None:
 
 
 def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:
-    """Yield a fault of a lighthouse's kind for each small map where it is no function of the world.
+    """Yield the faults of a kind of lighthouse in maps with at most ``edges`` edges, one for a map.
 
-    The kind must have a place in some map with at most one more edge than ``edges``.  No place
-    occurs twice.  If a lighthouse is asked twice, it senses and tells the same.  If the darts have
-    other names, the places, their order, and all that is sensed and told are the same.  The kind
-    gives marks and bearings only if its class says so.  A lighthouse that was written is read as an
-    equal one.
+    These rules are tested.  The kind has a place in some map with at most ``edges + 1`` edges.  No
+    place occurs twice.  Two calls of a method return the same.  If the darts get other names, the
+    places, their order, the percepts, and the value told to the explorer stay the same.  The kind
+    gives marks and bearings only if its class says so.  If a lighthouse is written as JSON and
+    read again, the result is an equal lighthouse.
     """
     for map_, other in _renamed(edges):
         for wrong in islice(_flaws(kind.as_class, map_, other), 1):
@@ -245,8 +253,8 @@ def worlds(
         vertices: the largest number of vertices.
         map_class: one of :class:`~allworlds.maps.classes.MapClass`.
         lighthouse: the kind of lighthouse.
-        places: ``first``: one world for each rooted map, as reports count worlds; ``all``: one
-            world for each place of the lighthouse, as reports count runs.
+        places: ``first`` yields one world for each rooted map (reports count worlds so); ``all``
+            yields one for each place of the lighthouse (reports count runs so).
         where: a condition on the maps, as ``--where`` takes it, or any function of a map.
 
     Raises:
@@ -293,12 +301,12 @@ class WhereOptions(Request):
 
     @property
     def condition(self) -> Condition | None:
-        """The condition on the maps, as an extent takes it; None without a condition."""
+        """The condition on the maps; None without a condition."""
         return self.where
 
 
 def kind_if_any(given: object) -> LighthouseKind | None:
-    """The kind of lighthouse of a name or a class, by :func:`tried_kind`; None for None."""
+    """The kind of lighthouse that :func:`tried_kind` returns; None for None."""
     return None if given is None else tried_kind(given)
 
 

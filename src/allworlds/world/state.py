@@ -1,4 +1,4 @@
-"""The state of a walk in a world, which each step changes: robot, markers, written numbers."""
+"""The state of a walk in a world: the robot's dart, the dropped markers, the written numbers."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ class State:
         lying: the vertices of the markers that the robot has dropped, ascending; a vertex occurs
             once for each of its markers.
         hand: the number of markers in the robot's hand.
-        written: pairs of a place and the number written there, ascending; a place is a vertex or a
-            dart, as the lighthouse has it, and places with the number 0 are left out.
+        written: pairs of a place and the number written there, ascending; the places are vertices
+            or darts, by the lighthouse's kind.  Places with the number 0 are left out.
     """
 
     dart: Dart
@@ -27,11 +27,11 @@ class State:
     written: tuple[tuple[int, int], ...] = ()
 
     def number_at(self, where: int) -> int:
-        """The number that is written at this place; 0 if none is written."""
+        """The number that is written at the place ``where``; 0 if there is no number."""
         return dict(self.written).get(where, 0)
 
     def with_number(self, where: int, number: int) -> State:
-        """The state after this number has been written at this place."""
+        """The state after ``number`` has been written at the place ``where``."""
         written = {**dict(self.written), where: number}
         kept = tuple(sorted((at, each) for at, each in written.items() if each))
         return replace(self, written=kept)

@@ -47,10 +47,10 @@ class WorldDocument(Document):
 
 
 class Entry(Struct, frozen=True):
-    """A map with those parts of its world that a file fixes.
+    """A world as a file tells it: a map, and perhaps its labels, start and lighthouse.
 
     Attributes:
-        map: the map, with its darts numbered in the order of the notation.
+        map: the map; the notation of the file determines the numbers of its darts.
         labels: the names of the world and of its vertices in the file.
         start: the dart that the robot faces; None if the file does not fix it.
         lighthouse: the JSON object of the lighthouse; None if the file does not fix it.
@@ -63,7 +63,7 @@ class Entry(Struct, frozen=True):
 
     @classmethod
     def from_json(cls, document: object, name: str = "") -> "Entry":
-        """The entry of a :class:`WorldDocument`; all of its keys but the map's may be missing.
+        """The entry that a :class:`WorldDocument` tells; only ``sigma`` and ``alpha`` are required.
 
         ``name`` is the world's name if the document has none.
 
@@ -84,9 +84,9 @@ class Entry(Struct, frozen=True):
         return cls(map_, labels, start, document.get("lighthouse"))
 
     def world(self, kind: GivenLighthouse = Directional.kind) -> "World":
-        """The world; if no lighthouse is fixed, with one of this kind at its default place.
+        """The world of the entry, with defaults for its missing parts.
 
-        If no start is fixed, the start is dart 0.
+        The defaults are a lighthouse of kind ``kind`` at its default place, and the start dart 0.
         """
         start = self.start or 0
         lighthouse = lighthouse_from_json(self.lighthouse, self.map, start, kind)
@@ -100,7 +100,7 @@ class World(Pictured):
     Args:
         map: the map.
         lighthouse: a lighthouse at its place; or a kind, such as ``"position"``, which is put at
-            its default place; None stands for ``"directional"``, the default of a WORLD.
+            its default place; None stands for ``"directional"``.
         start: the dart.
         labels: the name of the world, and names and positions of its vertices.  The equality of
             worlds ignores them.
@@ -141,7 +141,7 @@ class World(Pictured):
 
     @cached_property
     def percepts(self) -> tuple[Percept, ...]:
-        """For each dart the percept of a robot that has arrived by it and dropped no marker."""
+        """For each dart the percept of a robot that arrives by it and has left no marks."""
         return self.lighthouse.percepts(self.map)
 
     @property
@@ -156,7 +156,7 @@ class World(Pictured):
 
     @property
     def in_words(self) -> str:
-        """Words such as ``a world with 1 edge and 2 vertices``; the world's name replaces ``a``."""
+        """Words such as ``a world with 1 edge and 2 vertices``, and the world's name if any."""
         called = f"the world {self.labels.name}," if self.labels.name else "a world"
         return f"{called} with {size(self.map.edge_count, self.map.vertex_count)}"
 
@@ -169,8 +169,8 @@ class World(Pictured):
         """The state after the action, and the robot's percept in this state.
 
         Raises:
-            IllegalAction: if the action is illegal in this state, for example for want of a marker;
-                it names the legal actions.
+            IllegalAction: if the action is illegal in this state, for example because the robot has
+                no marker to drop; the error names the legal actions.
         """
         if type(action) is Move:
             dart = self.map.move(state.dart, action.k)
@@ -185,7 +185,7 @@ class World(Pictured):
         return after, self.sensed(after)
 
     def sensed(self, state: State) -> Percept:
-        """The robot's percept in a state, with the marks that it has left there."""
+        """The robot's percept in a state, including the marks that the robot has left there."""
         return self.percepts[state.dart].marked(self.lighthouse.left_marks(self.map, state))
 
     def relabelled(self, names: Sequence[Dart]) -> "World":
@@ -204,7 +204,7 @@ class World(Pictured):
     def to_networkx(self) -> Any:
         """The graph of the map for networkx; see :func:`allworlds.maps.networks.to_networkx`.
 
-        The graph has the attributes ``start`` and ``lighthouse``, as in the world's document.  If
+        The graph has the attributes ``start`` and ``lighthouse``, as in :meth:`to_json`.  If
         the world has labels, the graph has an attribute ``name``, and its nodes have ``name`` and
         ``pos``.  :meth:`from_networkx` reads all of these.
         """
@@ -224,14 +224,16 @@ class World(Pictured):
         start: Dart = 0,
         order: Literal["positions", "planar"] | None = None,
     ) -> "World":
-        """The world in the map of a graph of networkx.
+        """The world whose map is that of a graph of networkx.
 
         Args:
-            graph: as :func:`allworlds.maps.networks.from_networkx` takes it.
-            lighthouse: as in :class:`World`, if the graph has no attribute of that name.
-            start: as in :class:`World`, if the graph has no attribute of that name.
-            order: as :func:`allworlds.maps.networks.from_networkx` takes it.  Lighthouse and start
-                name darts by numbers; only the graph's attributes ``darts`` fix these numbers.
+            graph: a graph that :func:`allworlds.maps.networks.from_networkx` accepts.
+            lighthouse: a lighthouse or a kind, like the argument of :class:`World`, for a graph
+                without the attribute ``lighthouse``.
+            start: the dart of the start, for a graph without the attribute ``start``.
+            order: the source of the order of edges, for
+                :func:`allworlds.maps.networks.from_networkx`.  Lighthouse and start name darts by
+                numbers; only the graph's attributes ``darts`` fix these numbers.
 
         The labels are the nodes' attributes ``name`` and ``pos``, if they are legal labels; without
         ``name`` the nodes themselves are the names, unless they are 0, 1, ...
@@ -250,7 +252,7 @@ class World(Pictured):
         return cls(map_, lighthouse, begin, labels=labels)
 
     def to_json(self) -> dict[str, Any]:
-        """The document :class:`WorldDocument`."""
+        """The world as a JSON object, with the keys of :class:`WorldDocument`."""
         return WorldDocument(
             sigma=self.map.sigma,
             alpha=self.map.alpha,
@@ -265,7 +267,7 @@ class World(Pictured):
     def from_json(
         cls, document: str | Mapping[str, Any], *, missing: GivenLighthouse = Directional.kind
     ) -> "World":
-        """The world that :meth:`to_json` has written, or its text; unknown keys are refused.
+        """The world of a JSON object of :meth:`to_json`, or of its text; unknown keys are refused.
 
         ``start`` may be missing (then it is 0), and so may the lighthouse, which is then of the
         kind ``missing``, at its default place.
@@ -294,7 +296,7 @@ def at_place(world: World, number: int) -> World:
 
 
 def a_start(given: object, map_: CombinatorialMap) -> Dart:
-    """The start; raise InvalidWorld unless it is a dart of the map."""
+    """The given start as an integer; raise InvalidWorld unless it is a dart of the map."""
     start = the_integer("start", given)
     if start not in map_.darts:
         raise InvalidWorld(f"start = {show(start)} is no dart; darts are 0..{len(map_.sigma) - 1}")

@@ -29,7 +29,7 @@ from allworlds.world.state import State
 
 
 class Where(Enum):
-    """The vertices at which more than the degree is sensed."""
+    """The vertices at which the robot senses more than the degree."""
 
     NOWHERE = "nowhere"
     AT_V0 = "at the start's vertex"
@@ -40,11 +40,11 @@ class Where(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Sensing:
-    """The part of a robot's percepts that a lighthouse causes, in addition to the degree.
+    """The signs of a lighthouse that a robot senses in addition to the degree.
 
     Attributes:
-        where: the vertices at which there is such a part.
-        bearing: whether the robot senses there the bearing of the vertex's reference dart.
+        where: the vertices at which the robot senses them.
+        bearing: whether the robot senses the bearing of a reference dart at these vertices.
     """
 
     where: Where
@@ -52,7 +52,7 @@ class Sensing:
 
     @property
     def marks_v0(self) -> bool:
-        """Whether only v0 has one mark, so that its percept alone identifies it."""
+        """Whether v0 has one mark, and no other vertex has exactly one; so the percept shows v0."""
         return self.where in (Where.AT_V0, Where.AT_V0_AND_V1)
 
     @property
@@ -63,7 +63,7 @@ class Sensing:
 
 @cache
 def _percept(degree: int, marks: int = 0, bearing: int | None = None) -> actions.Percept:
-    """A percept; equal percepts are one object."""
+    """The percept with these values; each call with equal values returns the same object."""
     return actions.Percept(degree, marks, bearing)
 
 
@@ -71,12 +71,12 @@ StandsAt: TypeAlias = Annotated[Dart, about("where it stands")]
 
 
 class WalkInAnswer(NamedTuple):
-    """The walk of a robot in its own answer.
+    """The walk that a robot has made, as it looks on the map of the robot's answer.
 
     Attributes:
-        map: the answered map.
+        map: the map of the answer.
         trail: the robot's darts in this map, at the start and after each step.
-        sensed: the percepts that the robot had in the world.
+        sensed: the percepts that the robot had in the world, in the same order.
     """
 
     map: CombinatorialMap
@@ -95,9 +95,9 @@ class Lighthouse(ABC):
     (:meth:`places`), and the percepts there (:meth:`sensed`).  A field named ``dart`` holds a dart,
     and a field named ``darts`` a tuple of darts; a class with darts in other fields also defines
     their renaming (:meth:`relabelled`).  An integer, boolean or text in a field with a default is
-    an option.  The name on the command line may give an option another default; ``cls.name`` and
-    every ``cls(...)`` in :meth:`places` then have this default, but the fields of the dataclass do
-    not.
+    an option.  The name on the command line may give an option NAME another default; then
+    ``cls.NAME`` and every ``cls(...)`` in :meth:`places` have this default, but the fields of the
+    dataclass do not.
 
     Attributes:
         kind: the name on the command line and in files.
@@ -106,17 +106,19 @@ class Lighthouse(ABC):
             determines the robot's dart; then the law ``folding`` applies.
         leaves_open: whether an explorer may answer with the rooted quotient if several worlds look
             alike.
-        gives_marks, gives_bearings: whether the lighthouse can give percepts marks, or bearings; in
-            a composed lighthouse at most one part may give marks, and at most one bearings.
+        gives_marks: whether the lighthouse can put marks into percepts; in a composed lighthouse at
+            most one part may do so.
+        gives_bearings: whether the lighthouse can put a bearing into percepts; in a composed
+            lighthouse at most one part may do so.
         leaves_marks: whether the robot can leave marks.
-        static: whether no action changes a percept, so that the percepts of all darts say
-            everything; by default, whether the class has none of the :data:`ACTING` methods.
+        static: whether percepts never change by the robot's actions; by default true if the class
+            has none of the :data:`ACTING` methods.
         labels_vertices: whether the marks are the labels of vertices, not markers.
-        code: the user's code of the class; None for a class of this program.
+        code: the user's program with the class; None for a class of this program.
         chosen: the options that were given to the kind.
-        every_place_to: the largest number of edges of the maps in which :meth:`places` yields every
-            place; None: in all maps.
-        beyond: the words for the places that :meth:`places` yields in larger maps.
+        every_place_to: the largest number of edges up to which :meth:`places` yields every place of
+            a map; None if it does so in all maps.
+        beyond: words about the places that :meth:`places` yields in larger maps.
     """
 
     kind: ClassVar[str]
@@ -139,7 +141,10 @@ class Lighthouse(ABC):
 
     @classmethod
     def tried_in_maps_of(cls, edges: int) -> str:
-        """The words for the places that are tried up to this number of edges; empty: all places."""
+        """Words about the places that are tried in maps with at most ``edges`` edges.
+
+        The text is empty if every place is tried.
+        """
         if cls.every_place_to is None or edges <= cls.every_place_to:
             return ""
         return f"every place up to {cls.every_place_to} edges; beyond, {cls.beyond}"
@@ -158,7 +163,10 @@ class Lighthouse(ABC):
     @classmethod
     @abstractmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Lighthouse]:
-        """Yield the places in the map rooted at ``start``; a renaming of darts keeps the order."""
+        """Yield the places in the map rooted at ``start``.
+
+        If the darts are renamed, the order of the places must stay.
+        """
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
         """Raise InvalidWorld unless this place is a place of the lighthouse's kind in the map."""
@@ -169,7 +177,7 @@ class Lighthouse(ABC):
             )
 
     def sensed(self, map_: CombinatorialMap, here: Dart) -> actions.Percept:
-        """The percept of a robot that has arrived by the dart ``here``: the degree alone."""
+        """The percept of a robot that has come in by the dart ``here``; by default only a degree."""
         return actions.Percept(map_.degree_at[here])
 
     def percepts(self, map_: CombinatorialMap) -> tuple[actions.Percept, ...]:
@@ -188,7 +196,8 @@ class Lighthouse(ABC):
     def to_json(self) -> dict[str, Any]:
         """The object ``{"kind": ...}`` with the options and the place.
 
-        For a user's class the options are under a key of their own, beside the digest of the class.
+        For a user's class the options stand under the key ``options``; the key ``digest`` holds the
+        digest of the user's program.
         """
         kind: Any = type(self)
         code = kind.code
@@ -206,7 +215,7 @@ class Lighthouse(ABC):
 
     @classmethod
     def at(cls, **where: Any) -> Lighthouse:
-        """The lighthouse at the place that a document gives by the fields of the class."""
+        """The lighthouse whose fields have the values ``where`` of a JSON document."""
         return cls(
             **{
                 key: tuple(value) if isinstance(value, list) and key != "dart" else value
@@ -227,16 +236,20 @@ class Lighthouse(ABC):
         raise InvalidWorld(f"the lighthouse {name} has no place in this map with start {start}")
 
     def number(self, map_: CombinatorialMap, start: Dart) -> int:
-        """The number of this place among the places of the rooted map; 0 if it is none of them."""
+        """The number of this place among all places in the map rooted at ``start``, from 0 on.
+
+        The result is also 0 if this is no legal place in the map.
+        """
         places = enumerate(self.as_kind.places(map_, start))
         return next((i for i, placed in places if placed == self), 0)
 
     def believed(
         self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer
     ) -> Lighthouse | None:
-        """The lighthouse where the robot must believe it: in the answer, at its place's number.
+        """The lighthouse at the place in the robot's answer where the robot must believe it.
 
-        None if the answer has no place of this number.  ``map_`` and ``start`` are those of the
+        By default that is the place with the same number as the lighthouse's place in the world;
+        None if the answer has no place with this number.  ``map_`` and ``start`` are those of the
         world.
         """
         places = self.as_kind.places(walk.map, walk.trail[0])
@@ -252,8 +265,8 @@ class Lighthouse(ABC):
 
         Args:
             action: the robot's action, which is no motion.
-            lying: the number of markers that lie at its vertex.
-            hand: the number of markers in its hand.
+            lying: the number of markers that lie at the robot's vertex.
+            hand: the number of markers in the robot's hand.
         """
         lacks = "has no room for numbers" if type(action) is actions.Write else "gives no markers"
         return f"the {self.kind} lighthouse {lacks}"
@@ -263,7 +276,7 @@ class Lighthouse(ABC):
         return state
 
     def left_marks(self, map_: CombinatorialMap, state: State) -> int:  # noqa: ARG002
-        """The number of marks that the robot senses in this state because it has left them."""
+        """The number of marks that the robot senses now because it has left them here itself."""
         return 0
 
     def told(self, map_: CombinatorialMap) -> actions.Told:  # noqa: ARG002  # for kinds that need it
@@ -272,10 +285,10 @@ class Lighthouse(ABC):
 
 
 class ReferenceLighthouse(Lighthouse):
-    """A lighthouse whose percepts follow from some darts, its references.
+    """A lighthouse whose percepts follow from certain darts, its references.
 
     Attributes:
-        sensing: the part of the percepts that the lighthouse causes.
+        sensing: the signs that the robot senses in addition to the degree.
     """
 
     sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)
@@ -286,9 +299,9 @@ class ReferenceLighthouse(Lighthouse):
         cls.gives_bearings = cls.sensing.bearing
 
     def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:  # noqa: ARG002  # none
-        """One dart of each vertex at which more than the degree is sensed, with the vertex's marks.
+        """The reference darts, each with the number of marks at its vertex.
 
-        The dart of v0 comes first.
+        There is one for each vertex at which more than the degree is sensed; that of v0 is first.
         """
         return {}
 
@@ -315,5 +328,5 @@ class PlacelessLighthouse(ReferenceLighthouse):
         yield cls()
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:  # noqa: ARG002  # any
-        """Raise InvalidWorld unless the options are legal; all maps and starts are legal."""
+        """Raise InvalidWorld if an option is illegal; any map and any start is legal."""
         ensure_legal(self)

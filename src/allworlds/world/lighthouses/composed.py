@@ -1,8 +1,8 @@
 """Several lighthouses in one world, and lighthouses that put no marker into the map.
 
-If there are several lighthouses, a percept holds what each of them shows, and every combination of
-their places is a place.  A lighthouse without a marker in the map shows nothing, tells numbers
-before the start, or lets the robot leave marks.
+If there are several lighthouses, a percept holds the signs of all of them, and every combination of
+their places is a place.  A lighthouse without a marker in the map shows nothing, or tells the robot
+numbers before the start, or lets the robot leave marks.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ class Knowledge(PlacelessLighthouse):
     kind: ClassVar[str] = "told"
 
     def told(self, map_: CombinatorialMap) -> dict[str, int]:
-        """The told numbers by their names."""
+        """The numbers of the world that the robot is told, by their names."""
         return {name: TOLD[name](map_) for name in self.names}
 
 
@@ -84,7 +84,7 @@ class Movable(PlacelessLighthouse):
 
     @property
     def in_hand(self) -> int:
-        """The number of markers in the robot's hand at the start, which is that of all markers."""
+        """The number of markers in the robot's hand at the start: all markers."""
         return self.markers
 
     @override
@@ -139,7 +139,7 @@ class Whiteboard(PlacelessLighthouse):
     leaves_marks: ClassVar[bool] = True
 
     def place_of_number(self, map_: CombinatorialMap, dart: Dart) -> int:
-        """The place where a robot at this dart writes and reads: the vertex of the dart."""
+        """The number of the vertex of ``dart``: a robot at this dart writes and reads there."""
         return map_.vertex_of[dart]
 
     @override
@@ -250,13 +250,16 @@ class Composed(Lighthouse):
         )
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Composed | None:
-        """The parts, each where a robot must believe it; None if a part has no such place."""
+        """The lighthouse with each part at the place where the robot must believe this part.
+
+        The result is None if the robot's answer has no such place for a part.
+        """
         parts = [part.believed(map_, start, walk) for part in self.parts]
         return None if None in parts else Composed(tuple(part for part in parts if part))
 
     @property
     def in_hand(self) -> int:
-        """The number of markers in the robot's hand at the start, by the part that gives marks."""
+        """The number of markers in the robot's hand at the start; the part with marks tells it."""
         return self._marking.in_hand
 
     @override
@@ -283,7 +286,7 @@ class Composed(Lighthouse):
 
 @cache
 def composed(names: tuple[str, ...], kinds: tuple[type[Lighthouse], ...]) -> type[Composed]:
-    """The kind that consists of these kinds as parts.
+    """The kind of a lighthouse whose parts have these kinds.
 
     Raises:
         InvalidWorld: if the parts do not fit together, with the reason.
@@ -308,7 +311,7 @@ def composed(names: tuple[str, ...], kinds: tuple[type[Lighthouse], ...]) -> typ
 
 
 def _adds(kind: type[Lighthouse]) -> set[str]:
-    """The names of what a lighthouse tells a robot besides degrees, such as ``marks`` or ``n``."""
+    """The names of the facts that a robot gets besides degrees, such as ``marks`` or ``n``."""
     found = {name for name in ("marks", "bearings") if getattr(kind, f"gives_{name}")}
     if issubclass(kind, Knowledge):
         return found | {*kind.names}

@@ -59,11 +59,11 @@ OWN = "path/to/file.py:Class or module:Class"
 
 
 class LighthouseKind(Struct, frozen=True):
-    """A kind of lighthouse in the form that requests, rules and other processes use.
+    """A kind of lighthouse, by its name; in this form it can be sent to other processes.
 
     Attributes:
         name: ``KIND[:key=value,...]``, or several of these with ``+`` between them.
-        codes: the user's code that the kind needs, in the order of the name.
+        codes: the user's programs that the kind needs, in the order in which ``name`` names them.
     """
 
     name: str
@@ -83,7 +83,7 @@ GivenLighthouse: TypeAlias = str | type[Lighthouse] | LighthouseKind
 
 
 def lighthouse_kind(given: object) -> LighthouseKind:
-    """The kind of lighthouse of a name, or of a class.
+    """The kind of lighthouse that a name or a class means.
 
     Raises:
         InvalidWorld: naming the legal kinds, or the option that the kind does not have.
@@ -127,7 +127,7 @@ def numbers_told(kind: LighthouseKind) -> tuple[str, ...]:
 
 
 def _part(text: str) -> str | user_code.UserCode:
-    """One part of a name: the text itself for a built-in kind, else the user's code."""
+    """The part of a kind that a text names: for a built-in part the text, else a user's program."""
     if text.partition(":")[0] in LIGHTHOUSES:
         return text
     parts = re.fullmatch(r"([^?]+):([^:?=]+=[^?]*)", text)
@@ -183,7 +183,10 @@ def lighthouse_from_json(
     start: Dart,
     missing: GivenLighthouse = Directional.kind,
 ) -> Lighthouse:
-    """The lighthouse of a world's JSON; for None, a lighthouse of the kind ``missing``."""
+    """The lighthouse that the JSON of a world describes.
+
+    If ``document`` is None, it is a lighthouse of the kind ``missing`` at its default place.
+    """
     if document is None:
         return lighthouse_kind(missing).as_class.usual(map_, start)
     if not isinstance(document, Mapping) or not isinstance(document.get("kind"), str):
@@ -219,10 +222,14 @@ def _of_parts(name: str, parts: object, map_: CombinatorialMap, start: Dart) -> 
 
 
 def _own_of(document: Mapping[str, Any]) -> type[Lighthouse]:
-    """The user's class in a document, without its options unless a factory takes the options.
+    """The user's class that a document names.
+
+    The options in the document are applied only if the name is that of a factory, a function that
+    makes the class from them.
 
     Raises:
-        InputError: if the class is missing, or its text differs from the text in the document.
+        InputError: if the class is missing, or the text of its program has another digest than the
+            document tells.
     """
     name, given = document["kind"], document.get("options", {})
     if not isinstance(given, Mapping):

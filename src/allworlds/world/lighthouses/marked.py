@@ -1,4 +1,4 @@
-"""Lighthouses with marks at vertices: at the start, also at a neighbour of it, or everywhere."""
+"""Lighthouses with marks at vertices: at the start, at the start and a neighbour, or everywhere."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ StartsAt: TypeAlias = Annotated[
 
 
 class MarkedStart(base.ReferenceLighthouse):
-    """A lighthouse at one vertex v0; all that is sensed follows from its dart there.
+    """A lighthouse at one vertex v0; a dart of v0 determines all that the robot senses.
 
     The robot starts at v0; under the option ``start=any`` of some kinds v0 may be any vertex.
     """
@@ -41,7 +41,7 @@ class MarkedStart(base.ReferenceLighthouse):
 
     @classmethod
     def homes(cls, map_: CombinatorialMap, start: Dart) -> Sequence[Dart]:
-        """One dart of each vertex that may be v0: its first dart in canonical numbering."""
+        """For each vertex that may be v0 the first of its darts in canonical numbering."""
         return [*first_darts(map_, start).values()] if cls.start == "any" else [start]
 
     @classmethod
@@ -57,7 +57,7 @@ class MarkedStart(base.ReferenceLighthouse):
         return {self.dart: 1} if self.sensing.marks else {}
 
     def legal_darts(self, map_: CombinatorialMap, start: Dart) -> Sequence[Dart]:
-        """The legal darts: all darts of each vertex that may be v0."""
+        """The darts at which the lighthouse may stand: all darts of each vertex that may be v0."""
         kind: Any = self.as_kind
         homes: Sequence[Dart] = kind.homes(map_, start)
         return [dart for home in homes for dart in map_.vertices[map_.vertex_of[home]]]
@@ -74,7 +74,7 @@ class MarkedStart(base.ReferenceLighthouse):
 
 
 class TowardsNeighbour(MarkedStart):
-    """A lighthouse at v0 and at the vertex v1 to which its dart leads."""
+    """A lighthouse at two vertices: at v0, and at the vertex v1 to which the dart of v0 leads."""
 
     @override
     def legal_darts(self, map_: CombinatorialMap, start: Dart) -> Sequence[Dart]:
@@ -87,7 +87,10 @@ class TowardsNeighbour(MarkedStart):
     def believed(
         self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer
     ) -> base.Lighthouse | None:
-        """The lighthouse in the same direction from the start, even if this is no legal place."""
+        """The lighthouse in the answer's map, in the same direction from the start as in the world.
+
+        This place may be illegal.
+        """
         if self.start == "any":
             return super().believed(map_, start, walk)
         dart = walk.map.turn(walk.trail[0], map_.offset(start, self.dart))
@@ -133,10 +136,10 @@ class Directional(MarkedStart):
 
 
 def word_of(pattern: str, degree: int) -> tuple[int, ...]:
-    """The letters of a pattern for the bearings ``0..degree-1``.
+    """The letters that a pattern gives to the bearings ``0..degree-1``.
 
-    The pattern is repeated up to the degree, or cut off at a smaller degree.  In a pattern with
-    ``x*`` only ``x`` is repeated, as often as the other letters leave room.
+    A pattern that is too short is repeated; a pattern that is too long is cut off.  In a pattern
+    with ``x*`` only the letter ``x`` is repeated, as often as the other letters leave room.
     """
     before, star, after = pattern.partition("*")
     if star:
@@ -148,7 +151,10 @@ def word_of(pattern: str, degree: int) -> tuple[int, ...]:
 
 
 class SensedByBearing(MarkedStart):
-    """A lighthouse at v0 that shows one letter: the letter of the bearing of its dart."""
+    """A lighthouse at v0 that shows one letter, which the bearing of its dart determines.
+
+    ``pattern`` gives the letters of the bearings; see :func:`word_of`.
+    """
 
     pattern: str
 
@@ -291,9 +297,10 @@ class AtEveryVertex(base.ReferenceLighthouse):
 
 
 def _first_sensed(walk: base.WalkInAnswer) -> dict[int, tuple[Dart, int]]:
-    """The reference dart and the marks sensed at the first visit of each vertex of an answer.
+    """For each vertex of the robot's answer a reference dart and a number of marks.
 
-    A vertex that was never visited has its first dart and 0 marks.
+    They are those that the robot sensed at its first visit of the vertex.  For a vertex that it
+    never visited they are the vertex's first dart and 0.
     """
     answer = walk.map
     found = {vertex: (darts[0], 0) for vertex, darts in enumerate(answer.vertices)}
@@ -325,10 +332,11 @@ class Compass(AtEveryVertex):
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Compass]:
-        """Every choice of reference darts up to three edges; in larger maps the first choice alone.
+        """Yield the places: choices of one reference dart at each vertex.
 
-        Vertices and their darts come in canonical numbering from ``start``.  So if the map itself
-        has canonical numbers, the first choice is the smallest dart of each vertex.
+        In maps with up to three edges they are all choices; in larger maps only the first.  The
+        vertices and their darts are in the order of canonical numbering from ``start``.  So if the
+        map itself has canonical numbers, the first choice is the smallest dart of each vertex.
         """
         around: dict[int, list[Dart]] = {}
         for dart in numbering(map_.sigma, map_.alpha, start):
@@ -343,7 +351,7 @@ class Compass(AtEveryVertex):
         return dict.fromkeys(self.darts, 0)
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer) -> Compass:  # noqa: ARG002  # sensed
-        """The compass with the reference darts sensed at the first visit of each vertex."""
+        """The compass whose reference darts the robot sensed at its first visit of each vertex."""
         return Compass(tuple(dart for dart, _ in _first_sensed(walk).values()))
 
     @classmethod
@@ -379,10 +387,13 @@ class Labels(AtEveryVertex):
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Labels]:
-        """One place: vertices and their first darts in canonical numbering from ``start``."""
+        """Yield the only place: numbers and reference darts follow the canonical numbering."""
         yield cls(tuple(first_darts(map_, start).values()))
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer) -> Labels:  # noqa: ARG002  # sensed
-        """The labels sensed at the first visit of each vertex; 0 for vertices never visited."""
+        """The labels that the robot sensed at its first visit of each vertex of its answer.
+
+        A vertex that the robot never visited has the number 0.
+        """
         darts, numbers = zip(*_first_sensed(walk).values(), strict=True)
         return Labels(darts, numbers)

@@ -39,13 +39,13 @@ PLACE = ("dart", "darts", "parts")
 
 
 class FieldOption(NamedTuple):
-    """An option of a kind.
+    """An option of a kind of lighthouse.
 
     Attributes:
         default: the default value; all values have the same type as the default.
         limits: the limits of an integer, or the pattern of a text; None without limits.
-        legal: the legal words; an option that is a tuple may hold each of them once.
-        always: whether a document holds the option even if it has its default.
+        legal: the legal words; if the option's value is a tuple, it may hold each word once.
+        always: whether a JSON document names the option even if its value is the default.
     """
 
     default: OptionValue
@@ -55,11 +55,11 @@ class FieldOption(NamedTuple):
 
     @property
     def alone(self) -> bool:
-        """Whether this is the kind's only option, whose value is written without its name."""
+        """Whether this is the kind's only option, so that its value is written without its name."""
         return type(self.default) is tuple or bool(self.limits and self.limits.pattern)
 
     def of_text(self, what: str, text: str) -> OptionValue:
-        """The value of the text in ``key=value``; ``what`` names it in errors.
+        """The value that the text behind ``key=`` means; ``what`` names the option in errors.
 
         Raises:
             InvalidWorld: naming the text and what would be legal.
@@ -74,7 +74,7 @@ class FieldOption(NamedTuple):
         return self.checked(what, value)
 
     def checked(self, what: str, value: Any) -> OptionValue:
-        """The value, if it is legal; ``what`` names it in errors.
+        """The value, if it is legal; ``what`` names the option in errors.
 
         Raises:
             InvalidWorld: naming the value and what would be legal.
@@ -117,7 +117,7 @@ class FieldOption(NamedTuple):
 def options_of(kind: Any) -> dict[str, FieldOption]:
     """The options of a class of lighthouses, in the order of its fields.
 
-    A class that a factory has made has no options; only the factory has arguments.
+    A class that a user's function has made has no options; only the function has arguments.
     """
     if kind.code is not None and kind.code.arguments:
         return {}
@@ -150,9 +150,10 @@ def _words_in(hint: Any) -> tuple[str, ...]:
 
 
 def kind_with(kind: Any, options: Mapping[str, OptionValue]) -> Any:
-    """The kind with other, legal values of some options; a class for each choice of values.
+    """A class like ``kind`` in which some options have other values.
 
-    Its instances are lighthouses of class ``kind`` with these values in their fields.
+    Equal values give the same class.  Calling it makes lighthouses of class ``kind`` with these
+    values in their fields.  The values must be legal.
     """
     of = options_of(kind)
     other = [
@@ -189,7 +190,7 @@ def options_in(kind: Any, name: str, text: str) -> dict[str, OptionValue]:
 
 
 def ensure_options(kind: Any, name: str, given: Mapping[str, object]) -> dict[str, OptionValue]:
-    """The options in a document, if they are legal.
+    """The options that a JSON document gives, after a check that they are legal.
 
     Raises:
         InvalidWorld: naming the option, or the value, that is not legal for the kind.
@@ -231,7 +232,7 @@ def ensure_legal(placed: Any) -> None:
 
 
 def named_with(kind: Any, options: Mapping[str, OptionValue]) -> str:
-    """The name of a kind with these options."""
+    """The name of the kind of lighthouse, with these options in it."""
     if kind.code is not None:
         return with_arguments(kind.code.name, options)
     of = options_of(kind)
@@ -240,7 +241,10 @@ def named_with(kind: Any, options: Mapping[str, OptionValue]) -> str:
 
 
 def with_arguments(name: str, arguments: Mapping[str, Any], mark: str = "?") -> str:
-    """A name, the mark, and the arguments as ``key=value``; a tuple stands without its key."""
+    """The text ``NAME?key=value,...``, with ``mark`` in place of the question mark.
+
+    An argument that is a tuple stands without its key; without arguments the text is the name.
+    """
     texts = [
         ",".join(value)
         if isinstance(value, tuple)
@@ -252,7 +256,10 @@ def with_arguments(name: str, arguments: Mapping[str, Any], mark: str = "?") -> 
 
 @cache
 def place_keys(kind: Any) -> tuple[str, ...]:
-    """The keys that a document holds beside the kind; for a user's kind, all fields but options."""
+    """The keys of a lighthouse's JSON object besides ``kind``.
+
+    For a user's kind, they are the names of all fields that are no options.
+    """
     if kind.code is not None:
         return tuple(each.name for each in fields(kind) if each.name not in options_of(kind))
     hints = get_type_hints(kind, include_extras=True)

@@ -20,7 +20,9 @@ SHAPE = "a class with the base allworlds.Lighthouse and a class method places"
 
 
 def own_kind(code: user_code.UserCode) -> type[Lighthouse]:
-    """The class of the user's code, with its options, in a form like a built-in kind.
+    """The lighthouse class in a user's program, with the options in the program's name.
+
+    It is a subclass that this program can use like a built-in kind.
 
     Raises:
         InvalidWorld: if there is no class of this name, or the class has no such options.
@@ -33,7 +35,10 @@ def own_kind(code: user_code.UserCode) -> type[Lighthouse]:
 
 @cache
 def _kind(code: user_code.UserCode) -> type[Lighthouse]:
-    """The class, loaded once in a process; a factory makes a class for each choice of arguments."""
+    """The subclass for the class in a user's program; a process makes it once.
+
+    If the program names a function that makes a class, there is one for each choice of arguments.
+    """
     made = code.made()
     if not isinstance(made, type) or not issubclass(made, Lighthouse) or inspect.isabstract(made):
         raise InvalidWorld(f"{show(code.name)} is no lighthouse, but {shown(made)}; one is {SHAPE}")
@@ -65,9 +70,10 @@ NOT_INHERITED = {"__dict__", "__weakref__", "__slots__", "__abstractmethods__", 
 
 
 def _subclass(theirs: Any, code: user_code.UserCode) -> type[Lighthouse]:
-    """A subclass with its own name for errors, files and pickles; the user's class stays unchanged.
+    """A subclass of a user's class; this program changes the subclass, not the user's class.
 
-    The subclass has the same body, and is a dataclass even if the user's class is none.
+    The subclass has the same body, and its name for errors and files.  It is a dataclass even if
+    the user's class is none.
     """
     body = {name: part for name, part in vars(theirs).items() if name not in NOT_INHERITED}
     body |= {"kind": code.plain, "code": code}
@@ -76,7 +82,10 @@ def _subclass(theirs: Any, code: user_code.UserCode) -> type[Lighthouse]:
 
 
 def own_place(placed: Lighthouse) -> Lighthouse:
-    """The lighthouse as an instance of the kind that was made from its class, if there is one."""
+    """The lighthouse ``placed`` as an instance of the subclass that was made from its class.
+
+    If there is no such subclass, ``placed`` is returned.
+    """
     own = _OF_THEIRS.get(type(placed))
     if own is None:
         return placed
@@ -103,7 +112,7 @@ METHODS = [
 
 
 def _check_methods(kind: type[Lighthouse], code: user_code.UserCode) -> None:
-    """Wrap the methods that the user has written with checks, by :func:`_check`."""
+    """Replace the methods that the user has written by methods that check; see :func:`_check`."""
     for name in METHODS:
         owner = next((each for each in kind.__mro__ if name in vars(each)), Lighthouse)
         theirs = not owner.__module__.startswith("allworlds.")
@@ -112,9 +121,10 @@ def _check_methods(kind: type[Lighthouse], code: user_code.UserCode) -> None:
 
 
 def _check(kind: type[Lighthouse], name: str, method: str, *, theirs: bool) -> None:
-    """Make errors of a user's method name the lighthouse, and check the values that it returns.
+    """Replace a method by one that checks the returned value.
 
-    ``theirs`` tells whether the user wrote the method, so that its errors are the user's.
+    ``theirs`` tells whether the user wrote the method; if so, the new method also turns its errors
+    into InvalidWorld with the name of the lighthouse.
     """
     found = inspect.getattr_static(kind, method)
     if not _is_method(found):  # a plain value instead of a property
@@ -146,9 +156,10 @@ USUAL = ("dart", "darts")
 
 
 def named_darts(placed: Lighthouse, map_: CombinatorialMap) -> dict[str, tuple[int, ...]]:
-    """The darts in further fields of a user's lighthouse, such as ``hole``, by the fields' names.
+    """The darts in the fields of a user's lighthouse, by the names of the fields.
 
-    A field holds darts if its numbers change when the darts are renamed.
+    The fields ``dart`` and ``darts`` are left out.  Another field holds darts if its numbers change
+    when the darts of the map are renamed.
     """
     if type(placed).code is None:
         return {}
@@ -171,7 +182,10 @@ def _several(value: Any) -> tuple[int, ...]:
 
 
 def _places(places: tuple[Any, ...], kind: type[Lighthouse], *_asked: object) -> Iterator[Any]:
-    """The places, if all of them are of the class with the given options; else raise TypeError."""
+    """The places that a user's method yields, after a check.
+
+    Raise TypeError unless all of them have this class, and the options that were given to it.
+    """
     made = [own_place(placed) if isinstance(placed, Lighthouse) else placed for placed in places]
     for placed in made:
         ours = isinstance(placed, Lighthouse) and placed.code is kind.code
@@ -183,7 +197,10 @@ def _places(places: tuple[Any, ...], kind: type[Lighthouse], *_asked: object) ->
 def _percepts(
     sensed: tuple[Any, ...], _place: Lighthouse, map_: CombinatorialMap
 ) -> tuple[actions.Percept, ...]:
-    """A percept for each dart, with the dart's degree, in plain integers; else raise TypeError."""
+    """The percepts that a user's method returns, in plain integers.
+
+    Raise TypeError unless there is one for each dart, with the degree of the dart's vertex.
+    """
     if len(sensed) != len(map_.darts):
         raise TypeError
     return tuple(map(_percept, map_.degree_at, sensed))
@@ -215,7 +232,10 @@ def _refusal(text: Any, *_asked: object) -> str:
 
 
 def _state(after: Any, _place: Lighthouse, _map: object, before: State, _action: object) -> State:
-    """A state of plain integers, in which the robot has not moved; else raise TypeError."""
+    """The state that a user's method returns, in plain integers.
+
+    Raise TypeError if it is no state, or if the robot has moved in it.
+    """
     plain = convert(to_builtins(after), State) if type(after) is State else None
     if plain is None or plain.dart != before.dart:
         raise TypeError
@@ -242,7 +262,10 @@ an illegal value, and the words for legal values."""
 
 
 def _reduced(placed: Lighthouse) -> tuple[Any, ...]:
-    """The content of a pickle: the code with its text, from which a process makes the class."""
+    """The content of a pickle: the user's program, and the fields of the lighthouse.
+
+    Another process makes the class from the text of the program.
+    """
     state = {each.name: getattr(placed, each.name) for each in fields(placed)}  # type: ignore[arg-type]
     return _placed, (type(placed).code, state)
 
