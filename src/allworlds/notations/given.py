@@ -137,7 +137,7 @@ class GivenMaps:
 
     @property
     def described(self) -> dict[str, Any]:
-        """What the scope of a verdict tells of the given maps, by the keys of a JSON document."""
+        """The keys and values by which the scope of a verdict names the given maps."""
         digests = {code.plain: code.record for code in self.codes}
         named = {} if self.of else {"worlds": ()}
         return {"sha256": digests or None, "given": self.count, **named}

@@ -1,8 +1,8 @@
-"""The messages between an explorer and its player: small frozen values, nothing else.
+"""The messages between an explorer and its player, which are small frozen values.
 
-An explorer is a **generator function** ``explore(first)``.  It gets percepts, yields actions
-and returns an answer; it never holds a world.  Turning is free and has no action of its own:
-it is a part of the next :class:`Move`, or of ``here`` in the answer.
+An explorer is a **generator function** ``explore(first)``.  It gets percepts, yields actions and
+returns an answer; it never holds a world.  No action stands for a turn of the robot at a vertex,
+which costs nothing: it is a part of the next :class:`Move`, or of ``here`` in the answer.
 
 ``actions``
     percepts, actions, answers about the world, and the log of a run; the interface of explorers,

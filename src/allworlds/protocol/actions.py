@@ -119,7 +119,7 @@ class Watch(Struct, frozen=True, gc=False):
 
 
 class Do(Struct, frozen=True):
-    """An action of the model of the world: a JSON value that the model understands."""
+    """An action for a user's model of a world: a JSON value that the model understands."""
 
     value: Any
 
@@ -129,7 +129,10 @@ class Do(Struct, frozen=True):
 
 
 class End(Struct, frozen=True):
-    """The end of an automaton, with its answer, which a generator would return."""
+    """The action by which an automaton ends; it holds the answer.
+
+    A generator returns its answer instead.
+    """
 
     answer: Any = None
 
@@ -148,7 +151,10 @@ _MOVES = tuple(Move(k) for k in range(64))
 
 
 def action_numbered(number: int) -> Action:
-    """The action with this number: a motion from 0 on; equal small motions are one object."""
+    """The action that a number stands for: from 0 on a motion, below 0 another action.
+
+    For a motion below 64 each call returns the same object.
+    """
     if 0 <= number < len(_MOVES):
         return _MOVES[number]
     if number >= 0:
@@ -181,12 +187,12 @@ class Estimate:
     here: int
 
     def to_json(self) -> dict[str, Any]:
-        """The document :class:`RootedMap`."""
+        """The estimate as a JSON object, with the keys of :class:`RootedMap`."""
         return RootedMap(sigma=self.map.sigma, alpha=self.map.alpha, here=self.here).to_json()
 
     @classmethod
     def from_json(cls, document: Mapping[str, Any]) -> "Estimate":
-        """The estimate that :meth:`to_json` has written; unknown keys are ignored.
+        """The estimate of a JSON object in the form of :meth:`to_json`; unknown keys are ignored.
 
         Raises:
             InputError: if there is no map, or ``here`` is not one of its darts.
@@ -267,7 +273,7 @@ class Wrote(Document, forbid_unknown_fields=False):
 
 
 class _Sensed(Document):
-    """The rows of a transcript, of which only the percepts are read."""
+    """A transcript as JSON rows; from a row only the percept is read."""
 
     transcript: Entries[AtStart]
 
@@ -304,7 +310,7 @@ class Transcript(Paged):
 
     @classmethod
     def from_json(cls, rows: Any) -> "Transcript":
-        """The transcript that :meth:`to_json` has written.
+        """The transcript of JSON rows in the form of :meth:`to_json`.
 
         Raises:
             InputError: naming a row that is illegal.
@@ -321,7 +327,7 @@ class Transcript(Paged):
 
 
 def _said(action: Action) -> dict[str, Any]:
-    """The action as keys of a row of a transcript, as in :class:`Moved`."""
+    """The keys and values for an action in a JSON row of a transcript, such as ``{"move": 2}``."""
     match action:
         case Move(k):
             return {"move": k}
@@ -331,7 +337,7 @@ def _said(action: Action) -> dict[str, Any]:
 
 
 def action_from_json(row: object) -> Any:
-    """The action that a JSON object holds, or None; unknown keys are ignored."""
+    """The action that a JSON object holds; None if it holds no action; other keys are ignored."""
     match row:
         case {"move": int() as k} if not isinstance(k, bool):
             return Move(k)
@@ -356,7 +362,10 @@ Told: TypeAlias = int | Mapping[str, int] | None
 
 
 class Player(Protocol):
-    """An explorer ready to run: values are already bound to its other keywords."""
+    """An explorer that is ready to run.
+
+    If the explorer's function has further keywords, they have their values already.
+    """
 
     def __call__(self, first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
         """Return the generator of one run."""
@@ -371,13 +380,15 @@ FaultLaw: TypeAlias = Literal["crash", "timeout", "illegal-action", "no-estimate
 
 
 class ExplorerFault(Exception):
-    """Raised by an adapter, such as the pipe to a user's program, if no legal message comes.
+    """Raised if no legal message comes from an explorer outside Python.
+
+    The adapter raises it: the code that speaks with the explorer, for example through a pipe.
 
     Attributes:
         law: the broken law.
-        seen: a sentence about what happened instead.
-        detail: for example the tail of the program's stderr; may be empty.
-        machine: whether the machine, not the program, may be the cause.
+        seen: a sentence about what happened instead of a legal message.
+        detail: more text, for example the end of the program's stderr; may be empty.
+        machine: whether the computer may be the cause, not the program.
     """
 
     def __init__(
@@ -395,4 +406,7 @@ class IllegalAction(ValueError):
 
 
 class BeyondRecord(Exception):
-    """Raised for an action after the last recorded percept, where the first play made no action."""
+    """Raised for an action after the last recorded percept, when an earlier play is repeated.
+
+    In the earlier play the explorer made no action there.
+    """

@@ -1,7 +1,7 @@
-"""Choices: an explorer asks for each free decision; a policy decides, or every option is tried.
+"""Choices: where an explorer is free, it asks; a policy decides, or every option is tried.
 
 Each call of :meth:`Choices.pick` is one choice; the index of the picked element is recorded.  The
-recorded indices suffice to replay the run; with the number of options at each choice they also
+recorded indices suffice to replay the run.  Together with the number of options at each choice they
 suffice to enumerate all schedules.
 """
 
@@ -23,14 +23,17 @@ KINDS: tuple[ChoiceKind, ...] = get_args(ChoiceKind)
 
 
 class Policy(Protocol):
-    """A policy decides choices, given the number of options, their kind and their costs."""
+    """A policy: it makes a choice from the choice's kind, the options and their costs."""
 
     def choose(self, kind: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:
         """Return an index below ``len(options)``; any integer if there are no options."""
 
 
 class Fifo:
-    """Take the first option: of darts the one that came into S first, of paths a shortest one."""
+    """The policy that takes the first option.
+
+    If darts are the options, that is the dart that came into S first; if paths, a shortest path.
+    """
 
     def choose(self, kind: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:
         """Return 0."""
@@ -38,7 +41,10 @@ class Fifo:
 
 
 class Lifo:
-    """Take the dart that came into S last; for other kinds of choices as :class:`Fifo`."""
+    """The policy that takes the dart that came into S last.
+
+    Only choices of the kind ``edge`` are made so; other choices are made like :class:`Fifo`.
+    """
 
     def choose(self, kind: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:
         """Return the last index for the kind ``edge``, and 0 for other kinds."""
@@ -46,7 +52,10 @@ class Lifo:
 
 
 class Nearest:
-    """Take the first dart with the shortest walk; for other kinds of choices as :class:`Fifo`."""
+    """The policy that takes the nearest dart; of several, the first.
+
+    Only choices of the kind ``edge`` are made so; other choices are made like :class:`Fifo`.
+    """
 
     def choose(self, kind: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:
         """Return the index of the first cheapest option for ``edge``, and 0 for other kinds."""
@@ -57,7 +66,10 @@ class Nearest:
 
 
 class Seeded:
-    """Take a random option for every kind; a seed determines the draws, equally on all machines."""
+    """The policy that takes a random option, for every kind of choice.
+
+    The seed determines the options, and on all machines they are the same.
+    """
 
     def __init__(self, seed: str) -> None:
         self._random = Random(seed)  # noqa: S311  # reproducible, not secret
@@ -101,8 +113,8 @@ class Choices:
 
     Args:
         policy: the policy (default :class:`Fifo`).
-        script: the indices for the first choices; after these choices, or if an index is out of
-            range, the policy decides.
+        script: the index to take at each of the first choices; at later choices, or if an index is
+            out of range, the policy decides.
 
     Attributes:
         record: the index taken at each choice so far.
@@ -156,7 +168,7 @@ class Choices:
 
 
 def _check_sequence(name: str, given: object) -> None:
-    """Raise ValueError unless the value is a sequence, with an element at each index."""
+    """Raise ValueError unless the value has the methods of a sequence: a length, and indices."""
     if not (hasattr(given, "__getitem__") and hasattr(given, "__len__")) or isinstance(given, dict):
         raise ValueError(f"{name} of the type {type(given).__name__} is no sequence, as a list is")
 
@@ -170,9 +182,9 @@ def _check_costs(options: Sized, cost: Sequence[int]) -> None:
 
 
 def are_due(script: Sequence[int], record: Sequence[int], widths: Sequence[int]) -> bool:
-    """Whether the recorded choices are those of the script, followed by 0 at all later choices.
+    """Whether a run made the choices of its script, and took the first option at all later choices.
 
-    It is also false unless ``widths`` has the number of options of every choice.
+    The result is also false if ``widths`` does not have the number of options for every choice.
     """
     length = max(len(script), len(record))
     due = (*script, *(0,) * (length - len(script)))
@@ -184,7 +196,7 @@ def next_script(
 ) -> tuple[int, ...] | None:
     """The script of the next schedule after this run; None if this was the last schedule.
 
-    None also if the run did not follow ``script``, as :func:`are_due` tells.
+    The result is also None if the run did not follow ``script``; :func:`are_due` tells that.
     """
     if not are_due(script, record, widths):
         return None
@@ -195,7 +207,7 @@ def next_script(
 
 
 class ScheduledChoices(Choices):
-    """The choices of one schedule, if every schedule is tried; they record the number of options.
+    """The choices of a run that is one of all schedules; the number of options is recorded, too.
 
     Args:
         script: the indices for the first choices; all later indices are 0.

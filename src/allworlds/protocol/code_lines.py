@@ -1,6 +1,6 @@
-"""The lines of the user's code that run in a play, when a finding is played again.
+"""The lines of the user's program that run when a finding is played again.
 
-No log contains these lines, and no verdict depends on them.
+They are not in the log, and no verdict depends on them.
 """
 
 import json
@@ -34,19 +34,21 @@ _OURS = (__file__.rpartition("protocol")[0], sysconfig.get_path("stdlib"))
 
 @cache
 def is_users(file: str) -> bool:
-    """Whether a file is the user's: not of this package, of Python, or of an installed package."""
+    """Whether a file is the user's: no part of Python, of this package, or of an installed one."""
     made = file.startswith("<") and file not in linecache.cache
     return not (made or file.startswith(_OURS) or "-packages" in file)
 
 
 class TracedPlay:
-    """A player's generator that notes lines; it has the methods of generators that a play needs.
+    """A stand-in for an explorer's generator that notes which lines of the user's program run.
+
+    It has the methods of generators that a play needs.
 
     Attributes:
-        turns: for each turn whether it showed a checkpoint, and the line of its ``yield``; the last
-            entry is the line where the explorer ended, if it ended.
+        turns: for each turn two values: whether the explorer showed a checkpoint, and the line of
+            its ``yield``.  If the explorer has ended, the last entry has the line where it ended.
         ran: the lines that have run.
-        lately: for each of the last turns the number of times that each line ran.
+        lately: for each of the last :data:`LATELY` turns, how often each line ran.
     """
 
     def __init__(self) -> None:
@@ -57,7 +59,7 @@ class TracedPlay:
         self._walk: Generator[Any, Any, Any]
 
     def player(self, player: actions.Player) -> Any:
-        """The given player, in a form whose only run is traced here."""
+        """A player whose generator is this object; it is for one run of the given player."""
 
         def play(*told: Any) -> Any:
             self._walk = player(*told)
@@ -66,7 +68,10 @@ class TracedPlay:
         return play
 
     def send(self, reply: Any) -> Any:
-        """Send the reply, return the next message; the trace function from before is set again."""
+        """Send the reply, and return the next message.
+
+        During the call Python's trace function is replaced; then the earlier one is set again.
+        """
         self.lately.append(Counter())
         before = sys.gettrace()
         sys.settrace(self._trace)
@@ -100,7 +105,11 @@ class TracedPlay:
         return sorted(every, key=lambda line: (-every[line], line))[:BUSIEST]
 
     def _end(self, error: BaseException) -> UserLine:
-        """The innermost of the user's lines that raised; after a return, the line that returned."""
+        """The line of the user's program where the explorer ended.
+
+        After an exception it is the innermost line of the user's that raised; after a return it is
+        the line that returned.
+        """
         line, frames = self._left, error.__traceback__
         while frames and not isinstance(error, StopIteration):
             if is_users(frames.tb_frame.f_code.co_filename):
@@ -110,10 +119,11 @@ class TracedPlay:
 
 
 class LinesPlay(TracedPlay):
-    """A player's generator that notes which lines run, but not how often, nor in which turn.
+    """A :class:`TracedPlay` that only notes which lines run: not how often, nor in which turn.
 
-    A function is no longer traced once all its lines have run: a play takes some 3 times as long,
-    with a :class:`TracedPlay` some 8 times as long (Algorithm 1, up to 60 edges).
+    It traces a function until all lines of the function have run.  So a play takes some 3 times as
+    long as without tracing; with a :class:`TracedPlay`, some 8 times as long (Algorithm 1, up to 60
+    edges).
     """
 
     def __init__(self) -> None:
@@ -148,7 +158,7 @@ def _line_of(frame: FrameType) -> UserLine:
 
 
 def _yielding(walk: Any) -> UserLine:
-    """The innermost of the user's lines in a chain of ``yield from``."""
+    """The line of the user's program that yields: in a chain of ``yield from`` the innermost."""
     line = NOWHERE
     while (frame := getattr(walk, "gi_frame", None)) is not None:
         if is_users(frame.f_code.co_filename):
@@ -158,5 +168,8 @@ def _yielding(walk: Any) -> UserLine:
 
 
 def written(plays: Sequence[TracedPlay]) -> bytes:
-    """Traced plays as bytes for a message: of each the turns, the lines and the busiest lines."""
+    """Traced plays as bytes for a message.
+
+    Each play has three parts: its turns, the lines that ran, and the lines that ran most.
+    """
     return json.dumps([(one.turns, sorted(one.ran), one.busiest()) for one in plays]).encode()

@@ -1,4 +1,4 @@
-"""The import of users' code, and calls of this code that report its errors as bad input."""
+"""The import of users' programs, and calls of their functions; their errors become InputError."""
 
 from __future__ import annotations
 
@@ -37,7 +37,9 @@ T = TypeVar("T")
 
 
 class SourceText(Struct, frozen=True):
-    """The text of a user's file; it is read only once, so later changes of the file do no harm.
+    """The text of a user's file.
+
+    The file is read only once, so later changes of the file do no harm.
 
     Attributes:
         path: the given path, made absolute.
@@ -56,7 +58,7 @@ class SourceText(Struct, frozen=True):
 
 
 def text_of(where: str) -> SourceText | None:
-    """The text of the file that a name begins with; None if it begins with a module.
+    """The text of the file ``where``; None if ``where`` is no ``.py`` file, but a module's name.
 
     Raises:
         InputError: if there is no such file, or it cannot be read.
@@ -70,7 +72,7 @@ def text_of(where: str) -> SourceText | None:
 
 
 def points_of(group: str) -> dict[str, EntryPoint]:
-    """The entry points of a group that other packages offer, by their names."""
+    """The entry points that installed packages offer in a group, by their names."""
     from importlib.metadata import entry_points
 
     return {point.name: point for point in entry_points(group=group)}
@@ -89,9 +91,10 @@ def _look_last(folder: str) -> None:
 
 
 def module_of_text(where: str, source: SourceText, name: str = "") -> Any:
-    """A new module with that text and name; the default is the name of the file.
+    """A new module that is made from the text of a file.
 
-    ``where`` names the module in errors.
+    ``where`` names the module in errors.  ``name`` is the module's name; the default comes from the
+    name of the file.
     """
     folder, _, file = source.path.rpartition(os.sep)
     _look_last(folder or os.sep)
@@ -123,7 +126,7 @@ def module_of_text(where: str, source: SourceText, name: str = "") -> Any:
 
 
 def _as_module(path: str) -> str:
-    """A hint at the module name of a file of a package, for its relative imports."""
+    """A hint for a user whose file has relative imports: the module name by which to give it."""
     from pathlib import Path  # not loaded in players otherwise
 
     file = Path(path)
@@ -134,10 +137,10 @@ def _as_module(path: str) -> str:
 
 
 def imported(name: str, importing: Callable[[], Any]) -> Any:
-    """The result of the function ``importing``, which imports something; an error gets one line.
+    """The result of ``importing``, a function that imports something.
 
     Raises:
-        InputError: naming the code that cannot be imported.
+        InputError: naming the program that cannot be imported, in one line.
     """
     return _tried(f"{show(name)} does not import:", importing, InputError)
 
@@ -147,12 +150,14 @@ AT_WORK: list[str] = []
 
 
 def attempted(what: str, act: Callable[[], T], kind: type[InputError] = InputError) -> T:
-    """The result of a call of a model; its prints go to stderr, and it cannot end the process.
+    """The result of a call of a model, that is a user's lighthouse, task or predicate.
+
+    Text that the model prints goes to stderr, and the model cannot end the process.
 
     Args:
-        what: the first words of the message.
+        what: the first words of the error's message.
         act: the function without arguments that calls the model.
-        kind: the class of the error.
+        kind: the class of the error, InputError or a subclass.
 
     Raises:
         InputError: beginning with ``what``, if the model raises.
@@ -186,10 +191,10 @@ def said(error: BaseException) -> str:
 
 
 def attribute_of(module: Any, attribute: str, where: str) -> Any:
-    """The attribute of a module; a dotted name leads on to an attribute of this attribute.
+    """The attribute of a module; for a name ``a.b`` the attribute ``b`` of the attribute ``a``.
 
     Raises:
-        InputError: if there is no such attribute; it names ``where``.
+        InputError: if there is no such attribute; the message has ``where`` as the module's name.
     """
     value = module
     for part in attribute.split("."):
@@ -208,7 +213,9 @@ ArgumentValue: TypeAlias = int | bool | str
 
 
 def arguments_of(name: str) -> tuple[str, dict[str, ArgumentValue]]:
-    """A name without its arguments, and the arguments: integers, booleans, or texts.
+    """The two parts of a name ``NAME?key=value,...``: NAME, and the arguments by their keys.
+
+    The values of the arguments are integers, booleans, or texts.
 
     Raises:
         InputError: if an argument has not the form ``key=value``, or is named twice.
@@ -242,11 +249,11 @@ def _value(text: str) -> ArgumentValue:
 
 
 def _percept_alone(first: object) -> None:
-    """The form of an explorer that takes only the percept."""
+    """Stand for an explorer that takes only the percept, as a source of its signature."""
 
 
 def signature_of(explore: Callable[..., Any]) -> inspect.Signature:
-    """The signature of an explorer; if Python cannot tell it, that of a lone percept."""
+    """The signature of an explorer; if Python does not know it, one with only the percept."""
     try:
         return inspect.signature(explore)
     except (TypeError, ValueError):
@@ -254,7 +261,9 @@ def signature_of(explore: Callable[..., Any]) -> inspect.Signature:
 
 
 def called(name: str, factory: Any, arguments: Mapping[str, ArgumentValue]) -> Any:
-    """The result of ``factory`` for the arguments of a name; ``factory`` itself without arguments.
+    """The result of ``factory`` called with the arguments of a name.
+
+    Without arguments ``factory`` is not called; it is the result itself.
 
     Raises:
         InputError: if the factory does not take these arguments, or raises.

@@ -1,6 +1,6 @@
-"""The play of one run of an explorer to its end, which yields only a log.
+"""The play of one run of an explorer to its end; its only result is a log.
 
-The explorer's actions are answered by a world, or by the recorded percepts of an earlier play.
+A world answers the explorer's actions, or the recorded percepts of an earlier play do so.
 """
 
 import json
@@ -97,15 +97,15 @@ def play_run(
         player: the explorer.
         choices: the choices, for an explorer that takes choices.
         budget: the largest legal number of traversals; ``budget + 1`` checkpoints are legal.
-        beat: shared numbers; ``beat[1]`` grows at each turn of the explorer, and is 0 after the
-            run, so that another process can notice silence.
+        beat: numbers that another process can read, to notice that the explorer is silent:
+            ``beat[1]`` grows at each turn of the explorer, and is 0 after the run.
         any_answer: whether the task allows other answers than estimates.
-        hear: the function that gets the log so far before each turn, or None.
+        hear: a function that is called with the log so far before each turn, or None.
 
     Raises:
-        InputError: if a user's model, such as a lighthouse, raises it when it answers the explorer.
+        InputError: if a user's model, such as a lighthouse, fails when it answers the explorer.
 
-    Cost: linear in the steps, and the explorer's own cost.
+    Cost: linear in the number of steps, plus the explorer's own cost.
     """
     log = bytearray()
     told = around.told
@@ -134,7 +134,7 @@ def play_run(
 
 
 class _Turns(Struct):
-    """The play of one run, turn by turn: a message of the explorer, and its entry in the log."""
+    """The play of one run, turn by turn: each message of the explorer gets an entry in the log."""
 
     log: bytearray
     around: Surroundings
@@ -154,7 +154,10 @@ class _Turns(Struct):
         self._noted = len(record)
 
     def play(self, generator: Generator[Any, Any, Any]) -> None:
-        """Play until a fault or until the task is done; the answer comes as a StopIteration."""
+        """Play until a fault, or until the task is done.
+
+        If the explorer answers, its generator ends, and this method raises StopIteration.
+        """
         around, log, beat, record = self.around, self.log, self.beat, self.choices.record
         send, move, add, hear = generator.send, around.move, log.append, self.hear
         left, free, turn = self.budget, FREE * (self.budget + 1), 1
@@ -207,7 +210,10 @@ class _Turns(Struct):
         return None
 
     def _integer(self, message: actions.Move | actions.Write) -> int | None:
-        """The number ``k`` of an action; None if it is no integer, which the log then says."""
+        """The number ``k`` of an action.
+
+        If it is no integer, the result is None, and an entry in the log says so.
+        """
         try:
             return checks.integer(message.k)
         except BaseException as error:  # noqa: BLE001  # __index__ is the explorer's code
@@ -268,7 +274,7 @@ class _Turns(Struct):
 
 
 def illegal(expected: str, message: object) -> bytes:
-    """The entry in the log of a message that is no legal action."""
+    """The entry in the log about a message that is no legal action."""
     return entries.fault("illegal-action", expected, checks.show(message))
 
 
@@ -280,10 +286,10 @@ class TooManyDarts(ValueError):
 
 
 def answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
-    """The entry in the log of an answer, which may be any value, with wrong values inside.
+    """The entry in the log about the explorer's answer, an estimate or a rooted quotient.
 
     Args:
-        answer: any value.
+        answer: the answer; any value is accepted, and for a wrong one the entry tells the fault.
         most: the largest number of darts that are read.
     """
     expected = A_QUOTIENT if type(answer) is actions.Ambiguous else AN_ESTIMATE
@@ -307,7 +313,7 @@ def answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
 
 
 def any_answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
-    """The entry in the log of any answer: an estimate, a quotient, or a JSON value."""
+    """The entry in the log about an answer that may be an estimate, a quotient or a JSON value."""
     if type(answer) in (actions.Estimate, actions.Ambiguous):
         return answer_entry(answer, most)
     try:
@@ -319,7 +325,7 @@ def any_answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
 
 
 def integers(values: Iterable[object], most: int = MOST_DARTS) -> tuple[int, ...]:
-    """The values of a sequence, which may be endless, as integers.
+    """The values of a sequence as integers; the sequence may be endless.
 
     Raises:
         TypeError: if a value is no integer.
@@ -337,9 +343,9 @@ def integers(values: Iterable[object], most: int = MOST_DARTS) -> tuple[int, ...
 
 
 def raised(error: BaseException, own: int = 2) -> bytes:
-    """The entry in the log for an explorer that has raised an exception.
+    """The entry in the log about an exception that the explorer has raised.
 
-    The first ``own`` frames of the traceback are not the explorer's, and are left out.
+    The first ``own`` frames of the traceback belong to this program, and are left out.
     """
     checks.let_users_interrupt(error)
     if type(error) is actions.ExplorerFault and error.law in entries.LAWS:
@@ -364,7 +370,7 @@ def raised(error: BaseException, own: int = 2) -> bytes:
 
 
 def _no_map(error: InvalidMap) -> bytes:
-    """The entry in the log for an explorer that raised InvalidMap while it built its answer."""
+    """The entry in the log about an InvalidMap that the explorer raised: its answer is no map."""
     built = [
         f"{BUILT}in {frame.filename}, line {frame.lineno}, in {frame.name}: {frame.line}"
         for frame in traceback.extract_tb(error.__traceback__)
@@ -388,14 +394,14 @@ def closed(generator: Generator[Any, Any, Any] | None) -> None:
 
 
 class TableWorld:
-    """A world as a table with five numbers for each dart; for lighthouses that never change.
+    """A world as a table of numbers, for lighthouses whose percepts never change.
 
-    The numbers of a dart are: the first dart of its vertex, whose darts are consecutive and
-    clockwise; the other dart of its edge; and the percept: degree, marks, and the bearing plus 1,
-    or 0 without a bearing.
+    The darts of a vertex have consecutive numbers, clockwise.  Each dart has five numbers in the
+    table: the first dart of its vertex; the other dart of its edge; and for its percept the degree,
+    the marks, and the bearing plus 1, or 0 without a bearing.
 
     Args:
-        table: the numbers, as bytes if none is above 255; the start is dart 0.
+        table: the numbers, as bytes if no number is above 255; the start is dart 0.
         told: the value that is told before the start.
     """
 
@@ -441,7 +447,7 @@ class Record:
 
     @property
     def over(self) -> bool:
-        """Whether the last percept was given, and the task ended the run there."""
+        """Whether the explorer has got the last percept, and the task ends the run there."""
         return self._ends and not length_hint(self._left)
 
 
@@ -457,15 +463,15 @@ def _recorded(percepts: Iterable[actions.Percept]) -> Generator[actions.Percept,
 
 
 def percept_of(degree: int, marks: int, bearing: int) -> actions.Percept:
-    """The percept of three numbers; the third is the bearing plus 1, or 0 without a bearing.
+    """The percept that three numbers tell; the third is the bearing plus 1, or 0 without a bearing.
 
-    It is a new object each time, so that changes by an explorer have no effect.
+    Each call makes a new object, so if an explorer changes its percept, no other percept changes.
     """
     return actions.Percept(degree, marks, bearing - 1 if bearing else None)
 
 
 def numbers_of(percepts: Iterable[actions.Percept]) -> bytes | tuple[int, ...]:
-    """The three numbers of each percept, as :func:`percept_of` takes them, one after the other."""
+    """The numbers of several percepts, in a row: three for each, as :func:`percept_of` takes them."""
     numbers = [
         number
         for p in percepts

@@ -1,11 +1,13 @@
-"""Programs of robots that are asked turn by turn for their next action after a percept.
+"""Programs of robots: after each percept a program is asked for its next action.
 
-This module knows no worlds and no schedules.  A *history* is a told value and the percepts after
-it.  A *turn* is a tuple ``(number, before, percept)``: it adds a percept to the history that ended
-with the turn number ``before``.  A generator is kept alive after a turn, and gets the next percept.
-If the same history also goes on with another percept, a new generator replays it, since a generator
-cannot be copied.  An automaton steps from a memory.  The memory itself is never sent; it has a
-number, and ``before`` is this number.
+This module knows no worlds and no schedules.  A *history* is the value that a robot is told before
+the start, and the robot's percepts after it.  A *turn* is a tuple ``(number, before, percept)``: it
+adds a percept to the history that ended with the turn of number ``before``.
+
+A program is a generator or an automaton.  A generator is kept alive after a turn, and gets the next
+percept.  If the same history also goes on with another percept, a new generator replays it, since a
+generator cannot be copied.  An automaton makes a step from a memory.  The memory itself is never
+sent to another process; it has a number, and for an automaton ``before`` is this number.
 """
 
 from __future__ import annotations
@@ -48,20 +50,20 @@ class Automaton:
     """A program with a memory: its action is a function of the memory and of one percept.
 
     Attributes:
-        start: the memory at the start, any hashable value; or a function from the told value to
-            this memory.
+        start: the memory at the start, any hashable value; or a function that returns this memory,
+            given the value that the robot is told before the start.
         step: the function ``step(memory, percept) -> (memory, action)``.  The action
             ``End(answer)`` ends the program.
 
-    For automata with finitely many memories a search can decide about infinite runs.  ``check``
-    takes an automaton as an explorer.
+    If an automaton has finitely many memories, a search can decide questions about its infinite
+    runs.  The command ``check`` accepts an automaton as an explorer.
     """
 
     start: Any
     step: Callable[[Any, Any], tuple[Any, Any]]
 
     def begun(self, told: Any) -> Any:
-        """The memory at the start, for this told value."""
+        """The memory at the start of a robot that was told the value ``told``."""
         return self.start(told) if callable(self.start) else self.start
 
     def __call__(self, first: Any, *, told: Any = None) -> Generator[Any, Any, Any]:
@@ -75,14 +77,16 @@ class Automaton:
 
 
 class Turns:
-    """One program, asked turn by turn.
+    """One program of a robot, which is asked turn by turn for its next action.
 
     Args:
         explore: the function of the program, or an automaton.
         player: the same program in the form of a player.
-        beat: numbers that other processes can read; ``beat[0]`` is the index of the turn,
-            ``beat[1]`` grows with each percept in this turn, and is 0 at the end.
-        keeps: whether several runs are kept alive; a program behind a pipe has one run at a time.
+        beat: numbers that other processes can read, to notice that the program is silent:
+            ``beat[0]`` is the index of the turn, ``beat[1]`` grows with each percept in this turn,
+            and is 0 at the end.
+        keeps: whether several runs are kept alive.  A program outside Python, which is asked
+            through a pipe, has one run at a time.
     """
 
     def __init__(
@@ -104,11 +108,12 @@ class Turns:
         self._numbers: dict[Any, int] = {}
 
     def replies(self, turns: Sequence[NumberedTurn], *, known: bool = False) -> list[bytes]:
-        """The words of the program in each turn, each as bytes that :func:`said` reads.
+        """The program's reply in each turn, as bytes that :func:`said` reads.
 
         Args:
             turns: the turns, in their order.
-            known: whether these turns were answered before; then the words of generators are empty.
+            known: whether the program has answered these turns before; if so, the turns are only
+                noted, and the replies of a generator are empty.
         """
         found = []
         for index, turn in enumerate(turns):
@@ -122,10 +127,10 @@ class Turns:
         return found
 
     def plays(self, histories: Sequence[tuple[Any, Sequence[Sensed]]]) -> list[bytes]:
-        """All words of the program in each history: a told value, and the percepts after it.
+        """All replies of the program in several histories; each is a told value and percepts.
 
-        Each element is a list of bytes that :func:`said` reads, as bytes of :mod:`marshal`.  The
-        histories are not kept, but the memories of an automaton are numbered.
+        For each history the result has a list of replies, written by :mod:`marshal`; :func:`said`
+        reads each reply.  The histories are not kept, but new memories of an automaton get numbers.
         """
         found = []
         for index, (told, history) in enumerate(histories):
@@ -153,7 +158,7 @@ class Turns:
     # ---------------------------------------------------------------- automata
 
     def _step(self, _number: int, memory: int, sensed: Any) -> bytes:
-        """The words of an automaton in a turn, with the number of the memory after it."""
+        """The reply of an automaton in a turn, with the number of its memory after the turn."""
         try:
             if memory == BEGIN:
                 after, letter, words = self._explore.begun(told_of(sensed)), ACTION, None
@@ -182,7 +187,7 @@ class Turns:
             self._before[number], self._sensed[number] = before, sensed
 
     def _turn(self, number: int) -> bytes:
-        """The words of a generator in the turn of this number, at the end of a history."""
+        """The reply of a generator in the turn with this number, the last turn of its history."""
         generator = self._alive.pop(self._before[number], None)
         history, at = [self._sensed[number]], self._before[number]
         while generator is None and at in self._before:
@@ -218,7 +223,7 @@ class Turns:
 
 
 def percept_of(sensed: Sensed) -> Any:
-    """The percept that a program gets; a JSON value is copied for it."""
+    """The percept that a program gets; if it is a JSON value, each call makes a new copy."""
     return json.loads(sensed) if isinstance(sensed, bytes) else _percept(*sensed)
 
 
@@ -233,19 +238,26 @@ def told_of(told: bytes | None) -> Any:
 
 
 def marshalled(number: int, letter: str, words: Any) -> bytes:
-    """The words of a program, as bytes that :func:`said` reads."""
+    """A program's reply as bytes that :func:`said` reads.
+
+    Args:
+        number: the number of the automaton's memory after the turn; 0 for a generator.
+        letter: the kind of reply: :data:`ACTION`, :data:`ENDED` or :data:`FAULT`.
+        words: the action, the answer, or the fault.
+    """
     return marshal.dumps((number, letter, words))
 
 
 def said(answer: bytes) -> tuple[int, str, Any]:
-    """The number of the memory (0 for generators), the letter and the words in these bytes."""
+    """The three parts of a reply: the number, the letter and the words of :func:`marshalled`."""
     return marshal.loads(answer)  # type: ignore[no-any-return]  # noqa: S302  # of our own process
 
 
 def _action(message: Any) -> tuple[str, Any]:
-    """The letter and the words of an action: the number of a motion, or JSON in a text.
+    """The letter and the words for a message of a program; see :func:`marshalled`.
 
-    If the message is no action, the letter is :data:`FAULT`, and the words are the entry of a log.
+    For a motion the words are its number, for any other action a JSON text.  If the message is no
+    action, the letter is :data:`FAULT`, and the words are an entry of a log.
     """
     kind = type(message)
     try:

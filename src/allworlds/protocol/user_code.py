@@ -1,9 +1,9 @@
-"""Code of the user's: its names, its files, and its identity.
+"""Users' programs: their names, their files, and the texts by which they are recognised.
 
-A name is ``path/to/file.py:attribute``, ``module:attribute``, or an entry point.  It may end in
-``?key=value,...``; then the named object is called with these arguments, and the name stands for
-the result.  All explorers, lighthouses, tasks and predicates are found in this way.  A lighthouse,
-task or predicate is a *model*: the judge calls it, and its errors are errors of bad input.
+A name is ``path/to/file.py:attribute``, ``module:attribute``, or the name of an entry point.  It
+may end in ``?key=value,...``; then the named object is called with these arguments, and the name
+stands for the result.  All explorers, lighthouses, tasks and predicates are found in this way.  A
+lighthouse, task or predicate is a *model*: the judge calls it, and its errors become InputError.
 """
 
 from __future__ import annotations
@@ -32,15 +32,15 @@ if TYPE_CHECKING:
 
 
 class OtherText(InputError):
-    """Raised if the text of a user's code differs from the recorded text."""
+    """Raised if the text of a user's program differs from the text that was recorded earlier."""
 
 
 class Role(Struct, frozen=True):
-    """A role of users' code, such as a task or a lighthouse.
+    """A role that a user's program can have, such as a task or a lighthouse.
 
     Attributes:
         noun: the noun for messages.
-        group: the group of entry points in which other packages offer such code.
+        group: the group of entry points in which other packages offer programs for this role.
         shape: the form of a function of this role, for messages; empty if it is no function.
         known: the names that come with this program.
     """
@@ -51,7 +51,7 @@ class Role(Struct, frozen=True):
     known: tuple[str, ...] = ()
 
     def find(self, name: str) -> UserCode:
-        """The code of that name with its text; the code does not run.
+        """The user's program with this name, and its text; the program does not run.
 
         Raises:
             InputError: if the name is incomplete, or there is no file or module of this name.
@@ -73,11 +73,14 @@ class Role(Struct, frozen=True):
             raise InputError(self._legal(name, f": {error}")) from None
 
     def offered(self, name: str) -> EntryPoint | None:
-        """The entry point of that name, which has no colon; None if no package offers it."""
+        """The entry point with this name, if an installed package offers it, else None.
+
+        The name of an entry point has no colon.
+        """
         return None if ":" in name else importing.points_of(self.group).get(name)
 
     def of(self, given: Any) -> UserCode:
-        """The code of a function or class that other processes can import.
+        """The user's program for a function or class that other processes can import.
 
         Raises:
             InputError: if other processes cannot import it.
@@ -99,13 +102,13 @@ class Role(Struct, frozen=True):
 
 
 class UserCode(Struct, frozen=True):
-    """The code of a name, with the same text in each process that loads it.
+    """A user's program, by its name; each process that loads it uses the same text.
 
     Attributes:
         name: the name, as the user wrote it.
-        role: the role of the code.
+        role: the role of the program.
         source: the text of its file; None for a module that is imported.
-        digest: SHA-256 of the text; another digest at loading is bad input.
+        digest: SHA-256 of the text; if the text has another digest at loading, that is an error.
     """
 
     name: str
@@ -125,21 +128,24 @@ class UserCode(Struct, frozen=True):
 
     @property
     def bare(self) -> UserCode:
-        """The code of the name without its arguments."""
+        """The program without the arguments in its name."""
         return replace(self, name=self.plain)
 
     @property
     def recorded(self) -> bool:
-        """Whether the text comes from a record, not from a file; see :func:`as_recorded`."""
+        """Whether the text was recorded earlier, and is not read now; see :func:`as_recorded`."""
         return self.plain in _RECORDED.get()
 
     @property
     def record(self) -> str:
-        """The text, or for a module its digest, by which the code is recognised later."""
+        """The value by which the program is recognised later: its text, or a module's digest."""
         return self.source.text if self.source else self.digest
 
     def ensure_recorded(self, digest: object) -> None:
-        """Raise OtherText if the recorded digest differs from the digest of its text."""
+        """Raise OtherText if ``digest``, which was recorded, differs from the program's digest.
+
+        If ``digest`` is None, no digest was recorded, and every text is legal.
+        """
         if digest not in (None, self.digest):
             raise OtherText(
                 f"{self.role.noun} {show(self.name)} has another text now: its digest is "
@@ -148,7 +154,7 @@ class UserCode(Struct, frozen=True):
 
     @property
     def file(self) -> Path:
-        """The file that contains the code."""
+        """The file that contains the program."""
         if self.source is not None:
             return Path(self.source.path)
         point = self.role.offered(self.plain)
@@ -156,19 +162,19 @@ class UserCode(Struct, frozen=True):
 
     @property
     def files(self) -> frozenset[Path]:
-        """The files that run when the code is loaded: its own, and the files of its imports."""
+        """The files that run when the program is loaded: its own file and those that it imports."""
         return frozenset({self.file.resolve(), *_loaded(self.bare).brought})
 
     def load(self) -> Any:
-        """The object for which the plain name stands; a file runs once in a process.
+        """The object for which the name without arguments stands; a file runs once in a process.
 
         Raises:
-            InputError: if the object cannot be imported, or has another text here.
+            InputError: if the object cannot be imported, or if the text of its module has changed.
         """
         return _loaded(self.bare).object
 
     def made(self) -> Any:
-        """The object of the plain name, called with the arguments of the name if there are any.
+        """The result of :meth:`load`, called with the arguments in the name if there are any.
 
         Raises:
             InputError: if the object does not take these arguments, or raises.
@@ -278,10 +284,10 @@ _RECORDED: ContextVar[Mapping[str, str]] = ContextVar("recorded", default=Mappin
 
 @contextmanager
 def as_recorded(texts: Mapping[str, str]) -> Iterator[None]:
-    """A context in which these names stand for the recorded code, even if its file has changed.
+    """A context in which names stand for recorded programs, even if their files have changed.
 
     Args:
-        texts: :attr:`UserCode.record` of the code, by its name without arguments.
+        texts: for the name of each program, without arguments, its :attr:`UserCode.record`.
     """
     token = _RECORDED.set(texts)
     try:
@@ -291,7 +297,10 @@ def as_recorded(texts: Mapping[str, str]) -> Iterator[None]:
 
 
 def recorded(plain: str) -> str | None:
-    """The text that was recorded under this plain name, inside :func:`as_recorded`; else None."""
+    """The recorded text of the program with this name; None outside of :func:`as_recorded`.
+
+    ``plain`` is a name without arguments.  For a module the result is its digest.
+    """
     return _RECORDED.get().get(plain)
 
 
@@ -307,7 +316,7 @@ def _as_recorded(plain: str, record: str) -> tuple[importing.SourceText | None, 
 
 
 def module_file(module: str) -> Path:
-    """The file of a module, found without an import.
+    """The file of a module; the module is not imported.
 
     Raises:
         InputError: if there is no such file.
