@@ -5,14 +5,14 @@
 ``loading``
     the names of explorers; finding, loading and playing an explorer by its name;
 ``sources``
-    the part of a request that names an explorer; hints at similar names; the files of its code,
-    their digest, and the line where the code begins;
+    the part of a request that names an explorer; hints at similar names; the files of an explorer,
+    their digest, and the line where the explorer begins;
 ``program``
     explorers that are programs in any language, which read and write pipes;
 ``shared_library``
     explorers in shared libraries; the comments in ``allworlds.h`` explain the interface;
 ``languages``
-    the languages of skeletons, which are explorers to start from, in the folder ``skeletons``.
+    the languages of the skeletons: unfinished explorers to start from, in the folder ``skeletons``.
 
 ``dir(allworlds.explorers)`` lists the functions of the built-in explorers, for users' programs.
 """

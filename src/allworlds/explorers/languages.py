@@ -1,7 +1,7 @@
-"""The languages of skeletons: the files of each, and the commands that try an explorer.
+"""The languages that have a skeleton: its files, and the commands that try the explorer in it.
 
-A skeleton is a set of files of an explorer that builds and runs; its answers are still wrong.
-The files of a language are in the folder of its name in ``skeletons``; their names end in
+A skeleton is a set of files with an explorer that builds and runs, but gives wrong answers.  The
+files for a language are in the folder of the language's name in ``skeletons``; their names end in
 ``.template``.
 """
 
@@ -14,7 +14,7 @@ SUFFIX = ".template"
 
 
 class Language(Struct, frozen=True):
-    """A language, with the commands that try an explorer in its folder.
+    """A programming language, with the commands that try an explorer in its folder.
 
     Attributes:
         explorer: the file of the explorer.
@@ -53,7 +53,7 @@ LANGUAGES = {
 
 
 def templates(folder: Path) -> dict[str, str]:
-    """The texts of the files of a skeleton by their names, sorted."""
+    """The text of each file of a skeleton, by the name of the file, sorted."""
     return {
         file.relative_to(folder).as_posix().removesuffix(SUFFIX): file.read_text(encoding="utf-8")
         for file in sorted(folder.rglob(f"*{SUFFIX}"))

@@ -57,7 +57,10 @@ LIGHTHOUSE = "directional"
 
 
 def entry_of(name: str) -> BuiltIn | None:
-    """The entry of a built-in explorer, else None; a name with a colon loads no entry."""
+    """The entry of a built-in explorer in the table; None if no built-in explorer has this name.
+
+    For a name with a colon the table is not even loaded.
+    """
     if ":" in name:
         return None
     from allworlds.explorers.builtin.explorer_table import BUILT_IN
@@ -66,17 +69,17 @@ def entry_of(name: str) -> BuiltIn | None:
 
 
 def is_program(name: str) -> bool:
-    """Whether this is the name of a program behind a pipe, as ``exec:COMMAND``."""
+    """Whether the name, without wrappers, is that of a program outside Python: ``exec:COMMAND``."""
     return innermost(name).startswith(EXEC)
 
 
 def is_library(name: str) -> bool:
-    """Whether this is the name of a shared library, as ``native:PATH``."""
+    """Whether the name, without wrappers, is that of a shared library: ``native:PATH``."""
     return innermost(name).startswith(NATIVE)
 
 
 def has_shield(name: str) -> bool:
-    """Whether this is the name of an explorer with a shield, as ``shield:NAME``."""
+    """Whether the name is that of an explorer with a shield: ``shield:NAME``."""
     return name.startswith(SHIELD)
 
 
@@ -87,7 +90,7 @@ def wrapped(name: str) -> tuple[str, str]:
 
 
 def innermost(name: str) -> str:
-    """The name without wrappers."""
+    """The name without wrappers, the prefixes ``shield:`` and ``elsewhere:``."""
     wrapper = SHIELD
     while wrapper:
         wrapper, name = wrapped(name)
@@ -95,7 +98,7 @@ def innermost(name: str) -> str:
 
 
 def command_or_path(name: str) -> str:
-    """The command of a program of that name, or the path of a shared library."""
+    """The COMMAND in a name ``exec:COMMAND``, or the PATH in a name ``native:PATH``."""
     return innermost(name).partition(":")[2]
 
 
@@ -108,22 +111,22 @@ def named_on_command_line(name: str) -> list[str]:
 
 
 def entry_point(plain: str) -> EntryPoint | None:
-    """The explorer that another package offers under a name; None if there is none.
+    """The explorer that an installed package offers under this name; None if there is none.
 
-    A name with a colon names a function, so the slow search of other packages is left out.
+    A name with a colon names a function, so the slow search in the installed packages is left out.
     """
     return None if ":" in plain else importing.points_of(ENTRY_POINTS).get(plain)
 
 
 def own_bound(name: str, lighthouse: str) -> str | None:
-    """The own bound of the explorer of that name under this lighthouse; None if it has none.
+    """The explorer's own bound on its traversals under this lighthouse; None if it has none.
 
-    Lighthouses are written ``KIND[:key=value,...]``; the bound holds under all options of the
-    explorer's kind of lighthouse.
+    ``lighthouse`` has the form ``KIND[:key=value,...]``.  The bound holds under all options of the
+    explorer's kind of lighthouse except ``start=any``.
 
     Raises:
-        InputError: if a shield lacks the directional lighthouse, which it needs, or if the explorer
-            looks for v0 under a lighthouse that does not show v0.
+        InputError: if the explorer has a shield, and the lighthouse is not the directional one, or
+            has ``start=any``; or if the explorer looks for v0, and the lighthouse does not show v0.
     """
     if name.startswith(ELSEWHERE):
         return _bound_elsewhere(name.removeprefix(ELSEWHERE), str(lighthouse))
@@ -148,7 +151,7 @@ SHOW_V0 = {"directional": "d", "cluster": "d", "door": "(d+1)"}
 
 
 def _bound_elsewhere(inside: str, lighthouse: str) -> str | None:
-    """The bound of an explorer that looks for v0 and then starts another explorer there."""
+    """The bound of an explorer that looks for v0, and then starts the explorer ``inside`` there."""
     parts = [part.partition(":") for part in lighthouse.split("+")]
     if not any(kind in SHOW_V0 for kind, _, _ in parts):
         raise InputError(
@@ -176,10 +179,12 @@ class Subject(Struct, frozen=True, weakref=True):
             ``?key=value``; ``exec:COMMAND`` or ``native:PATH``; with a shield ``shield:NAME``.
         keywords: the keywords among ``choices``, ``told`` and ``notice`` that the explorer takes.
         explore: the generator function; None if only other processes load the explorer, by its
-            name, so that this process never loads its code.
+            name, and this process never runs it.
         source: the text of the explorer's file, if the explorer is in a file.
-        program: the user's program that plays the explorer, if it runs here; also in a shield.
-        native: the shared library that plays the explorer, if it is loaded here; also in a shield.
+        program: the program outside Python that plays the explorer, if this process has started
+            it; also if the explorer has a shield.
+        native: the shared library that plays the explorer, if this process has loaded it; also if
+            the explorer has a shield.
     """
 
     name: str
@@ -191,22 +196,29 @@ class Subject(Struct, frozen=True, weakref=True):
 
     @property
     def own(self) -> BuiltIn | None:
-        """The entry of a built-in explorer; None for a user's explorer, or in a wrapper."""
+        """The entry of a built-in explorer in the table.
+
+        The result is None for a user's explorer, and for a built-in explorer in a wrapper, such as
+        a shield.
+        """
         return entry_of(self.name)
 
     @property
     def from_user(self) -> bool:
-        """Whether this is a user's explorer; each run of a user's explorer is executed twice."""
+        """Whether this is a user's explorer, or has a wrapper; each of its runs is made twice."""
         return self.own is None
 
     @property
     def compiled(self) -> bool:
-        """Whether this is a shared library without a wrapper; inside a wrapper Python calls it."""
+        """Whether the explorer is a shared library without a wrapper.
+
+        If it has a wrapper, such as a shield, Python calls the library.
+        """
         return self.name.startswith(NATIVE)
 
     @property
     def importable(self) -> bool:
-        """Whether other processes can play it."""
+        """Whether other processes can load the explorer by its name, and play it."""
         return self.explore is None
 
     @property
@@ -221,7 +233,7 @@ class Subject(Struct, frozen=True, weakref=True):
 
     @property
     def step_budget(self) -> int | None:
-        """The explorer's own step budget; None if the usual budget suffices."""
+        """The largest legal number of traversals of this explorer; None if it is the usual one."""
         if self.name.startswith(ELSEWHERE):
             return ELSEWHERE_BUDGET
         return self.own.step_budget if self.own else None
@@ -232,7 +244,7 @@ class Subject(Struct, frozen=True, weakref=True):
         return "choices" in self.keywords
 
     def player(self, notice: Callable[[str], None] = lambda _event: None) -> Player:
-        """The player of the explorer; its code must be loaded in this process."""
+        """The explorer in a form that is ready to run; it must be loaded in this process."""
         explore = self.explore
         assert explore is not None
 
@@ -279,7 +291,7 @@ def with_search(inside: Subject) -> Subject:
 
 
 def in_process_subject(explore: Callable[..., Any]) -> Subject:
-    """The subject for a function of this process.
+    """The subject for an explorer that is given as a function.
 
     A function that can be imported by its name is played in processes of its own.  Other functions,
     such as closures or functions of the running script, are played in this process.
@@ -339,10 +351,13 @@ def keywords_of(name: str, explore: Any) -> frozenset[str]:
 def _called(
     name: str, explore: Callable[..., Any], keywords: frozenset[str]
 ) -> tuple[Any, frozenset[str]]:
-    """Return the result of a call, and the keywords that a decorator's ``**`` can pass on.
+    """Return the result of a call of ``explore``, and the keywords that it has accepted.
+
+    If the call fails because of an unexpected keyword, it is made again without it: a decorated
+    function can have ``**`` in its signature, and still refuse a keyword.
 
     Raises:
-        InputError: if the call raises anything but an error about these keywords.
+        InputError: if the call raises another error.
     """
     offered = {"choices": Choices(), "told": None}
     given = {key: offered[key] for key in keywords}
@@ -358,7 +373,13 @@ def _called(
 
 
 def _accepted(name: str, explore: Callable[..., Any]) -> frozenset[str]:
-    """The keywords that a callable takes; none if Python cannot tell its signature."""
+    """The keywords among ``choices`` and ``told`` that a callable takes, by its signature.
+
+    If Python does not know the signature, there are none.
+
+    Raises:
+        InputError: if the callable cannot be called with one percept and these keywords.
+    """
     signature = importing.signature_of(explore)
     takes_all = any(p.kind is p.VAR_KEYWORD for p in signature.parameters.values())
     named = {k for k, p in signature.parameters.items() if p.kind is not p.POSITIONAL_ONLY}
@@ -376,7 +397,7 @@ def _accepted(name: str, explore: Callable[..., Any]) -> frozenset[str]:
 
 
 def source_of(name: str) -> importing.SourceText | None:
-    """The text of the file in an explorer's name; None if the name has no file.
+    """The text of the Python file that an explorer's name holds; None if it holds none.
 
     Raises:
         InputError: if the name is no name of an explorer, or the file cannot be read.

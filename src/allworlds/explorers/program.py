@@ -1,4 +1,7 @@
-"""Explorers that are programs in any language; percepts and actions are lines on pipes."""
+"""Explorers that are programs in any language; they read and write lines through pipes.
+
+Each percept, action and answer is one JSON object in one line.  One run is an *episode*.
+"""
 
 import contextlib
 import json
@@ -30,7 +33,10 @@ SCRIPT = re.compile(r".+\.([cm]?js|lua|php|pl|py|rb)")
 
 
 def missing_script(words: Sequence[str]) -> str:
-    """The reason why an interpreter cannot open its script; empty if it can, or if unknown."""
+    """The reason why the interpreter in a command cannot open its script.
+
+    The result is empty if it can, or if the command is not known to be an interpreter's.
+    """
     interpreter = Path(words[0]).name
     script = next((word for word in words[1:] if not word.startswith("-")), "")
     is_call = INTERPRETER.fullmatch(interpreter) and SCRIPT.fullmatch(script)
@@ -40,7 +46,7 @@ def missing_script(words: Sequence[str]) -> str:
 
 
 def obstacle(name: str) -> str:
-    """The reason why a command cannot be run."""
+    """The reason why the system finds no program ``name`` to run."""
     if is_loop_of_links(name):
         return f"{show(name)} is a loop of links"
     if os.path.isdir(name):  # noqa: PTH112  # takes any text, as below
@@ -67,7 +73,7 @@ SHORT = 256
 
 
 class EpisodeEnd(NamedTuple):
-    """The end of an episode, with its answer."""
+    """The message that ends an episode; it holds the program's answer."""
 
     answer: object
 
@@ -86,7 +92,7 @@ def beginning(number: int, first: actions.Percept, told: actions.Told) -> bytes:
 
 
 def answering(percept: Any) -> bytes:
-    """The line that answers an action; the percept of a model may be any JSON value."""
+    """The line that answers an action with a percept, which may be any JSON value of a model."""
     if isinstance(percept, actions.Percept):
         return _answering(percept)
     return json.dumps({"percept": percept}).encode() + b"\n"
@@ -101,10 +107,10 @@ def _answering(percept: actions.Percept) -> bytes:
 
 
 def message_of(line: bytes) -> ProgramMessage:
-    """The message of a line.
+    """The message in a line that the program has written.
 
     Raises:
-        ExplorerFault: if the line is no line of the protocol, or has a malformed value.
+        ExplorerFault: if the line is no message of the protocol, or holds an illegal value.
     """
     try:
         message = json.loads(line)
@@ -148,7 +154,11 @@ def _estimate(value: object) -> actions.Estimate:
 
 
 def _values(value: object, what: str, law: actions.FaultLaw, *keys: str) -> list[Any]:
-    """The values of a checkpoint or an answer under these keys."""
+    """The values that a checkpoint or an answer has under these keys.
+
+    Raises:
+        ExplorerFault: if it is no object, or lacks a key; ``law`` is then the broken law.
+    """
     if not isinstance(value, dict):
         raise actions.ExplorerFault(law, f"{what} that is no object: {_short(value)}")
     if missing := [key for key in keys if key not in value]:
@@ -174,14 +184,17 @@ LONGEST_LINE = 1 << 24
 
 
 class Program:
-    """The process behind ``--exec COMMAND``, which starts at the first episode at the latest.
+    """An explorer that is a program, given by ``--exec COMMAND``, and its process.
+
+    The process starts at the first episode, if :meth:`start` has not started it before.
 
     Args:
-        command: the command; it is split into words as a shell does, but without a shell.
+        command: the command.  It is split into words like in a shell, but no shell runs it.
         answer_timeout: the seconds of silence after which the process is killed.
 
     Attributes:
-        stays: whether the process goes on if an episode ends while the process waits for an answer.
+        stays: whether the process is kept, not killed, if an episode ends while the process waits
+            for an answer.
 
     Raises:
         InputError: if the command is empty, or its program is not found or cannot be run.
@@ -214,7 +227,7 @@ class Program:
         """Play one episode: turn the program's lines into actions and an answer.
 
         Raises:
-            ExplorerFault: when the program is silent, ends, or writes something else.
+            ExplorerFault: if the program is silent, ends, or writes a line that is no message.
         """
         finished = waits = False
         try:
@@ -236,7 +249,7 @@ class Program:
                 self._kill()
 
     def _next_message(self) -> ProgramMessage:
-        """The program's next message."""
+        """The next message of the program; ExplorerFault if none comes, or an illegal one."""
         line = self._line()
         try:
             message = (_message_of_short if len(line) < SHORT else message_of)(line)
@@ -317,7 +330,11 @@ class Program:
             raise self._ended("the end of its input: it reads no more, and goes on") from None
 
     def _send_when_read(self, line: bytes) -> None:
-        """Send a line to a program that has not read earlier lines."""
+        """Wait until the program has read earlier lines, then send this line.
+
+        Raises:
+            ExplorerFault: if the program reads nothing until the timeout.
+        """
         reads = select.poll()
         reads.register(self._in_to, select.POLLOUT)
         if not reads.poll(self._timeout * 1000):
@@ -346,9 +363,9 @@ class Program:
         return line
 
     def _read(self, wait: float) -> bool:
-        """Read the program's output for at most ``wait`` seconds; return False once it has ended.
+        """Wait for output at most ``wait`` seconds, and read it; return False if stdout has ended.
 
-        Only the end of its stderr is kept.
+        Of the program's stderr only the end is kept.
         """
         goes_on = True
         for descriptor, _ in self._said.poll(wait * 1000):
@@ -364,7 +381,7 @@ class Program:
         return goes_on
 
     def _ended(self, seen: str) -> actions.ExplorerFault:
-        """The fault of a program that has ended or closed a pipe; ``seen`` tells which.
+        """The fault of a program that has closed a pipe, in the words ``seen``, or that has ended.
 
         Raises:
             NestedCheck: if the program has tried to begin a check.

@@ -71,7 +71,7 @@ _OPTIONAL = ("choose", "quotient")
 
 
 def library_path(path: str) -> Path:
-    """The file of a library, as an absolute path; raise InputError if there is none."""
+    """The absolute path of a library's file; raise InputError if there is no such file."""
     if not path:
         raise InputError("--native needs the path of a shared library, not an empty string")
     file = existing_file("--native", path)
@@ -83,12 +83,13 @@ def library_path(path: str) -> Path:
 
 
 class Library:
-    """A loaded library of the present interface version.
+    """A user's shared library, which has been loaded.
 
-    Loading runs the user's code.
+    Loading runs functions of the library.
 
     Raises:
-        InputError: if the library cannot be loaded, or has no explorer.
+        InputError: if the library cannot be loaded, lacks a function of ``allworlds.h``, or is
+            built with another version of it.
     """
 
     def __init__(self, path: str) -> None:
@@ -108,7 +109,10 @@ class Library:
             )
 
     def print_line_by_line(self) -> None:
-        """Make stdio write each line of stdout at once, so that a killed process loses no line."""
+        """Make the C library write each line of stdout at once.
+
+        So no line is lost if the process is killed.
+        """
         program = ctypes.CDLL(None)
         with suppress(ValueError):  # a C library that calls it otherwise
             stdout = ctypes.c_void_p.in_dll(program, "stdout")
@@ -126,7 +130,7 @@ class Library:
         return function
 
     def addresses(self) -> list[int]:
-        """The addresses of start, step, answer and choose; 0 for a missing function."""
+        """The addresses of the library's functions start, step, answer and choose; 0 if missing."""
         functions = (self.start, self.step, self.answer, self.choose)
         return [(ctypes.cast(each, _ADDRESS).value or 0) if each else 0 for each in functions]
 
@@ -137,7 +141,7 @@ _NO_ACCESS = 0
 
 
 def guarded(kind: type[T]) -> T:
-    """A zeroed value of a type of :mod:`ctypes`, followed by a page without access rights.
+    """A value of a type of :mod:`ctypes`, filled with zeros; behind it is a page without access.
 
     Source: mprotect(2).
     """
@@ -165,7 +169,7 @@ THREADS_END = 0.5
 
 
 class NativeExplorer:
-    """A library with one state, which plays one episode after the other.
+    """An explorer in a shared library; it plays one run (*episode*) after the other.
 
     Args:
         library: the loaded library.
@@ -185,7 +189,7 @@ class NativeExplorer:
         return frozenset({"told", "choices"} if self.library.choose else {"told"})
 
     def state(self) -> int:
-        """The library's state, which is made at the first use.
+        """The address of the library's state; the library makes the state at the first call.
 
         Raises:
             ExplorerFault: if the library makes no state.
@@ -197,11 +201,11 @@ class NativeExplorer:
         return self._state
 
     def handed(self) -> tuple[Any, ...]:
-        """Memory for percept, action, ``here``, sigma and alpha."""
+        """New memory for compiled callers: for percept, action, ``here``, sigma and alpha."""
         return tuple(map(_integers, (3, 2, 1, ROOM, ROOM)))
 
     def close(self) -> None:
-        """Delete the state."""
+        """Let the library delete its state."""
         state, self._state = self._state, None
         if state is not None:
             self.library.delete(state)
@@ -212,7 +216,8 @@ class NativeExplorer:
         """Play one episode.
 
         Raises:
-            ExplorerFault: for an illegal action or answer, and for threads that remain.
+            ExplorerFault: for an illegal action, choice or answer, and if threads that the library
+                has started go on after the answer.
         """
         threads = threads_now()
         library, action, state = self.library, self._action, self.state()
@@ -247,14 +252,18 @@ class NativeExplorer:
             library.step(state, here, there)
 
     def _sense(self, percept: actions.Percept) -> None:
-        """Write the percept for the library."""
+        """Write the percept to the memory where the library reads it."""
         ours = self._percept
         self._sensed += percept.degree
         ours.degree, ours.marks = percept.degree, percept.marks
         ours.bearing = NOTHING if percept.bearing is None else percept.bearing
 
     def _said(self, function: Any, lists: int, law: actions.FaultLaw) -> list[tuple[int, ...]]:
-        """Lists of integers with one entry for each dart, which the library fills."""
+        """Lists of integers with one entry for each dart; a function of the library fills them.
+
+        Raises:
+            ExplorerFault: if the function tells an illegal number of darts.
+        """
         if self._sensed > len(self._rooms[0]):
             self._rooms = [_integers(2 * self._sensed) for _ in range(4)]
         self._here[0] = NOTHING
@@ -282,21 +291,27 @@ class NativeExplorer:
 
 
 def _one_number(told: actions.Told) -> int:
-    """The number that a library is told; the rules refuse a lighthouse that tells several."""
+    """The number that a library is told before the start, or :data:`NOTHING`.
+
+    A lighthouse that tells several numbers is refused earlier.
+    """
     if told is None or isinstance(told, int):
         return NOTHING if told is None else told
     return next(iter(told.values()), NOTHING)
 
 
 class _Asked:
-    """The function that answers the choices of one episode."""
+    """The answers to the choices that a library asks for in one episode."""
 
     def __init__(self, choices: Choices | None) -> None:
         self._choices = choices or Choices()
         self._wrong = ""
 
     def pick(self, _: int | None, of: int, options: int, cost: Any) -> int:
-        """Answer ``allworlds_pick``; an illegal choice is answered by 0, and reported later."""
+        """Answer the library's call of ``allworlds_pick`` with the index of an option.
+
+        After an illegal call the answer is 0, and :meth:`complain` reports the error later.
+        """
         try:
             kind = KINDS[of] if 0 <= of < len(KINDS) else str(of)
             costs = cost[: max(options, 0)] if cost else None
@@ -307,7 +322,7 @@ class _Asked:
         return index
 
     def complain(self) -> None:
-        """Raise the error of an illegal choice, if there was one."""
+        """Raise ExplorerFault if the library has asked for an illegal choice."""
         if self._wrong:
             raise actions.ExplorerFault("crash", f"a choice that is none: {self._wrong}")
 
@@ -320,9 +335,9 @@ def threads_now() -> int:
 
 
 def threads_left(before: int) -> int:
-    """The number of additional threads that remain.
+    """The number of threads more than ``before``, after a short wait for those that are ending.
 
-    A joined thread is still listed for some microseconds.
+    The system lists a joined thread for some microseconds more.
     """
     deadline = time.monotonic() + THREADS_END
     while (more := threads_now() - before) > 0 and time.monotonic() < deadline:

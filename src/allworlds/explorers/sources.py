@@ -1,8 +1,8 @@
 """Explorers in requests, and the files of explorers.
 
 In Python an explorer is given by a name or a function, on the command line by options.  This module
-finds files of similar names, the digest of an explorer's files, and the line where its code begins.
-It runs no code of an explorer.
+finds files of similar names, the digest of an explorer's files, and the line where the explorer
+begins.  It runs no explorer.
 """
 
 import ast
@@ -62,9 +62,10 @@ def names_explorer(text: str) -> bool:
 
 
 def whole_name(name: str) -> str:
-    """The name; a file with only one public generator function gets the name of this function.
+    """The name of an explorer, completed if it is a mere file: ``FILE.py`` to ``FILE.py:FUNCTION``.
 
-    A file that defines no generator function gets the name ``explore``, which it may import.
+    FUNCTION is the only public generator function in the file.  If the file defines no generator
+    function, it is ``explore``, because the file may import a function of this name.
 
     Raises:
         InputError: if the file has several such functions, is missing, or is no Python.
@@ -101,9 +102,10 @@ def explorers_in(module: CodeType) -> list[str]:
 
 
 def no_explorer(name: str, plain: str, known: Sequence[str]) -> str:
-    """The reason why a name without a function names no explorer, and the legal forms.
+    """The reason why a name without a colon names no explorer, and the legal forms.
 
-    ``plain`` is the name without its arguments; ``known`` are the explorers with plain names.
+    ``plain`` is the name without its arguments; ``known`` are all names without a colon that do
+    name an explorer.
     """
     if os.path.isdir(plain):  # noqa: PTH112  # takes any text, as below
         return f"{show(plain)} is a directory; an explorer in it is {Path(plain)}/FILE.py:FUNCTION"
@@ -135,7 +137,7 @@ def _like_file(name: str) -> str:
 
 
 def short_names(names: Sequence[str]) -> list[str]:
-    """The shortest ends that distinguish these names, as the heads of columns."""
+    """For each name its shortest end that no other name has; for the heads of columns."""
     ends = [[*_ends(name)] for name in names]
     short = []
     for i, name in enumerate(names):
@@ -145,7 +147,10 @@ def short_names(names: Sequence[str]) -> list[str]:
 
 
 def _ends(name: str) -> Iterator[str]:
-    """The ends of a name, from the shortest one to the name itself."""
+    """Yield ends of a name, shorter ones first, and then the name itself.
+
+    For a command the beginning of the command comes first, instead of an end.
+    """
     if is_program(name):
         yield name[:MOST_OF_A_COMMAND]
     elif ":" in name:
@@ -175,18 +180,19 @@ class SourceLine(Struct, frozen=True):
     line: int = 1
 
     def is_in(self, folder: Path) -> bool:
-        """Whether the file belongs to a project; packages installed in its folder do not belong."""
+        """Whether the file is in the project's folder, and in no package installed there."""
         return self.file.is_relative_to(folder) and "site-packages" not in self.file.parts
 
     def named_from(self, folder: Path) -> str:
-        """The file relative to a folder above it, with ``/``."""
+        """The path of the file from ``folder`` on, a folder above it; the separator is ``/``."""
         return self.file.relative_to(folder).as_posix()
 
 
 def files_of_explorer(name: str) -> list[Path]:
-    """The files of an explorer's code; none for a built-in explorer, or if unknown.
+    """The files of a user's explorer; the list is empty for a built-in explorer, or if unknown.
 
-    The files of a program are the files that its command names.
+    The files of an explorer outside Python, which runs by a command, are those that the command
+    names.
     """
     try:
         return [file for file in _files_named(innermost(name)) if file.is_file()]
@@ -195,12 +201,12 @@ def files_of_explorer(name: str) -> list[Path]:
 
 
 def place_of_explorer(name: str) -> SourceLine | None:
-    """The line of an explorer's code; None for a built-in explorer, or if unknown.
+    """The line where a user's explorer begins; None for a built-in explorer, or if unknown.
 
-    The code of a Python explorer begins at the line of its function.  The code of a program begins
-    at the first line of the last file that its command names, or else of the command's own file.
-    Compiled code begins at the first line of its source in the same folder, such as explorer.c for
-    explorer.so.
+    A Python explorer begins at the line of its function.  An explorer that runs by a command begins
+    at the first line of the last file that the command names; if it names none, at the first line
+    of the command's own file.  A compiled explorer begins at the first line of its source in the
+    same folder, such as explorer.c for explorer.so.
     """
     files, name = files_of_explorer(name), innermost(name)
     try:
@@ -218,7 +224,7 @@ def place_of_explorer(name: str) -> SourceLine | None:
 
 
 def _source(file: Path) -> Path | None:
-    """The file, if it is a text; for compiled code the source of the same name beside it."""
+    """The file itself if it is a text; if it is compiled, the source of the same name beside it."""
     with file.open("rb") as opened:
         if b"\0" not in opened.read(4096):
             return file
@@ -228,7 +234,7 @@ def _source(file: Path) -> Path | None:
 
 
 def _files_named(name: str) -> list[Path]:
-    """The files of the name without wrappers; they may be missing.
+    """The files that an explorer's name means; ``name`` has no wrappers; the files may be missing.
 
     Raises:
         InputError: if there is no such module.
@@ -249,7 +255,7 @@ def _files_named(name: str) -> list[Path]:
 
 
 def _where(name: str) -> tuple[str, list[str]]:
-    """The file or module of a Python explorer's name, and the dotted name in it."""
+    """The two parts of a Python explorer's name: the file or module, and the dotted name in it."""
     plain = name.partition("?")[0]
     point = entry_point(plain)
     where, colon, attribute = (point.value if point else plain).rpartition(":")
@@ -258,7 +264,7 @@ def _where(name: str) -> tuple[str, list[str]]:
 
 
 def _line(tree: ast.Module, names: list[str]) -> int:
-    """The line of the function or class of a dotted name; 1 if there is none."""
+    """The line where the function or class with a dotted name begins; 1 if there is none."""
     body: list[ast.stmt] = tree.body
     line = 1
     for name in names:
@@ -279,10 +285,10 @@ OURS = "built-in"
 def content_digest(subject: Subject) -> str:
     """SHA-256 of the explorer's text, or of the digests of its files, in hexadecimal.
 
-    The files of a program are the program itself and the files that its command names.  An explorer
-    in a wrapper has the digest of the explorer inside, because the wrapper changes only with the
-    version of this program.  A module has the digest of its own file; imported modules do not
-    count.
+    If the explorer runs by a command, its files are the command's program and the files that the
+    command names.  An explorer in a wrapper has the digest of the explorer inside, because the
+    wrapper changes only with the version of allworlds.  For a module only its own file counts, not
+    the modules that it imports.
 
     Raises:
         InputError: if the explorer exists only in this process, or its file cannot be found.
@@ -306,9 +312,10 @@ def content_digest(subject: Subject) -> str:
 
 
 def with_content(subject: Subject) -> Subject:
-    """The subject with its text for other machines, if its code is one file.
+    """The subject with the text of its file, for other machines, if the explorer is one file.
 
-    For a module inside a package the text is not enough: the other machine needs the package.
+    Otherwise the subject is returned unchanged.  For a module inside a package the text is not
+    enough: the other machine needs the package.
     """
     name = innermost(subject.name)
     where = name.partition("?")[0].rpartition(":")[0]
@@ -367,7 +374,7 @@ class ProgramWords(Request):
         return next(iter(named.values()), None)
 
     def named_or_default(self, explorer: str | None) -> str:
-        """The name of the explorer, as :meth:`named`; the default if none is given."""
+        """The name of the explorer that :meth:`named` returns; the default if none is given."""
         name = self.named(explorer)
         return DEFAULT_EXPLORER if name is None else name
 

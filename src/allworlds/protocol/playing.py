@@ -471,7 +471,7 @@ def percept_of(degree: int, marks: int, bearing: int) -> actions.Percept:
 
 
 def numbers_of(percepts: Iterable[actions.Percept]) -> bytes | tuple[int, ...]:
-    """The numbers of several percepts, in a row: three for each, as :func:`percept_of` takes them."""
+    """The numbers of several percepts in a row: for each the three of :func:`percept_of`."""
     numbers = [
         number
         for p in percepts

@@ -1,5 +1,5 @@
 """Built-in explorers: generator functions that depend only on the protocol.
 
-A new built-in explorer needs a module in this package and an entry of ``BUILT_IN`` in the module
-``explorer_table``, whose docstring lists the other modules.
+A new built-in explorer needs a module in this package, and an entry in the table ``BUILT_IN`` of
+the module ``explorer_table``.  The docstring of this module lists the other modules.
 """

@@ -1,4 +1,4 @@
-"""Algorithm 1 of the paper, mapping with one directional lighthouse, and its partial map.
+"""Algorithm 1 of the paper, which maps with one directional lighthouse, and its partial map.
 
 Each group of lines of the paper's Algorithm 1 is a function.  The docstrings keep the paper's
 names: S and U are the explored part and its open darts; e is the dart of U that is explored now,
@@ -21,7 +21,7 @@ Each decision that the paper leaves open is a choice:
 The options of ``transit`` and ``path`` are the darts from which the robot can still reach the goal
 without entering a vertex twice.  They are sorted by the length of the way from the dart to the
 goal, and then in the order of S.  The cost of an option is the length of that way.  So each simple
-path is one sequence of answers; the answers 0 yield a shortest path.
+path is one sequence of choices; if the first option is always taken, the path is a shortest one.
 """
 
 from collections.abc import Callable, Generator, Iterator, Sequence
@@ -34,7 +34,7 @@ from allworlds.protocol.choices import ChoiceKind, Choices
 
 
 def bearing_of(percept: Percept) -> int:
-    """The bearing of a percept, which must have one."""
+    """The bearing of a percept; raise ValueError if the percept has none."""
     if percept.bearing is None:
         raise ValueError("this explorer needs a bearing here, and the lighthouse shows none")
     return percept.bearing
@@ -67,7 +67,7 @@ class PartialMap:
             self.expected = [Percept(degree, marks, (bearing - d) % degree) for d in range(degree)]
 
     def offset(self, start: int, end: int) -> int:
-        """The motion from dart ``start`` to dart ``end`` of the same vertex."""
+        """The ``k`` with ``sigma^k(start) == end``, for two darts of one vertex."""
         return (end - start) % self.expected[start].degree
 
     def turn(self, dart: int, offset: int) -> int:
@@ -101,7 +101,8 @@ class PartialMap:
     def distances(self, goal: int, avoiding: Sequence[int] = ()) -> dict[int, int]:
         """For each vertex the length of a shortest walk in S to ``goal``.
 
-        Walks do not enter the vertices of ``avoiding``; vertices without a walk are missing.
+        The walks do not enter the vertices of ``avoiding``.  A vertex from which no such walk leads
+        to ``goal`` is missing in the result.
         Cost: O(m).
         """
         length = {goal: 0}
@@ -113,11 +114,11 @@ class PartialMap:
         return length
 
     def checkpoint(self, here: int) -> Checkpoint:
-        """S and U as a checkpoint, with the robot's dart."""
+        """The checkpoint that shows S, U and the robot's dart ``here``."""
         return Checkpoint(tuple(self.sigma), tuple(self.alpha), here)
 
     def estimate(self, here: int) -> Estimate:
-        """S as the answer, with the robot's dart; no dart may be open."""
+        """The answer with the map S and the robot's dart ``here``; no dart of S may be open."""
         return Estimate(CombinatorialMap(self.sigma, self.alpha), here)
 
     def _add_vertex(self, percept: Percept) -> int:
@@ -134,7 +135,10 @@ class PartialMap:
 
 
 class Lazy(Sequence[int]):
-    """Integers that are computed when a policy reads them; the first may already be known."""
+    """A sequence of integers that is computed only when a policy reads it.
+
+    The first integer may be known already; to read it, the others are not computed.
+    """
 
     def __init__(self, compute: Callable[[], list[int]], first: int | None = None) -> None:
         self._compute, self._first = compute, first
@@ -153,7 +157,7 @@ class Lazy(Sequence[int]):
 
 
 def walks(s: PartialMap, start: int, darts: list[int]) -> Lazy:
-    """For each dart the length of a shortest walk in S from vertex ``start`` to its vertex."""
+    """For each dart the length of a shortest walk in S from the vertex ``start`` to its vertex."""
 
     def compute() -> list[int]:
         lengths = s.distances(start)
@@ -165,7 +169,7 @@ def walks(s: PartialMap, start: int, darts: list[int]) -> Lazy:
 def simple_path(
     s: PartialMap, start: int, goal: int, choices: Choices, kind: ChoiceKind
 ) -> Iterator[int]:
-    """The darts by which a simple path in S from vertex ``start`` leaves its vertices."""
+    """Yield the darts of a simple path in S from ``start`` to ``goal``: one leaves each vertex."""
     vertex = start
     visited: list[int] = []
     lengths = s.distances(goal) if start != goal else {}
@@ -180,10 +184,11 @@ def simple_path(
 def _next_darts(
     s: PartialMap, goal: int, visited: list[int], lengths: dict[int, int]
 ) -> tuple[Lazy, Lazy]:
-    """The options of the next step of a path through these vertices, and the lengths of the ways.
+    """The options for the next dart of a path, and for each the length of the way to the goal.
 
-    A path that has taken only first options is a shortest path.  Then the first option is the first
-    dart that leads nearer to the goal, so that the function computes no other option.
+    ``visited`` holds the vertices of the path so far, and ``lengths`` the distance of each vertex
+    to the goal.  If the path so far is a shortest one, the first option is the first dart that
+    leads nearer to the goal; the other options are computed only when a policy reads them.
     """
     vertex = visited[-1]
 
@@ -215,10 +220,12 @@ def algorithm1(
 
     Args:
         first: the percept at v0 before any motion; it has a bearing.
-        choices: the answers to all choices listed above (default: first in, first out).
-        notice: the function that gets each event: ``case-1``, ``case-2``, ``case-3`` (a test's
-            outcome), ``v0-hypothesis`` (a test without a step, at v0), ``empty-H``, ``loop`` and
-            ``non-loop`` (the augmentation).  It has no influence.
+        choices: the answers to all choices that the docstring of this module lists (default: first
+            in, first out).
+        notice: the function that gets the name of each event: ``case-1``, ``case-2``, ``case-3``
+            (a test's outcome), ``v0-hypothesis`` (a test without a step, at v0), ``empty-H`` (there
+            is no hypothesis), ``loop`` and ``non-loop`` (the way in which S has grown).  The
+            function has no influence on the walk.
 
     Cost: at most (1) + (2) of Section VI traversals.  Source: Algorithm 1, Section IV.
     """
@@ -231,8 +238,9 @@ class Algorithm1:
     Attributes:
         s: the map S with its open darts U.
         here: the robot's dart in S; only meaningful between two passes.
-        turned: after a test, the robot's turn clockwise from its dart of entry; after a rejected
-            hypothesis this is a dart of v_u.
+        turned: the number of darts, clockwise, from the robot's dart of entry to the dart at which
+            it stands.  The dart of entry is a dart of v0 after a confirmed hypothesis, and a dart
+            of v_u after a rejected one.
     """
 
     def __init__(
@@ -245,7 +253,7 @@ class Algorithm1:
         self.notice = notice
 
     def explore(self) -> Stage[Estimate]:
-        """Lines 2-22: passes until U is empty."""
+        """Lines 2-22: explore one dart of U in each pass, until U is empty."""
         while self.s.unexplored:
             goal = self.take_from_u()
             percept = self.reads((yield from self.follow(goal)))
@@ -263,17 +271,17 @@ class Algorithm1:
         return self.answer()
 
     def reads(self, percept: Percept) -> Percept:
-        """The part of a percept that is compared: all of it."""
+        """The part of a percept that the algorithm compares: the whole percept."""
         return percept
 
     def take_from_u(self) -> int:
-        """Line 3: the dart e to be explored."""
+        """Line 3: the dart e that this pass explores."""
         s = self.s
         cost = walks(s, s.vertex[self.here], s.unexplored)
         return self.choices.pick(s.unexplored, of="edge", cost=cost)
 
     def follow(self, goal: int) -> Stage[Percept]:
-        """Lines 4-5: walk through S to the known end of the dart, then follow it."""
+        """Lines 4-5: walk through S to v_k, the known end of the dart ``goal``, and leave by it."""
         s, at = self.s, self.here
         for dart in simple_path(s, s.vertex[at], s.vertex[goal], self.choices, "transit"):
             yield Move(s.offset(at, dart))
@@ -283,7 +291,7 @@ class Algorithm1:
     def hypotheses(self, goal: int, percept: Percept) -> list[int]:
         """Line 6: H, the other darts in U by which a robot would arrive with this percept.
 
-        At v0 the percept includes the direction, which is the whole test of such a hypothesis.
+        At v0 the percept includes the direction.  So a hypothesis at v0 needs no further test.
         """
         s = self.s
         return [d for d in s.unexplored if d != goal and s.expected[d] == percept]
@@ -308,7 +316,7 @@ class Algorithm1:
         return None
 
     def confirmed_at(self, partner: int, path: list[int]) -> int:
-        """The robot's dart in S after case (3), at v0."""
+        """The robot's dart in S after case (3), the confirmed test; it is a dart of v0."""
         return self.s.alpha[path[-1]] if path else partner
 
     def path_to_v0(self, partner: int) -> list[int]:
@@ -319,7 +327,8 @@ class Algorithm1:
         """Lines 10-13: execute the motions M as long as the percepts are the expected ones, P.
 
         Returns:
-            The executed motions, counted from the dart of entry, and whether all percepts matched.
+            The executed motions, each counted from the dart of entry at its vertex, and whether all
+            percepts were the expected ones.
         """
         s, at = self.s, partner
         motions: list[int] = []
@@ -356,7 +365,7 @@ class Algorithm1:
         self.s.add_loop(goal, partner)
 
     def answer(self) -> Estimate:
-        """Line 22: S, and the robot's dart in it."""
+        """Line 22: the estimate with the map S and the robot's dart in S."""
         return self.s.estimate(self.here)
 
 
@@ -400,7 +409,7 @@ def algorithm1_natural(
 
     The explorer is told the degree of v1; choices and events are those of Algorithm 1.
 
-    Cost: as for :func:`algorithm1_cluster`.
+    Cost: the same as that of :func:`algorithm1_cluster`.
     """
     is_v0, is_v1 = (lambda seen: seen.degree == first.degree), (lambda seen: seen.degree == told)
     explorer = TwoVertices(first, is_v0, is_v1, choices or Choices(), notice)
@@ -428,7 +437,7 @@ class TwoVertices(Algorithm1):
         self.pointed = 0
 
     def explore(self) -> Stage[Estimate]:
-        """Search the dart to v1, then explore by Algorithm 1."""
+        """Search the dart that leads from v0 to v1, then explore by Algorithm 1."""
         yield from self.search()
         return (yield from super().explore())
 
@@ -446,11 +455,14 @@ class TwoVertices(Algorithm1):
                 return
 
     def reads(self, percept: Percept) -> Percept:
-        """The part of a percept that is compared: the degree, and whether v0 is sensed."""
+        """The part of a percept that the algorithm compares: the degree, and whether it is v0's."""
         return Percept(percept.degree, int(self.is_v0(percept)))
 
     def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
-        """Lines 10-13, and the query at v0, after which the robot is turned towards v1."""
+        """Lines 10-13, and then the query at v0: leave by the dart that should lead to v1.
+
+        The robot senses there and comes back; then it is turned towards v1.
+        """
         motions, matched = yield from super().try_path(partner, path)
         if matched:
             towards = self.s.offset(super().confirmed_at(partner, path), self.pointed)
@@ -461,5 +473,5 @@ class TwoVertices(Algorithm1):
         return motions, matched
 
     def confirmed_at(self, partner: int, path: list[int]) -> int:  # noqa: ARG002  # any path
-        """The pointed dart, by which the query has returned."""
+        """The dart that leads to v1; by it the robot has come back to v0 after the query."""
         return self.pointed

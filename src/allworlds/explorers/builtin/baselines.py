@@ -1,18 +1,19 @@
-"""Explorers for comparison: depth-first search of numbered vertices, and one movable marker.
+"""Two explorers for comparison: depth-first search of numbered vertices, and one movable marker.
 
-The marker has no direction, and the worlds are simple: Dudek, Jenkin, Milios, Wilkes 1991.  Each
-pass explores one dart.  At its unknown end the robot drops the marker, comes back, and looks for
-the marker at the vertices of S that this end could be (place validation).  If the marker is at none
-of them, the end is a new vertex.  Otherwise the robot carries the marker to the known end of the
-dart, and tries the open darts at the other vertex until one leads to the marker (back-link
-validation).
+The second is that of Dudek, Jenkin, Milios, Wilkes 1991: the marker has no direction, and the
+worlds are simple.  Each pass explores one dart.  At the unknown end of the dart the robot drops the
+marker, comes back, and looks for the marker at the vertices of S that this end could be (place
+validation).  If the marker is at none of them, the end is a new vertex.  Otherwise the robot
+carries the marker to the known end of the dart, and tries the open darts at the vertex where the
+marker was until one leads to the marker (back-link validation).
 
 In a simple world the answer is right.  With parallel edges, or two loops at a vertex, back-link
 validation can find a wrong dart; no explorer with markers is right in all worlds of this kind.
 
-The source leaves three points open.  Here the dart that leaves U is a choice (``edge``); the
-candidates are visited in the order of a depth-first walk of a spanning tree of S, as the bound
-requires; the open darts there are tried clockwise from the dart of entry.
+The source leaves three points open; this module decides them so.  The dart that leaves U is a
+choice (``edge``).  The candidates are visited in the order of a depth-first walk of a spanning tree
+of S, because the bound requires it.  The open darts of the vertex where the marker was are tried
+clockwise from the dart of entry.
 """
 
 from collections.abc import Callable
@@ -25,10 +26,11 @@ from allworlds.protocol.choices import Choices
 def dfs(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Stage[Estimate]:
-    """Explore under labels: the number identifies the vertex, the bearing the dart of entry.
+    """Explore depth first, where each vertex shows its number and the bearing (``labels``).
 
-    The choice ``edge`` is the open dart by which the robot leaves a vertex; events are ``known``
-    and ``unknown`` vertices beyond a dart.
+    The number identifies the vertex, and the bearing the dart of entry.  The choice ``edge`` is the
+    open dart by which the robot leaves a vertex.  The events ``known`` and ``unknown`` tell whether
+    the vertex beyond a dart was known before.
 
     Cost: at most 2m traversals: each edge is walked once, and at most once back.
     """
@@ -74,9 +76,9 @@ def dudek91(
 ) -> Stage[Estimate]:
     """Explore a simple world with one marker in hand that can be taken up again.
 
-    Events are ``new-vertex`` and ``back-link``, the two ends of a pass.
+    The events ``new-vertex`` and ``back-link`` are the two ways in which a pass can end.
 
-    Cost: in a simple world at most ``3s`` for the vertex that is found when s are known, and
+    Cost: in a simple world at most ``3s`` for a vertex that is found when s vertices are known, and
     ``5n + 2D - 4`` for every other edge, where D is the largest degree: O(mn).
     """
     return (yield from _Dudek(first, choices or Choices(), notice).explore())
@@ -118,7 +120,7 @@ class _Dudek:
         return s.estimate(self.here)
 
     def go(self, goal: int) -> Stage[None]:
-        """Walk to a vertex by a shortest way in S."""
+        """Walk to the vertex ``goal`` by a shortest way in S."""
         s = self.s
         lengths = s.distances(goal)
         while (vertex := s.vertex[self.here]) != goal:
@@ -132,7 +134,7 @@ class _Dudek:
         self.seen = yield Move(self.s.offset(self.here, dart))
 
     def candidates(self, explored: int, beyond: Percept) -> list[int]:
-        """The candidates for the unknown end in S, in the order of a walk round a tree."""
+        """The vertices of S that the unknown end could be, in the order of a walk round a tree."""
         s = self.s
         possible = {
             s.vertex[dart]
@@ -149,7 +151,11 @@ class _Dudek:
         return [vertex for vertex in order if vertex in possible]
 
     def close(self, dart: int) -> Stage[None]:
-        """Carry the marker to the known end, go back, and find the open dart that leads to it."""
+        """Find the other dart of the explored edge by back-link validation, and join both darts.
+
+        The robot carries the marker to the known end of ``dart`` and goes back.  Then it tries the
+        open darts until one leads to the marker.
+        """
         s = self.s
         vertex = s.vertex[self.here]
         yield Pick()

@@ -30,12 +30,12 @@ class FromElsewhere:
         self.__signature__ = signature_of(explorer)
 
     def __call__(self, first: Percept, **keywords: Any) -> Stage[Any]:
-        """Find v0, where one mark is sensed, and explore from there."""
+        """Find v0, the vertex where one mark is sensed, and start the other explorer there."""
         seen = first if first.marks == 1 else (yield from self.search(first))
         return (yield from self.explorer(seen, **keywords))
 
     def search(self, first: Percept) -> Stage[Percept]:
-        """Find the percept at v0, by words of up to 1, 2, 3 ... motions; the robot is there."""
+        """Walk to v0 by trying words of up to 1, 2, 3 ... motions; return the percept at v0."""
         due = 0
         for longest in count(1):
             found, due = yield from self.tried(first.degree, longest, due)
@@ -44,16 +44,16 @@ class FromElsewhere:
         raise AssertionError("lengths have no end")
 
     def tried(self, degree: int, longest: int, due: int) -> Stage[tuple[Percept | None, int]]:
-        """Try every word of up to ``longest`` motions at a vertex of that degree.
+        """Try every word of up to ``longest`` motions from the robot's vertex.
 
         Args:
             degree: the degree of the vertex.
             longest: the largest number of motions.
-            due: the turn before the next motion, as if the robot had just arrived.
+            due: the ``k`` of the robot's next motion ``Move(k)``.
 
         Returns:
-            the percept at v0, where the robot then is, if a word leads there; else None, and the
-            turn that is then due.
+            The percept at v0, if a word leads there; the robot is then at v0.  Otherwise None, and
+            the ``k`` of the next motion: with it the robot leaves by the dart of its first arrival.
         """
         for _ in range(degree if longest else 0):
             seen = yield Move(due)

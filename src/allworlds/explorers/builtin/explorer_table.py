@@ -39,19 +39,20 @@ SizePair: TypeAlias = tuple[int, int]
 
 
 class BuiltIn(Struct, frozen=True):
-    """An explorer that ships with the package.
+    """An explorer that comes with the package.
 
     Attributes:
-        explore: the generator function.  It takes the percept before any motion, ``choices``
-            (default: first in, first out) and ``notice``, which gets events and has no influence,
-            and may take ``told``.
-        lighthouse: the explorer's kind of lighthouse, as ``KIND[:key=value,...]``.
-        witnesses: the events that must occur in a complete check.  Each event has the least known
-            (edges, vertices) within which it occurs under every policy, for classes with loops and
-            parallel edges and for simple classes; None if it never occurs under some policy.  If an
-            event occurs later or never, the check has left out a branch of the algorithm.
-        bound: the name of the bound that the explorer keeps under its kind of lighthouse, if this
-            differs from the lighthouse's own bound.
+        explore: the generator function.  It takes the percept before any motion, and the keywords
+            ``choices`` (default: first in, first out) and ``notice``, a function that gets events
+            and has no influence.  It may also take ``told``.
+        lighthouse: the explorer's kind of lighthouse, in the form ``KIND[:key=value,...]``.
+        witnesses: the events that must occur in a complete check.  Each event has two entries: one
+            for classes with loops and parallel edges, one for simple classes.  An entry holds the
+            smallest known numbers of edges and vertices up to which the event occurs under every
+            policy; it is None if the event never occurs under some policy.  If an event occurs
+            later or never, the check has left out a branch of the algorithm.
+        bound: the name of the bound that the explorer keeps under its kind of lighthouse; None if
+            it is the lighthouse's own bound.
         step_budget: the largest legal number of traversals, if the usual budget is too small.
         about: a description, for a sentence of the page on the protocol.
     """

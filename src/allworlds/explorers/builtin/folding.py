@@ -4,13 +4,13 @@ All percepts of a robot with a directional lighthouse form one map, the folded l
 vertex begins as a *node*.  If an arrival at v0 shows that two nodes are one vertex, the nodes are
 merged.  Then the nodes to which their equal darts lead are merged, because a dart leads to only one
 dart.  So the folded log is a part of every world that agrees with the log.  A folded log without an
-open dart is the world.  An explorer that uses the folded log alone is right if it stops, whatever
-its walk.
+open dart is the world.  So if an explorer takes its answer from such a folded log, the answer is
+right, whatever the explorer's walk.
 
 A *way* decides which open dart comes next.  It must be fair: each open dart is finally walked
 through, or closed by other motions.  Then the robot finally goes from each entered vertex home to
-v0, the vertex is merged, and the exploration ends.  To choose always the open dart nearest to the
-robot is not fair: the robot can walk on for ever, from copy to copy.
+v0, the vertex is merged, and the exploration ends.  A way that always chooses the open dart nearest
+to the robot is not fair: the robot can walk on for ever, from one copy of a vertex to the next.
 
 The *shield* makes any explorer right in every world under the directional lighthouse.  Two
 *guests*, the explorer and Algorithm 1, take turns with budgets 1, 2, 4, ...: in its turn a guest
@@ -18,7 +18,8 @@ goes on until its total number of traversals is the budget.  All percepts go int
 soon as no dart of it is open, the folded map is the answer.  The guests' answers are never used.
 
 In the known part of the log a guest walks without cost, and its percepts are read from the log.
-Only when a guest goes through an open dart, the robot follows, by a shortest way in the log.
+When a guest goes through an open dart, the robot walks to this dart by a shortest way in the log,
+and goes through it, too.
 
 Cost: less than 9 min(X, (1) + (2)) traversals, where X is the number of traversals of the explorer
 until its own log has no open dart, and (1) + (2) is the paper's bound on Algorithm 1.  Proof: in
@@ -44,16 +45,17 @@ OPEN = -1
 
 
 class FoldedLog:
-    """Nodes with consecutive, clockwise darts, merged by union-find with offsets.
+    """A folded log: nodes that are merged as soon as they must be one vertex.
 
-    Node 0 is v0; the marker points to its dart 0.  A dart is *canonical* if its node has not been
-    merged into another one.
+    The darts of a node are consecutive and clockwise.  Node 0 is v0; the marker points to dart 0.
+    Nodes are merged by union-find with offsets.  A dart or node is *canonical* if the node has not
+    been merged into another node.
 
     Attributes:
         node: for each dart its original node.
         base, degree: for each node its first dart, and its number of darts.
-        stands: for each node the dart with which its first dart was merged; in a canonical node the
-            first dart itself.
+        stands: for each node the dart with which the node's first dart was merged; for a canonical
+            node the first dart itself.
         known: for each canonical node its darts with a known other end, ascending.
         merges: the number of merged nodes.
 
@@ -82,7 +84,7 @@ class FoldedLog:
         return first
 
     def canonical(self, dart: int) -> int:
-        """The dart of a canonical node with which this dart was merged."""
+        """The canonical dart with which ``dart`` was merged; a canonical dart itself."""
         base, stands = self.base, self.stands
         v = self.node[dart]
         while stands[v] != base[v]:
@@ -100,7 +102,10 @@ class FoldedLog:
         return first + (dart - first + offset) % self.degree[v]
 
     def beyond(self, dart: int) -> int:
-        """The canonical dart at the other end of a canonical dart's edge, or :data:`OPEN`."""
+        """The other dart of the edge of a canonical dart; it is canonical, too.
+
+        The result is :data:`OPEN` if the other end is unknown.
+        """
         other = self._link[dart]
         if other == OPEN:
             return OPEN
@@ -110,7 +115,9 @@ class FoldedLog:
         return other
 
     def arrive(self, dart: int, percept: Percept) -> int:
-        """The canonical dart of arrival after the robot has left by canonical ``dart``.
+        """Note a motion in the log: the robot has left by ``dart``, and has sensed ``percept``.
+
+        ``dart`` is canonical, and so is the result, the dart of arrival.
 
         Raises:
             ValueError: if the percepts contradict each other, so that they fit no world.
@@ -130,7 +137,7 @@ class FoldedLog:
         return False
 
     def _stays(self, v: int, w: int) -> bool:
-        """Whether the first of two nodes remains when they are merged; the older node remains."""
+        """Whether node ``v`` remains when it is merged with node ``w``: the older node remains."""
         return v < w
 
     def _merge(self, one: int, another: int) -> None:
@@ -170,11 +177,11 @@ def folding(
     choices: Choices | None = None,  # noqa: ARG001  # its way leaves none
     notice: Callable[[str], None] = nobody,
 ) -> Stage[Estimate]:
-    """Go home to v0, then to the open dart that is nearest to v0.
+    """Explore by the folded log: go home to v0, then to the open dart nearest to v0, and so on.
 
     The event ``merged`` is an arrival at v0 that merges nodes.
 
-    Cost: the explorer stops; no bound is known (up to 1,206 traversals for m = 5).
+    Cost: the explorer always stops; no bound is known (up to 1,206 traversals for m = 5).
     """
     return (yield from explore_folding(first, by_home, notice))
 
@@ -185,7 +192,10 @@ def folding_oldest(
     choices: Choices | None = None,  # noqa: ARG001  # its way leaves none
     notice: Callable[[str], None] = nobody,
 ) -> Stage[Estimate]:
-    """Go a shortest way to the dart that has been open longest; else as :func:`folding`."""
+    """Explore by the folded log: go by a shortest way to the dart that has been open longest.
+
+    Events are those of :func:`folding`.
+    """
     return (yield from explore_folding(first, to_oldest, notice))
 
 
@@ -204,7 +214,7 @@ def to_oldest(log: FoldedLog, here: int) -> list[int]:
 def explore_folding(
     first: Percept, next_way: ToOpenDart, hears: Callable[[str], None] = nobody
 ) -> Stage[Estimate]:
-    """Walk by these ways, and fold the percepts, until no dart is open."""
+    """Explore by the folded log, until no dart is open; ``next_way`` chooses each next walk."""
     log, here = begun(first)
     while has_open_dart(log):
         for dart in next_way(log, here):
@@ -217,7 +227,10 @@ def explore_folding(
 
 
 def begun(first: Percept) -> tuple[FoldedLog, int]:
-    """The log of the first percept, which has a bearing, and the dart that the robot faces."""
+    """The folded log at the start, and the dart in it that the robot faces.
+
+    The percept must have a bearing.
+    """
     log = FoldedLog(first)
     return log, log.turn(0, -bearing_of(first))
 
@@ -228,7 +241,7 @@ def has_open_dart(log: FoldedLog) -> bool:
 
 
 def estimate(log: FoldedLog, here: int) -> Estimate:
-    """The folded map, with the robot's dart in it; no dart may be open."""
+    """The answer with the map of the folded log and the robot's dart; no dart may be open."""
     darts = [*_darts(log)]
     number = {dart: i for i, dart in enumerate(darts)}
     sigma = [number[log.turn(dart, 1)] for dart in darts]
@@ -244,9 +257,10 @@ def _darts(log: FoldedLog) -> Iterator[int]:
 
 
 def way(log: FoldedLog, start: int, is_goal: Callable[[int], bool]) -> list[int]:
-    """The darts by which a shortest walk leaves, up to the first dart that is a goal.
+    """The darts by which a shortest walk leaves its nodes; the last dart is a goal.
 
-    The darts of a node are tried clockwise, from its dart of entry on.
+    The walk begins at the dart ``start``.  The darts of a node are tried clockwise, from the dart
+    of entry on.
     """
     came: dict[int, list[int]] = {log.node[start]: []}
     queue = [start]
@@ -280,7 +294,7 @@ class Shield:
         self.__signature__ = signature_of(explorer)
 
     def __call__(self, first: Percept, **keywords: Any) -> Stage[Estimate]:
-        """Explore from a directional lighthouse; return the true map for every explorer inside."""
+        """Explore from a directional lighthouse; return the true map, for any explorer inside."""
         log, here = begun(first)
         stranger = _Stranger(log, here, lambda seen: self.explorer(seen, **keywords))
         try:
@@ -291,12 +305,12 @@ class Shield:
 
 
 class _Guest:
-    """An explorer in the shield, which walks in the folded log.
+    """An explorer inside the shield; it walks in the folded log.
 
     Attributes:
         here: the dart of the log by which the guest has arrived; at first the dart that it faces.
-        steps: the number of its traversals.
-        out: whether it makes no further motions.
+        steps: the number of the guest's traversals.
+        out: whether the guest makes no further motions.
     """
 
     def __init__(
@@ -307,7 +321,7 @@ class _Guest:
         self._walk: Generator[Any, Any, Any] | None = None
 
     def next_dart(self) -> int | None:
-        """The dart by which the guest leaves; None once it is out."""
+        """The dart by which the guest leaves next; None if the guest makes no further motion."""
         reply = None if self._walk is None else self._percept()
         self._walk = self._walk or self._explorer(self._percept())
         message = self._walk.send(reply)
@@ -331,7 +345,10 @@ class _Guest:
 
 
 class _Stranger(_Guest):
-    """A guest that may end, raise or yield illegal values, and is then out."""
+    """A guest that is a user's explorer.
+
+    If it ends, raises or yields an illegal value, it makes no further motions.
+    """
 
     def next_dart(self) -> int | None:
         try:
@@ -356,7 +373,7 @@ class _Stranger(_Guest):
 
 
 def _take_turns(log: FoldedLog, here: int, guests: Sequence[_Guest]) -> Stage[int]:
-    """Let the guests go on in turn until no dart is open; return the robot's dart of arrival."""
+    """Let the guests walk in turn until no dart is open; return the robot's dart of arrival."""
     for turn in count():
         guest = guests[turn % len(guests)]
         while not guest.out and (guest.steps < 2**turn or any(other.out for other in guests)):

@@ -1,4 +1,8 @@
-"""The explorer that learns the quotient of its world by experiments, and these experiments."""
+"""The explorer that learns the quotient of its world by experiments.
+
+A *word* is a sequence of the letters ``s`` (turn to the next dart clockwise) and ``a`` (go through
+the dart).  An experiment walks a word, and reads the percept at its end.
+"""
 
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple, TypeAlias
@@ -13,9 +17,11 @@ SensedRow: TypeAlias = tuple[Percept, ...]
 
 
 class TreeDart(NamedTuple):
-    """A dart of the tree, ``turn`` darts clockwise of the dart of entry of its node.
+    """A dart in the tree of all walks from the start; see :class:`Experiments`.
 
-    The name of a node is the sequence of turns of the darts that lead to it from the start.
+    Attributes:
+        node: the name of the dart's node: the ``turn`` of each dart on the way from the start.
+        turn: the number of darts, clockwise, from the node's dart of entry to this dart.
     """
 
     node: tuple[int, ...]
@@ -23,23 +29,24 @@ class TreeDart(NamedTuple):
 
     @property
     def beyond(self) -> "TreeDart":
-        """The dart at the other end of the edge; a dart of entry leads back to the parent."""
+        """The other dart of the edge; behind a dart of entry it is a dart of the parent node."""
         if self.node and self.turn == 0:
             return TreeDart(self.node[:-1], self.node[-1])
         return TreeDart((*self.node, self.turn), 0)
 
 
 class Experiments:
-    """The tree of all walks from the start; each arrival except on the way back is a new node.
+    """The tree of all walks from the start.
 
-    The tree does not tell which nodes are the same vertex.
+    Each arrival at a vertex makes a new node, unless the robot goes back along an edge of the tree.
+    So several nodes can be one vertex; the tree does not tell which.
 
     Attributes:
         start: the dart that the robot faces at the start.
         here: the robot's dart in the tree.
 
-    Cost: repeated steps cost nothing.  Before a new step the robot walks to the node where the step
-    begins, along the edges of the tree.
+    Cost: a step that was made before costs nothing.  Before a new step the robot walks to the node
+    where the step begins, along the edges of the tree.
     """
 
     def __init__(self, first: Percept) -> None:
@@ -51,7 +58,7 @@ class Experiments:
         return self._percepts[dart.node]
 
     def walk(self, word: Sequence[str], start: TreeDart | None = None) -> Stage[TreeDart]:
-        """Walk a word of ``s`` (turn) and ``a`` (go through), by default from the start."""
+        """Walk a word from the dart ``start``, by default from the start; return the last dart."""
         at = self.start if start is None else start
         for letter in word:
             if letter == "s":
@@ -69,14 +76,14 @@ class Experiments:
         return (*"".join("s" * turn + "a" for turn in dart.node), *"s" * dart.turn)
 
     def _go(self, goal: tuple[int, ...]) -> Stage[None]:
-        """Walk to a node: up to the last common node of both ways from the start, and down."""
+        """Walk to the node ``goal``: back until a node on the way to ``goal``, then onward."""
         while self.here.node != goal[: len(self.here.node)]:
             yield from self._leave(0)
         for turn in goal[len(self.here.node) :]:
             yield from self._leave(turn)
 
     def _leave(self, turn: int) -> Stage[Percept]:
-        """Leave the robot's node by one of its darts."""
+        """Leave the robot's node by the dart ``turn`` darts clockwise from the dart of entry."""
         seen = yield Move(turn - self.here.turn)
         self.here = TreeDart(self.here.node, turn).beyond
         return seen
@@ -88,11 +95,12 @@ def quotient(
     choices: Choices | None = None,  # noqa: ARG001  # it has no freedom worth a choice
     notice: Callable[[str], None] = nobody,
 ) -> Stage[Estimate | Ambiguous]:
-    """Learn the quotient under position: return the map if only one map has it, else the quotient.
+    """Explore under the lighthouse ``position``: learn the rooted quotient of the world.
 
-    Events are ``map`` and ``ambiguous``, the kind of the answer.
+    The answer is the map if only one map has this quotient, else the quotient.  The event ``map``
+    or ``ambiguous`` tells the kind of the answer.
 
-    Cost: polynomial in the darts; at most 557 traversals for up to 4 edges, 1,791 for 5.
+    Cost: polynomial in the darts; at most 557 traversals for up to 4 edges, 1,791 for 5 edges.
     """
     learner = _Learner(Experiments(first))
     yield from learner.learn()
@@ -103,7 +111,7 @@ def quotient(
 
 
 class ClassTable(NamedTuple):
-    """Classes, with the effect of the letters; class 0 is the class of the start.
+    """Classes of darts, and the class to which each letter leads; class 0 is that of the start.
 
     Attributes:
         sigma, alpha: the permutations of the classes.
@@ -117,7 +125,7 @@ class ClassTable(NamedTuple):
     here: int
 
     def after(self, word: SensedWord, of: int = 0) -> int:
-        """The class to which a word should lead."""
+        """The class to which a word leads from the class ``of``, by this table."""
         for letter in word:
             of = self.sigma[of] if letter == "s" else self.alpha[of]
         return of
@@ -139,7 +147,7 @@ class ClassTable(NamedTuple):
 
     @property
     def sheets(self) -> int:
-        """The number of darts of the world over each class, as the darts of v0 show."""
+        """The number of darts of the world over each class; it is computed from the vertex v0."""
         return self.turns(self.vertices()[0])
 
     def is_alone(self) -> bool:
@@ -151,11 +159,14 @@ class ClassTable(NamedTuple):
         return self.sheets == 1 or (not cycles and (self.sheets == 2 or rigid))
 
     def turns(self, vertex: Sequence[int]) -> int:
-        """The number of times that a vertex of the world covers a vertex of the quotient."""
+        """How often a vertex of the world goes round this vertex of the quotient."""
         return self.sensed[vertex[0]].degree // len(vertex)
 
     def only_world(self) -> Estimate:
-        """The only world with this quotient; its sheets are exchanged where necessary."""
+        """The only world with this quotient, as an estimate.
+
+        The sheets are exchanged round vertices and across edges where the quotient requires it.
+        """
         k = self.sheets
         sigma = [of * k + i for of in self.sigma for i in range(k)]
         alpha = [of * k + i for of in self.alpha for i in range(k)]
@@ -177,7 +188,7 @@ class ClassTable(NamedTuple):
 
 
 class _Learner:
-    """The table, and the words that distinguish its classes."""
+    """The learning of the table of classes, from words that distinguish the classes."""
 
     def __init__(self, world: Experiments) -> None:
         self.world = world
@@ -187,7 +198,7 @@ class _Learner:
         self._rows: list[SensedRow] = []
 
     def learn(self) -> Stage[None]:
-        """Make experiments until all predictions that prove the table are right."""
+        """Make experiments until the table is right: it predicts the results of enough words."""
         wrong: SensedWord | None = ()
         while wrong is not None:
             for i in range(len(wrong) + 1):
@@ -200,7 +211,10 @@ class _Learner:
         self.table = self.table._replace(here=here)
 
     def _close(self) -> Stage[None]:
-        """Make a new table, from the class of the start on."""
+        """Make a new table by experiments.
+
+        Two darts are in one class if the percepts after all telling words are the same.
+        """
         self._reached, self._rows = [()], [(yield from self._row(self.world.start))]
         leads: dict[str, list[int]] = {"s": [], "a": []}
         for word in self._reached:
@@ -221,7 +235,10 @@ class _Learner:
         return tuple(row)
 
     def _refuted(self) -> Stage[SensedWord | None]:
-        """A word that splits a class, from the first wrong prediction; None if all are right."""
+        """A word after which two darts of one class show different percepts.
+
+        It comes from the first wrong prediction of the table; None if all predictions are right.
+        """
         for word in self._to_be_met():
             at, of = self.world.start, 0
             for i in range(len(word) + 1):
@@ -235,7 +252,7 @@ class _Learner:
         return None
 
     def _to_be_met(self) -> Iterator[SensedWord]:
-        """Yield the words that prove the table if all their predictions are right."""
+        """Yield words: if the table predicts all percepts on them rightly, the table is proved."""
         table = self.table
         degrees = [percept.degree for percept in table.sensed]
         # The letters have inverses, and v0 has as many classes as there are different rows.
@@ -252,7 +269,10 @@ class _Learner:
                     yield (*"s" * turned, *word, letter, *back)
 
     def _back(self, word: SensedWord, degrees: list[int]) -> SensedWord:
-        """The word that leads back; a turn back becomes clockwise turns to the previous dart."""
+        """The word that leads back, after ``word`` from the start.
+
+        The reverse of one turn is as many turns clockwise as lead to the previous dart.
+        """
         back: list[str] = []
         for i in range(len(word), 0, -1):
             degree = degrees[self.table.after(word[: i - 1])]

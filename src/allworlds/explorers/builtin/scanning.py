@@ -5,7 +5,7 @@ clockwise, are a *word*.  In the *scan* the robot learns the letters of v0: it l
 of v0 and comes back.  A test that has come to v0 ends with *queries*: the robot goes out and back
 by darts whose letters prove that it had entered v0 by the expected dart.  These darts exist if the
 word is primitive, that is, no repetition of a shorter word; for a door one query suffices.  A
-failed query need not be undone, because the robot has only turned.
+failed query need not be undone: after it the robot is at v0 again, and has only turned.
 
 The paper does not have this algorithm.
 """
@@ -44,7 +44,7 @@ def algorithm1_word(
 
 
 class Scanning(Algorithm1):
-    """An exploration from v0 by letters.
+    """An exploration by Algorithm 1 in which v0 is recognised by its letters.
 
     Attributes:
         one_letter: whether only one dart has a letter, so that the scan ends at this dart.
@@ -69,7 +69,7 @@ class Scanning(Algorithm1):
         return (yield from super().explore())
 
     def reads(self, percept: Percept) -> Percept:
-        """The part of a percept that is compared: the degree and the letter."""
+        """The part of a percept that the algorithm compares: the degree and the letter."""
         return Percept(percept.degree, percept.marks)
 
     def scan(self) -> Stage[None]:
@@ -85,7 +85,10 @@ class Scanning(Algorithm1):
         self.queries = [telling(letters, dart) for dart in range(degree)]
 
     def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
-        """Lines 10-13, and the queries at v0, after which the robot is turned to the last dart."""
+        """Lines 10-13, and then the queries at v0: out and back by darts with telling letters.
+
+        The robot is then turned to the dart of the last query.
+        """
         motions, matched = yield from super().try_path(partner, path)
         if matched:
             at = super().confirmed_at(partner, path)
@@ -99,14 +102,15 @@ class Scanning(Algorithm1):
         return motions, matched
 
     def confirmed_at(self, partner: int, path: list[int]) -> int:
-        """The dart by which the last query has returned."""
+        """The dart of v0 by which the robot has come back from the last query."""
         return self.s.turn(super().confirmed_at(partner, path), self.turned)
 
 
 def telling(letters: list[int], dart: int) -> list[int]:
-    """A few positions whose letters distinguish this word from its shifts with the same letter.
+    """A few positions in a word whose letters prove that the robot has come in by ``dart``.
 
-    The other words are the cyclic shifts, and the word of zeros; equal words are not distinguished.
+    If it has come in elsewhere, it reads a cyclic shift of the word, or only zeros.  The positions
+    distinguish the word from all of these that have the same letter at ``dart``, except equal ones.
     """
     shifts = [letters[k:] + letters[:k] for k in range(1, len(letters))]
     others = [word for word in ([0] * len(letters), *shifts) if word[dart] == letters[dart]]

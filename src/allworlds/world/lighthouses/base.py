@@ -177,7 +177,7 @@ class Lighthouse(ABC):
             )
 
     def sensed(self, map_: CombinatorialMap, here: Dart) -> actions.Percept:
-        """The percept of a robot that has come in by the dart ``here``; by default only a degree."""
+        """The percept of a robot that has come in by the dart ``here``; by default a degree."""
         return actions.Percept(map_.degree_at[here])
 
     def percepts(self, map_: CombinatorialMap) -> tuple[actions.Percept, ...]:
