@@ -1,4 +1,4 @@
-"""Documents: the class of a result defines its keys, their types and their meanings, once.
+"""Documents: the class of a result defines the keys of its JSON, their types and their meanings.
 
 A result is a frozen :class:`Document`.  Its fields are the keys of its JSON object, in this order;
 each field is annotated with its type and, by :func:`about`, with one line of meaning.  The same
@@ -78,11 +78,12 @@ class ReadBy(NamedTuple):
 
 
 def read_by(kind: Any, read: Callable[[Any], Any] | None = None) -> Meta:
-    """The annotation of a field of type Any for a type that msgspec cannot read.
+    """The annotation for a field whose type msgspec cannot read; msgspec then sees the type Any.
 
     Args:
-        kind: the type.
-        read: the function from a parsed JSON value to the value; None if JSON is never read.
+        kind: the field's true type.
+        read: the function from a parsed JSON value to a value of this type; None if the field is
+            never read from JSON.
     """
     return Meta(extra={"kind": kind, "read": read and ReadBy(kind, read)})
 
@@ -93,24 +94,24 @@ if TYPE_CHECKING:
 else:
 
     class FromJson:
-        """The annotation of a field that is read by ``from_json``; msgspec sees the type Any."""
+        """The annotation of a field that ``from_json`` of its class reads; msgspec sees Any."""
 
         def __class_getitem__(cls, kind: Any) -> Any:
             return Annotated[Any, read_by(kind, kind.from_json)]
 
 
 def about(meaning: str) -> Meta:
-    """A one-line meaning of a field."""
+    """The annotation that gives a field its meaning, in one line."""
     return Meta(description=meaning)
 
 
 def narrowed(**keywords: Any) -> Meta:
-    """Keywords of JSON Schema that narrow a type, without a meaning."""
+    """The annotation that narrows a field's type by keywords of JSON Schema."""
     return Meta(extra_json_schema=keywords)
 
 
 def one_of(*values: object) -> Meta:
-    """The keyword of JSON Schema that narrows a type to these values."""
+    """The annotation that narrows a field's type to these values, by a keyword of JSON Schema."""
     return narrowed(enum=[*values])
 
 
@@ -149,17 +150,17 @@ _AS_IT_IS = frozenset({int, str, bool, float, NoneType})
 
 
 class computed(cached_property[T]):  # noqa: N801  # as cached_property
-    """A key whose value a method computes once, on demand.
+    """A key of a document whose value a method computes when it is first needed, and keeps.
 
-    The key's type is the method's annotation; its meaning is the first line of the docstring.  The
-    key comes after the fields in the JSON object.
+    The key's type is the method's annotation; the key's meaning is the first line of the method's
+    docstring.  The key comes after the fields in the JSON object.
     """
 
 
 def with_options(*parts: type[Any]) -> Callable[[type[T]], type[T]]:
-    """Give a document a key for each option of these requests that a scope shows.
+    """Give a document a key for each option of these requests that belongs to the scope.
 
-    A key that the document itself defines replaces the option's key.
+    If the document itself defines a key of the same name, that key stays.
     """
     from allworlds.inputs.requests import in_scope  # which players do not need
 
@@ -184,14 +185,17 @@ def with_options(*parts: type[Any]) -> Callable[[type[T]], type[T]]:
 
 
 def _default_of_key(one: Field) -> Any:
-    """The value of a missing key when a document is read; NODEFAULT if the key is required."""
+    """The value that a key for an option has if a document lacks the key.
+
+    The result is NODEFAULT if the key is required.
+    """
     if IF_ANY in getattr(_type_of_key(one), "__metadata__", ()):
         return None
     return NODEFAULT if one.default is MISSING else one.default
 
 
 def _type_of_key(one: Field) -> Any:
-    """The type and the meaning of the key of an option in a document."""
+    """The type of the key for an option in documents, annotated with the key's meaning."""
     from allworlds.inputs.requests import Option  # which players do not need
 
     assert isinstance(one.asked, Option)
@@ -263,7 +267,7 @@ class Key(NamedTuple):
         attribute: the name of the attribute that holds the value.
         name: the name of the key in the JSON object.
         type: the annotated type, with the meaning.
-        if_any: whether the document leaves the key out if the value is empty.
+        if_any: whether the key is left out if the value is None or empty.
     """
 
     attribute: str
@@ -305,7 +309,7 @@ def keys_of(kind: type[Document]) -> tuple[Key, ...]:
 
 
 def plain(value: Any) -> Any:
-    """The JSON value of a value; a value of an unknown class is converted by its ``to_json()``."""
+    """The JSON value for a Python value; its method ``to_json`` is used if its class is unknown."""
     if type(value) in _AS_IT_IS:  # nearly always
         return value
     match value:
@@ -326,9 +330,9 @@ def plain(value: Any) -> Any:
 
 
 def plain_at_once(value: object) -> Any:
-    """The JSON value of a value that consists of JSON, structs, dataclasses and tuples.
+    """The JSON value for a value that consists of JSON values, structs, dataclasses and tuples.
 
-    Cost: a fifth of the cost of :func:`plain`; tuples stay tuples.
+    Tuples stay tuples.  Cost: a fifth of the cost of :func:`plain`.
     """
     return to_builtins(value)
 

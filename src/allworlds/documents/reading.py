@@ -14,12 +14,12 @@ T = TypeVar("T")
 
 
 def parse(document: object, kind: type[T], what: str) -> T:
-    """The value of this type for a JSON value.
+    """The value of type ``kind`` that a JSON value describes.
 
     Args:
         document: the parsed JSON value.
         kind: a type that msgspec knows.
-        what: the words that name the whole value in errors.
+        what: the words that name the whole JSON value in errors.
 
     Raises:
         InputError: naming the offending value, its place, and what would be legal.
@@ -49,7 +49,10 @@ _STEP = re.compile(r"\[[^]]*\]|[^.[]+")
 
 
 def _at(document: Any, steps: Iterable[str]) -> object:
-    """The value to which steps such as ``rows`` and ``[0]`` lead, as far as they exist."""
+    """The part of a JSON value to which steps such as ``rows`` and ``[0]`` lead.
+
+    If a step does not exist, it is the part before this step.
+    """
     for step in steps:
         if step == "[...]":
             return document
@@ -61,7 +64,7 @@ def _at(document: Any, steps: Iterable[str]) -> object:
 
 
 def _legal(kind: inspect.Type, steps: Sequence[str]) -> Iterator[object]:
-    """The values of the enumeration to which the steps lead."""
+    """Yield the legal values of the part to which the steps lead, if its type is an enumeration."""
     match kind:
         case inspect.Metadata(type=one):
             yield from _legal(one, steps)

@@ -1,8 +1,8 @@
-"""Values with a text, a page or a picture, and the writers of these forms.
+"""Values with a text, a page or a picture, and the functions that write these forms.
 
-A writer is a function of ``allworlds.reports``, which this module does not import.  The import of
-the package ``allworlds`` registers a function that loads the writers.  The first value that is
-shown calls this function.
+These functions, the *writers*, are in ``allworlds.reports``, which this module does not import.
+When the package ``allworlds`` is imported, it registers a function that loads the writers.  This
+function is called when the first value is shown.
 """
 
 from collections.abc import Callable
@@ -11,14 +11,14 @@ from typing import Any, NamedTuple
 
 
 class Writers(NamedTuple):
-    """The writer of each form.
+    """The functions that write a value in each form.
 
     Attributes:
-        text: the text of the command line, 100 columns wide.
-        short_text: at most 20 lines of this text.
-        page: the element that notebooks show.
-        picture: the text of an SVG.
-        records: the rows for programs, by the names of their columns.
+        text: the function that returns the text of the command line, 100 columns wide.
+        short_text: the function that returns at most 20 lines of this text.
+        page: the function that returns the HTML element that notebooks show.
+        picture: the function that returns the text of an SVG.
+        records: the function that returns rows for programs, by the names of their columns.
     """
 
     text: Callable[[Any], str]
@@ -32,14 +32,14 @@ _registered = list[Callable[[], Writers]]()
 
 
 def register(load: Callable[[], Writers]) -> Callable[[], Writers]:
-    """Register the function that loads the writers, in place of an earlier function."""
+    """Register the function that loads the writers; it replaces a function registered before."""
     _registered.append(load)
     return load
 
 
 @cache
 def writers() -> Writers:
-    """The registered writers, loaded."""
+    """The writers; the registered function loads them at the first call."""
     return _registered[-1]()
 
 
@@ -54,7 +54,7 @@ class Pictured:
 
 
 class Paged:
-    """A value that Python prints as a text, and that notebooks show as a page or part of a page."""
+    """A value that Python prints as a text; notebooks show it as a page, or as part of a page."""
 
     __slots__ = ()
 
