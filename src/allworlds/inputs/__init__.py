@@ -1,8 +1,8 @@
 """Input from outside: checks of values, requests, and the refusal of nested checks.
 
 ``checks``
-    checks of values, and the error about bad input; guards against users' code that sets the exit
-    code of the process, or catches the user's interrupt;
+    checks of values, and the error about bad input; guards against users' programs that set the
+    exit code of the process, or catch the interrupt of the user (Ctrl-C);
 ``nesting``
     the refusal of a check that begins inside another check;
 ``requests``

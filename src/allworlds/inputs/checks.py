@@ -1,7 +1,7 @@
 """Checks of values from outside, and the error about bad input.
 
-The module also keeps users' code that the judge calls from setting the exit code of the process,
-because a caller would take this code for a verdict.
+The judge calls functions of users.  The module also prevents these functions from setting the exit
+code of the process, because a caller would take this number for a verdict.
 """
 
 from __future__ import annotations
@@ -39,11 +39,14 @@ class NotInstalled(InputError):
 
 
 class OutOfTime(BaseException):
-    """Raised when the time of a job is up, also in a user's model, which must let it pass."""
+    """Raised when the time of a job is up.
+
+    It can be raised inside a user's model, such as a lighthouse, and must not be caught there.
+    """
 
 
 class NestedCheck(InputError):
-    """Raised if a check begins because of another check; such checks would begin without end."""
+    """Raised if a check causes another check to begin; that would go on without end."""
 
 
 INTERRUPTS = [each for each in signal.Signals if each.name in ("SIGINT", "SIGTERM", "SIGHUP")]
@@ -51,7 +54,10 @@ INTERRUPTS = [each for each in signal.Signals if each.name in ("SIGINT", "SIGTER
 
 
 def at_interrupts(act: Any) -> None:
-    """Set a handler for each signal in :data:`INTERRUPTS` that is not ignored (``nohup``)."""
+    """Set ``act`` as the handler of each signal in :data:`INTERRUPTS`.
+
+    Signals that this process ignores, for example under ``nohup``, stay ignored.
+    """
     for number in INTERRUPTS:
         if signal.getsignal(number) is not signal.SIG_IGN:
             signal.signal(number, act)
@@ -68,15 +74,16 @@ def interrupts_held() -> Iterator[None]:
 
 
 class _Interrupts:
-    """Whether only the owner of this process handles interrupts."""
+    """Whether this process leaves interrupts to its owner, the process that has started it."""
 
     of_owner = False
 
 
 def leave_interrupts_to_owner() -> None:
-    """Leave interrupts to the owner: from now on only users' code raises KeyboardInterrupt.
+    """Leave interrupts to the owner of this process, the process that has started it.
 
-    SIGTERM or SIGHUP, if only this process gets it, ends this process.
+    From now on SIGINT is ignored, so a KeyboardInterrupt can only come from users' code.  SIGTERM
+    or SIGHUP ends this process, even if the owner does not get it.
     """
     _Interrupts.of_owner = True
     signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -84,9 +91,10 @@ def leave_interrupts_to_owner() -> None:
 
 
 def let_users_interrupt(error: BaseException) -> None:
-    """Raise an interrupt again, unless the owner of this process handles interrupts.
+    """Raise ``error`` again if no caller may ignore it.
 
-    The refusal of a nested check is also raised again, because it is bad input.
+    That is an interrupt by the user, unless the owner of this process handles interrupts; the
+    refusal of a nested check; or the end of a job's time.
     """
     interrupt = isinstance(error, KeyboardInterrupt) and not _Interrupts.of_owner
     if interrupt or isinstance(error, NestedCheck | OutOfTime):
@@ -109,8 +117,9 @@ def show(value: object) -> str:
 def did_you_mean(name: str, known: Iterable[str], also: Mapping[str, str] | None = None) -> str:
     """A hint such as ``; did you mean 'algorithm1'?``; empty if no name is similar.
 
-    For a form such as ``wheel:N`` the part before the colon is compared, and the rest of the name
-    is kept.  ``also`` has other words for names, such as ``grid`` for a lattice.
+    Of a known form such as ``wheel:N`` only the part before the colon is compared; the hint keeps
+    the rest of the given name.  ``also`` holds other words for known names, such as ``grid`` for
+    ``lattice``.
     """
     from difflib import get_close_matches  # which players do not need
 
@@ -132,7 +141,7 @@ def not_one_of(
     more: str = "",
     also: Mapping[str, str] | None = None,
 ) -> InputError:
-    """The refusal of a value that is not one of these names, with a hint at a similar name."""
+    """The error for a value that is none of the known names, with a hint at a similar name."""
     names = [str(each) for each in known]  # of an enumeration, too
     hint = did_you_mean(given, names, also) if isinstance(given, str) else ""
     return InputError(f"{what} {show(given)} is not one of {', '.join(names)}{more}{hint}")
@@ -161,7 +170,7 @@ def an_integer(name: str, value: object) -> int:
     """The value as an ``int``.
 
     Raises:
-        InputError: naming the value, if it is a boolean or any other value but an integer.
+        InputError: naming the value, if it is no integer; a boolean is none, too.
     """
     try:
         return integer(value)
@@ -170,7 +179,10 @@ def an_integer(name: str, value: object) -> int:
 
 
 def a_word(name: str, words: Sequence[str]) -> Callable[[object], Any]:
-    """Return the function that takes one of these words, and refuses other values by InputError."""
+    """Return a function that returns its argument if it is one of these words.
+
+    For other values the function raises InputError.
+    """
 
     def taken(given: object) -> object:
         if given not in words:
@@ -181,7 +193,7 @@ def a_word(name: str, words: Sequence[str]) -> Callable[[object], Any]:
 
 
 def at_most(name: str, value: float, most: int) -> None:
-    """Refuse a value above ``most``: its job could not be counted, printed or finished.
+    """Refuse a value above ``most``; a job of such a size could not be finished, or even printed.
 
     Raises:
         InputError: naming the value.
@@ -205,8 +217,8 @@ def a_path(name: str, value: object) -> Path:
     """The value as a path.
 
     Raises:
-        InputError: naming the value if it is no path, or empty, which Python would take for the
-            current directory.
+        InputError: naming the value, if it is no path.  An empty text is refused, too, because
+            Python would take it for the current directory.
     """
     if value == "" or not isinstance(value, str | os.PathLike):
         raise InputError(f"{name} = {show(value)} is no path, not even of the current directory")
@@ -248,7 +260,10 @@ def is_loop_of_links(path: str | Path) -> bool:
 
 
 def no_file(path: str, hint: str = "") -> str:
-    """The reason why there is no file at that path; the hint follows, unless links form a loop."""
+    """The reason why there is no file at that path.
+
+    ``hint`` is added to the reason, unless the reason is a loop of links.
+    """
     if is_loop_of_links(path):
         return f"{show(path)} is a loop of links"
     return f"there is no file {show(path)}{hint}"
@@ -269,7 +284,7 @@ def ensure_installed(package: str, extra: str, what: str) -> None:
 
 
 def lack_of(package: str, extra: str) -> str:
-    """The clause about a missing package, and the extra with it; empty if it is installed."""
+    """The words about a missing package, and the extra that installs it; empty if installed."""
     return "" if find_spec(package) else f"needs {package}: {INSTALL.format(extra)}"
 
 
@@ -329,7 +344,7 @@ def integer_of(text: str) -> int:
     """The integer that a text writes; unlike ``int``, refuse ``1_0`` and digits of other scripts.
 
     Raises:
-        ValueError: with the words for this kind of value, as all readers of options do.
+        ValueError: if the text is no integer; the message is fit for users.
     """
     if re.fullmatch(r"[+-]?[0-9]{1,4000}", text):
         return int(text)
@@ -337,14 +352,18 @@ def integer_of(text: str) -> int:
 
 
 def seconds_of(text: str) -> float:
-    """The number that a text writes."""
+    """The number of seconds that a text writes.
+
+    Raises:
+        ValueError: if the text is no number; the message is fit for users.
+    """
     if re.fullmatch(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?|-?inf|nan", text):
         return float(text)
     raise ValueError(f"{show(text)} is not a number of seconds")
 
 
 def one_of(names: Iterable[str]) -> str:
-    """The names of a table in the form of a help: ``a, b or c``."""
+    """The names in one text, in the form ``a, b or c``."""
     *others, last = names
     return f"{', '.join(others)} or {last}"
 
@@ -360,7 +379,7 @@ class _Kept:
 
 
 def keep_exit_code() -> None:
-    """Refuse ``os._exit`` and ``os.exec...`` in this process, but not in forked ones."""
+    """Refuse ``os._exit`` and ``os.exec...`` in this process, but not in forked processes."""
     _Kept.process = os.getpid()
     vars(os).update(_REFUSALS)
 

@@ -1,7 +1,7 @@
-"""The refusal of checks that begin in a process of another check, or while a check loads a file.
+"""The refusal of nested checks: a check must not begin while another check plays or loads a file.
 
-Without the refusal, a file that begins a check at its import would begin another check in each
-player that imports the file.
+Without the refusal, a file that begins a check when it is imported would begin another check in
+each player that imports the file.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ _LOADING: ContextVar[bool] = ContextVar("loading", default=False)
 
 @contextmanager
 def loading() -> Iterator[None]:
-    """A context in which a user's file is loaded for a check."""
+    """A context for the loading of a user's file; in it every beginning check is refused."""
     token = _LOADING.set(True)
     try:
         yield
@@ -38,7 +38,7 @@ def loading() -> Iterator[None]:
 
 
 def ensure_outermost() -> None:
-    """Refuse to begin a job, such as a check or a run, in a player or while a check loads a file.
+    """Refuse to begin a job, such as a check or a run, in a player, or while a file is loaded.
 
     Raises:
         NestedCheck: naming the file, the line and the remedy.
@@ -48,7 +48,7 @@ def ensure_outermost() -> None:
 
 
 def refusal_in(words: str) -> NestedCheck | None:
-    """The refusal in the last line that a program has printed; None without a refusal."""
+    """The error of a nested check that a program has printed in its last line; None without it."""
     last = words.rstrip().rpartition("\n")[2]
     return NestedCheck(last.partition(": ")[2]) if SAID in last else None
 

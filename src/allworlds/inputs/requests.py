@@ -2,9 +2,9 @@
 
 A *request* (:class:`Request`) consists of parts that verbs share.  Each field has a type, a default
 and an annotation: an :class:`Option` describes the form of the field on the command line, and a
-plain text describes a field that only Python has.  The same class yields the function in Python
-(:func:`answers`), the command line (``allworlds.cli.app``), and the identity of a run directory
-(:func:`meant`).
+plain text describes a field that only Python has.  From the same class follow the function in
+Python (:func:`answers`), the command line (``allworlds.cli.app``), and the values by which a run
+directory is recognised (:func:`meant`).
 """
 
 import inspect
@@ -44,7 +44,7 @@ PANELS = (SCOPE, RULES, EFFORT, OUTPUT)
 
 
 class Rare(str):
-    """A panel for options that only ``--help-all`` shows in a long help."""
+    """A panel of the help for rare options: a long help shows them only by ``--help-all``."""
 
     __slots__ = ()
 
@@ -69,7 +69,7 @@ class Option:
         name: the name of the option, without dashes; by default the name of the field.
         short: a letter as a second name.
         parse: the function from the text to the value of the field.
-        default: the text that stands for a missing option; empty: the default of Python does.
+        default: the text that stands for a missing option; empty if the default of the field does.
         apart: whether results are independent of the option, because it only tells where, how long
             or for whom a job is done.
         repeated: whether the option may be given several times; the field then gets a list.
@@ -97,10 +97,10 @@ class Argument(Option):
 
 @dataclass(frozen=True, slots=True)
 class OptionGroup:
-    """A field that the command line expresses by several options.
+    """The form of a field for which the command line has several options.
 
     Attributes:
-        words: the dataclass of these options; its ``value()`` is the value of the field.
+        words: the dataclass of these options; its method ``value`` returns the value of the field.
         help: the description of the field for Python.
     """
 
@@ -134,9 +134,10 @@ class Converted(Generic[Given, Value]):
 # inherited for what is given.
 @dataclass_transform(kw_only_default=True, field_specifiers=(field,))
 class Request:
-    """A request, or a part that verbs share: a frozen dataclass whose fields are keywords.
+    """A request, or a part of requests that several verbs share.
 
-    With ``kw_only=False`` the fields of that class may also be given by position.
+    Each subclass becomes a frozen dataclass whose fields are given as keywords.  In a subclass with
+    ``kw_only=False`` they may also be given by position.
     """
 
     __dataclass_fields__: ClassVar[dict[str, Any]]
@@ -153,7 +154,7 @@ class Request:
 
     @property
     def in_effect(self) -> dict[str, Any]:
-        """The keys of a scope whose values follow from the options; empty by default."""
+        """Keys of the scope, with values that are computed from the options; empty by default."""
         return {}
 
 
@@ -164,7 +165,7 @@ class Field(NamedTuple):
         name: the name in Python.
         type: the type of the values that callers may give.
         held: the type of the value that the field holds.
-        asked: the option, the group of options, or the text that describes the field.
+        asked: the annotation that describes the field: an option, a group of options, or a text.
         default: the default value.
     """
 
@@ -192,14 +193,14 @@ def fields_of(request: type[Any]) -> Iterator[Field]:
 
 
 def values_of(part: type[Request], request: object) -> dict[str, Any]:
-    """The fields that a request shares with a part of it, as keywords."""
+    """The values of a request in the fields of ``part``, by the names of the fields."""
     return {each.name: getattr(request, each.name) for each in fields(part)}
 
 
 def answers(
     request: Callable[P, Asked],
 ) -> Callable[[Callable[[Asked], Answer]], Callable[P, Answer]]:
-    """Give a function of a request the signature of the request's constructor.
+    """Turn a function that takes a request into one that takes the request's fields as keywords.
 
     Type checkers know the keywords.  The docstring describes each keyword by the words of the help.
     """
@@ -219,12 +220,14 @@ def takes_fields(
     several: str = "",
     answered: Callable[[Any], Any] | None = None,
 ) -> Callable[[Callable[P, Answer]], Callable[P, Answer]]:
-    """Give a function a signature and a docstring with a request's fields.
+    """Give a function a signature and a docstring with the fields of a request.
 
     Args:
         request: the class of the request.
-        several: the field that the function takes as any number of positional arguments.
-        answered: the function that takes a finished request; by default the wrapped function.
+        several: the name of a field whose values the function takes as any number of positional
+            arguments; empty if there is no such field.
+        answered: the function that :func:`answer` calls with a request; by default it is the
+            innermost function that the decorated function wraps.
     """
 
     def made(function: Callable[P, Answer]) -> Callable[P, Answer]:
@@ -258,7 +261,7 @@ def takes_fields(
 def ensure_takes(
     name: str, signature: inspect.Signature, /, *args: object, **keywords: object
 ) -> None:
-    """Raise TypeError unless a function of that name and signature takes these arguments.
+    """Raise TypeError unless a function of that name and signature accepts these arguments.
 
     Raises:
         TypeError: with the words of Python's own error.
@@ -270,13 +273,13 @@ def ensure_takes(
 
 
 def answer(function: Callable[..., Answer], request: object) -> Answer:
-    """Answer a finished request by a function that :func:`takes_fields` has made."""
+    """Call a function that :func:`takes_fields` has made, with a request in place of keywords."""
     answered: Answer = inspect.unwrap(function)(request)
     return answered
 
 
 def _with_arguments(text: str, fields_: Iterable[Field]) -> str:
-    """The docstring, with some lines for each field."""
+    """The docstring with a section ``Args:`` that describes each field."""
     lines = ["Args:"]
     for each in fields_:
         about = each.asked if isinstance(each.asked, str) else getattr(each.asked, "help", "")
@@ -286,10 +289,10 @@ def _with_arguments(text: str, fields_: Iterable[Field]) -> str:
 
 
 def meant(request: object) -> dict[str, Any]:
-    """The values, except the explorer, on which the answer to a request depends, as JSON.
+    """The values of a request on which its answer depends, except the explorer, as JSON.
 
-    A value that JSON lacks is replaced by its text, which is its name.  The user's code is replaced
-    by its record, from which the code can be loaded again.  Digests replace given files.
+    A value that JSON cannot express is replaced by its name.  The key ``code`` holds the texts of
+    users' programs, so that they can be loaded again, and the digests of given files.
     """
     values = [getattr(request, each.name) for each in _meant(type(request))]
     values.append(getattr(request, "given", None))
@@ -299,12 +302,12 @@ def meant(request: object) -> dict[str, Any]:
 
 
 def meant_by(part: type[Any], request: object) -> dict[str, Any]:
-    """The options in a part of a request on which the answer depends, as JSON."""
+    """The values of a request in the options of ``part`` on which its answer depends, as JSON."""
     return {each.option: as_json(getattr(request, each.name)) for each in _meant(part)}
 
 
 def as_json(value: object) -> Any:
-    """The JSON value for a value of a request."""
+    """The JSON value for a value of a request; a value that JSON cannot express becomes a text."""
     if isinstance(value, tuple | list):
         return [*value]
     if value is None or isinstance(value, str | int | float):
@@ -313,7 +316,7 @@ def as_json(value: object) -> Any:
 
 
 def given_again(part: type[Any], request: object, but: Iterable[str] = ()) -> list[str]:
-    """The options of the command line that reproduce this part of a request.
+    """The words of the command line that give the values of this part of a request again.
 
     Options with default values, and the fields in ``but``, are left out.
     """
@@ -328,12 +331,15 @@ def given_again(part: type[Any], request: object, but: Iterable[str] = ()) -> li
 
 
 def remembered(request: type, options: Mapping[str, Any]) -> dict[str, Any]:
-    """The constructor's keywords for the request that :func:`meant` has described."""
+    """The keywords that make a request again from the options that :func:`meant` has returned."""
     return {each.name: options[each.option] for each in _meant(request)}
 
 
 def without_effort(request: T) -> T:
-    """A copy of the request; all options that are ``apart``, except the shard, have defaults."""
+    """A copy of the request with default values for the options on which no result depends.
+
+    These are the options with ``apart``; only the option ``shard`` keeps its value.
+    """
     apart = (
         each
         for each in fields_of(type(request))
@@ -343,7 +349,7 @@ def without_effort(request: T) -> T:
 
 
 def in_scope(request: type[Any]) -> Iterator[Field]:
-    """The fields that the scope of a document contains, because they define the question."""
+    """The fields of a request that are keys of the scope: they tell what is checked and how."""
     return (
         each
         for each in _meant(request)
@@ -352,7 +358,7 @@ def in_scope(request: type[Any]) -> Iterator[Field]:
 
 
 def _meant(request: type[Any]) -> Iterator[Field]:
-    """The fields of the options on which the answer depends."""
+    """The fields of a request that are options on which the answer depends."""
     for each in fields_of(request):
         if isinstance(each.asked, Option) and not each.asked.apart:
             yield each
