@@ -6,8 +6,8 @@ Explorers use these names::
     from allworlds import Estimate, Ambiguous, Choices, Checkpoint
 
 Programs for several robots also use ``Wait``, ``Watch``, ``Do``, ``End`` and ``Automaton``.
-``Lighthouse`` is the base class of your own lighthouses, ``Model`` that of your own worlds that
-change.
+``Lighthouse`` is the base class of your own lighthouses.  ``Model`` is the base class of your own
+models, which are worlds that change.
 
 Each verb of the command line is a function of the same name, for example
 ``allworlds.check(explore, edges=4)``.  The functions are loaded when they are first used, so
@@ -78,7 +78,7 @@ else:
 
 @_shown.register
 def _writers() -> _shown.Writers:
-    """The writers of reports and pictures, which are loaded when the first one is shown."""
+    """The functions that write reports and pictures; they are loaded when the first is shown."""
     from allworlds.reports.notebook import WRITERS
 
     return WRITERS

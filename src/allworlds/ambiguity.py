@@ -1,4 +1,4 @@
-"""The verbs of ``allworlds ambiguity``, as in ``from allworlds.ambiguity import census``."""
+"""The verbs of ``allworlds ambiguity`` as Python functions, such as ``ambiguity.census``."""
 
 import sys
 from typing import TYPE_CHECKING

@@ -1,14 +1,16 @@
-"""Names for the ``claims.py`` of a paper: see ``allworlds ledger`` and ``init --ledger``.
+"""The names that the file ``claims.py`` of a paper's ledger imports.
 
-The function of a claim takes :class:`Means`, and the bounds of ``ledger.toml`` as keywords; it
-returns a :class:`Found` or a :class:`NotChecked`::
+See ``allworlds ledger`` and ``allworlds init --ledger``.  A ledger lists claims, sentences of the
+paper that can be checked; ``claims.py`` has a function for each.  The function takes a
+:class:`Means`, and the bounds in ``ledger.toml`` as keywords.  It returns a :class:`Found` or a
+:class:`NotChecked`::
 
     def map_and_pose(means, *, edges):
         return of_check(check("algorithm1", edges=edges, workers=means.workers))
 
-The prints of a claim's function go to stderr, and it cannot end the process.  A claim that takes
-less than half a second is checked twice, and must have the same outcome both times.  A claim that
-needs a package that is not installed counts as not checked.
+Text that a claim's function prints goes to stderr, and the function cannot end the process.  A
+claim that takes less than half a second is checked twice, and must have the same outcome both
+times.  If a claim needs a package that is not installed, it counts as not checked.
 """
 
 from allworlds.explorers.builtin.algorithm1 import Algorithm1

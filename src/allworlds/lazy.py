@@ -1,4 +1,4 @@
-"""Packages whose names are loaded on first use."""
+"""Packages whose names are only loaded when they are first used."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from typing import Any
 
 
 def open_door(package: str) -> None:
-    """Give a package its names: ``__getattr__``, ``__dir__`` and ``__all__``.
+    """Give a package the functions that load its names: ``__getattr__``, ``__dir__``, ``__all__``.
 
-    The names are those that the ``__init__`` of the package imports under ``if TYPE_CHECKING``,
-    so each stands there once, and is found by editors and type checkers.  If there are two such
-    blocks, the names of the second are for other parts of the program: they are loaded like the
-    others, but ``__dir__`` and ``__all__`` do not list them.
+    The names are those that the ``__init__`` of the package imports under ``if TYPE_CHECKING``.
+    So the ``__init__`` has each name once, and editors and type checkers find it.  If there are two
+    such blocks, the names in the second block are for other parts of the program: they are loaded
+    like the others, but ``__dir__`` and ``__all__`` do not list them.
 
     Args:
-        package: its name; it is being imported.
+        package: the name of the package, which is being imported.
 
-    Cost: the ``__init__`` is parsed, in less than a millisecond; each module is loaded with the
-    first of its names.
+    Cost: the ``__init__`` is parsed, in less than a millisecond; a module is loaded when one of its
+    names is first used.
     """
     shown, *hidden = _homes(package)
     homes = {name: home for block in (shown, *hidden) for name, home in block.items()}
@@ -45,7 +45,10 @@ def open_door(package: str) -> None:
 
 
 def _homes(package: str) -> list[dict[str, tuple[str, str]]]:
-    """Return, for each block under ``if TYPE_CHECKING``, module and name there of each name."""
+    """For each block under ``if TYPE_CHECKING`` its names, each with the place of its object.
+
+    The place is the module, and the object's name in this module.
+    """
     source = inspect.getsource(sys.modules[package])
     return [
         {

@@ -1,23 +1,30 @@
 """The log of a run, which is all that a player makes.  Only this module writes and reads logs.
 
-It imports nothing, so that a player starts fast.  A log is a sequence of entries, each of which
-begins with a byte:
+The module imports nothing, so that a player starts fast.  A log is a sequence of entries.  Each
+entry begins with a byte, which tells its kind; most kinds have a name:
 
     0..199              a motion by this number of darts
     200 SHOWN           a checkpoint: the number of darts, here, sigma, alpha
     201 ANSWERED        the answer, in the same form as a checkpoint
-    202 OVER_BUDGET     one traversal above the budget; 203 SHOWN_TOO_OFTEN: one checkpoint above it
+    202 OVER_BUDGET     one traversal more than the budget
+    203 SHOWN_TOO_OFTEN one checkpoint more than is legal
     204 FAULT           the law's number, whether the machine may be the cause, and three texts
     205 BEYOND          a motion after the end of the recorded percepts
-    206 FAR             a motion by 200 darts or more; 207 DROP, 208 PICK, 209 WRITE with a number
+    206 FAR             a motion by 200 darts or more
+    207 DROP, 208 PICK  a marker is dropped, or picked up
+    209 WRITE           a number is written; the number follows
     210 CHOICE          the index, and the number of options (0: unknown)
-    211 LONG_CHOICE     as 210, with numbers of any length; 212 LONG_SHOWN as 200, and
-                        213 LONG_ANSWER as 201, with numbers of any length
-    214 QUOTIENT        the answer is a rooted quotient; 215 VALUE: it is a JSON text
-    216 OVER            the task is done, and ends the run; 217 FREE_TOO_OFTEN: too many free acts
+    211 LONG_CHOICE     like 210, with numbers of any length
+    212 LONG_SHOWN      like 200, with numbers of any length
+    213 LONG_ANSWER     like 201, with numbers of any length
+    214 QUOTIENT        the answer is a rooted quotient
+    215 VALUE           the answer is a JSON text
+    216 OVER            the task is done, and ends the run
+    217 FREE_TOO_OFTEN  too many free actions (drop, pick, write)
     218 REFUSED         the last action is illegal; a walk of the log in the world shows why
 
-Compiled code knows the bytes up to 205, and 210.  It need not read what follows the byte 204.
+Compiled parts of the program know the bytes up to 205, and 210.  They need not read the values
+after the byte 204.
 """
 
 from __future__ import annotations
@@ -54,12 +61,12 @@ def motion(k: int) -> bytes:
 
 
 def written(number: int) -> bytes:
-    """The entry of a number that is written."""
+    """The entry of an action that writes a number."""
     return bytes((WRITE,)) + _number(number)
 
 
 def choice(index: int, options: int) -> bytes:
-    """The entry of a choice among this number of options."""
+    """The entry of a choice: the option with this index, among ``options`` options."""
     if 0 <= index <= 255 and options <= 255:
         return bytes((CHOICE, index, options))
     return bytes((LONG_CHOICE,)) + _number(index) + _number(options)
@@ -80,23 +87,30 @@ def answer(sigma: Sequence[int], alpha: Sequence[int], here: int) -> bytes:
 
 
 def quotient(lists: Sequence[Sequence[int]], here: int) -> bytes:
-    """The entry of a rooted quotient: sigma, alpha, degrees and marks."""
+    """The entry of an answer that is a rooted quotient: sigma, alpha, degrees and marks."""
     return bytes((QUOTIENT,)) + b"".join(map(_numbers, lists)) + _number(here)
 
 
 def value(text: str) -> bytes:
-    """The entry of a JSON text as answer."""
+    """The entry of an answer that is a JSON text."""
     return bytes((VALUE,)) + _text(text)
 
 
 def fault(law: str, expected: str, seen: str, detail: str = "", *, machine: bool = False) -> bytes:
-    """The entry of a fault: two sentences, and a text such as a traceback."""
+    """The entry of a fault: the law, the expected and the seen message, and more text.
+
+    ``detail`` is a text such as a traceback; ``machine`` tells whether the computer may be the
+    cause.
+    """
     words = b"".join(map(_text, (expected, seen, detail)))
     return bytes((FAULT, LAWS.index(law), machine)) + words
 
 
 def _short(code: int, sigma: Sequence[int], alpha: Sequence[int], here: int) -> bytes:
-    """A short entry; empty if a value is no byte, or if there are too many darts."""
+    """An entry in which each number is one byte.
+
+    The result is empty if a number is no byte, or if there are more than :data:`MOST_DARTS` darts.
+    """
     darts = len(sigma)
     if not (darts == len(alpha) and 1 <= darts <= MOST_DARTS):
         return b""
@@ -128,9 +142,10 @@ class Log:
 
     Attributes:
         actions: the numbers of the actions.
-        checkpoints: for each published S and U the number of actions before it, sigma, alpha, here.
-        choices, widths: the index of each choice, and the number of its options (0: unknown).
-        ending: the byte of its end, and the values after this byte.
+        checkpoints: for each checkpoint the number of actions before it, sigma, alpha, here.
+        choices: for each choice the index of the option.
+        widths: for each choice the number of options (0: unknown).
+        ending: the byte of the last entry, which ends the log, and the values after this byte.
     """
 
     __slots__ = ("actions", "checkpoints", "choices", "ending", "widths")
@@ -139,7 +154,7 @@ class Log:
         """Read a log.
 
         Raises:
-            ValueError: if these bytes are no log, or if it has no end.
+            ValueError: if the bytes are no log, or if no entry ends the log.
         """
         self.actions: list[int] = []
         self.checkpoints: list[tuple[int, tuple[int, ...], tuple[int, ...], int]] = []
@@ -184,7 +199,10 @@ class Log:
                 at = end
 
     def _long(self, log: bytes, at: int, code: int) -> int:
-        """Read a long entry; return the index after it, or -1 after the end of the log."""
+        """Read an entry with numbers of any length or with texts.
+
+        Return the index after the entry, or -1 if the entry ends the log.
+        """
         if code == FAR:
             at, number = _number_at(log, at)
             self.actions.append(number)
@@ -240,7 +258,7 @@ _LISTS = {LONG_SHOWN: 2, LONG_ANSWER: 2, QUOTIENT: 4}
 
 
 def _number_at(log: bytes, at: int) -> tuple[int, int]:
-    """The index after a number, and the number."""
+    """The index after the number that begins at index ``at``, and the number."""
     size = _size_at(log, at)
     return at + 4 + size, int.from_bytes(log[at + 4 : at + 4 + size], "little", signed=True)
 
@@ -260,7 +278,7 @@ def _text_at(log: bytes, at: int) -> tuple[int, str]:
 
 
 def _size_at(log: bytes, at: int) -> int:
-    """The length at this index, after which that many bytes must follow."""
+    """The length that stands at index ``at``; raise IndexError unless so many bytes follow."""
     size = int.from_bytes(log[at : at + 4], "little")
     if len(log) < at + 4 + size:
         raise IndexError

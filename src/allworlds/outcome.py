@@ -1,4 +1,4 @@
-"""How a job ends, with its exit code and verdict, and what every result of a verb has."""
+"""The ways in which a job ends, exit codes and verdicts, and the interface of a verb's result."""
 
 from collections.abc import Callable, Iterable, Mapping
 from enum import IntEnum, StrEnum
@@ -10,7 +10,7 @@ T = TypeVar("T")
 
 
 class Disagreement(RuntimeError):
-    """Raised if two ways to one answer disagree: a fault of this program."""
+    """Raised if two computations of one value differ, which is a fault of this program."""
 
 
 class Exit(IntEnum):
@@ -30,10 +30,10 @@ class Exit(IntEnum):
 
 
 class NoResult(Exception):
-    """Raised where there is no result; the command says so in a line.
+    """Raised if a command has no result; the command then prints one line about it.
 
     Attributes:
-        exit: the code with which it ends.
+        exit: the exit code of the command.
     """
 
     exit: ClassVar[Exit] = Exit.INCONCLUSIVE
@@ -54,8 +54,10 @@ class Completed(Struct, frozen=True):
     """A job that was done to its end.
 
     Attributes:
-        missing: witnesses that a complete check must have seen and has not.
-        final: the same job again would do no more.
+        missing: the witnesses that a complete check must have seen, but this job has not.
+        reason: always empty.
+        stopped: always None.
+        final: always true: the same job would do nothing more if it began again.
     """
 
     missing: tuple[str, ...] = ()
@@ -68,8 +70,8 @@ class Stopped(Struct, frozen=True):
     """A job that was stopped before its end.
 
     Attributes:
-        reason: why.
-        final: nothing more is to be done all the same.
+        reason: the reason for the stop.
+        final: whether the same job would do nothing more if it began again.
     """
 
     reason: str
@@ -77,7 +79,7 @@ class Stopped(Struct, frozen=True):
 
     @property
     def stopped(self) -> str:
-        """The reason, in the words of a report with rows."""
+        """The reason for the stop, for reports with rows."""
         return self.reason
 
 
@@ -90,7 +92,7 @@ class Interrupted(Struct, frozen=True):
 
 
 class Disagreed(Struct, frozen=True):
-    """A job whose two ways to one number gave two numbers. No result counts then."""
+    """A job in which two computations of one number differed.  Its results do not count."""
 
     reason: str
     stopped = None
@@ -100,19 +102,19 @@ class Disagreed(Struct, frozen=True):
 COMPLETED = Completed()
 
 Ending: TypeAlias = Completed | Stopped | Interrupted | Disagreed
-"""How a job came to its end, each with the reason why it is not complete, if it is not."""
+"""The ways in which a job can end; each has the reason why the job is not complete, if any."""
 
 
 class Facts(NamedTuple):
-    """Facts of a report, as far as its exit code and its verdict depend on them.
+    """The facts of a report on which its exit code and its verdict depend.
 
     Attributes:
-        disagrees: two roads to one number lead to different ones.
-        interrupted: by the user.
-        refuted: a law is broken, or something is not as it should be.
-        undecided: something was left undone by which the answer could be another one.
-        vacuous: there was nothing to be answered.
-        fixed: what was recorded does not happen any more.
+        disagrees: whether two computations of one number differ.
+        interrupted: whether the user has interrupted the job.
+        refuted: whether a law is broken, or another claim is found to be false.
+        undecided: whether some work was left out that could change the answer.
+        vacuous: whether there was nothing to check.
+        fixed: whether a recorded finding does not happen any more.
     """
 
     disagrees: bool = False
@@ -124,12 +126,12 @@ class Facts(NamedTuple):
 
     @property
     def exit(self) -> Exit:
-        """The exit code. No other place computes one."""
+        """The exit code.  No other part of the program computes exit codes of reports."""
         return next((code for fact, code in zip(self, _CODES, strict=True) if fact), Exit.HOLDS)
 
     @property
     def verdict(self) -> Verdict:
-        """The verdict: after an interrupt everything that is not refuted is undecided."""
+        """The verdict; an interrupted job that has refuted nothing is ``inconclusive``."""
         if self.disagrees:
             return Verdict.ERROR
         if self.refuted:
@@ -149,11 +151,11 @@ _CODES = (
     *(Exit.INTERNAL, Exit.INTERRUPTED, Exit.REFUTED, Exit.INCONCLUSIVE, Exit.VACUOUS),
     Exit.FIXED,
 )
-"""Of the facts, in their order."""
+"""The exit codes of the facts, in the order of the fields of :class:`Facts`."""
 
 
 def ended(job: Callable[[], Ending]) -> Ending:
-    """Return the ending of a job, which the user may interrupt."""
+    """Do a job, and return its ending; if the user interrupts the job, that is an ending, too."""
     try:
         return job()
     except KeyboardInterrupt:
@@ -161,7 +163,7 @@ def ended(job: Callable[[], Ending]) -> Ending:
 
 
 def until_interrupted(rows: Iterable[T]) -> tuple[tuple[T, ...], Ending]:
-    """The rows that were made before the user interrupted, and how it ended."""
+    """All rows, and the ending; if the user interrupts, the rows that were made before."""
     made: list[T] = []
     try:
         for row in rows:

@@ -1,7 +1,7 @@
-"""Hypothesis strategies: maps, worlds, motions and choices that shrink to small, simple ones.
+"""Strategies for Hypothesis: maps, worlds, motions and choices that shrink to small, simple ones.
 
-All values shrink in the order of findings: to fewer edges, then to fewer vertices, then to start at
-dart 0.  For example, a property of your explorer::
+Worlds shrink to fewer edges, then to fewer vertices, then to a start at dart 0; findings have the
+same order.  For example, a property of your explorer::
 
     from hypothesis import given
     from allworlds import run, strategies
@@ -58,7 +58,7 @@ def maps(min_edges: int = 1, max_edges: int = 6) -> SearchStrategy[Combinatorial
 
 
 def simple_maps(min_edges: int = 1, max_edges: int = 6) -> SearchStrategy[CombinatorialMap]:
-    """Maps without loops and parallel edges; all else as :func:`maps`.
+    """Maps without loops and parallel edges; otherwise like :func:`maps`.
 
     Example:
         ``@given(simple_maps(min_edges=3))``
@@ -67,7 +67,7 @@ def simple_maps(min_edges: int = 1, max_edges: int = 6) -> SearchStrategy[Combin
 
 
 def planar_maps(min_edges: int = 1, max_edges: int = 6) -> SearchStrategy[CombinatorialMap]:
-    """Maps of genus 0; all else as :func:`maps`.
+    """Maps of genus 0; otherwise like :func:`maps`.
 
     Example:
         ``@given(planar_maps(max_edges=10))``
@@ -76,7 +76,7 @@ def planar_maps(min_edges: int = 1, max_edges: int = 6) -> SearchStrategy[Combin
 
 
 def planar_simple_maps(min_edges: int = 1, max_edges: int = 6) -> SearchStrategy[CombinatorialMap]:
-    """Maps of genus 0 without loops and parallel edges; all else as :func:`maps`.
+    """Maps of genus 0 without loops and parallel edges; otherwise like :func:`maps`.
 
     Example:
         ``@given(planar_simple_maps(max_edges=10))``
@@ -116,8 +116,9 @@ def worlds(
 ) -> SearchStrategy[World]:
     """Worlds: a map, the dart that the robot faces at the start, a place of the lighthouse.
 
-    A failing world shrinks as its map does, then towards start 0 and the first place (where a
-    directional marker points along the robot's dart).  Starts without a place are not drawn.
+    A failing world first gets a smaller map; then the start shrinks towards dart 0, and the place
+    towards the first place (where a directional marker points along the robot's dart).  A start for
+    which the lighthouse has no place is not drawn.
 
     Args:
         map_strategy: the strategy of the map (default: :func:`maps`).
@@ -135,10 +136,10 @@ def worlds(
 
 
 def motions(max_size: int = 20) -> SearchStrategy[list[int]]:
-    """Lists of at most ``max_size`` motions ``k``, as :class:`allworlds.Move` takes them.
+    """Lists of at most ``max_size`` motions ``k``, for ``Move(k)``; k is from -12 to 12.
 
-    The motions turn in either direction by less than 13 darts.  A failing list shrinks towards few
-    motions, and towards 0, which is back by the edge of arrival.
+    A failing list shrinks towards few motions, and towards ``k = 0``, which leads back by the edge
+    of arrival.
 
     Example:
         ``@given(worlds(), motions(max_size=8))``
@@ -147,10 +148,10 @@ def motions(max_size: int = 20) -> SearchStrategy[list[int]]:
 
 
 def choices(max_size: int = 40) -> SearchStrategy[Choices]:
-    """Choices for one run: at most the first ``max_size`` are free, later ones take option 0.
+    """Choices for one run: the first ``max_size`` choices can be any, all later ones are option 0.
 
-    A failing run shrinks towards option 0 everywhere, which is first in, first out.  A run changes
-    its choices: draw two for two runs.
+    Failing choices shrink towards option 0 everywhere, which is first in, first out.  A run uses up
+    its choices, so draw two of them for two runs.
 
     Example:
         ``@given(worlds(), choices())``
@@ -159,7 +160,10 @@ def choices(max_size: int = 40) -> SearchStrategy[Choices]:
 
 
 class Answers:
-    """The policy of :func:`choices`: its numbers modulo the number of options, then 0."""
+    """The policy of :func:`choices`: it takes each option from a list of numbers, then option 0.
+
+    A number is taken modulo the number of options.
+    """
 
     def __init__(self, answers: Sequence[int] = ()) -> None:
         self.answers = tuple(answers)
@@ -169,7 +173,7 @@ class Answers:
         return f"Answers({list(self.answers)})"
 
     def choose(self, kind: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:  # noqa: ARG002
-        """Return the next number modulo the number of options; 0 when all are used."""
+        """Return the next number modulo the number of options; 0 if no number is left."""
         return next(self._left, 0) % len(options)
 
 
@@ -194,7 +198,7 @@ def _lit(
 
 @composite
 def _grown(draw: DrawFn, map_class: MapClass, least: int, most: int) -> CombinatorialMap:
-    """A map of the class: its size is drawn first, then the corners of each edge."""
+    """A map of the class; Hypothesis draws its size first, then the two corners of each edge."""
     edges = draw(integers(least, most))
     vertices = draw(integers(_fewest_vertices(map_class, edges), edges + 1))
     return grow(map_class, edges, vertices, lambda options: draw(integers(0, len(options) - 1)))
@@ -203,7 +207,7 @@ def _grown(draw: DrawFn, map_class: MapClass, least: int, most: int) -> Combinat
 def grow(
     map_class: MapClass, edges: int, vertices: int, pick: Callable[[Sized], int]
 ) -> CombinatorialMap:
-    """A map of the class and the size, canonically numbered, whose edges ``pick`` chooses.
+    """A map of this class and size, in canonical numbering; ``pick`` chooses each of its edges.
 
     Args:
         map_class: the class.
@@ -251,8 +255,8 @@ class _Growth:
     """A map to which edges are added; it stays in its class.
 
     Every rooted map can grow like this: its root edge first, then the rest of a spanning tree, then
-    the other edges.  In a simple class, a map with fewer edges than the most for its vertices can
-    always get an edge between two corners: a plane map that cannot is a triangulation.
+    the other edges.  In a simple class a map can always get another edge between two corners, until
+    it has the largest number of edges for its vertices: in the plane it is then a triangulation.
     """
 
     def __init__(self, map_class: MapClass, root: CombinatorialMap) -> None:
@@ -261,7 +265,7 @@ class _Growth:
         self.vertex_count = root.vertex_count
 
     def between(self) -> list[NewEdge]:
-        """Every way to add an edge without a new vertex, ascending."""
+        """All edges that can be added between two corners, without a new vertex, ascending."""
         darts = range(len(self.sigma))
         face, _ = places(cycles([self.sigma[e] for e in self.alpha]))
         vertex, _ = places(cycles(self.sigma))

@@ -1,13 +1,13 @@
-"""Explorers under test in the test suite of their authors.
+"""Functions for test suites of users who have written an explorer, a lighthouse or a team.
 
 ``assert_explores``
     asserts that an explorer is right in every small world; fails with the text of the finding;
 ``assert_team``
     asserts that several robots reach their goal in every small world under every schedule;
 ``conformance``, ``assert_conforms``
-    all tests that an explorer should pass, as parts with names, or in one call;
+    all tests that an explorer should pass: as parts with names, or in one call;
 ``assert_lighthouse``
-    asserts that your own lighthouse is a function of the world;
+    asserts that in equal worlds your own lighthouse shows equal signs;
 ``known_hard_maps``
     maps that have refuted explorers before.
 
@@ -17,8 +17,8 @@ With pytest the mark ``allworlds`` makes one test for each number of edges::
     def test_my_explorer_is_right(explores):
         explores(my_explorer)
 
-This module does not need pytest.  If pytest runs, its cache keeps past findings, and a check tries
-their worlds first.
+This module does not need pytest.  If pytest runs, it keeps the findings in its cache, and the next
+check tries their worlds first.
 """
 
 import inspect
@@ -81,11 +81,11 @@ def assert_explores(explore: Explorer, *, edges: int | None = None, **options: A
     Args:
         explore: a generator function, or a name as on the command line.
         edges: the largest number of edges (default: 4, unless another bound or worlds are given).
-        options: the options of :func:`allworlds.check`; ``corpus=None`` keeps no findings.
+        options: the options of :func:`allworlds.check`; with ``corpus=None`` no findings are kept.
 
     Raises:
-        AssertionError: with the smallest finding and its picture; or with the reason, if
-            the check was not complete, or vacuous.
+        AssertionError: with the smallest finding and its picture; or with the reason why the check
+            was not complete, or was vacuous.
         InputError: naming the offending option and what would be legal.
     """
     __tracebackhide__ = True
@@ -103,7 +103,8 @@ def assert_team(*programs: Explorer, edges: int = 3, **options: Any) -> TeamRepo
         options: the options of :func:`allworlds.team`.
 
     Raises:
-        AssertionError: with the run of the smallest finding, or a run that the budget cuts off.
+        AssertionError: with the run of the smallest finding, or with a run that is longer than the
+            budget allows.
         InputError: naming the offending option and what would be legal.
     """
     __tracebackhide__ = True
@@ -115,7 +116,7 @@ def assert_team(*programs: Explorer, edges: int = 3, **options: Any) -> TeamRepo
 
 
 def levels_of(options: Mapping[str, Any]) -> Sequence[int]:
-    """The numbers of edges of the maps that these options name, ascending.
+    """The numbers of edges that the maps of a check with these options have, ascending.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -139,7 +140,7 @@ def _any_map(extent: classes.Extent, edges: int) -> bool:
 
 
 def unknown_option(options: Mapping[str, Any]) -> str:
-    """The first option that :func:`allworlds.check` does not take; empty if it takes all."""
+    """Words about the first option that :func:`allworlds.check` lacks; empty if it has all."""
     known = inspect.signature(check).parameters.keys() - {"explore"}
     for name in options:
         if name not in known:
@@ -149,21 +150,21 @@ def unknown_option(options: Mapping[str, Any]) -> str:
 
 @dataclass(frozen=True, slots=True)
 class AtLevel:
-    """The value of the fixture ``explores``: :func:`assert_explores` at one number of edges.
+    """The value of pytest's fixture ``explores``: it checks all worlds up to a number of edges.
 
     Worlds with fewer edges are tried first.  If one of them refutes the explorer, the failure says
-    so in a line; the test of that number of edges shows the finding.
+    so in one line; the test for that smaller number of edges shows the finding.
 
     Attributes:
         edges: the number of edges.
-        options: the options of the mark.
+        options: the options in the mark ``pytest.mark.allworlds``.
     """
 
     edges: int
     options: Mapping[str, Any]
 
     def __call__(self, explore: Explorer, **options: Any) -> CheckReport:
-        """Call :func:`assert_explores` with the options of the mark and these."""
+        """Do the same as :func:`assert_explores`, with the options in the mark and ``options``."""
         __tracebackhide__ = True
         report = _checked(explore, {**self.options, **options, "edges": self.edges})
         smaller = [found for found in report.findings if found.key[0] < self.edges]
@@ -179,21 +180,21 @@ class AtLevel:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A part of the conformance kit; calling it asserts that the explorer passes.
+    """A part of the tests of :func:`conformance`; a call asserts that the explorer passes it.
 
     Attributes:
         name: a stable name that can be the id of a test.
-        play: the function that asserts it.
+        play: the function that asserts that the explorer passes.
     """
 
     name: str
     play: Callable[[], object]
 
     def __call__(self) -> None:
-        """Play it.
+        """Try the explorer.
 
         Raises:
-            AssertionError: with the finding and its picture.
+            AssertionError: with the finding and its picture, if the explorer does not pass.
         """
         __tracebackhide__ = True
         self.play()
@@ -205,14 +206,14 @@ class Part:
 def conformance(
     explore: Explorer, *, edges: int = EDGES, drawn: int = 50, drawn_edges: int = 10, **options: Any
 ) -> list[Part]:
-    """The parts of the conformance kit, from the cheapest to the most expensive.
+    """The tests that an explorer should pass, as parts, from the cheapest to the most expensive.
 
-    ``known-hard-maps``: every start and marker in the maps that have refuted explorers before.
+    ``known-hard-maps``: every start and marker in maps that have refuted explorers before.
     ``edges-1``, ``edges-2``, ...: every world with that many edges, under every law that applies.
-    ``every-schedule``: all sequences of choices with at most 2 edges, for a function that takes
-    ``choices``.  ``drawn-maps``: every start and marker in maps that Hypothesis draws, or under
-    a condition a start and a marker in random maps of which it is true; a refuting map is shrunk.
-    As tests::
+    ``every-schedule``: all sequences of choices in worlds with at most 2 edges, for a function that
+    takes ``choices``.  ``drawn-maps``: every start and marker in maps that Hypothesis draws; with a
+    condition ``where``, one start and marker in each of some random maps that meet it.  A refuting
+    map is shrunk.  As tests::
 
         @pytest.mark.parametrize("part", conformance(my_explorer, edges=4), ids=str)
         def test_my_explorer_conforms(part):
@@ -221,9 +222,9 @@ def conformance(
     Args:
         explore: a generator function, or a name as on the command line.
         edges: the largest number of edges of the worlds that are all tried.
-        drawn: the number of maps that are drawn, equal in each run.
-        drawn_edges: the largest number of edges of these.
-        options: class, lighthouse, rules and effort, as :func:`allworlds.check` takes them.
+        drawn: the number of maps in the part ``drawn-maps``; every call draws the same maps.
+        drawn_edges: the largest number of edges of these maps.
+        options: class, lighthouse, rules and effort: options of :func:`allworlds.check`.
     """
     levels = levels_of({**options, "edges": edges})
     parts = [Part("known-hard-maps", partial(_known, explore, options))]
@@ -236,10 +237,10 @@ def conformance(
 
 
 def assert_conforms(explore: Explorer, *, edges: int = EDGES, **options: Any) -> None:
-    """Assert that the explorer passes every part of :func:`conformance`; the arguments are equal.
+    """Assert that the explorer passes every part of :func:`conformance`, with the same arguments.
 
     Raises:
-        AssertionError: naming the first part that it does not pass, with the finding.
+        AssertionError: naming the first part that the explorer does not pass, with the finding.
     """
     __tracebackhide__ = True
     for part in conformance(explore, edges=edges, **options):
@@ -250,12 +251,13 @@ def assert_conforms(explore: Explorer, *, edges: int = EDGES, **options: Any) ->
 
 
 def assert_lighthouse(lighthouse: GivenLighthouse, *, edges: int = LIGHTHOUSE_EDGES) -> None:
-    """Assert that a lighthouse is a function of the world in every small map.
+    """Assert that a lighthouse depends on nothing but the world, in every small map.
 
-    Each place is there once. Asked twice it senses and tells the same. Under other names of the
-    darts there are the same places in the same order, and the same is sensed and told there. The
-    lighthouse gives marks and bearings only if it says so. It is read again as it was written, and
-    has a place in some map with one edge more at most.
+    These rules are tested.  No place occurs twice.  Two calls of a method return the same.  If the
+    darts get other names, the places, their order, the percepts, and the value told to the explorer
+    stay the same.  The lighthouse gives marks and bearings only if its class says so.  If it is
+    written as JSON and read again, the result is equal.  It has a place in some map with at most
+    ``edges + 1`` edges.
 
     Args:
         lighthouse: a class, or a name as on the command line.
@@ -263,7 +265,7 @@ def assert_lighthouse(lighthouse: GivenLighthouse, *, edges: int = LIGHTHOUSE_ED
 
     Raises:
         AssertionError: naming the map, the place, and what differs.
-        InputError: if it is no lighthouse, or a method of it raises.
+        InputError: if the argument is no lighthouse, or if one of its methods raises.
     """
     __tracebackhide__ = True
     kind = lighthouse_kind(lighthouse)
@@ -274,8 +276,8 @@ def assert_lighthouse(lighthouse: GivenLighthouse, *, edges: int = LIGHTHOUSE_ED
 def known_hard_maps() -> list[CombinatorialMap]:
     """The maps of the corpus that comes with the package, each once.
 
-    They have refuted explorers, look like another map to some of them, or are the smallest of
-    their kind.
+    A map is in the corpus because it has refuted an explorer, looks like another map to some
+    explorers, or is the smallest of its kind.
     """
     corpus = named.own_corpus()
     documents = [corpus.document(entry) for entry in corpus.of_kind("world")]
@@ -306,7 +308,7 @@ def _drawn(explore: Explorer, count: int, edges: int, options: Mapping[str, Any]
 
 
 def _of_maps(options: Mapping[str, Any]) -> dict[str, Any]:
-    """The options that are not of an exhaustive check alone."""
+    """Those of the options that a check of given maps has, too."""
     named = {field.name for field in fields(MapsRequest)}
     return {key: options[key] for key in options if key in named}
 
@@ -329,7 +331,7 @@ def _assert_holds(report: CheckReport) -> None:
 
 
 def _checked(explore: Explorer, options: Mapping[str, Any]) -> CheckReport:
-    """The report of a check, after past findings; those that are fixed are forgotten."""
+    """The report of a check that tries past findings first; fixed findings are deleted."""
     given = {**options, **_bounds(options)}
     if "corpus" not in given and "run" not in given:
         plugin = sys.modules.get(PLUGIN)
@@ -342,7 +344,10 @@ def _checked(explore: Explorer, options: Mapping[str, Any]) -> CheckReport:
 
 
 def _bounds(options: Mapping[str, Any]) -> dict[str, Any]:
-    """The edges and vertices of a check; the default bound if it has none, and no worlds."""
+    """The bounds on edges and vertices in the options of a check.
+
+    If the options have neither a bound nor given worlds, the bound is :data:`EDGES` edges.
+    """
     edges, vertices = options.get("edges"), options.get("vertices")
     unbounded = edges is None and vertices is None and not GIVEN & options.keys()
     return {"edges": EDGES if unbounded else edges, "vertices": vertices}

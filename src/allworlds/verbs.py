@@ -1,9 +1,9 @@
 """**The** table of the verbs: the name, the function and the summary of each verb.
 
-The command line and the tests are derived from this table.  A new verb is an entry here, and a
-module with its request, its function and its document.  A verb whose report has content of its own
-also has a function in ``reports.content``; a verb that does more than answer a request also has a
-function in ``cli``.
+The command line and the tests are derived from this table.  A new verb needs an entry in this
+table, and a module with its request, its function and its document.  If its report has content of
+its own kind, it also needs a function in ``reports.content``; if it does more than answer a
+request, also one in ``cli``.
 """
 
 from dataclasses import dataclass
@@ -22,14 +22,17 @@ class Verb:
 
     Attributes:
         name: the words on the command line.
-        document: the name of its document's schema.
-        summary: one line of the help.
-        has: what its reports have; it can be written to each file that shows such.
-        swept: it goes through units, which a run directory keeps.
-        python: the name of its function below ``allworlds``, if it is another one.
-        panel: the heading of the help under which it stands; that of its group, if it has one.
-        example: arguments and options, with which its help begins.
-        help: the rest of that.  A verb with a function of its name in ``cli`` has both there.
+        document: the name of the schema of the verb's document.
+        summary: the line about the verb in the help of ``allworlds``.
+        has: the parts that the verb's reports have; a report can be written to each kind of file
+            that shows one of these parts.
+        swept: whether the job consists of units, which a run directory keeps.
+        python: the name of the verb's function below ``allworlds``, if it differs from ``name``.
+        panel: the heading under which the verb stands in the help; empty for a verb in a group
+            (:data:`GROUPS`), which has the heading of the group.
+        example: arguments and options; the help of the verb begins with this example.
+        help: the rest of this help.  If the verb has a function in ``cli``, the example and the
+            help are the docstring of this function.
     """
 
     name: str
@@ -44,14 +47,14 @@ class Verb:
 
     @property
     def group(self) -> str:
-        """The first of two words; empty for a verb of one."""
+        """The first word of a name of two words; empty if the name is one word."""
         return self.name.partition(" ")[0] if " " in self.name else ""
 
     @property
     def path(self) -> str:
-        """The name of its function in Python, such as ``allworlds.check``.
+        """The name of the verb's function in Python, such as ``allworlds.check``.
 
-        Those above look it up there, by ``pkgutil.resolve_name``.
+        This module imports no function; other modules find it by ``pkgutil.resolve_name``.
         """
         return f"allworlds.{self.python or self.name.replace(' ', '.')}"
 
@@ -276,7 +279,7 @@ BY_NAME = {verb.name: verb for verb in VERBS}
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """Verbs of two words whose first word is the same, or all verbs."""
+    """A group in the help: verbs of two words with the same first word, or all verbs."""
 
     example: str
     summary: str

@@ -1,4 +1,4 @@
-"""The origin of documents: the version of this program, and the machine that made a document."""
+"""The version of this program, and a description of this machine; both are in documents."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ __version__ = "0.3.0"
 
 
 def host() -> Host:
-    """The machine and the software that a measurement depends on. Cost: some milliseconds."""
+    """A description of this machine and its software, on which measured times depend.
+
+    Cost: some milliseconds.
+    """
     from allworlds.documents.report import Host
 
     return Host(

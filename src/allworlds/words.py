@@ -16,20 +16,20 @@ of a line, also after a carriage return; ``##[`` and ``##vso[`` anywhere."""
 
 
 def escaped(text: str) -> str:
-    """The text with each control character and each invisible one written as its number.
+    """The text in which each control character or invisible character is replaced by its number.
 
-    Texts contain words of explorers and files, which a reader must be able to see.
+    Texts contain words from explorers and files; a reader must be able to see all their characters.
     """
     return _MISLEADING.sub(lambda found: ascii(found[0])[1:-1], text)
 
 
 def harmless(text: str) -> str:
-    """The :func:`escaped` text, in which no line is a command for the runner of a CI service."""
+    """The :func:`escaped` text, changed so that no line is a command for a CI service's runner."""
     return COMMAND.sub(lambda found: f"{found[0][:-1]}\\x{ord(found[0][-1]):02x}", escaped(text))
 
 
 def harmless_json(text: str) -> str:
-    """The text of the same JSON document, in which no line is such a command."""
+    """A JSON text with the same value in which no line is a command for a CI service's runner."""
     return re.sub(r"(?<=##)\[|(?<=##vso)\[", r"\\u005b", text)
 
 
@@ -39,28 +39,28 @@ def number(value: int) -> str:
 
 
 def plural(count: int, one: str, many: str = "") -> str:
-    """Count and noun in words: ``1 world``, ``2 worlds``."""
+    """A number with its noun, such as ``1 world`` or ``2 worlds``."""
     return f"{number(count)} {one if count == 1 else many or one + 's'}"
 
 
 def ended_by(code: int) -> str:
-    """``exit code 1``, or ``signal 11`` for a negative return code of :mod:`subprocess`."""
+    """Words for a return code of :mod:`subprocess`: ``exit code 1``; ``signal 11`` for -11."""
     return f"exit code {code}" if code >= 0 else f"signal {-code}"
 
 
 def size(edges: int, vertices: int) -> str:
-    """``1 edge and 2 vertices``."""
+    """Words for the size of a map, such as ``1 edge and 2 vertices``."""
     return f"{plural(edges, 'edge')} and {plural(vertices, 'vertex', 'vertices')}"
 
 
 def listed(names: Sequence[str]) -> str:
-    """``1``, ``1 and 3``, ``1, 3 and 5``."""
+    """The names in one text: ``a``, ``a and b``, or ``a, b and c``."""
     *others, last = names
     return f"{', '.join(others)} and {last}" if others else last
 
 
 def about(value: int) -> str:
-    """The number, or the first two digits of a long one, as in ``6.3 x 10^76``."""
+    """The number in digits; if it has more than 15, in a short form such as ``6.3 x 10^76``."""
     digits = str(value)
     if len(digits) <= 15:
         return number(value)
@@ -68,9 +68,10 @@ def about(value: int) -> str:
 
 
 def duration(seconds: float) -> str:
-    """``12 s``, ``5 min``, ``3 h 20 min``, ``4 days 3 h``: two units at most, rounded down.
+    """A time in words: ``12 s``, ``5 min``, ``3 h 20 min``, ``4 days 3 h``, ``12 years``.
 
-    Years have two significant digits, and are at most a million million.
+    It is rounded down, and has at most two units.  A number of years has two significant digits; a
+    million million years or more are ``more than 1,000,000,000,000 years``.
     """
     whole = int(seconds)
     minutes, hours, days = whole // 60, whole // 3600, whole // 86400
@@ -90,5 +91,5 @@ def duration(seconds: float) -> str:
 
 
 def counted(source: str) -> str:
-    """The clause that the enumerated number agrees with an independent source."""
+    """The words that say: the enumerated number equals the number from an independent source."""
     return f"the number equals an independent count ({source})"
