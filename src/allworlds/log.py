@@ -40,16 +40,16 @@ FAR, DROP, PICK, WRITE, CHOICE, LONG_CHOICE, LONG_SHOWN, LONG_ANSWER = range(206
 QUOTIENT, VALUE, OVER, FREE_TOO_OFTEN, REFUSED = range(214, 219)
 
 ENDS = frozenset({OVER_BUDGET, SHOWN_TOO_OFTEN, BEYOND, OVER, FREE_TOO_OFTEN, REFUSED})
-"""The endings that consist of one byte."""
+"""The bytes that end a log without further values."""
 
 LAWS = ("crash", "timeout", "illegal-action", "no-estimate")
-"""The laws that a player can find broken."""
+"""The laws whose breach a player itself notices."""
 
 MOST_DARTS = 64
-"""The largest number of darts in a short entry."""
+"""The largest number of darts in an entry in which each number is one byte."""
 
 DROPPED, PICKED, WROTE = -1, -2, -3
-"""The numbers of the actions but motions; ``Write(k)`` has the number ``WROTE - k``."""
+"""The numbers of all actions other than motions; ``Write(k)`` has the number ``WROTE - k``."""
 
 
 # ---------------------------------------------------------------- writing

@@ -245,8 +245,8 @@ LOOP = CombinatorialMap((1, 0), (1, 0))
 LINK = CombinatorialMap((0, 1), (1, 0))
 
 NewEdge: TypeAlias = tuple[Dart, Dart]
-"""A new edge: from the corner behind dart a to the corner behind dart b, or to a new vertex if b
-is OUTWARD."""
+"""A new edge as a pair (a, b): it leads from the corner behind dart a to the corner behind dart b;
+if b is OUTWARD, to a new vertex."""
 
 OUTWARD: Dart = -1
 

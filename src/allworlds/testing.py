@@ -67,7 +67,7 @@ WIDTH = 100
 PLUGIN = "_allworlds_pytest"
 
 GIVEN = {field.name for field in fields(GivenOptions)}
-"""The options that give worlds instead of a class."""
+"""The names of the options that give worlds instead of a class."""
 
 Explorer: TypeAlias = str | Callable[..., Any]
 """A generator function, or a name as on the command line."""

@@ -13,7 +13,7 @@ PAGE, CURVE = "a page of its own", "a curve"
 RUNS = "runs of several robots"
 WORLD_FILE = "worlds, in a notation"
 PICTURE = "a picture of a map"
-"""Parts that a report can have."""
+"""The parts that a report can have."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -293,9 +293,9 @@ GROUPS = {
         ALIKE,
     )
 }
-"""The groups of verbs of two words, by the first."""
+"""The groups of verbs of two words, by their first word."""
 
 ROOT = Group(
     "allworlds check --edges 4", "Run an exploration algorithm on every small embedded graph.", ""
 )
-"""All verbs."""
+"""The group of all verbs, for the help of ``allworlds`` itself."""

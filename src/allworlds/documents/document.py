@@ -277,7 +277,7 @@ class Key(NamedTuple):
 
 
 NAMES = {"map_class": "class"}
-"""The JSON names of keys whose names Python reserves, by the names of their attributes."""
+"""The names in JSON of computed keys that Python reserves, by the names of their attributes."""
 
 
 def _meaning(key: computed[Any]) -> str:

@@ -42,10 +42,11 @@ def parse(document: object, kind: type[T], what: str) -> T:
 
 
 _PLACED = re.compile(r"(.*?)(?: - at `(?:key` in `)?\$([^`\n]*)`)?", re.DOTALL)
-"""An error of msgspec: its words, and the path of the value."""
+"""The pattern of an error of msgspec: the words, and the path to the offending value."""
 
 _STEP = re.compile(r"\[[^]]*\]|[^.[]+")
-"""A step of the path: a key, an index such as ``[0]``, or ``[...]`` for a dictionary's value."""
+"""The pattern of a step in a path: a key, an index such as ``[0]``, or ``[...]`` for the value in
+a dictionary."""
 
 
 def _at(document: Any, steps: Iterable[str]) -> object:

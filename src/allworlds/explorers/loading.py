@@ -147,7 +147,8 @@ ANYWHERE = "start=any"
 """The option of a lighthouse by which the robot may start at any vertex."""
 
 SHOW_V0 = {"directional": "d", "cluster": "d", "door": "(d+1)"}
-"""The lighthouses with one mark at v0, with the largest distance to the mark, by the diameter d."""
+"""The lighthouses that show one mark at v0, each with the largest number of motions that a shortest
+way to the mark can have, as a formula in the diameter d."""
 
 
 def _bound_elsewhere(inside: str, lighthouse: str) -> str | None:

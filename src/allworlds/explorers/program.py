@@ -26,10 +26,10 @@ from allworlds.protocol import actions
 from allworlds.words import ended_by, plural
 
 INTERPRETER = re.compile(r"(python|pypy|node|nodejs|ruby|perl|lua|php)[0-9.]*")
-"""The names of interpreters, which run the script in their first argument that is no option."""
+"""The names of interpreters; an interpreter runs a script: its first argument that is no option."""
 
 SCRIPT = re.compile(r".+\.([cm]?js|lua|php|pl|py|rb)")
-"""The names of scripts."""
+"""The names of files that are scripts for these interpreters."""
 
 
 def missing_script(words: Sequence[str]) -> str:
@@ -79,7 +79,7 @@ class EpisodeEnd(NamedTuple):
 
 
 ProgramMessage: TypeAlias = actions.Action | actions.Checkpoint | EpisodeEnd
-"""A line of the program, as a value."""
+"""The content of a line that a program has written."""
 
 
 # ---------------------------------------------------------------- to the program

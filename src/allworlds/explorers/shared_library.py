@@ -25,16 +25,16 @@ def header_text() -> str:
 
 
 INTERFACE_VERSION = 2
-"""The value of ``ALLWORLDS_VERSION``."""
+"""The version of the interface, ``ALLWORLDS_VERSION`` in ``allworlds.h``."""
 
 ROOM = 1 << 18
-"""The least capacity of an answer, in darts."""
+"""The smallest number of darts for which a library gets room to write an answer."""
 
 MOVE, DROP, PICK, CHECKPOINT, ANSWER, AMBIGUOUS = range(1, 7)
 """The kinds of actions; in the header their names begin with ``ALLWORLDS_``."""
 
 NOTHING = -1
-"""The entry that stands for no bearing, or for no told number."""
+"""The number that a library gets in place of a bearing, or of a told number, if there is none."""
 
 
 class CPercept(ctypes.Structure):
@@ -64,7 +64,7 @@ _FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "choose": (None, (_ADDRESS, _ADDRESS, _ADDRESS)),
     "quotient": (_INTEGER, (_ADDRESS, _INTEGER, *(_ADDRESS,) * 5)),
 }
-"""The types that each function returns and takes."""
+"""For each function of a library the type that it returns, and the types of its arguments."""
 
 _OPTIONAL = ("choose", "quotient")
 """The functions that a library may lack."""
@@ -165,7 +165,7 @@ def _integers(length: int) -> ctypes.Array[ctypes.c_int32]:
 
 
 THREADS_END = 0.5
-"""Seconds until a joined thread is no longer listed."""
+"""The seconds to wait until the system no longer lists a joined thread."""
 
 
 class NativeExplorer:

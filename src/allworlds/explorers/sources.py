@@ -47,7 +47,7 @@ from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Option, Optio
 from allworlds.protocol import importing, user_code
 
 MOST_OF_A_COMMAND = 20
-"""The number of characters of the short form of a command, if it is unique."""
+"""The number of characters to which a command is shortened in heads of columns, if it is unique."""
 
 
 # ---------------------------------------------------------------- names
@@ -102,7 +102,7 @@ def explorers_in(module: CodeType) -> list[str]:
 
 
 def no_explorer(name: str, plain: str, known: Sequence[str]) -> str:
-    """The reason why a name without a colon names no explorer, and the legal forms.
+    """The reason why a name without a function names no explorer, and the legal forms.
 
     ``plain`` is the name without its arguments; ``known`` are all names without a colon that do
     name an explorer.

@@ -24,7 +24,7 @@ from allworlds.maps.combinatorial import (
 from allworlds.words import plural
 
 LARGEST = 10_000
-"""The largest N of a named family."""
+"""The largest N in a name such as ``wheel-N``."""
 
 
 class NoSuchMap(InputError):

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from allworlds.maps.enumeration import Gluing
 
 DEFAULT_EDGES = 5
-"""The number of edges up to which a check takes seconds."""
+"""The default bound on the number of edges; a check of all maps within it takes seconds."""
 
 
 class MapClass(StrEnum):
@@ -98,10 +98,10 @@ class Condition(Protocol):
 
 
 AND = " and "
-"""The text between the names of several conditions."""
+"""The text that separates the names of several conditions."""
 
 LEGAL = "cubic, regular:D, eulerian, trees, girth:G, genus:G, triangulation, quadrangulation"
-"""The forms of conditions."""
+"""The forms of the names of all built-in conditions, for messages."""
 
 
 class NamedCondition(Struct, frozen=True):
@@ -337,7 +337,7 @@ CONDITIONS: dict[str, ConditionKind] = {
     "triangulation": _faces_of(3),
     "quadrangulation": _faces_of(4),
 }
-"""The conditions with names."""
+"""The built-in conditions, by their names without numbers."""
 
 # ---------------------------------------------------------------- classes of a size
 

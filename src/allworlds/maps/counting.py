@@ -488,7 +488,7 @@ SOURCES: dict[str, CountSource] = {
         "substitution into planar maps", rooted_planar_simple_by_substitution
     ),
 }
-"""For each class of maps the source of its counts; the source knows every cell."""
+"""For each class of maps the source of its counts, for all numbers of edges and vertices."""
 
 NARROWED: dict[str, Callable[[str, int], CountSource | None]] = {
     "cubic": lambda map_class, _: _of_degrees(map_class, lambda d: d == 3),
@@ -500,7 +500,7 @@ NARROWED: dict[str, Callable[[str, int], CountSource | None]] = {
     "triangulation": lambda map_class, _: _of_faces(map_class, 3),
     "quadrangulation": lambda map_class, _: _of_faces(map_class, 4),
 }
-"""For each kind of condition the function from a class and the condition's number to the source.
+"""For each kind of condition a function that returns the source of counts, or None without one.
 
-The function returns None if there is no source.
+The function takes the name of a class, and the number in the condition's name.
 """

@@ -230,7 +230,7 @@ def _connected(draw: Callable[[], CombinatorialMap]) -> CombinatorialMap:
 
 
 LEAST_DEGREE = 14
-"""The least degree of a hub: two types, and more free darts than testers get without cost."""
+"""The least degree of the hubs of a :func:`corridor`; it allows two types of hubs."""
 
 
 def usual_degree(far: int) -> int:
@@ -361,7 +361,7 @@ def corridor_edges(far: int, degree: int) -> int:
 
 
 LARGEST = 100_000
-"""The largest number of edges; in larger maps a robot would not finish."""
+"""The largest number of edges of a family's member; in larger maps a robot would not finish."""
 
 
 class Family(Struct, frozen=True):
@@ -522,7 +522,7 @@ FAMILIES = (
     ),
     Family("corridor:FxR", corridor_edges, lambda f, r, _holes, seed: corridor(f, r, seed)),
 )
-"""The families."""
+"""All families of maps."""
 
 FORMS: str = ", ".join(kind.form for kind in FAMILIES)
 """The forms of the names of the families' members."""
@@ -534,6 +534,6 @@ OTHER_WORDS = {
     "ring": "cycle",
     "complete": "dense",
 }
-"""Other words for families."""
+"""Other words that users may write for families, each with the name of the family."""
 
 _WITH_HOLES = " and ".join(kind.form.partition(":")[0] for kind in FAMILIES if kind.has_holes)

@@ -17,10 +17,10 @@ from allworlds.maps.combinatorial import CombinatorialMap, rooted_code, unreache
 from allworlds.maps.enumeration import Gluing
 
 Generator: TypeAlias = Callable[[int, Random], CombinatorialMap]
-"""The function that draws a map of the requested number of edges, or fewer."""
+"""A function that draws a map with the requested number of edges, or fewer."""
 
 DEAD_ENDS = 5
-"""The largest number of histories under a condition that may end without a map."""
+"""The number of attempts that may end without a map before a condition is dropped."""
 
 
 def glued(map_class: MapClass, where: Condition | None = None) -> Generator:
@@ -140,7 +140,7 @@ def ring(edges: int, random: Random) -> CombinatorialMap:
 
 
 LARGEST_BASE = 6
-"""The largest number of edges of a map that is covered."""
+"""The largest number of edges of a small map of which coverings are made."""
 
 
 def _lifted(
@@ -250,10 +250,10 @@ PARTS: dict[str, Generator] = {
     "corridor": corridor,
     "bouquet": bouquet,
 }
-"""The parts by their names; the random histories of a class are not among them."""
+"""The parts of mixtures, by their names; :data:`HISTORIES` is missing, as it depends on a class."""
 
 HISTORIES = "histories"
-"""The part that all classes have, for all numbers of edges."""
+"""The name of the part that draws maps by :func:`glued`; every class and every size can have it."""
 
 MIXES: dict[MapClass, tuple[str, ...]] = {
     MapClass.MAPS: tuple(PARTS),
@@ -261,7 +261,7 @@ MIXES: dict[MapClass, tuple[str, ...]] = {
     MapClass.SIMPLE: (HISTORIES, "cover", "ring", "lattice", "strip", "regular"),
     MapClass.PLANAR_SIMPLE: (HISTORIES, "lattice", "strip"),
 }
-"""The mixture of each class; the default is its random histories."""
+"""The names of the parts that each class has by default; other classes have :data:`HISTORIES`."""
 
 
 def default_mix(extent: Extent) -> tuple[str, ...]:

@@ -96,7 +96,7 @@ LISTS = "maps.from_rotation and maps.from_cycles take the order round each verte
 
 
 IDS = ("id", "osmid")
-"""The attributes that are equal in both directions of an edge."""
+"""The attributes by which two directed edges are recognised as one edge."""
 
 
 def undirected(graph: nx.Graph) -> nx.Graph:

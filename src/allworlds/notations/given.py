@@ -41,7 +41,7 @@ PIECE = 50
 """The number of given maps that a worker gets at a time."""
 
 MapWithPlaces: TypeAlias = tuple[CombinatorialMap, list[tuple[int, Lighthouse]]]
-"""A map rooted at dart 0, and the numbered places of its lighthouse that are tried."""
+"""A map rooted at dart 0, and the places of its lighthouse that are tried, with their numbers."""
 
 
 class GivenMap(Struct, frozen=True):

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     import networkx as nx
 
 PLAIN, YED = "{http://graphml.graphdrawing.org/xmlns}", "{http://www.yworks.com/xml/graphml}"
-"""The namespaces of GraphML and of yEd."""
+"""The XML namespaces of GraphML and of yEd, in the form ``{...}``."""
 
 Point: TypeAlias = tuple[Fraction, Fraction]
 
@@ -116,7 +116,7 @@ def of_gml(content: bytes) -> nx.Graph:
 
 
 ARROWS = {"first": ("first", "none"), "last": ("none", "last"), "both": ("first", "last")}
-"""The heads at both ends, for each word of GML."""
+"""For each word in GML about the arrow of an edge, the arrowheads at both ends."""
 
 
 def of_graphml(content: bytes) -> nx.Graph:

@@ -27,7 +27,7 @@ def opens(line: str) -> int:
 
 
 CYCLES = r"'((?:\([0-9]{1,9}(?:, ?[0-9]{1,9})*\))*)'"
-"""A permutation in a text, as ``'(0,1)(2)'``."""
+"""The pattern of a permutation in a text, such as ``'(0,1)(2)'``."""
 
 FAT_GRAPH = re.compile(
     rf"FatGraph\((?:vp=)?{CYCLES}(?:,\s*(?:ep=)?{CYCLES})?,\s*(?:fp=)?{CYCLES}\)"

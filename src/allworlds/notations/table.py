@@ -49,7 +49,7 @@ YAxis: TypeAlias = Literal["up", "down"]
 """The direction in which the second coordinate of a position grows."""
 
 EVERY = ("name", "names", "positions", "start", "lighthouse")
-"""The parts that a world in a file can have besides its map, by the keys of our JSON."""
+"""The parts that a world in a file can have besides its map, named by the keys of its JSON."""
 
 
 class Notation(Struct, frozen=True):
@@ -117,10 +117,10 @@ NOTATIONS = (
     Notation("sage", (".sage",), read_lines(literal, opens), write_sage, ("names",), streams=True),
     Notation("edges", (".csv",), read_edge_list, write_edge_list, ("names",)),
 )
-"""Every notation; the first is that of a file that begins as JSON does."""
+"""All notations; a file that begins like JSON, and has no known suffix, is in the first one."""
 
 HEAD = 2000
-"""The number of bytes at the beginning of a file in which a mark is searched."""
+"""The number of bytes at the beginning of a file in which the mark of a notation is searched."""
 
 
 def by_suffix(file: str) -> Notation | None:
@@ -239,7 +239,7 @@ def _whole(file: str, _changed: int, order: Order | None, y: YAxis | None) -> tu
 
 
 SHOWN = 5
-"""The largest number of names of worlds that a refusal lists."""
+"""The largest number of names of worlds that an error lists."""
 
 
 def entry_named(

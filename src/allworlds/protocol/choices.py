@@ -68,7 +68,7 @@ class Nearest:
 class Seeded:
     """The policy that takes a random option, for every kind of choice.
 
-    The seed determines the options, and on all machines they are the same.
+    The seed determines the random numbers, which are the same on all machines.
     """
 
     def __init__(self, seed: str) -> None:
@@ -231,4 +231,4 @@ class ScheduledChoices(Choices):
 
 
 Schedule: TypeAlias = Literal["one", "all"]
-"""The schedules of a run that are tried: ``one``, that of the policy, or ``all``."""
+"""The schedules of a run that are tried: ``one`` is the policy's schedule, ``all`` is every one."""

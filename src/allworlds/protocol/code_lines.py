@@ -23,11 +23,11 @@ UserLine: TypeAlias = tuple[str, int]
 NOWHERE: UserLine = ("", 0)
 
 ONCE = "once"
-"""The value, in place of True, that asks for the lines that run, but not for their turns."""
+"""The value that asks for the lines that run without their turns; True asks for both."""
 
 LATELY, BUSIEST = 1000, 5
-"""The number of last turns in which the runs of each line are counted, and the number of lines with
-most runs that are told."""
+"""The number of last turns for which the runs of each line are counted, and the number of lines
+that are told because they ran most often."""
 
 _OURS = (__file__.rpartition("protocol")[0], sysconfig.get_path("stdlib"))
 

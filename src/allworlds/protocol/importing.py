@@ -150,7 +150,7 @@ AT_WORK: list[str] = []
 
 
 def attempted(what: str, act: Callable[[], T], kind: type[InputError] = InputError) -> T:
-    """The result of a call of a model, that is a user's lighthouse, task or predicate.
+    """The result of a call of a model: a user's lighthouse, task or predicate.
 
     Text that the model prints goes to stderr, and the model cannot end the process.
 
@@ -249,7 +249,7 @@ def _value(text: str) -> ArgumentValue:
 
 
 def _percept_alone(first: object) -> None:
-    """Stand for an explorer that takes only the percept, as a source of its signature."""
+    """Stand for an explorer whose signature has only the percept."""
 
 
 def signature_of(explore: Callable[..., Any]) -> inspect.Signature:

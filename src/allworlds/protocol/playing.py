@@ -20,8 +20,8 @@ from allworlds.protocol import actions
 from allworlds.protocol.choices import Choices
 
 FREE = 10
-"""The number of free actions (markers, written numbers) that are legal for each traversal of the
-budget, and once more in addition.  Without a limit an explorer could drop and pick for ever."""
+"""The number of free actions (drop, pick, write) that are legal for each traversal of the budget
+plus one.  Without a limit an explorer could drop and pick for ever."""
 
 LONGEST = 20_000
 """The largest number of characters of a traceback that are kept."""
@@ -34,22 +34,22 @@ MOST_DARTS = 2 * checks.LARGEST_SIZE
 """The largest number of darts in an answer, or twice the step budget if that is larger."""
 
 AN_ESTIMATE = "Estimate(map, here) with a dart of the map"
-"""The legal answer, unless it is a quotient, in the words of findings."""
+"""The words in findings for a legal answer that is no quotient."""
 
 A_QUOTIENT = "Ambiguous(sigma, alpha, degree, marks, here): a connected rooted quotient"
-"""The legal quotient, in the words of findings."""
+"""The words in findings for a legal answer that is a quotient."""
 
 A_VALUE = "an Estimate, or an answer that JSON has"
-"""The legal answer if the task allows any answer, in the words of findings."""
+"""The words in findings for a legal answer if the task allows any answer."""
 
 NO_MAP, BUILT = "no map: ", "built "
-"""The first words of the text about a map that cannot be built, and of the text about the line of
-code that built it."""
+"""The first words of two texts: about a map that cannot be built, and about the line of the
+explorer that tried to build it."""
 
 AN_ACTION = "an action, or an estimate at the end"
 
 _OF_MAPS = sys.modules[CombinatorialMap.__module__].__file__.rpartition("combinatorial")[0]  # type: ignore[union-attr]
-"""The folder of the code that raises InvalidMap; the explorer's own line is in another folder."""
+"""The folder of the modules that raise InvalidMap; a line of an explorer is in another folder."""
 
 
 class Surroundings(Protocol):
@@ -463,7 +463,7 @@ def _recorded(percepts: Iterable[actions.Percept]) -> Generator[actions.Percept,
 
 
 def percept_of(degree: int, marks: int, bearing: int) -> actions.Percept:
-    """The percept that three numbers tell; the third is the bearing plus 1, or 0 without a bearing.
+    """The percept of three numbers; the third is the bearing plus 1, or 0 without a bearing.
 
     Each call makes a new object, so if an explorer changes its percept, no other percept changes.
     """

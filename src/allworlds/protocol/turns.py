@@ -33,14 +33,15 @@ NumberedTurn: TypeAlias = tuple[int, int, Any]
 """A turn: its number, the number of the turn before it, and the percept.
 
 For an automaton the second number is that of the memory before the turn.  In the first turn of a
-history the second number is :data:`BEGIN`, and the told value takes the place of the percept.
+history the second number is :data:`BEGIN`, and in place of the percept stands the value that the
+robot is told before the start.
 """
 
 BEGIN = -1
 """The number before the first turn."""
 
 ACTION, ENDED, FAULT = "aef"
-"""The letters of a program's words: an action, the program's answer, or a fault as in a log."""
+"""The letters of a program's replies: an action, the program's answer, or a fault as in a log."""
 
 LEGAL = "a Move, Drop, Pick, Write, Wait, Watch, Do or Checkpoint"
 

@@ -85,7 +85,7 @@ class Labelling(Struct, frozen=True, rename={"vertices": "names"}):
 
 
 PLAIN = Labelling()
-"""The labels of a world without labels."""
+"""The empty labels: no name, no names of vertices, and no positions."""
 
 
 def labels_of_nodes(

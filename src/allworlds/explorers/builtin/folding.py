@@ -168,7 +168,8 @@ class FoldedLog:
 # ---------------------------------------------------------------- explorers
 
 ToOpenDart: TypeAlias = Callable[[FoldedLog, int], list[int]]
-"""The function from a log and the robot's dart to the darts of a walk up to an open dart."""
+"""A function that chooses the next walk: from a folded log and the robot's dart it returns the
+darts by which the walk leaves its nodes; the last dart is open."""
 
 
 def folding(
@@ -279,7 +280,7 @@ def way(log: FoldedLog, start: int, is_goal: Callable[[int], bool]) -> list[int]
 
 
 MOST_CHECKPOINTS = 1000
-"""The largest number of checkpoints between two motions; with more an explorer is out."""
+"""The largest number of checkpoints between two motions; after more, a guest is ignored."""
 
 
 class Shield:

@@ -276,7 +276,7 @@ class Lighthouse(ABC):
         return state
 
     def left_marks(self, map_: CombinatorialMap, state: State) -> int:  # noqa: ARG002
-        """The number of marks that the robot senses now because it has left them here itself."""
+        """The number of marks that the robot senses in this state because it has left them."""
         return 0
 
     def told(self, map_: CombinatorialMap) -> actions.Told:  # noqa: ARG002  # for kinds that need it

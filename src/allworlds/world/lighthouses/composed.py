@@ -175,7 +175,7 @@ class Doormarks(Whiteboard):
 
 
 PLUS = "+"
-"""The text between the parts of a name."""
+"""The text between the names of the parts in the name of a composed lighthouse."""
 
 
 @dataclass(frozen=True, slots=True)

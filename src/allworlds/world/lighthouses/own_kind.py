@@ -63,7 +63,7 @@ def _kind(code: user_code.UserCode) -> type[Lighthouse]:
 
 
 _OF_THEIRS: dict[type[Lighthouse], type[Lighthouse]] = {}
-"""The kind that was made from each user's class."""
+"""For each user's class the subclass that was made from it."""
 
 NOT_INHERITED = {"__dict__", "__weakref__", "__slots__", "__abstractmethods__", "_abc_impl"}
 """The attributes of a class that Python makes for each class."""
@@ -254,8 +254,8 @@ RETURNS: dict[str, tuple[Callable[..., Any], str]] = {
     "refusal": (_refusal, "a text, empty if the action is legal"),
     "acted": (_state, "a State with the dart of the one before"),
 }
-"""For each method the function from the returned value to a plain value, which raises TypeError for
-an illegal value, and the words for legal values."""
+"""For each method a function and words for messages: the function turns the returned value into a
+plain value, or raises TypeError; the words tell the legal values."""
 
 
 # ---------------------------------------------------------------- in other processes
