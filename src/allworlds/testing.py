@@ -7,7 +7,7 @@
 ``conformance``, ``assert_conforms``
     all tests that an explorer should pass: as parts with names, or in one call;
 ``assert_lighthouse``
-    asserts that in equal worlds your own lighthouse shows equal signs;
+    asserts that your own lighthouse gives equal percepts in equal worlds;
 ``known_hard_maps``
     maps that have refuted explorers before.
 

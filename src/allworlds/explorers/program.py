@@ -92,7 +92,10 @@ def beginning(number: int, first: actions.Percept, told: actions.Told) -> bytes:
 
 
 def answering(percept: Any) -> bytes:
-    """The line that answers an action with a percept, which may be any JSON value of a model."""
+    """The line that answers an action with a percept.
+
+    In a user's model, a world that changes, a percept may be any JSON value.
+    """
     if isinstance(percept, actions.Percept):
         return _answering(percept)
     return json.dumps({"percept": percept}).encode() + b"\n"

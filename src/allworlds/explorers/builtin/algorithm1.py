@@ -169,7 +169,7 @@ def walks(s: PartialMap, start: int, darts: list[int]) -> Lazy:
 def simple_path(
     s: PartialMap, start: int, goal: int, choices: Choices, kind: ChoiceKind
 ) -> Iterator[int]:
-    """Yield the darts of a simple path in S from ``start`` to ``goal``: one leaves each vertex."""
+    """Yield the darts by which a simple path from ``start`` to ``goal`` leaves its vertices."""
     vertex = start
     visited: list[int] = []
     lengths = s.distances(goal) if start != goal else {}

@@ -40,7 +40,7 @@ class Where(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Sensing:
-    """The signs of a lighthouse that a robot senses in addition to the degree.
+    """The marks and bearings that a robot senses in addition to the degree.
 
     Attributes:
         where: the vertices at which the robot senses them.
@@ -288,7 +288,7 @@ class ReferenceLighthouse(Lighthouse):
     """A lighthouse whose percepts follow from certain darts, its references.
 
     Attributes:
-        sensing: the signs that the robot senses in addition to the degree.
+        sensing: the marks and bearings that the robot senses in addition to the degree.
     """
 
     sensing: ClassVar[Sensing] = Sensing(Where.NOWHERE, bearing=False)

@@ -1,8 +1,8 @@
 """Several lighthouses in one world, and lighthouses that put no marker into the map.
 
-If there are several lighthouses, a percept holds the signs of all of them, and every combination of
-their places is a place.  A lighthouse without a marker in the map shows nothing, or tells the robot
-numbers before the start, or lets the robot leave marks.
+If there are several lighthouses, a percept holds the marks and the bearing of all, and every
+combination of their places is a place.  A lighthouse without a marker in the map shows nothing, or
+tells the robot numbers before the start, or lets the robot leave marks.
 """
 
 from __future__ import annotations
