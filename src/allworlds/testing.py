@@ -354,7 +354,7 @@ def _bounds(options: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _said(report: CheckReport) -> str:
-    """The text about a report whose verdict is not that the laws hold."""
+    """The message about a report whose verdict is not ``holds``."""
     verdict = formats.brief(report, WIDTH)
     findings = [plain_text.finding_in_words(finding, WIDTH) for finding in report.findings]
     return "\n\n".join([verdict, *findings])

@@ -74,7 +74,7 @@ class Report(Paged, Document, kw_only=True):
     def facts(self) -> Facts:
         """The facts on which the exit code depends.
 
-        The default facts mean that the question was answered.
+        By default the command has done its work, and the exit code is 0.
         """
         return Facts()
 

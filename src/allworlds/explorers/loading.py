@@ -283,7 +283,7 @@ def with_shield(inside: Subject) -> Subject:
 
 
 def with_search(inside: Subject) -> Subject:
-    """The explorer that looks for v0 and then starts another explorer there."""
+    """The explorer that looks for v0, and then starts the explorer ``inside`` there."""
     from allworlds.explorers.builtin.elsewhere import FromElsewhere
 
     explore = None if inside.explore is None else FromElsewhere(inside.explore)

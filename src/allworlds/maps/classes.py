@@ -1,7 +1,8 @@
 """**The** tables of the classes of maps and of the conditions that narrow them.
 
-The module has, in this order: the classes; the conditions, and the table of those with names;
-extents, which are classes of bounded size under a condition; the options of requests.
+The module has, in this order: the classes; the conditions, and the table of the built-in ones;
+extents, which are classes of bounded size under a condition; the options by which requests name
+them.
 """
 
 from __future__ import annotations
@@ -71,7 +72,7 @@ class MapClass(StrEnum):
         return self in (MapClass.PLANAR, MapClass.PLANAR_SIMPLE)
 
     def includes(self, map_: CombinatorialMap) -> bool:
-        """Whether a map belongs to the class, by the properties of the map."""
+        """Whether a map belongs to the class; its loops, parallel edges and genus decide."""
         return (not self.simple or map_.is_simple) and (not self.planar or map_.is_planar)
 
 
@@ -364,7 +365,7 @@ class MapSource(Protocol):
 
 
 class Extent(Struct, frozen=True):
-    """At most ``edges`` edges and at most ``vertices`` vertices of one class.
+    """The maps of one class with at most ``edges`` edges and at most ``vertices`` vertices.
 
     Attributes:
         map_class: the class.
@@ -475,7 +476,7 @@ class ExtentOptions(ClassOptions, SizeOptions):
 
     @property
     def extent(self) -> Extent:
-        """The class and the bounds.
+        """The extent: the class with its bounds, its condition, and the given maps.
 
         Raises:
             InputError: naming the offending bound and what would be legal.
@@ -484,7 +485,7 @@ class ExtentOptions(ClassOptions, SizeOptions):
 
     @property
     def condition(self) -> Condition | None:
-        """The further condition on the maps; by default there is none."""
+        """The condition that narrows the class of maps; by default None."""
         return None
 
     @property

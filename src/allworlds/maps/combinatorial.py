@@ -1,4 +1,4 @@
-"""The map, which is two permutations of darts, validated once; its codes and isomorphisms.
+"""The map: two permutations of darts, which are checked once; codes and isomorphisms of maps.
 
 The canonical numbering of a map rooted at ``r`` gives ``r`` the number 0; then, for each numbered
 dart ``x`` in order, ``sigma(x)`` and ``alpha(x)`` get the next free numbers.  The code of the
@@ -179,7 +179,9 @@ class CombinatorialMap(Pictured, WrittenByFields):
         return self.genus == 0
 
     def turn(self, dart: Dart, offset: int) -> Dart:
-        """``sigma^offset(dart)``: the dart ``offset`` places clockwise; any integer.
+        """``sigma^offset(dart)``: the dart ``offset`` places clockwise from ``dart``.
+
+        ``offset`` may be any integer.
 
         Cost: O(1) after the first call.
         """
@@ -206,7 +208,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
         return places(self.vertices)
 
     def relabelled(self, names: Sequence[Dart]) -> CombinatorialMap:
-        """Return the map with dart ``d`` renamed to ``names[d]``, a permutation of the darts."""
+        """Return the map in which dart ``d`` is called ``names[d]``; ``names`` is a permutation."""
         if sorted(names) != list(self.darts):
             last = len(self.sigma) - 1
             raise ValueError(f"{show(list(names))} is no permutation of the darts 0..{last}")
@@ -278,7 +280,7 @@ def places(cycles: Sequence[Sequence[int]]) -> tuple[tuple[int, ...], tuple[int,
 
 
 def distances(map_: CombinatorialMap, vertex: Vertex) -> dict[Vertex, int]:
-    """The number of edges of a shortest walk to each vertex.  Cost: O(m)."""
+    """For each vertex the number of edges of a shortest walk to it from ``vertex``.  Cost: O(m)."""
     far = {vertex: 0}
     for v in (queue := [vertex]):
         for dart in map_.vertices[v]:

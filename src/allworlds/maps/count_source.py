@@ -1,7 +1,7 @@
 """The independent source with which an enumeration is compared, and the completions of a gluing.
 
-A completion is a rooted map that begins as a partial gluing.  Only the number of completions is
-computed.
+A completion of an unfinished gluing is a rooted map that the gluing can become.  Only the number of
+completions is computed.
 """
 
 from collections import Counter

@@ -12,10 +12,10 @@ all maps                      the logarithm of the series of all pairs of permut
 planar maps                   the recurrence of Carrell and Chapuy at genus 0
 simple maps                   degree sequences
 simple planar maps            substitution into planar maps
-trees (one class in all)      Catalan numbers
-cubic, regular, eulerian      at these degrees alone: this logarithm, in the plane the recurrence
-                              of Walsh and Lehman, in simple maps the degree sequences
-triangulation, quadrangu-     the recurrence at the degrees of the dual maps; simple planar
+trees (the same in classes)   Catalan numbers
+cubic, regular, eulerian      with these degrees only: all maps by the logarithm, simple maps by
+                              degree sequences, planar maps by the recurrence of Walsh and Lehman
+triangulation, quadrangu-     the dual maps, by the recurrence of Walsh and Lehman; simple planar
 lation                        triangulations by Tutte's formula
 ============================  ===========================================================
 
@@ -49,7 +49,7 @@ Cells: TypeAlias = dict[int, int]
 def vertex_counts(edges: int) -> range:
     """The numbers of vertices that connected maps with ``edges`` edges have.
 
-    Raises: ValueError for edges < 1, as do all functions with ``{vertices: rooted maps}``.
+    Raises: ValueError for edges < 1, like all functions that return ``{vertices: rooted maps}``.
     """
     if edges < 1:
         raise ValueError(f"a map has at least 1 edge, not {edges}")

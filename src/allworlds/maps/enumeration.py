@@ -26,7 +26,7 @@ Decision: TypeAlias = int
 
 
 class Gluing:
-    """A partial map that grows by decisions and can take them back.
+    """A partial map that grows by decisions.
 
     Attributes:
         edges: m, the number of edges of the finished map.

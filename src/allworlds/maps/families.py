@@ -369,8 +369,9 @@ class Family(Struct, frozen=True):
 
     Attributes:
         form: the form of a member's name; a capital letter stands for a number.
-        edges: the function from these numbers to the number of edges without holes.
-        build: the function from these numbers, the fraction of holes, and a seed to the member.
+        edges: the function from the numbers in a name to the number of edges without holes.
+        build: the function that makes a member from the numbers in its name, the fraction of holes,
+            and a seed.
         has_holes: whether edges can be removed from the members.
         one_map: whether a seed draws only the dart where a robot starts, if there are no holes.
     """

@@ -100,7 +100,7 @@ IDS = ("id", "osmid")
 
 
 def undirected(graph: nx.Graph) -> nx.Graph:
-    """The graph, in which both directions of an edge are one edge.
+    """The undirected graph: the two directions of each edge become one edge.
 
     Raises:
         InvalidMap: for a value that is not a graph; naming an edge without the reverse direction,
@@ -169,7 +169,7 @@ def from_positions(graph: nx.Graph, pos: Mapping[Any, Sequence[float]]) -> Combi
 def from_directions(
     graph: nx.Graph, passages: Sequence[tuple[tuple[Any, Fraction], tuple[Any, Fraction]]]
 ) -> CombinatorialMap:
-    """The map of edges that leave their two ends in these directions of :func:`turn`.
+    """The map of a graph, from the directions of :func:`turn` in which edges leave their ends.
 
     Args:
         graph: an undirected graph.  The nodes in their order become the vertices; the edges of the

@@ -222,7 +222,8 @@ def embeddings_of(
     """All embeddings, up to isomorphism, of a graph given by a name or a file.
 
     Raises:
-        InputError: naming the graph, or the words about its embeddings; or if there are none.
+        InputError: naming the graph, or ``which`` if that is illegal; or if no embedding has the
+            requested genus.
     """
     of_genus = re.fullmatch(r"genus:([0-9]{1,5})", which)
     if which != "all" and not of_genus:

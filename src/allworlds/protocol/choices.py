@@ -136,9 +136,9 @@ class Choices:
             cost: the walking distance of each option; None or empty if unknown.
 
         Raises:
-            ValueError: for an unknown kind, without options, for options or costs that are no
-                sequence, or unless there is one cost for each option; in an explorer this is a
-                ``crash``.  The choice is then not recorded.
+            ValueError: if the kind is unknown; if there is no option; if the options or the costs
+                are no sequence; or if there is not one cost for each option.  The choice is then
+                not recorded.  In an explorer this is a ``crash``.
         """
         if of not in KINDS:
             raise ValueError(f"of={show(of)} is not one of {', '.join(KINDS)}")
@@ -174,7 +174,7 @@ def _check_sequence(name: str, given: object) -> None:
 
 
 def _check_costs(options: Sized, cost: Sequence[int]) -> None:
-    """Raise ValueError unless there is one cost for each option, or none at all."""
+    """Raise ValueError unless there is one cost for each option, or there are no costs."""
     if len(cost) not in (0, len(options)):
         raise ValueError(
             f"{len(cost)} costs for {len(options)} options; there must be one for each"

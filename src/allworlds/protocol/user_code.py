@@ -191,7 +191,7 @@ class UserCode(Struct, frozen=True):
         return _function(self)
 
     def __call__(self, *values: Any) -> Any:
-        """Call the function of a model.
+        """Call the user's function with these values.
 
         Raises:
             InputError: naming the model, if it raises.
@@ -219,7 +219,7 @@ class LocalCode(Struct, frozen=True):
         return str(getattr(self.function, "__name__", show(self.function)))
 
     def __call__(self, *values: Any) -> Any:
-        """Call the function of a model.
+        """Call the user's function with these values.
 
         Raises:
             InputError: naming the model, if it raises.

@@ -12,8 +12,8 @@
     the forms of a WORLD on the command line and in Python; the worlds, findings and pairs of
     worlds that come with the package;
 ``selection``
-    the options of a request for the lighthouse and for the condition on maps, both of which may be
-    users' code, which is tried on small maps first; the function that yields all worlds of a class;
+    the options for the lighthouse and for the condition on maps; each of the two may be a user's
+    program, which is tried on small maps first; the function that yields all worlds of a class;
 ``bisimulation``
     the checker of proofs that worlds are indistinguishable.
 """

@@ -1,4 +1,4 @@
-"""The checker of bisimulations, which does not use the search for twins; equality of worlds."""
+"""The checker of bisimulations, independent of the search for twins; the equality of worlds."""
 
 from collections.abc import Sequence
 

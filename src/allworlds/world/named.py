@@ -181,7 +181,7 @@ _CODE = re.compile(r"[0-9.]+/[0-9.]+", re.ASCII)
 
 
 def code_of(map_: CombinatorialMap, root: Dart = 0) -> str:
-    """The canonical code of a map rooted at a dart, as a WORLD: ``SIGMA/ALPHA``.
+    """The canonical code of a map rooted at a dart, in the form ``SIGMA/ALPHA`` of a WORLD.
 
     Both permutations are written as their images, with dots between the numbers.  Two rooted maps
     have the same code exactly if they are isomorphic.

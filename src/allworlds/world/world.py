@@ -1,4 +1,4 @@
-"""The world, an immutable value without the robot; only its states hold the robot's position."""
+"""The world: an immutable value without the robot, whose position is in a state (``State``)."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field

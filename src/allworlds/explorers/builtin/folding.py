@@ -201,13 +201,16 @@ def folding_oldest(
 
 
 def by_home(log: FoldedLog, here: int) -> list[int]:
-    """The way to v0, then to the open dart nearest to it, clockwise from the pointed dart."""
+    """The darts of a walk to v0 and then to the open dart nearest to v0.
+
+    The darts of v0 are tried clockwise from the pointed dart.
+    """
     home = way(log, here, lambda dart: log.node[dart] == 0)
     return [*home[:-1], *way(log, 0, lambda dart: log.beyond(dart) == OPEN)]
 
 
 def to_oldest(log: FoldedLog, here: int) -> list[int]:
-    """The way to the open dart with the smallest number, which is the oldest."""
+    """The darts of a walk to the oldest open dart, which has the smallest number."""
     oldest = next(dart for dart in _darts(log) if log.beyond(dart) == OPEN)
     return way(log, here, lambda dart: dart == oldest)
 

@@ -103,7 +103,7 @@ def lighthouse_kind(given: object) -> LighthouseKind:
 
 
 def kind_of(lighthouse: Lighthouse) -> LighthouseKind:
-    """The kind of a lighthouse at a place."""
+    """The kind of a lighthouse that stands at a place, with its options."""
     codes = [
         replace(part.code, name=part.written)
         for part in parts_of(lighthouse)

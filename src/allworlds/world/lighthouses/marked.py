@@ -46,7 +46,7 @@ class MarkedStart(base.ReferenceLighthouse):
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[MarkedStart]:
-        """One place for each bearing ``0..deg(v0)-1``."""
+        """Yield a place for each dart of each vertex that may be v0, clockwise."""
         made: Any = cls
         for home in cls.homes(map_, start):
             for bearing in range(map_.degree_at[home]):
@@ -219,7 +219,10 @@ class Cluster(TowardsNeighbour):
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Cluster]:
-        """One place for each dart of v0 that leads to another vertex, clockwise."""
+        """Yield a place for each dart of v0 that leads to another vertex, clockwise.
+
+        With the option ``single`` no other edge may join these two vertices.
+        """
         for home in cls.homes(map_, start):
             v0 = map_.vertex_of[home]
             around = [map_.turn(home, bearing) for bearing in range(map_.degree_at[home])]
@@ -249,7 +252,7 @@ class Natural(TowardsNeighbour):
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Natural]:
-        """One place for each legal neighbour, at the first dart clockwise that leads to it."""
+        """Yield a place for each neighbour that may be v1, at the first dart that leads to it."""
         vertices = Counter(map_.degrees)
         if vertices[map_.degree_at[start]] > 1:
             return

@@ -174,7 +174,7 @@ def _another_kind(kind: Any, options: tuple[tuple[str, OptionValue], ...]) -> An
 
 
 def options_in(kind: Any, name: str, text: str) -> dict[str, OptionValue]:
-    """The options of a kind in the text ``key=value,...`` after its name.
+    """The options that the text ``key=value,...`` behind the name of a kind gives.
 
     Raises:
         InvalidWorld: naming the option, or the value, that is not legal for the kind.
@@ -213,7 +213,7 @@ def _legal(kind: Any, name: str, key: str) -> FieldOption:
 def values_in(placed: Any) -> dict[str, OptionValue]:
     """The options of a lighthouse whose values differ from their defaults.
 
-    An option that is :attr:`~FieldOption.alone` and a text is always included.
+    If the only option of a kind is a text, it is always included.
     """
     kind: Any = type(placed)
     values = {key: (getattr(placed, key), option) for key, option in options_of(kind).items()}
