@@ -299,7 +299,9 @@ def test_it_takes_what_the_explorer_takes():
 @pytest.mark.parametrize("prefix", ["", "shield:", "elsewhere:"])
 def test_an_explorer_whose_signature_nobody_can_tell_is_given_the_percept_alone(prefix, mine):
     mine.write_text(f'{SILENT}\nspinning.__signature__ = "none"\n')
-    report = allworlds.check(f"{prefix}{mine}:spinning", edges=1, answer_timeout=0.5)
+    report = allworlds.check(
+        f"{prefix}{mine}:spinning", edges=1, answer_timeout=0.5, step_budget=50
+    )
     assert report.verdict.value == ("holds" if prefix == "shield:" else "refuted")
 
 
