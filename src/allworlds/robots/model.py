@@ -178,7 +178,7 @@ class Model:
 
 
 class Places(NamedTuple):
-    """What a picture of a state shows.
+    """The content of a picture of a state.
 
     Attributes:
         darts: the dart of each robot; None for a robot that is gone.
@@ -325,7 +325,7 @@ class ModelInMap:
             raise self._raised("progress", error) from None
 
     def places(self, state: Any) -> Places:
-        """What a picture of a state shows."""
+        """The content of a picture of this state."""
         return Places(*self._ask("places", state))
 
     # ---------------------------------------------------------------- mistakes

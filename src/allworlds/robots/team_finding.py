@@ -282,7 +282,7 @@ def _sensed_json(sensed: Sensed | None) -> Any:
 
 
 def places_of(row: EventRow) -> Places:
-    """What a picture of the state after an event shows."""
+    """The content of a picture of the state after an event."""
     vertices = {int(vertex): words for vertex, words in row.vertices.items()}
     edges = {int(edge): words for edge, words in row.edges.items()}
     return Places(row.darts, vertices, edges)
