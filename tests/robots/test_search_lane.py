@@ -86,3 +86,20 @@ def test_nothing_is_left_at_the_end_of_a_lane():
             return TeamTally(3)
 
     assert SearchLane(Team((), ()), Scope(), None).end() == TeamTally(3)
+
+
+def test_each_unit_begins_with_players_that_have_heard_nothing(team, monkeypatch):
+    begun = []
+    begin = ProgramPlayer.begin_unit
+
+    def noted(player):
+        begun.append(player)
+        begin(player)
+
+    monkeypatch.setattr(ProgramPlayer, "begin_unit", noted)
+    found = team("waits", "waits", model="meeting", edges=2, scheduler="fsync")
+    players = {id(player) for player in begun}
+    assert len(players) > 1
+    assert len(begun) % len(players) == 0  # each player, at every unit
+    assert len(begun) > len(players)
+    assert found.rows

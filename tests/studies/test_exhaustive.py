@@ -16,6 +16,7 @@ from allworlds.engines.listeners import Listener
 from allworlds.engines.tally import Tally
 from allworlds.engines.units import Scope
 from allworlds.inputs.checks import InputError
+from allworlds.judging.rules import Rules
 from allworlds.maps import CombinatorialMap, MapClass, rooted_code, rooted_maps
 from allworlds.maps.classes import Extent
 from allworlds.maps.counting import CountSource
@@ -405,6 +406,21 @@ def test_a_finding_of_another_policy_is_of_this_check_if_all_schedules_are_tried
         for schedules in ("one", "all")
     ]
     assert inside == [True, True, False, True]
+
+
+@pytest.mark.parametrize(
+    ("law", "own", "other"),
+    [
+        ("bound", {"bound": "0"}, {"bound": "1"}),
+        ("budget", {"step_budget": 1}, {"step_budget": 2}),
+    ],
+)
+def test_a_finding_of_another_bound_or_budget_is_of_another_check(law, own, other):
+    (finding, *_) = check("algorithm1", edges=2, **own).findings
+    assert finding.law == law
+    extent = Extent(MapClass.MAPS, 2)
+    scopes = [Scope(extent, Rules(**rules)) for rules in (own, other)]
+    assert [is_inside(finding, scope) for scope in scopes] == [True, False]
 
 
 def test_a_remark_is_told_with_its_number_and_that_of_hashes_without():

@@ -7,6 +7,7 @@ import pytest
 from allworlds import explain, replay
 from allworlds.judging.findings.finding import Finding
 from allworlds.studies.check.exhaustive import check
+from allworlds.studies.explain import explained
 
 pytestmark = pytest.mark.usefixtures("without_workers")
 
@@ -132,3 +133,9 @@ def test_a_finding_of_such_an_answer_that_was_recorded_as_a_crash_is_reproduced(
     old = Finding.from_json(finding.to_json() | {"law": "crash", "seen": seen})
     again = replay(old)
     assert (again.outcome, again.law, again.law_now) == ("reproduced", "crash", "no-estimate")
+
+
+def test_a_finding_alone_is_the_only_one_of_its_report(report_of):
+    (finding, *_) = report_of("turned").findings
+    alone = explained(finding)
+    assert (alone.number, alone.findings) == (1, 1)

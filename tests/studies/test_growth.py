@@ -34,6 +34,7 @@ from allworlds.studies.compare.growth import (
     Growth,
     _exponent,
     distinct,
+    form_of,
     members_of,
 )
 from allworlds.studies.compare.intervals import Power
@@ -398,3 +399,9 @@ def test_numbers_of_worlds_that_grow_have_a_least_value(option, least):
     assert [(row.edges, row.worlds, row.runs) for row in report.rows] == [(12, 1, 1)]
     with pytest.raises(InputError, match=f"{option} = {least - 1} is less than {least}$"):
         compare("algorithm1", **{**asked, option: least - 1})
+
+
+def test_the_degree_of_a_family_without_one():
+    usual = {name: form_of(name)[1] for name, growing in GROWING.items() if growing.degree}
+    assert usual == {"regular": 6, "lollipop": 4, "thick": 6}  # as they were first measured
+    assert (form_of("regular:4")[1], form_of("torus")[1]) == (4, 0)
