@@ -15,8 +15,8 @@ which mutant, in whichever process.  Then each mutant becomes active in a fork a
 of the tests, and tests run that meet it: those of the module's own file first, then one of each
 kind, the quickest first, until one fails.  A mutant that makes them take several times as long is
 killed, too, by the deadline, if they end in time without it.  What is met before the first test, as
-a default, is tried in a new process, with the tests of the own file and of those that name what is
-changed.  What no test meets survives.
+a default, is tried in a new process, with the tests of the own file and of those that name its
+module, or what is changed.  What no test meets survives.
 
 With --kernel the mutants are of what numba compiles of the two engines of Algorithm 1, which Python
 runs without numba (``tests/support/mutants/interpreted.py``): a mutant is killed if it answers
@@ -327,7 +327,9 @@ class Copy:
     def chosen(self, mutant: Mutant, seconds: float) -> list[str]:
         """The tests to run with a mutant, in their order."""
         own = f"/test_{Path(mutant.file).stem}.py::"
-        naming = self._files_that_name(mutant.name) if mutant.early and mutant.name else set()
+        module = mutant.file.removeprefix("src/").removesuffix(".py").replace("/", ".")
+        names = [mutant.name, module] if mutant.early and mutant.name else []
+        naming = {file for name in names for file in self._files_that_name(name)}
         tests = {
             test
             for test in self.seconds

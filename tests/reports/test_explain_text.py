@@ -4,12 +4,14 @@ import pytest
 
 from allworlds import CombinatorialMap, Estimate
 from allworlds.judging.walk import Walk
+from allworlds.maps import named_map
+from allworlds.protocol.actions import Drop
 from allworlds.reports.drawing.text import draw
 from allworlds.reports.formats import text as text_of
 from allworlds.reports.parts import walk_in_answer, walk_in_world
 from allworlds.studies.explain import explain
 from allworlds.studies.run import run
-from allworlds.world import Directional, World
+from allworlds.world import Directional, Movable, World
 from mutant_findings import finding_of
 
 
@@ -54,3 +56,9 @@ def test_two_answers_have_two_texts():
         return explain_text(explain(run(explore, world).finding), 80)
 
     assert text([0, 1], [1, 0]) != text([1, 0], [1, 0])
+
+
+def test_markers_are_drawn_where_they_lie_at_the_end_of_a_walk():
+    world = World(named_map("edge"), Movable(), 0)
+    marks = [walk_in_world(Walk.of(world, actions)).marks for actions in ((), (Drop(),))]
+    assert marks == [{}, {0: 1}]

@@ -70,6 +70,7 @@ def test_a_unit_is_small_beside_its_level():
 
 def test_the_gate_counts_the_maps():
     report = team("waits", "searches", edges=2)
+    assert report.explorer == report.explorers[0] != report.explorers[1]
     assert [(cell.enumerated, cell.counted) for cell in report.cells] == [
         (1, 1),
         (1, 1),
