@@ -524,3 +524,27 @@ def test_it_waits_for_whatever_its_players_may_say(monkeypatch):
     monkeypatch.setattr(select, "poll", lambda: poll)
     players.wait([SimpleNamespace(files=[7, 8])], 0)
     assert asked == [(7, select.POLLIN), (8, select.POLLIN)]
+
+
+def test_a_player_is_silent_since_its_latest_run_or_turn(monkeypatch):
+    one = object.__new__(players.PlayerProcess)
+    one.description, one.jobs, one.beat, one._seen, one._since = ("known",), [1], [3, 0], None, 0.0
+    silent = []
+    for now, beat in enumerate([[3, 0], [3, 0], [3, 1], [3, 1], [4, 1]]):
+        monkeypatch.setattr(players.time, "monotonic", lambda now=now: float(now))
+        one.beat = beat
+        silent.append(one._silent_for())
+    assert silent == [0.0, 1.0, 0.0, 1.0, 0.0]
+
+
+@pytest.mark.parametrize(("memory", "limited"), [(None, [1_000 + 7]), (50, [50])])
+def test_a_library_has_a_limit_of_memory_if_the_user_gives_none(memory, limited, monkeypatch):
+    limits = []
+    library = SimpleNamespace(print_line_by_line=lambda: None)
+    subject = SimpleNamespace(native=SimpleNamespace(library=library))
+    monkeypatch.setattr(player, "limit_memory", limits.append)
+    monkeypatch.setattr(player, "address_space", lambda: 1_000)
+    monkeypatch.setattr("allworlds.explorers.loading.load", lambda *_: subject)
+    setup = {"memory": memory, "native_memory": 7, "source": None, "name": "n", "answer_timeout": 1}
+    assert player._loaded(setup) is subject
+    assert limits == limited

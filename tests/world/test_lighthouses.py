@@ -1,10 +1,13 @@
 """The percepts under each lighthouse, and the places where it may stand."""
 
+from dataclasses import dataclass
 from math import prod
 from random import Random
 from types import SimpleNamespace
+from typing import Annotated
 
 import pytest
+from msgspec import Meta
 
 from allworlds.maps import named_map, rooted_maps
 from allworlds.protocol.actions import Percept
@@ -21,6 +24,7 @@ from allworlds.world import (
 from allworlds.world.lighthouses.base import WalkInAnswer
 from allworlds.world.lighthouses.kinds import lighthouse_from_json, lighthouse_kind
 from allworlds.world.lighthouses.marked import Cluster, Labels
+from allworlds.world.lighthouses.options import options_of
 from small import PATH, all_maps
 
 KINDS = {"none": Nothing, "position": Position, "compass": Compass, "directional": Directional}
@@ -224,3 +228,11 @@ def test_if_the_robot_starts_anywhere_the_lighthouse_of_an_answer_has_the_number
     believed = Cluster(dart, start="any").believed(map_, 0, walk)
     assert believed == [*kind.places(map_, 4)][number]
     assert believed.start == "any"
+
+
+def test_the_limits_of_an_option_stand_in_whichever_note_has_them():
+    @dataclass(frozen=True)
+    class Several(Directional):
+        many: Annotated[int, Meta(title="how many"), Meta(ge=2)] = 3
+
+    assert options_of(Several)["many"].limits.ge == 2
