@@ -154,10 +154,10 @@ VERBS = (
         has=(ROWS, CURVE),
         example="algorithm1 dudek91 --edges 4",
         help=(
-            "Explorers side by side on the same worlds, each under its own lighthouse, or the one "
-            "behind its name, as in algorithm1-word@word:12*; the first is compared with each "
-            "other one, in each rooted map by the mean over the lighthouse's places. With --to one "
-            "or more explorers in worlds that grow: cost by size, as in "
+            "Run explorers in the same worlds, each under its own lighthouse, or under the one "
+            "after @, as in algorithm1-word@word:12*. In each rooted map, the mean cost of the "
+            "first explorer over the lighthouse's places is compared with that of each other one. "
+            "With --to run one or more explorers in worlds that grow: cost by size, as in "
             "allworlds compare algorithm1 dudek91 --family lattice,torus --to 100. "
             "Every run is judged. Exit code 0: no law is broken, 1: one is."
         ),
@@ -240,9 +240,9 @@ VERBS = (
         "Compare sensors: where each fails first, which tells more.",
         example="position door directional --edges 4",
         help=(
-            "Lighthouses side by side: which of them suffice in every small world? A sensor "
-            "suffices if no two worlds look alike: two maps, or one map from two starts. The "
-            "report has the smallest two, and of sensors with equal places which tells more."
+            "Lighthouses side by side: which suffice in every small world? One suffices if no two "
+            "worlds (two maps, or one map from two starts) look alike under it. The report has the "
+            "two smallest that do, and says of sensors with equal places which one tells more."
         ),
     ),
     Verb(

@@ -28,7 +28,7 @@ VERDICTS = Path(__file__).parents[2] / "docs" / "verdicts.md"
 def test_a_crash_is_told_with_its_last_step_and_the_last_line_of_the_traceback(told):
     law, _, text = told("crashes-at-leaves")
     assert law == "crash"
-    assert "step 1, move 0: to v1, dart 1, where it sensed 'degree 1'" in text
+    assert "step, 1, was move 0: to v1, dart 1, where it sensed 'degree 1'" in text
     # It stands in what was seen, and is not said twice.
     assert text.count("IndexError: a vertex without another dart") == 1
 
@@ -36,7 +36,9 @@ def test_a_crash_is_told_with_its_last_step_and_the_last_line_of_the_traceback(t
 def test_of_what_a_program_wrote_the_line_that_tells_is_told(finding_of):
     wrote = "/mine.js:3\n\nReferenceError: f is not defined\n    at g (/mine.js:3:1)\n\nNode.js v20"
     finding = replace(finding_of("crashes-at-leaves"), seen="the end of its output", detail=wrote)
-    assert explain(finding).sentences[-1] == ("Its last message: ReferenceError: f is not defined")
+    assert explain(finding).sentences[-1] == (
+        "The explorer's last message: ReferenceError: f is not defined"
+    )
 
 
 @pytest.mark.parametrize(
@@ -52,7 +54,7 @@ def test_an_end_by_damaged_memory_tells_how_its_place_is_found(end, advised, fin
 def test_a_line_without_an_action_tells_where_output_for_debugging_goes(finding_of):
     finding = replace(finding_of("drops-markers"), explorer="exec:./mine", detail="")
     for seen in ("a line that is no JSON: 'x'", "the line {'a': 1}: it has none of the keys move"):
-        assert "goes to stderr" in explain(replace(finding, seen=seen)).sentences[1]
+        assert "debugging to stderr" in explain(replace(finding, seen=seen)).sentences[1]
     assert "stderr" not in " ".join(explain(replace(finding, seen="a Drop")).sentences)
 
 
@@ -61,15 +63,15 @@ def test_a_program_that_prints_out_of_turn_is_told_so_even_where_its_plays_diffe
     finding = replace(
         finding_of("crashes-at-leaves"), law="nondeterministic", seen=seen, explorer="exec:./mine"
     )
-    assert "goes to stderr" in explain(finding).sentences[1]
+    assert "debugging to stderr" in explain(finding).sentences[1]
     kept = explain(replace(finding, seen="the second answer differs")).sentences[1]
-    assert "Does it keep something" in kept
+    assert "Does the explorer keep something" in kept
 
 
 def test_a_run_that_ends_at_the_start_has_no_last_step(told):
     law, _, text = told("drops-markers")
     assert law == "illegal-action"
-    assert "It made no step" in text
+    assert "The robot made no step" in text
 
 
 @pytest.mark.parametrize(
@@ -97,7 +99,7 @@ def test_a_timeout_is_told(finding_of):
 def test_a_program_that_was_silent_is_asked_whether_it_flushes(finding_of):
     finding = finding_of("crashes-at-leaves")
     silent = replace(finding, explorer="exec:./mine", law="timeout", seen="silent", detail="")
-    assert "newline, and does the program flush its output after every line?" in " ".join(
+    assert "newline after every line, and then flush its output?" in " ".join(
         explain(silent).sentences
     )
 
@@ -111,7 +113,7 @@ def test_a_lost_pose_says_where_the_robot_is_and_how_far_it_is_turned(told):
     # Two loops side by side, at dart 3; 'here' is dart 0, which the symmetry takes to dart 2.
     assert "stands at v0, dart 3, and the answer says dart 0 of the same vertex" in text
     assert "the same vertex, 1 dart too far clockwise" in text
-    assert "symmetric map 1 other dart" in text
+    assert "as the map is symmetric, 1 other dart" in text
 
 
 def test_a_robot_at_another_vertex_is_told_so(explained, answering):
@@ -188,7 +190,10 @@ def test_folding_counts_the_open_darts_and_names_the_vertex_seen_as_several(told
     assert re.search(
         r"it is not known where dart \d of v\d, dart \d of v\d and dart \d of v\d lead", text
     )
-    assert "came to v1 in 2 ways, and the log does not show that this is one vertex" in text
+    assert (
+        "came to v1 in 2 ways, and the log does not show that this was always the same vertex"
+        in text
+    )
 
 
 # ---------------------------------------------------------------- the answer was dear
@@ -199,9 +204,9 @@ def test_the_bound_is_told_with_what_the_traversals_found(told):
     law, _, text = told("walks-too-much")
     assert law == "bound"
     assert "The map and the pose are right" in text
-    assert "The bound 'paper' is the sum that the paper proves for its Algorithm 1" in text
-    assert "In a world with 1 edge and 1 vertex the sum is 0 + 1 = 1." in text
-    assert "Tried with --edges 3 --bound none: no law is broken" in text
+    assert "The bound 'paper' is (1) + (2), which the paper proves for its Algorithm 1" in text
+    assert "In a world with 1 edge and 1 vertex (1) + (2) is 0 + 1 = 1." in text
+    assert "With --edges 3 --bound none no law is broken" in text
     assert "The robot made 3 traversals, of which 1 found a new edge." in text
 
 
@@ -210,7 +215,7 @@ def test_the_bound_is_told_with_what_the_traversals_found(told):
     [
         (
             {"bound": "m - 1"},
-            "The bound is the one that was asked for: m - 1, which is 1 in",
+            "The bound that was asked for is m - 1, which is 1 in",
         ),
         (
             {"bound": "m - 1", "laws": ("map", "bound")},
@@ -229,7 +234,7 @@ def test_the_bound_of_an_explorer_is_called_its_own(finding_of):
     rules = Rules(own_bound="2*m", bound=None)
     finding = replace(finding_of("walks-too-much"), world=World(PATH, Directional(0)))
     told = tell_whose_bound(replace(finding, under=rules, expected=4))
-    assert "The bound is the explorer's own: 2*m, which is 4" in " ".join(told)
+    assert "The explorer's own bound is 2*m, which is 4" in " ".join(told)
 
 
 def test_the_bound_with_the_tests_is_told_with_both_parts(finding_of):
@@ -237,7 +242,7 @@ def test_the_bound_with_the_tests_is_told_with_both_parts(finding_of):
     rules = Rules(bound="two-vertices")
     told = tell_whose_bound(replace(finding, under=rules, expected=20))
     assert "two traversals for each test" in " ".join(told)
-    assert "the bound 20." in " ".join(told)
+    assert "the bound 'two-vertices' is 20." in " ".join(told)
 
 
 @pytest.mark.parametrize("name", sorted(BOUNDS.keys() - {"none"}))
@@ -245,7 +250,7 @@ def test_every_bound_with_a_name_is_told_and_explained(name, finding_of):
     assert f"`--bound {name}`" in VERDICTS.read_text(encoding="utf-8")
     finding = replace(finding_of("walks-too-much"), world=World(PATH, Directional(0)))
     told = tell_whose_bound(replace(finding, under=Rules(bound=name), expected=20))
-    assert f"The bound '{name}' is the sum that the paper proves" in " ".join(told)
+    assert f"The bound '{name}' is (1) + (2)" in " ".join(told)
 
 
 # ---------------------------------------------------------------- the table

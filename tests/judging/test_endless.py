@@ -33,11 +33,11 @@ def test_who_walks_round_a_face_is_told_the_edges_that_it_never_met():
 
     told = explained(round_and_round, "k4")
     assert re.fullmatch(
-        r"After step [34] it found no new edge; [23] edges of the world stayed unknown\.", told[1]
+        r"After step [34] the robot found no new edge; [23] edges stayed unknown\.", told[1]
     )
-    walked = "From step 1 on it walked [0-9,]+ times a round of 3 steps: to v[0-3], dart"
+    walked = "From step 1 on the robot walked a round of 3 steps [0-9,]+ times: to v[0-3], dart"
     assert re.match(walked, told[2]), told[2]
-    assert told[3].startswith("It never walked along the edge from v")
+    assert told[3].startswith("The robot never walked along the edge from dart")
     assert SHOW not in told
     assert "traversals, which is 8 x (" in told[4]
     assert "--step-budget" not in told[4]
@@ -84,7 +84,7 @@ def test_an_endless_walk_names_its_lines(tmp_path, monkeypatch):
     (finding,) = report.findings
     assert finding.law == "budget"
     assert finding.code.busy[:2] == ("forgets.py:11", "forgets.py:12")
-    (round_,) = [said for said in explain(finding).sentences if "times a round of" in said]
+    (round_,) = [said for said in explain(finding).sentences if "walked a round of" in said]
     assert round_.endswith("(line forgets.py:5).")
     said = text(report, 200)
     assert "line       forgets.py:5: return (yield Move(k))" in said
@@ -119,7 +119,7 @@ def test_who_wanders_is_told_when_nothing_was_new_any_more():
             yield Move(int(n**0.5 // 1) % 3)
 
     told = explained(wandering, "k4")
-    assert "it had walked every edge of the world, and yet it went on" in told[1]
+    assert "the robot had walked every edge of the world, but the explorer went on" in told[1]
 
 
 def test_the_budget_that_was_asked_for_is_told_as_that():
@@ -143,7 +143,7 @@ def test_a_run_a_hundred_times_dearer_than_the_bound_is_given_up():
     assert (finding.law, finding.transcript.cost) == ("budget", 100 * (3 - 2) + 100)
     told = explain(finding).sentences[-1]
     assert told.startswith("In a world with 3 edges and 2 vertices the budget is 200 traversals, ")
-    assert "which is 100 x (the bound m-2) + 100" in told
+    assert "which is 100 x the bound + 100; the bound is m-2" in told
 
 
 LOOP = World(CombinatorialMap((1, 0), (1, 0)), Directional(0), 0)
@@ -222,7 +222,7 @@ def test_a_walk_that_ends_in_checkpoints_is_told_so():
             yield Checkpoint((1, 0), (1, 0), 0)
 
     told = explain(run(explore, LOOP).finding).sentences
-    assert told[1] == "After step 1 it only showed checkpoints."
+    assert told[1] == "After step 1 the explorer only showed checkpoints."
 
 
 STUCK = """from allworlds import Move
@@ -248,9 +248,10 @@ def test_a_silent_run_tells_the_lines_in_which_it_was(tmp_path, monkeypatch):
     )
     (finding,) = report.findings
     assert (finding.law, finding.detail) == ("timeout", "")
-    told = [said for said in explain(finding).sentences if said.startswith("It was in")]
+    told = [said for said in explain(finding).sentences if said.startswith("It was then in")]
     assert re.fullmatch(
-        r"It was in search \(stuck\.py:[56]\), called by explore \(stuck\.py:11\)\.", told[0]
+        r"It was then in the function search \(stuck\.py:[56]\), called by explore \(stuck\.py:11\)\.",
+        told[0],
     )
     assert "::error file=stuck.py,line=" in file_of("annotations", report)
     assert not [said for said in explain(replace(finding, output="")).sentences if "was in" in said]
@@ -279,9 +280,12 @@ def test_who_takes_one_door_for_another_after_a_way_back_is_told_the_step(ends):
     wrong = run(rooms_from_the_hall(lambda door: door, ends), STAR).finding
     told = [said for said in explain(wrong).sentences if said.startswith("Before step")]
     (sentence,) = told
-    assert sentence.startswith("Before step 5 it was back at v0 and faced dart 1, by which it had")
-    assert "move 2 led along dart 0, which was walked before. Counted from dart 0" in sentence
-    assert "it would have led along dart 3, which was new" in sentence
+    assert sentence.startswith(
+        "Before step 5 the robot was back at v0 and faced dart 1, by which it had"
+    )
+    assert "move 2 then led along dart 0, which was already walked. If doors" in sentence
+    assert "counted from dart 0" in sentence
+    assert "would lead along dart 3, which was new" in sentence
     right = run(rooms_from_the_hall(lambda door: min(door, 1), ends), STAR).finding
     assert not [said for said in explain(right).sentences if said.startswith("Before step")]
 
@@ -304,9 +308,11 @@ def test_a_loop_is_no_other_door_by_which_it_came():
     world = World(CombinatorialMap((1, 2, 0, 3), (1, 0, 3, 2)), Directional(0), 0)
     told = explain(run(explore, world).finding).sentences
     (sentence,) = [said for said in told if said.startswith("Before step")]
-    assert sentence.startswith("Before step 3 it was back at v0 and faced dart 1, by which it had")
-    assert "Counted from dart 0" in sentence
-    assert "it would have led along dart 2, which was new" in sentence
+    assert sentence.startswith(
+        "Before step 3 the robot was back at v0 and faced dart 1, by which it had"
+    )
+    assert "If doors were counted from dart 0" in sentence
+    assert "would lead along dart 2, which was new" in sentence
 
 
 def test_the_way_back_through_a_loop_is_counted_from_the_door_before_it():
@@ -317,8 +323,11 @@ def test_the_way_back_through_a_loop_is_counted_from_the_door_before_it():
     map_ = CombinatorialMap((1, 2, 3, 4, 0, 5, 6, 7), (5, 2, 1, 6, 7, 0, 3, 4))
     told = explain(run(explore, World(map_, Directional(0), 0)).finding).sentences
     (sentence,) = [said for said in told if said.startswith("Before step")]
-    assert sentence.startswith("Before step 5 it was back at v0 and faced dart 5, by which it had")
-    assert "led along dart 3, which was walked before. Counted from dart 0" in sentence
+    assert sentence.startswith(
+        "Before step 5 the robot was back at v0 and faced dart 5, by which it had"
+    )
+    assert "then led along dart 3, which was already walked. If doors" in sentence
+    assert "counted from dart 0" in sentence
 
 
 def test_who_only_lays_markers_down_and_takes_them_up_is_told_its_last_step():
@@ -328,7 +337,7 @@ def test_who_only_lays_markers_down_and_takes_them_up_is_told_its_last_step():
             yield Pick()
 
     sentences = explained(explore, "edge", "movable")
-    assert sentences[1].startswith("Its last step was step 1090, pick: to v0, dart 0, where it sen")
+    assert sentences[1].startswith("The last step, 1090, was pick: to v0, dart 0, where it sen")
 
 
 @pytest.mark.parametrize(("rooms", "more"), [(9, ""), (10, " and 1 more"), (11, " and 2 more")])
@@ -339,7 +348,7 @@ def test_of_the_edges_that_were_left_out_eight_are_named(rooms, more):
 
     told = explained(explore, f"bouquet-{rooms}")[3]
     assert told.startswith(
-        "It never walked along the edge from v0, dart 2, to v0, dart 3, the edge"
+        "The robot never walked along the edge from dart 2 of v0 to dart 3 of v0, the edge"
     )
     assert told.count("the edge from") == 8
-    assert told.endswith(f"dart 17{more}.")
+    assert told.endswith(f"dart 17 of v0{more}.")

@@ -11,7 +11,7 @@ def test_a_known_place_taken_for_a_new_vertex_is_where_they_part(told):
     assert "back at v1" in text
     assert "takes this vertex for a new one" in text
     # The wrong place is sensed to be wrong only later.
-    assert "first percept against the answer came at step 7" in text
+    assert "answer is first contradicted at step 7" in text
 
 
 def test_a_known_place_left_some_time_ago_is_named_with_the_step(explained, answering):
@@ -40,8 +40,8 @@ def test_another_dart_of_the_same_vertex_is_where_they_part(told):
     law, step, text = told("bearing-ignored")
     assert (law, step) == ("map", 1)
     # The two loops cross: in truth the robot comes out at dart 2.
-    assert "in its answer it came by dart 1, in truth by dart 2" in text
-    assert "it sensed 'degree 4, marked, bearing 2'" in text
+    assert "in its answer it came in by dart 1, in truth by dart 2" in text
+    assert "the robot sensed 'degree 4, marked, bearing 2'" in text
 
 
 def test_a_start_of_another_degree_parts_at_once(explained, answering):

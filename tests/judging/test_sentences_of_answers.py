@@ -91,7 +91,7 @@ class Truth:
         """When before a step the robot was last at the vertex of a dart."""
         last = max(i for i in range(step) if self.owner[self.walk[i]] == self.owner[dart])
         if last == step - 1:
-            return "from which it came"
+            return "which it had just left"
         return f"which it had left at step {last + 1}"
 
     # ------------------------------------------------------------ the walk in the answer
@@ -149,9 +149,13 @@ class Truth:
 
         def misfit(at):
             if not any(each.marks for each in expected):
-                lacks = f"the answer has {expected[at]}, but its map cannot hold the lighthouse"
-                return f"it sensed '{self.sensed[at]}', where {lacks}"
-            return f"it sensed '{self.sensed[at]}', where the answer predicts '{expected[at]}'"
+                lacks = (
+                    f"the answer has {expected[at]}, and its map has no place for the lighthouse"
+                )
+                return f"the robot sensed '{self.sensed[at]}', where {lacks}"
+            return (
+                f"the robot sensed '{self.sensed[at]}', where the answer predicts '{expected[at]}'"
+            )
 
         robot, here = self.walk[step], misfit(step) if step in misfits else ""
         vertex = self.vertex(robot)
@@ -161,18 +165,18 @@ class Truth:
         first += f"came to {vertex} for the first time, " if fresh else f"was back at {vertex}, "
         first += "" if fresh else f"{self.left(robot, step)}, "
         if means == (None if fresh else robot):
-            return [f"{first}and in its answer too, but {here}."]
+            return [f"{first.removesuffix(', ')}. In the answer this is so, too, but {here}."]
         if means is None:
             first += "but its answer takes this vertex for a new one"
         elif self.owner[means] == self.owner[robot]:
-            first += f"but in its answer it came by dart {means}, in truth by dart {robot}"
+            first += f"but in its answer it came in by dart {means}, in truth by dart {robot}"
         else:
             first += f"but its answer takes this vertex for {self.vertex(means)}, "
             first += self.left(means, step)
         if here:
             return [f"{first}: {here}."]
         if misfits:
-            later = f"The first percept against the answer came at step {misfits[0]}: "
+            later = f"The answer is first contradicted at step {misfits[0]}: "
             return [f"{first}.", f"{later}{misfit(misfits[0])}."]
         short = (
             "Every percept fits the answer, too: the walk was too short to tell the two maps apart."
@@ -229,8 +233,8 @@ class Truth:
         if twice:
             one = "each of these" if len(twice) > 1 else "this"
             told.append(
-                f"The robot came to {listed(twice)}, and the log does not show that {one} is one "
-                "vertex."
+                f"The robot came to {listed(twice)}, and the log does not show that {one} was "
+                "always the same vertex."
             )
         return told
 
@@ -397,7 +401,7 @@ DIFFERENCES = {
     ),
     "crossed": (
         "edges crossed",
-        f"{ONLY}(it joins {PAIRS}, the world joins {PAIRS}|darts # and # of v# are exchanged).",
+        f"{ONLY}(it joins {PAIRS}, but the world joins {PAIRS}|darts # and # of v# are exchanged).",
         lambda truth, text: (joining if "joins" in text else exchange)(truth, text),
     ),
     "misplaced": (
@@ -486,7 +490,7 @@ WHERE = (
     r"the robot stands at (v\d+, dart \d+), and the answer says (?:(v\d+, dart (\d+)), which is "
     r"another vertex|dart (\d+) of the same vertex, (\d+ darts?) too far (anticlockwise|clockwise))"
     r"(; dart (\d+) is the other end of the edge by which the robot came)?"
-    r"( \(for this symmetric map (\d+ other darts?) would be right, too\))?\."
+    r"( \(as the map is symmetric, (\d+ other darts?) would be right, too\))?\."
 )
 
 
@@ -508,7 +512,7 @@ def test_of_a_wrong_pose_it_is_told_where_the_robot_is_and_where_it_believes_to_
                     "are counted anticlockwise: "
                 )
             assert more == [
-                "This world is its own mirror image, so it does not show which of these is wrong."
+                "This world is its own mirror image, so no run in it shows which mistake it is."
             ]
         else:
             assert more == ([f"Or: {BEARINGS}"] if bearings else [])

@@ -59,10 +59,10 @@ def told(explore, world, **rules):
 def test_the_last_step_is_told_with_its_place_and_percept():
     # Out of the middle by 2, which leads to v2 with its one dart.
     (_, last) = told(walking(Move(0), Move(1)), PATH_OF_3)
-    assert last == "Its last step was step 2, move 1: to v2, dart 3, where it sensed 'degree 1'."
+    assert last == "The last step, 2, was move 1: to v2, dart 3, where it sensed 'degree 1'."
     (_, start) = told(walking(), PATH_OF_3)
     assert start == (
-        "It made no step: it stood at the start, v0, dart 0, and sensed 'degree 1, marked, "
+        "The robot made no step: it stood at the start, v0, dart 0, and sensed 'degree 1, marked, "
         "bearing 0'."
     )
 
@@ -81,13 +81,14 @@ def test_the_vertices_that_were_never_visited_are_named_up_to_some_number():
     two = [Move(1), Move(0), Move(2), Move(0)]
     assert NAMED == 3
     said = told(walking(*two, answer=1), STAR, task="cover")
-    assert said[1] == "It never visited v1, v3, v5 and 1 more."
+    assert said[1] == "The robot never visited v1, v3, v5 and 1 more."
     three = [*two, Move(1), Move(0)]  # by dart 4 to v5
     said = told(walking(*three, answer=1), STAR, task="stop")
-    assert said[1] == "It never visited v1, v3 and v6."
+    assert said[1] == "The robot never visited v1, v3 and v6."
     (_, last) = told(walking(Move(0), answer=1), PATH_OF_3, task="home")[1:]
-    assert last.startswith("Its last step")
-    assert told(walking(Move(0), answer=1), PATH_OF_3, task="home")[1] == "It never visited v2."
+    assert last.startswith("The last step")
+    missed = told(walking(Move(0), answer=1), PATH_OF_3, task="home")[1]
+    assert missed == "The robot never visited v2."
 
 
 def test_the_edges_that_were_never_walked_along_are_named_and_no_other():
@@ -96,18 +97,19 @@ def test_the_edges_that_were_never_walked_along_are_named_and_no_other():
     (left,) = [line for line in explain(finding).sentences if "walked along" in line]
     map_ = finding.world.map
     darts = {k: map_.turn(finding.world.start, k) for k in (1, 3, 4)}
+    alpha = map_.alpha
     ends = [
-        f"the edge from v0, dart {d}, to v{k + 1}, dart {map_.alpha[d]}" for k, d in darts.items()
+        f"the edge from dart {d} of v0 to dart {alpha[d]} of v{k + 1}" for k, d in darts.items()
     ]
-    assert left == f"It never walked along {', '.join(ends)} and 1 more."
+    assert left == f"The robot never walked along {', '.join(ends)} and 1 more."
     said = told(walking(Move(0), answer=1), PATH_OF_3, task="cover:edges")
-    assert said[1] == "It never walked along the edge from v1, dart 2, to v2, dart 3."
+    assert said[1] == "The robot never walked along the edge from dart 2 of v1 to dart 3 of v2."
 
 
 def test_who_drops_a_marker_has_walked_along_no_edge():
     world = World(EDGE, Movable(), 0)
     said = told(walking(Drop(), answer=1), world, task="cover:edges")
-    assert said[1] == "It never walked along the edge from v0, dart 0, to v1, dart 1."
+    assert said[1] == "The robot never walked along the edge from dart 0 of v0 to dart 1 of v1."
 
 
 @pytest.mark.parametrize("task", ["cover", "cover:edges"])
@@ -152,7 +154,7 @@ def test_each_kind_of_end_has_the_advice_that_is_about_it(law, seen, explorer, s
     given = [line for line in explain(finding).sentences if line in known]
     expected = [] if said is None else [KEPT, UNWRITTEN] if said == UNWRITTEN else [said]
     assert given == expected
-    last = "It made no step: it stood at the start, v0, dart 0, and sensed"
+    last = "The robot made no step: it stood at the start, v0, dart 0, and sensed"
     assert [line.startswith(last) for line in explain(finding).sentences].count(True) == 1
 
 
@@ -161,16 +163,16 @@ def test_the_last_words_of_a_process_that_ended_are_told(law, told):
     ended = replace(
         found(walking(), PATH_OF_3), law=law, seen="its end (signal 6)", detail="", output="a\nb\n"
     )
-    assert explain(ended).sentences.count("Its last message: b") == told
-    assert "Its last message: c" in explain(replace(ended, detail="c")).sentences
+    assert explain(ended).sentences.count("The explorer's last message: b") == told
+    assert "The explorer's last message: c" in explain(replace(ended, detail="c")).sentences
 
 
 @pytest.mark.parametrize(
     ("detail", "said"),
     [
-        ("x\nTypeError: no\n  at y\n", ["Its last message: TypeError: no"]),
-        ("an exception\nPANIC: here\nbye", ["Its last message: PANIC: here"]),
-        ("one\n two \n\n", ["Its last message: two"]),
+        ("x\nTypeError: no\n  at y\n", ["The explorer's last message: TypeError: no"]),
+        ("an exception\nPANIC: here\nbye", ["The explorer's last message: PANIC: here"]),
+        ("one\n two \n\n", ["The explorer's last message: two"]),
         ("one\nas was seen", []),
         (" \n", []),
     ],
@@ -208,8 +210,8 @@ def test_the_first_wrong_checkpoint_goes_before_what_followed():
             text = explain(replace(finding, law=law, wrong_checkpoint=wrong))
             shown = wrong or "its S is not the explored part"
             first = (
-                f"The checkpoint after step 1 is already wrong: {shown}. Mend this first: all "
-                "later steps may follow from it."
+                f"The checkpoint after step 1 is already wrong: {shown}. Mend this first: later "
+                "mistakes may follow from it."
             )
             assert text.sentences[0 if law == "budget" else 1] == first
             assert text.step == 1
@@ -226,9 +228,9 @@ def test_of_an_endless_walk_it_is_told_since_when_nothing_was_new():
     whose = "--step-budget sets the budget: 6 traversals."
     assert loop == [
         how,
-        "After step 1 it found no new edge; 1 edge of the world stayed unknown.",
-        "From step 1 on it walked 3 times a round of 2 steps: to v0, dart 1; v0, dart 0",
-        "It never walked along the edge from v0, dart 2, to v1, dart 3.",
+        "After step 1 the robot found no new edge; 1 edge stayed unknown.",
+        "From step 1 on the robot walked a round of 2 steps 3 times: to v0, dart 1; v0, dart 0",
+        "The robot never walked along the edge from dart 2 of v0 to dart 3 of v1.",
         whose,
     ]
     never = told(
@@ -237,18 +239,19 @@ def test_of_an_endless_walk_it_is_told_since_when_nothing_was_new():
     assert never[2:] == [SHOW, whose]
     # Out by dart 2 at the third step: then all is known.
     both = told(walking(Move(0), Move(0), Move(2), then=Move(0)), LEAFY_LOOP, step_budget=6)
-    assert both[1] == "After step 3 it had walked every edge of the world, and yet it went on."
+    went_on = "had walked every edge of the world, but the explorer went on."
+    assert both[1] == f"After step 3 the robot {went_on}"
     # Under a task that is not the map no checkpoint is asked for.
     tasked = told(walking(then=Move(0)), LEAFY_LOOP, step_budget=6, task="stop")
     tasked[2] = tasked[2].partition(" (line")[0]
     assert tasked[1:] == [
-        "After step 1 it found no new edge; 1 edge of the world stayed unknown.",
-        "From step 1 on it walked 3 times a round of 2 steps: to v0, dart 1; v0, dart 0",
-        "It never visited v1.",
+        "After step 1 the robot found no new edge; 1 edge stayed unknown.",
+        "From step 1 on the robot walked a round of 2 steps 3 times: to v0, dart 1; v0, dart 0",
+        "The robot never visited v1.",
         whose,
     ]
     shown = told(walking(Move(0), Move(0), then=Checkpoint((1, 2, 0), (1, 0, 2), 0)), LEAFY_LOOP)
-    assert shown[1] == "After step 2 it only showed checkpoints."
+    assert shown[1] == "After step 2 the explorer only showed checkpoints."
     still = told(walking(then=Drop()), World(EDGE, Movable(), 0), step_budget=1)
     assert not [line for line in still if "met no new edge" in line]
 
@@ -270,7 +273,7 @@ def test_whose_the_budget_is_and_of_what_it_is_the_sum(world, name, new, closing
     )
     tried = tell_whose_budget(replace(finding, tried="--bound none"))
     assert tried.endswith(
-        "bound. Tried with --bound none: no law is broken in this world or any other one tried."
+        "bound. With --bound none no law is broken, in this world and in all others tried."
     )
     named = tell_whose_budget(replace(finding, under=Rules(own_bound="1000*n")))
     value = 1000 * world.map.vertex_count
@@ -294,22 +297,20 @@ def test_whose_the_bound_is_and_how_its_value_comes_about(world, name, new, clos
         return told_
 
     what = (
-        "the sum that the paper proves for its Algorithm 1 in Section VI: (1), the cost of passes "
-        "that find a new vertex, plus (2), the cost of passes that join two known vertices"
+        "(1) + (2), which the paper proves for its Algorithm 1 in Section VI: (1) is the cost of "
+        "passes that find a new vertex, (2) that of passes that join two known vertices"
     )
-    sums = f"In a world with {name} the sum is {new} + {closing}"
+    sums = f"In a world with {name} (1) + (2) is {new} + {closing}"
     assert whose(bound="paper") == f"The bound 'paper' is {what}. {sums} = {new + closing}."
     assert whose(bound="two-vertices") == (
-        f"The bound 'two-vertices' is {what}; to this sum the bound adds two traversals for each "
-        f"test of a hypothesis, and the search at the start for the dart to v1. {sums}, "
-        f"the bound {new + closing}."
+        "The bound 'two-vertices' is (1) + (2) + (two traversals for each test of a hypothesis) + "
+        f"(the search at the start for the dart to v1). The bound 'paper' is {what}. {sums}, "
+        f"and the bound 'two-vertices' is {new + closing}."
     )
     value = f"which is {new + closing} in a world with {name}."
-    assert whose(bound="3*m") == f"The bound is the one that was asked for: 3*m, {value}"
-    assert whose(own_bound="3*m") == f"The bound is the explorer's own: 3*m, {value}"
-    assert whose(own_bound="3*m", bound="2*m") == (
-        f"The bound is the one that was asked for: 2*m, {value}"
-    )
+    assert whose(bound="3*m") == f"The bound that was asked for is 3*m, {value}"
+    assert whose(own_bound="3*m") == f"The explorer's own bound is 3*m, {value}"
+    assert whose(own_bound="3*m", bound="2*m") == (f"The bound that was asked for is 2*m, {value}")
 
 
 def test_what_else_holds_is_said_of_the_laws_that_were_checked():
@@ -391,6 +392,6 @@ def test_who_acts_last_without_a_move_has_stayed_where_the_answer_leaps():
     assert (explanation.law, explanation.step) == ("pose", 2)
     assert explanation.sentences[1] == (
         "At step 2 the robot stayed at v1, but its answer takes this vertex for v0, which it had "
-        "left at step 1: it sensed 'degree 1, marked', where the answer predicts 'degree 3, "
+        "left at step 1: the robot sensed 'degree 1, marked', where the answer predicts 'degree 3, "
         "marked'."
     )

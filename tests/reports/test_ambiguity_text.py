@@ -32,9 +32,9 @@ def test_twins_are_drawn_with_the_class_of_each_dart_and_a_reason():
     text = twins_text(twins(named("two-loops-plane"), named("two-loops-torus")), 100)
     assert text.startswith("TWINS")
     assert (
-        "both are covers with 4 sheets of the same quotient, which has 1 class of darts. At the "
-        "darts of one class a robot senses the same, and each motion leads to darts of one class: "
-        "no motion tells the worlds apart"
+        "both are covers with 4 sheets of the same quotient, which has 1 class of darts. At all "
+        "darts of one class a robot senses the same, and each motion leads from them to darts of "
+        "one class again: so no motion tells the worlds apart"
     ) in flat(text)
     assert "World A (genus 0)" in text
     assert " a a a a" in text
@@ -46,7 +46,7 @@ def test_twins_are_drawn_with_the_class_of_each_dart_and_a_reason():
 
 def test_sheets_of_different_worlds_are_told_apart():
     text = flat(twins_text(twins(named("cycle-3", "none"), named("cycle-4", "none")), 100))
-    assert "A is a cover with 6 sheets and B one with 8 of the same quotient" in text
+    assert "A is a cover with 6 sheets and B with 8, both of the same quotient" in text
 
 
 def test_one_world_twice_is_no_pair_of_twins():
@@ -115,7 +115,8 @@ def test_a_mismatch_with_the_source_is_named(counted):
     good = census(edges=2)
     bad = replace(good.rows[1], counted=counted)
     text = census_text(replace(good, rows=(good.rows[0], bad)), 80)
-    assert f"with 2 edges 10 rooted maps were met, but {good.source} counts {counted}" in flat(text)
+    wrong = f"but the independent count ({good.source}) is {counted}"
+    assert f"found 10 rooted maps with 2 edges, {wrong}" in flat(text)
     assert text.count("MISMATCH") == 1
     assert "gate" not in text
 

@@ -29,8 +29,8 @@ def said(headline):
 
 
 MET = (
-    "with 2 edges 1 rooted map was met, but Tutte counts 9; "
-    "with 2 edges 2 rooted maps were met, but Tutte counts 9"
+    "the enumeration found 1 rooted map with 2 edges, but the independent count (Tutte) is 9; "
+    "the enumeration found 2 rooted maps with 2 edges, but the independent count (Tutte) is 9"
 )
 
 
@@ -85,8 +85,8 @@ def test_a_tour_goes_the_nearest_way_to_what_is_left():
 
 
 MISCOUNTED = (
-    "maps with 2 edges and 1 vertex: 1 were enumerated, but T counts 3; "
-    "maps with 2 edges and 3 vertices: 2 were enumerated, but T counts 1"
+    "the enumeration found 1 map with 2 edges and 1 vertex, but the independent count (T) is 3; "
+    "the enumeration found 2 maps with 2 edges and 3 vertices, but the independent count (T) is 1"
 )
 
 
@@ -188,11 +188,11 @@ def test_lines_that_run_in_a_refuting_run_alone_are_told_up_to_a_number():
     code = SimpleNamespace(source=str, alone=["a:1", "a:2", "a:3"], right=1, steps=(), busy=())
     finding = SimpleNamespace(code=code, believed=None, law="crash", detail="")
     told = dict(_lines(finding, None))
-    only = "a:1; a:2; a:3 (not reached in any of 1 run without a finding)"
+    only = "a:1; a:2; a:3 (not reached in 1 run without a finding)"
     assert told["only here"] == only
     code.alone.append("a:4")
     assert len(code.alone) == MOST_LINES + 1
-    assert "a:3; 1 other line, which --json has (not" in dict(_lines(finding, None))["only here"]
+    assert "a:3; 1 other line: --json lists them (not" in dict(_lines(finding, None))["only here"]
     assert [*_lines(SimpleNamespace(code=None), None)] == []
 
 
@@ -300,7 +300,7 @@ def test_in_the_map_of_a_checkpoint_the_vertices_that_are_not_explored_have_no_n
     (block,) = _belief(story)
     _, (title, scene) = block.entries
     assert [*scene.vertices] == ["s0", "?", "?"]
-    assert "with its own numbers of darts, 0 to 1 (?: not explored)" in title
+    assert "with the explorer's own darts 0 to 1 (?: not explored)" in title
     story.finding.step = None
     assert _belief(story)
     shown.here = 9

@@ -187,7 +187,7 @@ def test_a_mismatch_of_the_count_gate_is_an_error(holds):
     first, *others = holds.cells
     report = replace(holds, cells=(replace(first, counted=99), *others))
     assert outcomes(report)[0][1] == "error"
-    assert "counts 99" in suite_of(report).find(".//error").get("message")
+    assert "is 99" in suite_of(report).find(".//error").get("message")
     assert "the number equals" not in str(dict(content_of(report).short)["gate"])
 
 

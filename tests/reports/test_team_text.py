@@ -79,7 +79,7 @@ scope      every start of the model in every map of the class 'maps' with at mos
            async schedule
 gate       no map was forgotten: the number equals an independent count (log-series of
            permutations)
-anonymous  starts that differ only in the robots' numbers are searched one by one
+anonymous  starts that differ only in which robot has which number are searched one by one, too
 
 Finished levels
 edges  vertices  maps  worlds  configurations  most  longest
@@ -209,7 +209,7 @@ def test_where_no_robot_is_activated_nobody_is_said_to_be():
     ("options", "said"),
     [
         ({"within": 1}, "within 1 activation of each robot"),
-        ({"lead": 2, "scheduler": "ssync"}, "no robot more than 2 activations ahead"),
+        ({"lead": 2, "scheduler": "ssync"}, "no robot more than 2 activations ahead of another"),
         ({"start_delay": 2}, "robot 1 begins up to 2 rounds later"),
     ],
 )
@@ -239,10 +239,11 @@ def test_the_gate_names_the_first_size_that_differs():
     ]
     report = SimpleNamespace(extent=SimpleNamespace(given=None), whole=True, cells=cells)
     assert _gate(report) == (
-        "MISMATCH: maps with 2 edges and 2 vertices: 2 were enumerated, but Tutte counts 9"
+        "MISMATCH: the enumeration found 2 maps with 2 edges and 2 vertices, but the independent "
+        "count (Tutte) is 9"
     )
     report.whole = False
-    assert _gate(report) == "deferred to the merge of all shards"
+    assert _gate(report) == "the merge of all shards compares the counts"
 
 
 def test_each_number_of_edges_is_a_case(holds, refuted, cut_off):

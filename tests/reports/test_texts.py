@@ -104,7 +104,7 @@ def test_the_text_of_an_incomplete_check_says_so():
 def test_the_text_of_a_shard_defers_the_gate():
     text = check_text(check("algorithm1", engine="python", edges=2, shard=(0, 2)), 100)
     assert "shard 0/2" in text
-    assert "deferred to the merge" in text
+    assert "the merge of all shards compares the counts" in text
 
 
 def test_a_shard_without_worlds_does_not_hold():
@@ -138,7 +138,7 @@ def test_one_is_singular():
     assert "1 rooted map of" in count_text(simple, 100)
     row = structs.replace(simple.rows[0], counted={2: 2})
     wrong = structs.replace(simple, rows=(row,))
-    assert "maps with 1 edge and 2 vertices: 1 were" in count_text(wrong, 100)
+    assert "found 1 map with 1 edge and 2 vertices, but" in count_text(wrong, 100)
 
 
 def test_the_text_of_a_run_has_a_row_for_every_step():
@@ -225,7 +225,7 @@ def test_the_laws_are_those_of_which_something_was_checked():
     silent = laws("folding", bound="none")
     checked, _, left = silent.partition(";")
     assert checked.split() == ["laws", "map,", "pose,", "folding"]
-    assert left.endswith("unchecked without checkpoints: invariant-1, invariant-2 and variant")
+    assert left.endswith("no checkpoint, so unchecked: invariant-1, invariant-2 and variant")
     assert "no law was checked" in laws("algorithm1", lighthouse="natural", edges=1)
 
 
@@ -239,7 +239,7 @@ def test_the_laws_of_one_run_are_those_of_which_something_was_checked():
 
 def test_a_sample_has_no_gate_and_says_so(wrong):
     text = text_of(fuzz("algorithm1", edges=4, runs=2), 100)
-    assert "gate       absent: for a sample there is no count" in text
+    assert "gate       absent: a sample has no independent count" in text
     assert "the two plays" not in text_of(check(wrong("raises"), edges=1), 100)
 
 

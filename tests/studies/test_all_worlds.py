@@ -184,7 +184,10 @@ def test_of_several_rows_the_first_that_does_not_agree_is_told():
         for n in (1, 2, 3)
     ]
     said = _mismatch(SimpleNamespace(disagreement="", rows=rows, source="Tutte"))
-    assert said == ("maps with 2 edges and 2 vertices: 4 were enumerated, but Tutte counts 5")
+    assert said == (
+        "the enumeration found 4 maps with 2 edges and 2 vertices, but the independent count "
+        "(Tutte) is 5"
+    )
 
 
 def test_a_run_without_an_answer_has_no_cost_and_no_choices():

@@ -91,7 +91,7 @@ def test_a_wall_follower_gets_no_advice_that_does_not_help(hand, options, monkey
 def test_a_bound_is_told_to_be_the_only_fault_where_that_was_tried():
     finding, text = told(dear)
     assert finding.tried == "--edges 2 --bound none"
-    assert "Tried with --edges 2 --bound none: no law is broken" in text
+    assert "With --edges 2 --bound none no law is broken" in text
     assert check(dear, edges=2, bound="none").exit_code == 0
 
 

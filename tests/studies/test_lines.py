@@ -90,7 +90,7 @@ def test_the_line_of_a_crash_runs_in_no_right_run_and_is_shown():
     assert ends_at(finding.code.alone[-1], "raises")
     assert finding.code.right > 0
     assert f":{line_of('raises')}: raise ValueError(percept)  # raises" in str(finding)
-    assert f"(not reached in any of {finding.code.right} run" in " ".join(str(finding).split())
+    assert f"(not reached in {finding.code.right} run" in " ".join(str(finding).split())
 
 
 def test_lines_that_run_in_right_runs_are_not_among_them():
@@ -150,9 +150,9 @@ def test_the_wrong_checkpoint_is_kept_and_drawn_beside_the_world():
     text = str(finding)
     assert f"The world after step {shown.step}\n" in text
     size = len(shown.sigma) - 1
-    assert f"Its S after step {shown.step}, with its own numbers of darts, 0 to {size}" in text
+    assert f"The S after step {shown.step}, with the explorer's own darts 0 to {size}" in text
     page = finding._repr_html_()
-    assert f"Its S after step {shown.step}" in page
+    assert f"The S after step {shown.step}" in page
 
 
 def test_the_belief_is_kept_in_the_file():
@@ -192,8 +192,8 @@ def test_a_walk_is_shown_up_to_its_first_wrong_step():
 @pytest.mark.parametrize(
     ("task", "expected", "left"),
     [
-        ("cover", "every vertex visited within ", "It never visited v"),
-        ("cover:edges", "every edge walked along within ", "It never walked along the edge from v"),
+        ("cover", "every vertex visited within ", "The robot never visited v"),
+        ("cover:edges", "every edge walked along within ", "The robot never walked along the edge"),
     ],
 )
 def test_what_was_left_out_is_named(task, expected, left):

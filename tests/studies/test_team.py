@@ -377,7 +377,7 @@ def test_of_a_long_run_the_first_and_the_last_events_are_drawn(monkeypatch):
     (found,) = team("waits", "polls", edges=1, within=6).findings
     lines = diagram(found)
     assert [line[0] for line in lines] == [" ", "1", "2", ".", "5", "6"]
-    assert lines[3] == "... 2 events; the JSON has all of them"
+    assert lines[3] == "... 2 more events: --json has all of them"
 
 
 def test_a_program_of_this_process_is_not_sent_to_others():

@@ -11,9 +11,9 @@ from allworlds.studies.convert import ConvertRequest
 def convert(request: ConvertRequest, *, output: OutputGroup) -> int:
     """Example: allworlds convert plan.graphml -o plan.json
 
-    Tell of each world of a file: its size, genus, faces and symmetries, and where the doors of each
-    room lead; with -v draw it. With -o write them in other notations, without what these have no
-    place for, or draw one (.svg).
+    Describe each world of a file: its size, genus, faces and symmetries, and where the doors of
+    each room lead; with -v draw it. With -o write the worlds in another notation, or draw one world
+    (.svg). What the other notation cannot hold is left out.
     """
     files = output.files or []
     worlds = [name for name in files if names_world_file("convert", name)]

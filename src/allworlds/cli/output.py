@@ -72,7 +72,7 @@ class OutputGroup:
 @cache
 def output_of(verb: str) -> type[OutputGroup]:
     """The class of the options for a verb's output; their help names the files it can write."""
-    help_ = f"Also write this file, by its end: {formats.legal_files(verb)}. Repeat it for more."
+    help_ = f"Also write this file; its ending says what: {formats.legal_files(verb)}. Repeatable."
     asked = Annotated[list[str] | None, Option(OUTPUT, "FILE", help_, short="o", repeated=True)]
     options: list[tuple[str, Any, Any]] = [("files", asked, field(default=None))]
     if {verbs.FINDINGS, verbs.PICTURE} & {*verbs.BY_NAME[verb].has}:

@@ -48,12 +48,12 @@ class RunWords(ProgramWords):
         Option(
             OUTPUT,
             "",
-            "Leave out the walk: the steps in the text, but of a finding; transcript in the JSON.",
+            "Leave out the walk: in the JSON, and in the text unless a law is broken.",
             "no-walk",
         ),
     ] = False
     pdb: Annotated[
-        bool, Option(RARE_SCOPE, "", "After the report play again, in the debugger; see --step.")
+        bool, Option(RARE_SCOPE, "", "After the report repeat the run in the debugger; see --step.")
     ] = False
     step: Annotated[
         int,
@@ -232,10 +232,10 @@ def replay(request: ReplayRequest, *, output: OutputGroup) -> int:
 def play(request: PlayRequest, *, output: OutputGroup) -> int:
     """Example: allworlds play theta-torus -o play.html
 
-    Be the robot, in a web page or here. Here each line is an action: a number leaves by that dart,
-    counted clockwise from the one you came by; drop or pick moves a marker, write 3 writes the
-    number 3; an empty line ends the walk and uncovers the world. In the end your cost stands beside
-    that of Algorithm 1.
+    Be the robot, in a web page or in the terminal. In the terminal each line is an action: a number
+    leaves by that dart, counted clockwise from the dart by which you came; drop or pick moves a
+    marker; write 3 writes the number 3; an empty line ends the walk and shows the world. At the end
+    your cost is shown beside the cost of Algorithm 1.
     """
     page = dict(output.named).get("html")
     world = world_named(request.world, request.lighthouse, request.seed, request.holes)

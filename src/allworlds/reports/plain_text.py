@@ -62,7 +62,7 @@ def on_terminal(content: parts.ReportContent, width: int, *, whole: bool) -> str
     *findings, _ = content.sections
     others = [_cut(wrap(each.title, width - 4)) for each in findings[1:]]
     if len(others) > FEW:
-        others = [*others[: FEW - 1], f"... and {len(others) - FEW + 1} more findings: -v"]
+        others = [*others[: FEW - 1], f"... and {len(others) - FEW + 1} more findings: see -v"]
     room = MOST - len(facts) - 4 - len(others)
     lines = [*_found(findings[0], width, room), *others] if findings else []
     return _joined([lines, facts, [last]])

@@ -33,8 +33,8 @@ LAWS: dict[str, str] = {
     "deadlock": "Robots do not wait for what will never happen.",
     "answer": "When all robots have ended, nothing is wrong.",
     "progress": (
-        "A fair run that never ends must reach the goal again and again, or keep it from some time "
-        "on, as the model asks; in a fair run no robot that can act is left out for ever."
+        "A fair run that never ends must reach the goal again and again, or reach it and then keep "
+        "it, as the model asks; in a fair run no robot that can act is left out for ever."
     ),
     "budget": "The goal is reached within the activations that were asked for.",
 }
@@ -47,42 +47,42 @@ class Turned(doc.Document, forbid_unknown_fields=False):
     robot: Annotated[doc.Natural, doc.about("its number")]
     phase: Annotated[
         Literal["look", "move", "whole"],
-        doc.about("a look, whose move comes later; that move; or both at once"),
+        doc.about("`look`: the move comes later; `move`: this later move; `whole`: both at once"),
     ]
-    sensed: Annotated[Any, doc.about("its percept; null: it only moves")]
-    did: Annotated[str, doc.about("its action, or its end, in words")]
+    sensed: Annotated[Any, doc.about("the robot's percept; null: the robot only moves")]
+    did: Annotated[str, doc.about("the robot's action, or how its program ended, in words")]
 
 
 class EventRow(doc.Document, forbid_unknown_fields=False):
-    """An event: a step of a set of robots at once, and of the adversary."""
+    """An event: some robots act at the same time, and the adversary makes a choice."""
 
     robots: Annotated[tuple[Turned, ...], doc.about("the robots that are activated")]
-    adversary: Annotated[doc.Natural, doc.about("the index of its choice, of all its choices")]
+    adversary: Annotated[doc.Natural, doc.about("the index of the adversary's choice, from 0 on")]
     world: Annotated[str, doc.about("the adversary's choice in words; may be empty")]
-    written: Annotated[str, doc.about("the event as a schedule has it, as `0L`, `0M+1L:2`")]
+    written: Annotated[str, doc.about("the event as in `--schedule`, such as `0L` or `0M+1L:2`")]
     darts: Annotated[
-        tuple[Dart | None, ...], doc.about("of each robot after the event; null: it is gone")
+        tuple[Dart | None, ...], doc.about("each robot's dart after the event; null: it is gone")
     ]
     vertices: Annotated[
-        doc.IfAny[dict[str, str]], doc.about("words at vertices after the event, by vertex")
+        doc.IfAny[dict[str, str]], doc.about("texts about vertices after the event, by vertex")
     ]
     edges: Annotated[
-        doc.IfAny[dict[str, str]], doc.about("words at edges after the event, by smaller dart")
+        doc.IfAny[dict[str, str]], doc.about("texts about edges after the event, by smaller dart")
     ]
 
 
 class TimeDocument(doc.Document, forbid_unknown_fields=False):
     """The schedules that are tried."""
 
-    scheduler: Annotated[Scheduler, doc.about("who is activated at once")]
-    budget: Annotated[doc.Natural, doc.about("the most activations of a robot")]
+    scheduler: Annotated[Scheduler, doc.about("which robots are activated at the same time")]
+    budget: Annotated[doc.Natural, doc.about("the largest number of activations of a robot")]
     lead: Annotated[
-        doc.IfAny[doc.Natural | None], doc.about("how many activations a robot may be ahead")
+        doc.IfAny[doc.Natural | None], doc.about("by how many activations a robot may be ahead")
     ] = None
     start_delay: Annotated[
         doc.IfAny[doc.Natural], doc.about("by how many rounds robot 1 may begin later")
     ] = 0
-    within: Annotated[doc.IfAny[bool], doc.about("whether the budget is a bound")] = False
+    within: Annotated[doc.IfAny[bool], doc.about("whether more activations break a law")] = False
 
     @classmethod
     def of(cls, timing: Timing) -> TimeDocument:
@@ -123,13 +123,13 @@ class TeamFinding(doc.Document, forbid_unknown_fields=False, kw_only=True):
     ] = ""
     programs: Annotated[tuple[str, ...], doc.about("the program of each robot")]
     time: Annotated[TimeDocument, doc.about("the schedules that were tried")]
-    first: Annotated[doc.Natural, doc.about("the index of the state at the start")] = 0
+    first: Annotated[doc.Natural, doc.about("the index of the start state in the model")] = 0
     events: Annotated[tuple[EventRow, ...], doc.about("the events from the start on")]
     loop: Annotated[
         doc.Natural, doc.about("how many of the last events repeat for ever; 0: the run ends")
     ] = 0
     robot: Annotated[
-        doc.IfAny[doc.Natural | None], doc.about("whose program is to blame, if it is one")
+        doc.IfAny[doc.Natural | None], doc.about("the robot whose program broke the law, if any")
     ] = None
     detail: Annotated[
         doc.IfAny[str], doc.about("a traceback, or the end of a program's stderr")

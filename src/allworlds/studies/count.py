@@ -55,18 +55,18 @@ class CountRow(doc.Document, kw_only=True):
     up_to_reflection: Annotated[
         doc.Natural | None,
         doc.about(
-            "maps up to any isomorphism; null as unrooted, or under a condition of one's own"
+            "maps up to any isomorphism; null if `unrooted` is, or under a condition of your own"
         ),
     ]
     chiral: Annotated[
         doc.Natural | None,
         doc.about(
-            "unrooted maps that are not their mirror image, both of a pair; null as unrooted"
+            "unrooted maps unlike their mirror images, both of a pair; null if `unrooted` is"
         ),
     ]
     self_dual: Annotated[
         doc.Natural | None,
-        doc.about("unrooted maps that are their dual, orientation kept; null as unrooted"),
+        doc.about("unrooted maps that are their dual, orientation kept; null if `unrooted` is"),
     ]
     by_vertices: Annotated[dict[int, doc.Natural], doc.about("rooted maps by vertices")]
     by_genus: Annotated[dict[int, doc.Natural], doc.about("rooted maps by genus")]
@@ -114,7 +114,7 @@ class Census(SweptReport):
     The numbers of maps of a class, for each number of edges.
     """
 
-    rows: Annotated[tuple[CountRow, ...], doc.about("one a number of edges, ascending")]
+    rows: Annotated[tuple[CountRow, ...], doc.about("one for each number of edges, ascending")]
 
     @doc.computed
     def scope(self) -> CountedScope:

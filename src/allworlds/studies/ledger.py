@@ -148,10 +148,10 @@ class Sentence(doc.Document):
     """A sentence that can be checked, and the expected verdict."""
 
     id: Annotated[doc.Text, doc.about("its name, for `--only` and `--require`")]
-    section: Annotated[doc.Text, doc.about("of the paper")]
+    section: Annotated[doc.Text, doc.about("the section of the paper")]
     statement: Annotated[doc.Text, doc.about("the sentence in short")]
     method: Annotated[doc.Text, doc.about("how it is decided")]
-    scope: Annotated[doc.Text, doc.about("on what it was decided under this budget")]
+    scope: Annotated[doc.Text, doc.about("the cases in which it is decided under this budget")]
     source: Annotated[
         doc.Text, doc.about("where the sentence stands, and where the expected numbers come from")
     ]
@@ -253,15 +253,15 @@ class CheckedClaim(Sentence):
     """
 
     witnesses: Annotated[
-        dict[str, doc.Natural], doc.about("how often each case occurred that the sentence is about")
+        dict[str, doc.Natural], doc.about("each case that the sentence is about: how often it came")
     ]
-    expected_witnesses: Annotated[dict[str, doc.Positive], doc.about("how often it must occur")]
+    expected_witnesses: Annotated[dict[str, doc.Positive], doc.about("how often each must occur")]
     figures: Annotated[dict[str, Shown], doc.about("the numbers that the sentence names, as found")]
     expected_figures: Annotated[dict[str, Shown], doc.about("the expected numbers")]
     told: Annotated[
-        str, doc.about("the refutation, an explanation, why it was not checked, or a traceback")
+        str, doc.about("a refutation, an explanation, the reason for no check, or a traceback")
     ]
-    worlds: Annotated[tuple[World, ...], doc.about("worlds that show it")]
+    worlds: Annotated[tuple[World, ...], doc.about("worlds that show the result")]
     captions: doc.NotInDocument[tuple[str, ...]]
     truth: doc.NotInDocument[Truth | None]
     disagreement: doc.NotInDocument[str]
@@ -299,13 +299,13 @@ class CheckedClaim(Sentence):
             return (f"a disagreement within this program: {self.disagreement}",)
         differ = []
         if self.verdict != self.expected:
-            differ.append(f"verdict: {self.expected} expected, {self.verdict} found")
+            differ.append(f"verdict: expected {self.expected}, found {self.verdict}")
         for wanted, seen in (
             (self.expected_witnesses, self.witnesses),
             (self.expected_figures, self.figures),
         ):
             differ += [
-                f"{name}: {wanted.get(name, 'nothing')} expected, {seen.get(name, 'nothing')} found"
+                f"{name}: expected {wanted.get(name, 'nothing')}, found {seen.get(name, 'nothing')}"
                 for name in sorted({*wanted, *seen})
                 if wanted.get(name) != seen.get(name)
             ]
@@ -318,7 +318,7 @@ class LedgerReport(RowsReport):
     The claims of a paper that were checked, each with its expected and its found outcome.
     """
 
-    budget: Annotated[Budget, doc.about("how much was done")]
+    budget: Annotated[Budget, doc.about("the amount of work")]
     required: Annotated[tuple[str, ...], doc.about("the claims that had to be checked")]
     claims: Annotated[tuple[CheckedClaim, ...], doc.about("in the order of the file")]
     directory: doc.NotInDocument[str] = ""

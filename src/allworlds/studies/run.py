@@ -59,7 +59,7 @@ class RunOptions(limits.TimeoutOptions, RuleOptions, WorldOptions):
         Option(
             RULES,
             "I,I,...",
-            "Answers to the first choices, by index; then the policy goes on.",
+            "The indices to take at the first choices; after these the policy chooses.",
             parse=index_list,
         ),
     ] = Converted(_indices, ())
@@ -72,7 +72,7 @@ class RunRequest(RunOptions, kw_only=False):
     world: Annotated[
         World | str | None,
         "map, lighthouse and start; or what :func:`allworlds.world.named.world_named` reads; None: "
-        "the one of ``family``",
+        "the world of ``family``",
     ] = None
 
 
@@ -160,7 +160,7 @@ class Replay(Report):
     user's explorer ran, and not a built-in one.
     """
 
-    again: Annotated[single.SingleRun, doc.about("the run of today")] = doc.key(name="run")
+    again: Annotated[single.SingleRun, doc.about("the new run")] = doc.key(name="run")
     recorded: doc.NotInDocument[Finding]
     notice: doc.NotInDocument[str] = ""
     users: doc.NotInDocument[bool] = False
@@ -182,7 +182,7 @@ class Replay(Report):
 
     @doc.computed
     def outcome(self) -> Literal["reproduced", "fixed", "not-reproduced"]:
-        """``reproduced``: a law is broken; ``fixed``: none is; ``not-reproduced``: left open."""
+        """``reproduced``: a law is broken; ``fixed``: none is; ``not-reproduced``: undecided."""
         if self.again.finding:
             return "reproduced"
         open_ = self.users and self.recorded.law == "nondeterministic"

@@ -161,7 +161,7 @@ def test_a_mismatch_of_the_count_gate_is_told():
             GateCell(edges=1, vertices=1, enumerated=3, counted=99, source="somebody"),
         ),
     )
-    assert "counts 99" in read(page(report)).one(class_="scope").text
+    assert "is 99" in read(page(report)).one(class_="scope").text
 
 
 def test_a_sample_has_a_page_too():

@@ -9,14 +9,14 @@ MEMORY = re.compile(r"\(signal (7|8|11)\)")
 """The words for the end of a process by SIGBUS, SIGFPE or SIGSEGV."""
 
 SANITIZER = (
-    "Mostly the cause is an access outside of an array, or to memory that was freed, perhaps long "
-    "before: compile with -g -fsanitize=address,undefined to see the line."
+    "The usual cause is an access outside an array, or to freed memory, perhaps long before the "
+    "end. To see the line, compile with -g -fsanitize=address,undefined."
 )
 """The advice for a process that a signal of :data:`MEMORY` has ended."""
 
 STDOUT = (
-    "The program's stdout is for its actions alone: output for debugging goes to stderr. If the "
-    "line is {}, was a value undefined: a return that was forgotten, or an ended generator?"
+    "The program's stdout is for its actions alone: print output for debugging to stderr. If the "
+    "line is '{}', perhaps a value was undefined: is a 'return' missing, or has a generator ended?"
 )
 """The advice for a program that prints something else, or prints outside its turn."""
 
@@ -27,34 +27,34 @@ NO_LINE = (
     ),
     (
         r"no JSON: '\s*(\\[nrt]|\s)*'$",
-        "That is a blank line: each message is one line, and nothing stands between two.",
+        "That is a blank line: print one line for each message, and no line between messages.",
     ),
     (
         r"no JSON: '\s*[{\[][^}]*'$",
-        "That is the beginning of an object: each message is one line, without a break in it.",
+        "That is only the beginning of an object: print each message without a line break in it.",
     ),
 )
 """The advice for a program that has printed a line which is no message: for each pattern in the
 observation, a sentence."""
 
 FLUSH = (
-    "Does every line of the program end in a newline, and does the program flush its output after "
-    "every line? Until then the line is not read."
+    "Does the program print a newline after every line, and then flush its output? A line is read "
+    "only after both."
 )
 """The advice for a program that is silent."""
 
 KEPT = (
-    "Does it keep something from an earlier run: a global or static variable, or a field that is "
-    "not reset when an episode begins? Does it depend on chance, on time or on addresses?"
+    "Does the explorer keep something from an earlier run: a global or static variable, or a field "
+    "that is not reset when an episode begins? Does it depend on chance, on time or on addresses?"
 )
 """The questions about an explorer whose plays differ."""
 
 
 UNWRITTEN = (
-    "Does it read memory that was never written? To find the line, compile it with -g, write "
-    "'valgrind -q --trace-children=yes --track-origins=yes' before the command below, and "
-    "'--start-timeout 600 --answer-timeout 600' after it. To find a read of freed memory sooner, "
-    "compile it with -fsanitize=address,undefined and set "
+    "Does the library read memory that was never written? To find the line, compile the library "
+    "with -g; write 'valgrind -q --trace-children=yes --track-origins=yes' before the command "
+    "below, and '--start-timeout 600 --answer-timeout 600' after the command. To find a read of "
+    "freed memory sooner, compile the library with -fsanitize=address,undefined and set "
     "LD_PRELOAD=$(gcc -print-file-name=libasan.so)."
 )
 """A further question about a shared library, which tells how to find the line."""

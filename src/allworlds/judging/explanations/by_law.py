@@ -49,7 +49,7 @@ def _say_message(finding: Finding) -> list[str]:
     if not lines or lines[-1] in str(finding.seen):
         return []
     naming = [line for line in lines if re.search("error|exception|panic", line, re.IGNORECASE)]
-    return [f"Its last message: {(naming or lines)[-1]}"]
+    return [f"The explorer's last message: {(naming or lines)[-1]}"]
 
 
 def ending(how: str) -> Teller:
@@ -93,20 +93,19 @@ def tell_no_estimate(story: Story) -> Telling:
 
 def tell_nondeterministic(story: Story) -> Telling:
     """Tell that two plays differ, and the usual cause."""
-    how = "In a second run of the same world the explorer acted differently."
+    how = "In a second run in the same world the explorer acted differently."
     if after := story.finding.earlier:
         before = listed([world.in_words for world in after])
-        that = "that world" if len(after) == 1 else "those worlds"
         how = (
-            f"The explorer first explored {before} in the same process; after {that} it acted "
-            "differently in this world than in a new process."
+            f"After the explorer had explored {before} in the same process, it acted differently "
+            "in this world than in a new process."
         )
     return Telling([how, *advice(story.finding), _say_last_step(story)])
 
 
 SHOW = (
-    "No checkpoint is wrong, or none is shown: a checkpoint after each edge would tell where the "
-    "explorer's map first goes wrong."
+    "The explorer showed no wrong checkpoint. If it shows one after each edge, this report tells "
+    "where its map first goes wrong."
 )
 """The advice for a walk without an end and without a wrong checkpoint."""
 
@@ -118,7 +117,7 @@ def tell_budget(story: Story) -> Telling:
     if wrong:  # that is the cause
         return Telling([*wrong, how], story.checkpoint)
     if str(story.finding.seen).startswith("checkpoint "):
-        why = [f"After step {len(story.walk.actions)} it only showed checkpoints."]
+        why = [f"After step {len(story.walk.actions)} the explorer only showed checkpoints."]
     else:
         is_map, found = story.finding.rules.task.is_map, tell_round(story)
         why = [_say_progress(story), *found, *tell_way_back(story)]
@@ -137,7 +136,7 @@ def tell_whose_budget(finding: Finding) -> str:
     world = size(map_.edge_count, map_.vertex_count)
     origin = "the bound that the explorer names"
     if value == rules.budget_of_bound(map_.vertex_count, map_.edge_count):
-        origin = f"which is 100 x (the bound {rules.the_bound}) + 100"
+        origin = f"which is 100 x the bound + 100; the bound is {rules.the_bound}"
     elif value == default_step_budget(new + closing):
         origin = f"which is 8 x ({new} + {closing}) + 100; {new} + {closing} is the paper's bound"
     budget = f"In a world with {world} the budget is {plural(value, 'traversal')}, {origin}."
@@ -148,7 +147,7 @@ def _say_tried(finding: Finding) -> list[str]:
     """Tell the options with which the check breaks no law; no sentence if none are known."""
     if not finding.tried:
         return []
-    return [f"Tried with {finding.tried}: no law is broken in this world or any other one tried."]
+    return [f"With {finding.tried} no law is broken, in this world and in all others tried."]
 
 
 def _say_progress(story: Walked) -> str:
@@ -158,8 +157,8 @@ def _say_progress(story: Walked) -> str:
         return _say_last_step(story)
     step, left = f"After step {max(found_at)}", story.map.edge_count - len(found_at)
     if left:
-        return f"{step} it found no new edge; {plural(left, 'edge')} of the world stayed unknown."
-    return f"{step} it had walked every edge of the world, and yet it went on."
+        return f"{step} the robot found no new edge; {plural(left, 'edge')} stayed unknown."
+    return f"{step} the robot had walked every edge of the world, but the explorer went on."
 
 
 def _say_left(story: Story) -> list[str]:
@@ -171,14 +170,14 @@ def _say_left(story: Story) -> list[str]:
     elif task == "cover:edges":
         walked = story.walk.crossed
         left = [
-            f"the edge from {story.spot(a)}, to {story.spot(b)}"
+            f"the edge from dart {a} of {story.vertex(a)} to dart {b} of {story.vertex(b)}"
             for a, b in map_.edges
             if a not in walked
         ]
     if len(left) > NAMED:
         left[NAMED:] = [f"{len(left) - NAMED} more"]
     verb = "walked along" if task == "cover:edges" else "visited"
-    return [f"It never {verb} {listed(left)}."] if left else []
+    return [f"The robot never {verb} {listed(left)}."] if left else []
 
 
 def _tell_first_wrong(story: Story) -> list[str]:
@@ -187,17 +186,17 @@ def _tell_first_wrong(story: Story) -> list[str]:
         return []
     what = story.finding.wrong_checkpoint or "its S is not the explored part"
     wrong = f"The checkpoint after step {story.checkpoint} is already wrong: {what}."
-    return [f"{wrong} Mend this first: all later steps may follow from it."]
+    return [f"{wrong} Mend this first: later mistakes may follow from it."]
 
 
 def _say_last_step(story: Walked) -> str:
     steps, spot = story.walk.steps, story.spot(story.walk.darts[-1])
     if not steps:
         start = story.in_words(story.sensed[0])
-        return f"It made no step: it stood at the start, {spot}, and sensed '{start}'."
+        return f"The robot made no step: it stood at the start, {spot}, and sensed '{start}'."
     action, percept = steps[-1]
     sensed = story.in_words(percept)
-    return f"Its last step was step {len(steps)}, {action}: to {spot}, where it sensed '{sensed}'."
+    return f"The last step, {len(steps)}, was {action}: to {spot}, where it sensed '{sensed}'."
 
 
 # ---------------------------------------------------------------- the answer is wrong
@@ -245,7 +244,7 @@ def tell_parting(belief: Belief) -> list[str]:
         return sentences
     if misfits:
         step, misfit = misfits[0], _say_misfit(belief, misfits[0])
-        sentences.append(f"The first percept against the answer came at step {step}: {misfit}.")
+        sentences.append(f"The answer is first contradicted at step {step}: {misfit}.")
         return sentences
     sentences.append(
         "Every percept fits the answer, too: the walk was too short to tell the two maps apart."
@@ -268,14 +267,14 @@ def _say_parting(belief: Belief, parting: Parting) -> str:
     else:
         truth = f"At step {step} the robot was back at {vertex}, {story.last_left(robot, step)}"
     if taken_for == (None if parting.fresh else robot):
-        return f"{truth}, and in its answer too, but {misfit}."
+        return f"{truth}. In the answer this is so, too, but {misfit}."
     if taken_for is None:
         taken = "its answer takes this vertex for a new one"
     elif story.vertex(taken_for) != vertex:
         left = story.last_left(taken_for, step)
         taken = f"its answer takes this vertex for {story.vertex(taken_for)}, {left}"
     else:
-        taken = f"in its answer it came by dart {taken_for}, in truth by dart {robot}"
+        taken = f"in its answer it came in by dart {taken_for}, in truth by dart {robot}"
     return f"{truth}, but {taken}{': ' if misfit else ''}{misfit}."
 
 
@@ -283,9 +282,9 @@ def _say_misfit(belief: Belief, step: int) -> str:
     seen = belief.walk.expected[step], belief.story.sensed[step]
     expected, sensed = map(belief.story.in_words, seen)
     if belief.walk.percepts is None:
-        lacks = f"the answer has {expected}, but its map cannot hold the lighthouse"
-        return f"it sensed '{sensed}', where {lacks}"
-    return f"it sensed '{sensed}', where the answer predicts '{expected}'"
+        lacks = f"the answer has {expected}, and its map has no place for the lighthouse"
+        return f"the robot sensed '{sensed}', where {lacks}"
+    return f"the robot sensed '{sensed}', where the answer predicts '{expected}'"
 
 
 TURNED, ELSEWHERE = "off by a turn", "another vertex"
@@ -297,7 +296,7 @@ def tell_pose(story: Story) -> Telling:
     belief = Belief(story)
     images = _images(belief)
     alike = len(images) - 1
-    symmetry = f" (for this symmetric map {plural(alike, 'other dart')} would be right, too)"
+    symmetry = f" (as the map is symmetric, {plural(alike, 'other dart')} would be right, too)"
     where = f"{_say_where(belief, images)}{symmetry if alike else ''}"
     turned = story.map.vertex_of[story.walk.darts[-1]] in {story.map.vertex_of[d] for d in images}
     name = TURNED if turned else ELSEWHERE
@@ -308,7 +307,7 @@ def tell_pose(story: Story) -> Telling:
         causes += ["the bearings are counted anticlockwise"] if bearings else []
         sentences = [
             f"Either {', or '.join(causes)}: {where}.",
-            "This world is its own mirror image, so it does not show which of these is wrong.",
+            "This world is its own mirror image, so no run in it shows which mistake it is.",
         ]
     elif bearings:
         name = bearings.name
@@ -355,8 +354,8 @@ def _say_where(belief: Belief, images: list[Dart]) -> str:
 def tell_ambiguity(story: Story) -> Telling:
     """Tell what the answer had to be, and the robot's place in the world."""
     broken = (
-        "The answer says that several worlds look alike: it must be their quotient, in which darts "
-        "that look alike are one dart, rooted at the robot's dart."
+        "The answer says that several worlds look alike. Then it must be the quotient of these "
+        "worlds, where darts that look alike are one dart, rooted at the robot's dart."
     )
     stands = f"In the world the robot stands at {story.spot(story.walk.darts[-1])}."
     return Telling([broken, stands])
@@ -420,8 +419,8 @@ def tell_open_darts(story: Story) -> list[str]:
     if twice:
         one = "each of these" if len(twice) > 1 else "this"
         sentences.append(
-            f"The robot came to {listed(twice)}, and the log does not show that {one} is one "
-            "vertex."
+            f"The robot came to {listed(twice)}, and the log does not show that {one} was always "
+            "the same vertex."
         )
     return sentences
 
@@ -489,22 +488,22 @@ def _whose(finding: Finding) -> str:
     world = size(map_.edge_count, map_.vertex_count)
     new, closing = bounds.paper_terms(map_.vertex_count, map_.edge_count)
     paper = (
-        "the sum that the paper proves for its Algorithm 1 in Section VI: (1), the cost of passes "
-        "that find a new vertex, plus (2), the cost of passes that join two known vertices"
+        "(1) + (2), which the paper proves for its Algorithm 1 in Section VI: (1) is the cost of "
+        "passes that find a new vertex, (2) that of passes that join two known vertices"
     )
-    sums = f"In a world with {world} the sum is {new} + {closing}"
+    sums = f"In a world with {world} (1) + (2) is {new} + {closing}"
     if name == "paper":
         return f"The bound 'paper' is {paper}. {sums} = {value}."
     if name == "two-vertices":
         return (
-            f"The bound 'two-vertices' is {paper}; to this sum the bound adds two traversals for "
-            f"each test of a hypothesis, and the search at the start for the dart to v1. {sums}, "
-            f"the bound {value}."
+            "The bound 'two-vertices' is (1) + (2) + (two traversals for each test of a "
+            "hypothesis) + (the search at the start for the dart to v1). The bound 'paper' is "
+            f"{paper}. {sums}, and the bound 'two-vertices' is {value}."
         )
     own = rules.the_bound == rules.own_bound
-    owner = "the explorer's own" if own else "the one that was asked for"
+    owner = "The explorer's own bound" if own else "The bound that was asked for"
     which = "" if name == str(value) else f", which is {value} in a world with {world}"
-    return f"The bound is {owner}: {name}{which}."
+    return f"{owner} is {name}{which}."
 
 
 # ---------------------------------------------------------------- the table
@@ -523,7 +522,7 @@ TELLERS: dict[str, Teller] = {
     "task": ending("The explorer did not do what the task asks for."),
     "invariant-1": checkpoint("The S of a checkpoint is not the explored part of the world."),
     "invariant-2": checkpoint(
-        "The U of a checkpoint, the unexplored darts, holds an explored dart."
+        "The U of a checkpoint must hold only unexplored darts, but it holds an explored one."
     ),
     "variant": checkpoint(
         "The explorer made no progress between two checkpoints, or ended too early: from each "

@@ -73,8 +73,8 @@ def tell_round(story: Story) -> list[str]:
     lines = code.steps[found.first - 1 : found.first - 1 + found.steps] if code else ()
     named = [line for line in dict.fromkeys(lines) if line][:SHOWN]
     at = f" ({'lines' if len(named) > 1 else 'line'} {', '.join(named)})" if named else ""
-    walked = f"{found.times} times a round of {plural(found.steps, 'step')}: to {where}"
-    return [f"From step {found.first} on it walked {walked}{at}."]
+    walked = f"a round of {plural(found.steps, 'step')} {found.times} times: to {where}"
+    return [f"From step {found.first} on the robot walked {walked}{at}."]
 
 
 def tell_way_back(story: Story) -> list[str]:
@@ -102,10 +102,11 @@ def tell_way_back(story: Story) -> list[str]:
             return []
         if back and (out in walked) > (meant in walked) and not remarks:
             remarks.append(
-                f"Before step {step} it was back at {story.vertex(here)} and faced dart {here}, by "
-                f"which it had gone out; {action} led along dart {out}, which was walked before. "
-                f"Counted from dart {came[vertex]}, by which it had come first, it would have led "
-                f"along dart {meant}, which was new: does the explorer confuse the doors?"
+                f"Before step {step} the robot was back at {story.vertex(here)} and faced dart "
+                f"{here}, by which it had left; {action} then led along dart {out}, which was "
+                f"already walked. If doors were counted from dart {came[vertex]}, by which the "
+                f"robot had first come in, {action} would lead along dart {meant}, which was new: "
+                "does the explorer count from the wrong door?"
             )
         walked |= {out, darts[step]}
         if not (by_loop and out == here):  # it is on its way back through the loop
@@ -117,13 +118,13 @@ def tell_open(story: Story) -> list[str]:
     """Name the edges that were never walked along; no sentence if there are none."""
     walked = story.walk.crossed
     edges = [
-        f"the edge from {story.spot(a)}, to {story.spot(b)}"
+        f"the edge from dart {a} of {story.vertex(a)} to dart {b} of {story.vertex(b)}"
         for a, b in story.map.edges
         if a not in walked
     ]
     if len(edges) > SHOWN:
         edges[SHOWN:] = [f"{len(edges) - SHOWN} more"]
-    return [f"It never walked along {listed(edges)}."] if edges else []
+    return [f"The robot never walked along {listed(edges)}."] if edges else []
 
 
 FRAME = re.compile(r'^  File "(.*)", line ([0-9]+) in (.*)$', re.MULTILINE)
@@ -145,4 +146,4 @@ def stack_of(finding: Finding) -> list[tuple[str, str]]:
 def tell_stack(finding: Finding) -> list[str]:
     """Tell the user's lines in the stack of a silent run; no sentence if no stack was printed."""
     frames = [f"{function} ({line})" for line, function in stack_of(finding)[:SHOWN]]
-    return [f"It was in {', called by '.join(frames)}."] if frames else []
+    return [f"It was then in the function {', called by '.join(frames)}."] if frames else []

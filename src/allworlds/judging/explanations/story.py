@@ -97,7 +97,7 @@ class Story(Walked):
         vertex = self.vertex(dart)
         last = max(i for i in range(step) if self.vertex(self.walk.darts[i]) == vertex)
         just = last == step - 1
-        return "from which it came" if just else f"which it had left at step {last + 1}"
+        return "which it had just left" if just else f"which it had left at step {last + 1}"
 
 
 class Belief:
@@ -298,7 +298,7 @@ def _say_crosswise(belief: Belief, wrong: list[tuple[Dart, Dart]]) -> str:
                 f"{belief.story.vertex(x)} are exchanged."
             )
     return (
-        f"The answer differs from the world only in this: it joins {_pairs(wrong)}, the world "
+        f"The answer differs from the world only in this: it joins {_pairs(wrong)}, but the world "
         f"joins {_pairs([(a, world.alpha[a]), (b, world.alpha[b])])}."
     )
 

@@ -48,34 +48,34 @@ class Believed(doc.Document, forbid_unknown_fields=False):
     A checkpoint of a refuting run: S, with the explorer's own numbers of the darts.
     """
 
-    number: Annotated[doc.Natural, doc.about("of the checkpoint in its run, from 0 on")]
-    step: Annotated[doc.Natural, doc.about("how many steps came before")]
+    number: Annotated[doc.Natural, doc.about("the number of the checkpoint in its run, from 0 on")]
+    step: Annotated[doc.Natural, doc.about("how many steps of the run came before it")]
     sigma: Annotated[tuple[Dart, ...], doc.about("for each dart the next one clockwise")]
-    alpha: Annotated[tuple[Dart, ...], doc.about("the other end of its edge; itself: not explored")]
+    alpha: Annotated[tuple[Dart, ...], doc.about("the edge's other end; the same dart: unexplored")]
     here: Annotated[Dart, doc.about("the robot's dart")]
 
 
 class CodeLines(doc.Document, forbid_unknown_fields=False, kw_only=True):
     """Lines of code.
 
-    The lines of the user's Python code that a refuting run had reached, each as ``FILE:LINE``; an
-    empty text stands for a line that is not the user's.
+    Lines of the user's Python code that ran in a refuting run, each as ``FILE:LINE``. An empty text
+    stands for a line of other code.
     """
 
     steps: Annotated[
         tuple[str, ...],
-        doc.about("of each action, and, where the run came to an end by itself, of that"),
+        doc.about("each action's line; after them the line where the explorer ended, if it did"),
     ]
-    checkpoints: Annotated[doc.IfAny[tuple[str, ...]], doc.about("of each checkpoint")] = ()
+    checkpoints: Annotated[doc.IfAny[tuple[str, ...]], doc.about("lines of the checkpoints")] = ()
     alone: Annotated[
-        doc.IfAny[tuple[str, ...]], doc.about("lines that run here, and in none of some right runs")
+        doc.IfAny[tuple[str, ...]], doc.about("lines that ran here, but in none of the right runs")
     ] = ()
-    right: Annotated[doc.Natural, doc.about("how many right runs these were")]
+    right: Annotated[doc.Natural, doc.about("the number of right runs that were compared")]
     busy: Annotated[
         doc.IfAny[tuple[str, ...]],
-        doc.about("of a walk without an end the lines that ran most in its last 1000 turns"),
+        doc.about("in a run without an end: the lines that ran most in its last 1000 turns"),
     ] = ()
-    sources: Annotated[tuple[str, ...], doc.about("each of these places with the text of its line")]
+    sources: Annotated[tuple[str, ...], doc.about("all these lines, as `FILE:LINE: TEXT`")]
 
     def source(self, where: str) -> str:
         """The line named ``where`` with its text; ``where`` alone if the text is unknown."""
@@ -94,8 +94,8 @@ class EarlierRun(doc.Document, forbid_unknown_fields=False):
 class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
     """Finding.
 
-    A refuting run, as it is written: enough to replay it with nothing else. If a finding is read,
-    unknown keys are ignored, except in its world.
+    A run that breaks a law, with all data to play it again. When a finding is read, unknown keys
+    are ignored, except in its world.
 
     ``at`` holds the place and ``under`` the rules if they are known; else they follow from the
     world and the options. ``machine`` tells whether the machine, not the explorer, may be the
@@ -103,7 +103,7 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
     """
 
     version: Annotated[Literal[2], doc.about("the version of findings")]
-    explorer: Annotated[str, doc.about("its name")]
+    explorer: Annotated[str, doc.about("the name of the explorer")]
     law: Annotated[LawName, doc.about("the broken law")]
     world: Annotated[
         doc.FromJson[World],
@@ -114,7 +114,7 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
     )
     choices: Annotated[
         tuple[doc.Natural, ...],
-        doc.about("the index taken at each choice; of a turn that never ended the first 1000"),
+        doc.about("the index taken at each choice; of a turn that never ended, the first 1000"),
     ] = ()
     transcript: Annotated[
         doc.FromJson[Transcript], doc.about("the log, which must be a walk in the world")
@@ -124,11 +124,11 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
         EXPECTED,
         doc.about("a rooted map for `map` and `pose`, an integer for `bound`, else a sentence"),
     ] = NOT_RECORDED
-    seen: Annotated[Any, SEEN, doc.about("the same of what was found")] = NOT_RECORDED
+    seen: Annotated[Any, SEEN, doc.about("what was found instead")] = NOT_RECORDED
     confirmed: Annotated[
-        bool, doc.about("a fresh process did the same, from the recorded percepts alone")
+        bool, doc.about("whether a new process, given only the recorded percepts, did the same")
     ] = False
-    minimal: Annotated[bool, doc.about("no smaller world of the scope refutes")] = False
+    minimal: Annotated[bool, doc.about("whether no smaller world of the scope refutes")] = False
     step: Annotated[
         doc.IfAny[doc.Natural | None],
         doc.about(
@@ -148,32 +148,32 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
     ] = ""
     hash_seed: Annotated[
         doc.IfAny[doc.Natural | None],
-        doc.about("the `PYTHONHASHSEED` with which it is so, where another one makes a difference"),
+        doc.about("the `PYTHONHASHSEED` of the run; left out if the run does not depend on it"),
     ] = None
     after: Annotated[
         doc.IfAny[tuple[EarlierRun, ...]],
         doc.about(
-            "the runs before it, in the same process and in this order, without which it is "
-            "another one; left out where none makes a difference"
+            "earlier runs in the same process, in this order: without them this run would be "
+            "different; left out if there are none"
         ),
     ] = ()
     output: Annotated[
         doc.IfAny[str],
         doc.about(
-            "what the explorer printed in this run, to stdout and stderr; at most 4 KiB, of more "
-            "the first and the last half, with control characters escaped"
+            "what the explorer printed in this run, to stdout and stderr, with control characters "
+            "escaped; if it is more than 4 KiB, only the beginning and the end"
         ),
     ] = ""
     believed: Annotated[
         doc.IfAny[Believed | None],
-        doc.about("the first wrong checkpoint, else the last; left out where there is none"),
+        doc.about("the first wrong checkpoint, or else the last one; left out without checkpoints"),
     ] = None
     code: Annotated[
         doc.IfAny[CodeLines | None],
-        doc.about("the lines of the explorer's code, if it is in Python and ran again alike"),
+        doc.about("lines of the explorer's code, if it is in Python and a second run was the same"),
     ] = None
     tried: Annotated[
-        doc.IfAny[str], doc.about("options with which the check, as was tried, breaks no law")
+        doc.IfAny[str], doc.about("options with which the check was tried and broke no law")
     ] = ""
     at: doc.NotInDocument[int | None] = None
     under: doc.NotInDocument[Rules | None] = None
@@ -183,7 +183,7 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @doc.computed
     def reproduce(self) -> str:
-        """A shell command that runs it again; for a function without a name, a line of Python."""
+        """A shell command that repeats the run; a line of Python for a function without a name."""
         if self.after:
             return REPLAY
         module, _, name = self.explorer.partition(":")

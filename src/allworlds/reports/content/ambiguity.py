@@ -39,7 +39,7 @@ def twins_content(comparison: ComparedWorlds) -> parts.ReportContent:
     blocks: list[parts.Block]
     if classes is UNSET:
         title = "The shortest walk that tells the worlds apart"
-        sentence = "The last percepts of this walk differ."
+        sentence = "At the end of this walk the robot senses different things in A and in B."
         if comparison.told is not UNSET:
             sentence = "The robot knows which world it is in before it moves."
         scenes = [parts.scene_of(world) for world in worlds]
@@ -173,15 +173,15 @@ def _why_alike(quotients: Sequence[Quotient]) -> str:
     """The reason why no motion tells worlds apart; their quotients differ at most in the sheets."""
     sheets = [quotient.sheets for quotient in quotients]
     if len({*sheets}) > 1:
-        who = f"A is a cover with {words.plural(sheets[0], 'sheet')} and B one with {sheets[1]}"
+        who = f"A is a cover with {words.plural(sheets[0], 'sheet')} and B with {sheets[1]}, both"
     else:
         some = "all" if len(sheets) == 1 else "both"
         who = f"{some} are covers with {words.plural(sheets[0], 'sheet')}"
     size = words.plural(len(quotients[0].sigma), "class", "classes")
     return (
-        f"{who} of the same quotient, which has {size} of darts. At the darts of one class a robot "
-        "senses the same, and each motion leads to darts of one class: no motion tells the worlds "
-        "apart"
+        f"{who} of the same quotient, which has {size} of darts. At all darts of one class a robot "
+        "senses the same, and each motion leads from them to darts of one class again: so no "
+        "motion tells the worlds apart"
     )
 
 
@@ -203,7 +203,7 @@ def _quotient(quotient: Quotient) -> tuple[parts.Paragraph, parts.Table]:
         uneven = len({getattr(label, "marks", 0) for label in labels}) > 1
         rows.append([around, "; ".join(map(str, labels if uneven else labels[:1])), cone])
     header = ["classes clockwise", "sensed there", "times round"]
-    said = "The quotient (a→b: alpha takes class a to class b; a↺: it takes a to itself)."
+    said = "The quotient. a→b: alpha takes class a to class b; a↺: alpha takes class a to itself."
     return parts.Paragraph(said), parts.Table(header, rows)
 
 
@@ -256,8 +256,9 @@ def _counts(row: census_sweep.CensusRow | census_sweep.CensusCell) -> list[parts
 def _counted(census: census_sweep.AmbiguityCensus) -> parts.Headline | None:
     if not census.agrees:
         wrong = [
-            f"with {words.plural(row.edges, 'edge')} {words.plural(row.rooted, 'rooted map')} "
-            f"{'was' if row.rooted == 1 else 'were'} met, but {census.source} counts {row.counted}"
+            f"the enumeration found {words.plural(row.rooted, 'rooted map')} with "
+            f"{words.plural(row.edges, 'edge')}, but the independent count ({census.source}) is "
+            f"{row.counted}"
             for row in census.rows
             if not row.agrees(whole=census.whole)
         ]

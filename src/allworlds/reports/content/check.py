@@ -67,14 +67,14 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
         extent = f"{scope.extent.given.words}, {extent}"
     short = {
         "scope": f"{extent}, {scope.rules.lighthouse} lighthouse, {_which(report)}",
-        "witnesses": f"{plural(len(report.tally.witnesses), 'kind')} of events seen",
-        "chance": f"a draw refutes with probability below 3/{report.runs}, with 95 % confidence",
+        "witnesses": f"events of {plural(len(report.tally.witnesses), 'kind')} seen",
+        "chance": f"one more draw refutes with probability below 3/{report.runs} (95 % confidence)",
     }
     if cells and all(cell.agrees for cell in cells):
-        sizes = f"{plural(len(cells), 'size')} finished"
+        sizes = plural(len(cells), "finished size")
         if report.complete:
-            sizes = f"all {plural(len(cells), 'size')} complete"
-        short["gate"] = f"{sizes}; an independent count agrees{_listed(cells)}"
+            sizes = f"all {plural(len(cells), 'size')}"
+        short["gate"] = f"independent count agrees for {sizes}{_listed(cells)}"
     words = [(name, short.get(name, said)) for name, said in scope_words(report) if said]
     if report.tally.rows and not report.findings:
         rows = sorted(report.tally.rows.items())
@@ -166,7 +166,7 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
     if not report.complete and not scope.coverage.drawn:
         finished = ", ".join(map(str, report.levels)) or "none"
         why = "" if report.ending.final else f"{report.ending.reason}; "
-        unfinished = f"NOT complete: {why}finished levels (edges): {finished}"
+        unfinished = f"NOT complete: {why}finished levels (numbers of edges): {finished}"
     witnesses, past = report.tally.witnesses, report.corpus
     seen = ", ".join(f"{event} {number(count)}" for event, count in sorted(witnesses.items()))
     missing = ", ".join(report.missing_witnesses)
@@ -197,12 +197,12 @@ def _of_sample(report: CheckReport) -> Iterator[tuple[str, str]]:
         return
     yield "mixture", f"{', '.join(sample.mix)} (one draw of each in turn); seed {sample.seed}"
     if report.bred:
-        bred = "from drawn worlds, for lines of code that few runs reach; not counted"
-        yield "bred", f"{plural(report.bred, 'world')} {bred}"
+        why = "made by changing drawn worlds, to reach code that few runs reach; not counted"
+        yield "bred", f"{plural(report.bred, 'world')} {why}"
     if report.verdict is Verdict.NOT_REFUTED and sample.portion == units.WHOLE:
         chance = (
-            f"not refuted in {plural(report.runs, 'fresh draw')}: with 95 % confidence a draw of "
-            f"this distribution refutes with probability below 3/{report.runs}"
+            f"not refuted in {plural(report.runs, 'fresh draw')}: with 95 % confidence, one more "
+            f"draw from this mixture refutes with probability below 3/{report.runs}"
         )
         yield "chance", chance
 
@@ -251,16 +251,16 @@ def _laws(report: CheckReport) -> str:
     if published:
         return f"{laws}; {plural(published, 'checkpoint')}"
     left = [law for law in rules.applying if law not in checked]
-    return laws + (f"; unchecked without checkpoints: {listed(left)}" if left else "")
+    return laws + (f"; no checkpoint, so unchecked: {listed(left)}" if left else "")
 
 
 def _gate(report: CheckReport) -> str:
     if (given := report.asked.extent.given) is not None:
         return given.gate
     if report.asked.coverage.drawn:
-        return "absent: for a sample there is no count"
+        return "absent: a sample has no independent count"
     if report.asked.coverage != units.WHOLE:
-        return "deferred to the merge of all shards"
+        return "the merge of all shards compares the counts"
     extent = report.asked.extent
     if extent.where is not None and source_of(extent) is None:
         return f"absent: no formula counts the maps that are {extent.where.name}"
@@ -280,7 +280,7 @@ def _listed(cells: Sequence[GateCell]) -> str:
     Empty if there is no such number.
     """
     most = max((cell.edges for cell in cells if cell.listed), default=0)
-    return f"; up to {plural(most, 'edge')} another list agrees" if most else ""
+    return f"; up to {plural(most, 'edge')} a second enumeration agrees" if most else ""
 
 
 def _why_vacuous(report: CheckReport) -> str:
@@ -370,8 +370,8 @@ def _findings(report: CheckReport, found: Iterable[int]) -> list[parts.Section]:
 
 def _mismatch(cell: GateCell) -> str:
     if cell.enumerated == cell.counted:
-        said = f"but their fingerprint is {cell.fingerprint}, not {cell.listed}"
-        return f"maps with {size(cell.edges, cell.vertices)} have the right number, {said}"
+        said = f"but their fingerprint is {cell.fingerprint}, where {cell.listed} is expected"
+        return f"the number of maps with {size(cell.edges, cell.vertices)} is right, {said}"
     return miscount(cell.edges, cell.vertices, cell.enumerated, cell.source, cell.counted)
 
 

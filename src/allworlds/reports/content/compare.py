@@ -163,7 +163,7 @@ def _ratios(report: growth.Growth) -> parts.Table:
         for one in report.ratios
     ]
     header = ["family", "edges", "explorer", "worlds", f"cost / {first}", "interval"]
-    return parts.Table(header, rows, "Ratios in the same worlds", keys=3)
+    return parts.Table(header, rows, "Ratios of costs in the same worlds", keys=3)
 
 
 def _exponents(report: growth.Growth) -> Iterator[parts.Table]:
@@ -228,7 +228,7 @@ def _walks(report: comparison.Comparison) -> Iterator[parts.Section]:
     """A section for each explorer: its walk in the world where the costs differ most."""
     for i, run in enumerate(report.walks(), 1):
         cost = plural(run.outcome.cost, "traversal")
-        title = f"Where the costs differ most: explorer {run.explorer}, {cost}"
+        title = f"Where the costs differ most: '{run.explorer}' makes {cost}"
         yield run_section(run, f"walk-{i}", title)
 
 
@@ -279,18 +279,18 @@ def _facts(report: comparison.Comparison) -> list[tuple[str, str]]:
     """The named facts beside the tables."""
     scope = f"one world: {report.member.name}" if report.member else maps_in_words(report)
     words = [*explorer_facts(report), ("scope", scope), *option_facts(report, SAID)]
-    meant = "traversals; mean: first over the places of the lighthouse, then over the rooted maps"
+    meant = "in traversals; means are over the places of the lighthouse, then over the rooted maps"
     words.append(("costs", meant))
     first = _short_names(report)[0]
     exact = "; exact" if report.whole else ""
-    ratio = f"mean in a map / mean of {first} in it; of this the geometric mean over maps{exact}"
+    ratio = f"in each map mean / mean of '{first}'; then the geometric mean over all maps{exact}"
     words.append(("ratio", ratio))
     if report.rows:
         words += [("in all", _in_all(report, name)) for name in report.names[1:]]
     most = report.differ_most
     if most is not None:
         costs = ", ".join(f"{name} {cost:,.2f}" for name, cost in most.costs.items())
-        said = f"largest in {most.world.in_words}, a world that the document has: {costs}"
+        said = f"the mean costs differ most in {most.world.in_words} (--json has it): {costs}"
         words.append(("difference", said))
     return words
 
@@ -314,8 +314,8 @@ def _in_all(report: comparison.Comparison, name: str) -> str:
         sum(getattr(row, which)[name] for row in report.rows) for which in ("less", "equal", "more")
     )
     return (
-        f"{first} walks less than {name} in {plural(less, 'world')}, as much in {number(equal)}, "
-        f"more in {number(more)}"
+        f"'{first}' walks less than '{name}' in {plural(less, 'world')}, as much in "
+        f"{number(equal)}, more in {number(more)}"
     )
 
 

@@ -10,7 +10,7 @@ from allworlds.documents.document import replace
 from allworlds.reports import parts
 from allworlds.studies.ledger import CheckedClaim, LedgerReport
 
-LEGEND = "= as expected, ≠ not as expected, ? vacuous, - not checked"
+LEGEND = "Signs: = as expected, ≠ not as expected, ? vacuous, - not checked."
 
 SIGNS = {"as-expected": "=", "unexpected": "≠", "vacuous": "?", "not-checked": "-"}
 """The sign before each claim, by the claim's standing."""

@@ -95,8 +95,8 @@ def option_facts(report: OfWorlds, said: Iterable[str]) -> list[tuple[str, str]]
 
 def miscount(edges: int, vertices: int, met: int, source: str, counted: int) -> str:
     """A sentence about maps of one size: enumeration and source give different numbers."""
-    where = words.size(edges, vertices)
-    return f"maps with {where}: {met} were enumerated, but {source} counts {counted}"
+    maps = f"{words.plural(met, 'map')} with {words.size(edges, vertices)}"
+    return f"the enumeration found {maps}, but the independent count ({source}) is {counted}"
 
 
 def gate_facts(report: Any, what: str, *, is_compared: bool) -> list[tuple[str, str]]:

@@ -37,8 +37,8 @@ def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
     order = "\n".join(_drawn(found.dominates, [row.lighthouse for row in found.rows]))
     said = (
         "A sensor that tells less stands lower: worlds that look alike under the upper sensor also "
-        "look alike under the lower one. Sensors in one line tell the same in the end, but one may "
-        "need more steps."
+        "look alike under the lower one. Sensors joined by '=' tell the same in the end, but one "
+        "of them may need more steps."
     )
     blocks: list[parts.Block] = [
         parts.Table(header, rows, "Sensors"),
@@ -71,7 +71,7 @@ def _scope(extent: Extent) -> str:
     maps = "every start in each rooted map" if extent.given is None else each_of(extent.given)
     return (
         f"{maps} {of_the_class(extent)}, every place of the lighthouse; a sensor suffices if no "
-        "two worlds look alike: two maps, or one map with two starts"
+        "two different worlds look alike: neither two maps, nor one map with two starts"
     )
 
 
@@ -144,7 +144,7 @@ def weakest_content(found: AmbiguityWeakest) -> parts.ReportContent:
         f"in every world {of_the_class(found.extent)}, {len(found.minimal)} of them minimal"
     )
     header = ["letters", "features, | between letters", "edges of twins below"]
-    table = parts.Table(header, rows, "Minimal sensors: if two letters were one, twins exist")
+    table = parts.Table(header, rows, "Minimal sensors: if two letters become one, twins exist")
     seen = parts.Section("seen", "", [table, parts.fact("scope", _scope(found.extent))])
     return parts.ReportContent(
         "allworlds ambiguity weakest",

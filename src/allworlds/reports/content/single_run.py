@@ -225,7 +225,7 @@ def _detail(finding: Finding) -> list[parts.Block]:
         detail = "" if detail.startswith(BUILT) else detail.partition(f"\n\n{BUILT}")[0]
         title = "the permutations that were tried"
     elif finding.law == "nondeterministic":
-        title = "the two plays, from where they differ"
+        title = "the two plays, from their first difference on"
     else:
         title = "output on stderr" if is_program(finding.explorer) else "traceback"
     return [parts.Quote("detail", title, detail)] if detail else []
@@ -282,9 +282,9 @@ def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
     if code.alone:
         lines = [code.source(where) for where in code.alone[:MOST_LINES]]
         if (more := len(code.alone) - MOST_LINES) > 0:
-            lines.append(f"{words.plural(more, 'other line')}, which --json has")
+            lines.append(f"{words.plural(more, 'other line')}: --json lists them")
         runs = words.plural(code.right, "run")
-        yield "only here", f"{'; '.join(lines)} (not reached in any of {runs} without a finding)"
+        yield "only here", f"{'; '.join(lines)} (not reached in {runs} without a finding)"
     if code.busy:
         yield "ran most", "; ".join(code.source(where) for where in code.busy[:2])
 
@@ -361,11 +361,11 @@ def _belief(story: Story) -> list[parts.Block]:
         map_ = None
     if map_ is None or shown.here not in map_.darts:
         lists = f"sigma {[*shown.sigma]}, alpha {[*shown.alpha]}, here {shown.here}"
-        return [parts.fact("its S", f"{here}, with its own numbers of darts, is no map: {lists}")]
+        return [parts.fact("its S", f"{here}, with the explorer's numbers, is no map: {lists}")]
     known = len(shown.sigma)
     names = ["?" if min(darts) >= known else f"s{i}" for i, darts in enumerate(map_.vertices)]
     scene = parts.Scene(map_, None, shown.here, vertices=names)
-    title = f"Its S {here}, with its own numbers of darts, 0 to {known - 1} (?: not explored)"
+    title = f"The S {here}, with the explorer's own darts 0 to {known - 1} (?: not explored)"
     beside = (f"The world {here}", parts.walk_in_world(until))
     return [parts.MapPictures([beside, (title, scene)])]
 

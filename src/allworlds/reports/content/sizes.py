@@ -103,8 +103,8 @@ def _facts(report: WorstReport) -> list[tuple[str, str]]:
     """Named texts: the scope of the numbers, and the sources with which they were compared."""
     ways = {"shortest": "a shortest path", "simple": "any simple path"}
     scope = (
-        f"every schedule of algorithm1 in {maps_in_words(report)}, from every vertex; transit on "
-        f"{ways[report.request.transit]}"
+        f"every schedule of algorithm1 in {maps_in_words(report)}, from every vertex; the robot "
+        f"goes to the next edge on {ways[report.request.transit]}"
     )
     costs = (
         "worst: the largest cost of a schedule in any world; best: the largest cost, over the "

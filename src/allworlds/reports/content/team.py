@@ -107,7 +107,7 @@ def scope_words(report: TeamReport) -> list[tuple[str, str]]:
     if timing.within:
         bounds.append(f"within {plural(timing.budget, 'activation')} of each robot")
     if timing.lead is not None:
-        bounds.append(f"no robot more than {plural(timing.lead, 'activation')} ahead")
+        bounds.append(f"no robot more than {plural(timing.lead, 'activation')} ahead of another")
     if timing.start_delay:
         bounds.append(f"robot 1 begins up to {plural(timing.start_delay, 'round')} later")
     total = report.total
@@ -128,7 +128,7 @@ def scope_words(report: TeamReport) -> list[tuple[str, str]]:
 
 def _anonymous(report: TeamReport) -> str:
     alike = len(report.asked.team.subjects) == 1 and len(report.explorers) > 1
-    said = "starts that differ only in the robots' numbers are searched one by one"
+    said = "starts that differ only in which robot has which number are searched one by one, too"
     return said if alike and not report.asked.starts else ""
 
 
@@ -136,7 +136,7 @@ def _gate(report: TeamReport) -> str:
     if (given := report.extent.given) is not None:
         return given.gate
     if not report.whole:
-        return "deferred to the merge of all shards"
+        return "the merge of all shards compares the counts"
     if not report.cells:
         return "absent: no formula counts these maps, or no level was finished"
     wrong = [cell for cell in report.cells if not cell.agrees]
@@ -268,7 +268,7 @@ def diagram(found: TeamFinding) -> list[str]:
     lines = ["  ".join(_fitted(row, widths)).rstrip() for row in rows]
     if len(lines) > 2 * SHOWN_EVENTS + 2:
         hidden = len(lines) - 2 * SHOWN_EVENTS - 1
-        between = f"... {plural(hidden, 'event')}; the JSON has all of them"
+        between = f"... {plural(hidden, 'more event')}: --json has all of them"
         lines = [*lines[: SHOWN_EVENTS + 1], between, *lines[-SHOWN_EVENTS:]]
     if found.loop:
         lines.append("(the events with * repeat for ever)")

@@ -32,7 +32,7 @@ _LEGEND = {
     "▲": "▲ dart where the bearing is 0",
     "S": "S start",
     "R": "R robot at the end",
-    "a": "a, b, ... under darts: darts with one letter look alike",
+    "a": "a, b, ... under darts: darts with the same letter look alike",
 }
 """The signs, each with its meaning, in the order of the legend."""
 

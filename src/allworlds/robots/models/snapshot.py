@@ -52,20 +52,22 @@ class Snapshot(Apart):
     robot itself is counted there.  On a ring ``robots`` has the numbers at successive vertices in
     one direction.
 
-    **Without chirality** the percept is a sorted list with a view from each dart of the vertex: the
-    lesser of the clockwise and the anticlockwise view.  ``Do(k)`` leaves by the dart of the view
-    with index k, from 0 on; ``Do("first")`` is ``Do(0)``, and ``Do("second")`` is ``Do(1)``.  If
+    **Without chirality** robots cannot tell clockwise from anticlockwise.  The percept is a sorted
+    list with a view from each dart of the robot's vertex.  From each dart there is a clockwise and
+    an anticlockwise view; the list has the smaller one.  ``Do(k)`` leaves by the dart of view k in
+    the list, from 0 on; ``Do("first")`` is ``Do(0)``, and ``Do("second")`` is ``Do(1)``.  If
     several darts have this view, the adversary chooses one of these darts at each look.
     ``Do("either")`` leaves by any dart that the adversary chooses.
 
-    With chirality the percept is the view from the dart that the robot heads for; ``Do(k)`` leaves
-    by the k-th dart clockwise from this dart.  The robot then heads for the dart 1 - k darts
-    clockwise from the dart of arrival: on a ring the robot keeps its direction.
+    With chirality each robot heads for a dart of its vertex, and its percept is the clockwise view
+    from this dart; ``Do(k)`` leaves by the k-th dart clockwise from this dart.  After the move the
+    robot heads for the dart that is 1 - k darts clockwise from the dart of arrival.  So on a ring
+    it always heads in the same direction.
 
     Attributes:
         goal: ``gather``: all robots must come to one vertex, and stay there; ``explore``: each
             robot must visit every vertex again and again.
-        chirality: whether all robots have the same clockwise direction.
+        chirality: whether all robots know which direction is clockwise.
         exclusive: whether two robots must never be at one vertex.
         crossing: whether two robots may cross on an edge.
         multiplicity: ``none``: any number of robots is seen as 1; ``weak``: two or more are seen as

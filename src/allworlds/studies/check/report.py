@@ -102,7 +102,7 @@ class CheckRequest(
             "one|all",
             "all: every sequence of choices, for an explorer that takes choices.",
             document_type=Annotated[
-                Schedule, doc.about("the policy's, or every sequence of choices")
+                Schedule, doc.about("`one`: the policy chooses; `all`: every sequence of choices")
             ],
         ),
     ] = requests.Converted(checks.a_word("schedules", get_args(Schedule)), "one")
@@ -111,7 +111,7 @@ class CheckRequest(
         requests.Option(
             requests.RARE_EFFORT,
             "auto|python|kernel",
-            "python judges in Python, kernel in compiled code; auto takes the faster one that can.",
+            "python judges in Python, kernel in compiled code; auto: the faster one of those able.",
         ),
     ] = "auto"
 
@@ -120,7 +120,7 @@ class CheckRequest(
         requests.Option(
             requests.RARE_EFFORT,
             "K",
-            "Stop after the level with the K-th finding (the smallest of each law and map counts).",
+            "Stop after the level with the K-th finding; of each law and map one finding counts.",
             parse=checks.integer_of,
         ),
     ] = requests.Converted(positive("max-findings"), 1)
@@ -141,15 +141,15 @@ class CheckRequest(
 
 
 class GateCell(doc.Document):
-    """One comparison of the count gate: of the maps with these numbers of edges and vertices."""
+    """One comparison of the count gate, for the maps with these numbers of edges and vertices."""
 
     edges: doc.Edges
     vertices: doc.Vertices
     enumerated: Annotated[doc.Natural, doc.about("rooted maps that were visited")]
     counted: Annotated[doc.Natural, doc.about("the number by an independent source")]
-    source: Annotated[doc.Text, doc.about("says who")]
+    source: Annotated[doc.Text, doc.about("the name of this source")]
     fingerprint: Annotated[doc.IfAny[str], doc.about("of the visited rooted maps")] = ""
-    listed: Annotated[doc.IfAny[str], doc.about("the fingerprint of another enumeration")] = ""
+    listed: Annotated[doc.IfAny[str], doc.about("the fingerprint of a second enumeration")] = ""
 
     @property
     def agrees(self) -> bool:
@@ -253,10 +253,10 @@ class CheckedScope(doc.Document):
     places: TriedPlaces
     shared_file: SharedFile
     shard: doc.WhichShard
-    sample: Annotated[SampleReport | None, doc.about("of `fuzz`: how the worlds were drawn")]
+    sample: Annotated[SampleReport | None, doc.about("how `fuzz` drew the worlds; else null")]
     given: GivenCount
     sha256: FileDigests
-    symmetry: Annotated[str | None, doc.about("why one run counts for several, if it does")]
+    symmetry: Annotated[str | None, doc.about("why one run stands for several; null: none does")]
     gate: Annotated[
         Gated,
         doc.about(
@@ -267,9 +267,7 @@ class CheckedScope(doc.Document):
     finished_levels: Annotated[
         doc.Different[doc.Positive], doc.about("the finished numbers of edges")
     ]
-    stopped: Annotated[
-        str | None, doc.about("why the check is not complete; null: it is, or is a sample")
-    ]
+    stopped: Annotated[str | None, doc.about("why the job ended early; null: it did not end early")]
 
 
 class CheckRow(doc.Document):
@@ -282,14 +280,14 @@ class CheckRow(doc.Document):
     episodes: Annotated[doc.Natural, doc.about("runs x schedules")]
     traversals: Annotated[doc.Natural, doc.about("summed over the episodes")]
     traversals_rooted: Annotated[
-        doc.Natural, doc.about("summed at the first place of each rooted map alone")
+        doc.Natural, doc.about("summed over the runs at the first place of each rooted map alone")
     ]
     max_cost: Annotated[doc.Natural, doc.about("the largest cost of an episode")]
     best_cost: Annotated[
         doc.IfAny[doc.Natural | None],
         doc.about(
-            "the largest cost, over the runs, of the cheapest schedule of a run; absent: only one "
-            "schedule was tried"
+            "each run has a cheapest schedule; this is the largest cost of these; absent: only one "
+            "schedule of each run was tried"
         ),
     ]
     bound: Annotated[int | None, doc.about("the largest bound of a run; null without a bound")]
@@ -308,7 +306,7 @@ class CheckReport(PortionReport):
     changes from drawn worlds, to reach lines of code that few runs reach.
     """
 
-    explorer: Annotated[doc.Text, doc.about("its name")]
+    explorer: Annotated[doc.Text, doc.about("the name of the explorer")]
     engine: Annotated[engine_table.EngineName, doc.about("the engine that ran")]
     asked: doc.NotInDocument[Scope]
     tally: doc.NotInDocument[Tally]
@@ -407,7 +405,7 @@ class CheckReport(PortionReport):
 
     @doc.computed
     def bred(self) -> doc.IfAny[doc.Natural | None]:
-        """For a sample, the number of worlds bred from its draws; ``worlds`` is without them."""
+        """The number of worlds made by changing drawn worlds; ``worlds`` does not count them."""
         return self.offspring or None
 
     @doc.computed

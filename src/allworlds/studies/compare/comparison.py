@@ -42,10 +42,10 @@ class ComparedRow(doc.Document):
     worlds: Annotated[
         doc.Positive, doc.about("rooted maps in which every explorer's lighthouse has a place")
     ]
-    runs: Annotated[doc.Positive, doc.about("judged in these maps, of all explorers together")]
+    runs: Annotated[doc.Positive, doc.about("the runs of all explorers in these maps")]
     mean: Annotated[
         dict[str, doc.Figure],
-        doc.about("for each explorer its mean over the places, then over these maps"),
+        doc.about("for each explorer its mean cost over the places, then over these maps"),
     ]
     worst: Annotated[
         dict[str, doc.Natural], doc.about("for each explorer the largest cost of a run")
@@ -53,16 +53,16 @@ class ComparedRow(doc.Document):
     ratio: Annotated[
         dict[str, doc.Figure | None],
         doc.about(
-            "for each explorer its mean in a map divided by the first explorer's mean in this map: "
-            "the geometric mean over these maps; null where a mean is 0"
+            "for each explorer: in each map its mean divided by the first explorer's mean, and of "
+            "these ratios the geometric mean; null if a mean is 0"
         ),
     ]
     less: Annotated[
         dict[str, doc.Natural],
         doc.about("in how many maps the first explorer's mean is less than this explorer's"),
     ]
-    equal: Annotated[dict[str, doc.Natural], doc.about("in how many the means are equal")]
-    more: Annotated[dict[str, doc.Natural], doc.about("in how many the first's is more")]
+    equal: Annotated[dict[str, doc.Natural], doc.about("in how many maps the means are equal")]
+    more: Annotated[dict[str, doc.Natural], doc.about("in how many maps the first's is more")]
 
 
 class DifferMost(doc.Document):
@@ -72,7 +72,7 @@ class DifferMost(doc.Document):
     """
 
     world: Annotated[World, doc.about("the map with the first explorer's lighthouse")]
-    costs: Annotated[dict[str, doc.Figure], doc.about("for each explorer its mean over the places")]
+    costs: Annotated[dict[str, doc.Figure], doc.about("each explorer's mean cost over the places")]
 
 
 class Comparison(ContestReport):

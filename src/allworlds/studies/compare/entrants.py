@@ -112,8 +112,8 @@ class ContestWorldsOptions(selection.WhereOptions, GivenOptions, classes.ExtentO
         Option(
             RARE_SCOPE,
             "P",
-            "With --to: places of the lighthouse in each world; if there are more, as of a marker "
-            "that has a direction, the seed draws P of them [default: 8].",
+            "With --to: the most places of the lighthouse that are run in each world; if a world "
+            "has more, the seed draws P of them [default: 8].",
             parse=integer_of,
             document_type=Annotated[
                 doc.Positive | None,

@@ -200,15 +200,15 @@ class GrowRow(doc.Document):
     """Costs of an explorer in the members of a family of one size."""
 
     family: Annotated[doc.Text, doc.about("as it was asked for")]
-    edges: Annotated[doc.Positive, doc.about("of the first member")]
-    vertices: Annotated[doc.Positive, doc.about("of the first member")]
-    explorer: Annotated[doc.Text, doc.about("its name")]
+    edges: Annotated[doc.Positive, doc.about("the edges of the first member")]
+    vertices: Annotated[doc.Positive, doc.about("the vertices of the first member")]
+    explorer: Annotated[doc.Text, doc.about("the name of the explorer")]
     seeds: Annotated[doc.Positive, doc.about("the number of drawn members")]
     drawn_from: Annotated[
         doc.Positive | None,
-        doc.about("different rooted maps that a seed can draw; null: seeds draw more than a start"),
+        doc.about("how many rooted maps seeds can draw; null: seeds draw more than a start"),
     ]
-    exact: Annotated[bool, doc.about("every world that a seed can draw was run, in every place")]
+    exact: Annotated[bool, doc.about("whether all worlds seeds can draw were run in all places")]
     members: Annotated[doc.Some[GrownWorld], doc.about("the worlds, by seed")]
 
     @doc.computed
@@ -243,7 +243,7 @@ class GrowRow(doc.Document):
 
     @doc.computed
     def worst(self) -> doc.Natural:
-        """The most traversals of a run; if ``runs`` = ``places``, no run there costs more."""
+        """The most traversals of a run; if ``runs`` = ``places``, every place was run."""
         return max(max(one.costs) for one in self.members)
 
     @doc.computed
@@ -261,12 +261,12 @@ class CostRatio(doc.Document):
     """Costs of an explorer divided by the first explorer's costs in the same worlds."""
 
     family: Annotated[doc.Text, doc.about("as it was asked for")]
-    edges: Annotated[doc.Positive, doc.about("of the first member")]
-    explorer: Annotated[doc.Text, doc.about("its name")]
-    worlds: Annotated[doc.Positive, doc.about("worlds in which both were run")]
+    edges: Annotated[doc.Positive, doc.about("the edges of the first member")]
+    explorer: Annotated[doc.Text, doc.about("the name of the explorer")]
+    worlds: Annotated[doc.Positive, doc.about("worlds in which both explorers were run")]
     ratio: Annotated[doc.Figure, doc.about("the geometric mean of the ratios in these worlds")]
-    exact: Annotated[bool, doc.about("in every world that a seed can draw, in every place")]
-    interval: Annotated[Range, doc.about("of the ratio")]
+    exact: Annotated[bool, doc.about("whether all worlds seeds can draw were run in all places")]
+    interval: Annotated[Range, doc.about("the interval of the ratio")]
 
 
 class Exponent(doc.Document):
@@ -274,7 +274,7 @@ class Exponent(doc.Document):
 
     family: Annotated[doc.Text, doc.about("as it was asked for")]
     explorer: Annotated[doc.Text, doc.about("its name")]
-    sizes: Annotated[doc.Positive, doc.about("sizes with a mean cost")]
+    sizes: Annotated[doc.Positive, doc.about("the number of sizes that have a mean cost")]
     exponent: Annotated[
         float | None,
         doc.about(
@@ -284,7 +284,7 @@ class Exponent(doc.Document):
     ]
     interval: Annotated[
         doc.Pair[float] | None,
-        doc.about(f"of the exponent, at {intervals.LEVEL:.0%}; null: see lack"),
+        doc.about(f"the interval of the exponent, at {intervals.LEVEL:.0%}; null: see `lack`"),
     ]
     lack: Annotated[str, doc.about("the reason why there is no interval; empty if there is one")]
 

@@ -84,12 +84,13 @@ class TeamExplanation(Report):
 
 def sentences_of(finding: TeamFinding) -> Iterator[str]:
     """Yield a few sentences that explain a finding."""
-    yield f"{LAWS[finding.law]} Here it does not hold: {finding.seen}."
+    yield f"{LAWS[finding.law]} Here this law is broken: {finding.seen}."
     events = len(finding.events)
     if finding.loop:
-        before = plural(events - finding.loop, "event")
-        yield f"After {before} the last {plural(finding.loop, 'event')} repeat for ever."
-        yield "In them every robot is activated, or cannot be: the schedule is fair."
+        first = events - finding.loop + 1
+        which = f"Events {first} to {events} repeat" if first < events else f"Event {first} repeats"
+        yield f"{which} for ever."
+        yield "There each robot is activated, or at some time cannot act: the schedule is fair."
     elif events:
         yield f"This happens after {plural(events, 'event')}, and in this world never after fewer."
     late = [*_stale(finding)]

@@ -60,8 +60,8 @@ class Algorithm1Option(Request, kw_only=False):
         Argument(
             "",
             "[EXPLORER]",
-            "algorithm1; the costs of any other explorer are in the rows of check EXPLORER "
-            "--schedules all.",
+            "Only algorithm1; for any other explorer, check EXPLORER --schedules all has the "
+            "costs.",
         ),
     ] = Converted(_algorithm1, DEFAULT_EXPLORER)
 
@@ -122,15 +122,15 @@ class WorstRow(doc.Document):
     worlds: Annotated[doc.Positive, doc.about("rooted maps")]
     worst: Annotated[doc.Natural, doc.about("the largest cost of a schedule")]
     best: Annotated[
-        doc.Natural, doc.about("the largest, over the worlds, of the cost of the cheapest schedule")
+        doc.Natural, doc.about("the cheapest schedule of each world: the largest of their costs")
     ]
-    bound: Annotated[int | None, doc.about("the largest of these worlds; null without a bound")]
+    bound: Annotated[int | None, doc.about("the largest bound in a world; null without a bound")]
     tests: Annotated[doc.Natural, doc.about("different tests of false hypotheses")]
     wrong_tests: Annotated[doc.Natural, doc.about("tests that confirmed a false hypothesis")]
-    world: Annotated[World, doc.about("the least one that attains `worst`")]
-    choices: Annotated[tuple[doc.Natural, ...], doc.about("choices that attain it there")]
+    world: Annotated[World, doc.about("the smallest world in which a run costs `worst`")]
+    choices: Annotated[tuple[doc.Natural, ...], doc.about("the choices of such a run there")]
     replayed: Annotated[
-        doc.Natural | None, doc.about("their cost in the Python engine; null: a law was broken")
+        doc.Natural | None, doc.about("cost of this run in the Python engine; null: a broken law")
     ]
     counted: doc.NotInDocument[int | None]
 
@@ -153,7 +153,7 @@ class WorstRow(doc.Document):
 class WorstScope(doc.Document):
     """The scope of a search for the worst case."""
 
-    schedules: Annotated[Literal["all"], doc.about("each was searched")]
+    schedules: Annotated[Literal["all"], doc.about("every schedule was searched")]
     symmetry: Annotated[doc.Text, doc.about("why one world stands for every direction")]
     given: GivenCount
     sha256: FileDigests
@@ -170,7 +170,7 @@ class WorstReport(SweptReport, kw_only=True):
     """
 
     rows: Annotated[tuple[WorstRow, ...], doc.about("one for each (edges, vertices), ascending")]
-    findings: Annotated[tuple[Finding, ...], doc.about("always empty: `wrong_tests` counts")] = ()
+    findings: Annotated[tuple[Finding, ...], doc.about("always empty: see `wrong_tests`")] = ()
     subject: doc.NotInDocument[Subject]
     rules: doc.NotInDocument[Rules]
     disagreement: doc.NotInDocument[str] = ""

@@ -47,14 +47,14 @@ TOLD: dict[ToldName, Callable[[CombinatorialMap], int]] = {
 
 @dataclass(frozen=True)
 class Knowledge(PlacelessLighthouse):
-    """A lighthouse without marks: the robot is told some numbers of the world.
+    """No marker: before the start the robot is told some numbers of the world.
 
-    Sensed: the degree alone.  ``told`` holds the numbers by their names: n (vertices), m (edges),
-    d (diameter), g (genus); without names n and m are told.
+    Sensed: the degree alone.  The numbers that can be told are n (vertices), m (edges),
+    d (diameter) and g (genus); if no number is chosen, n and m are told.
     """
 
     names: Annotated[
-        Different[ToldName], narrowed(minItems=1), about("of the numbers: n, m, d, g")
+        Different[ToldName], narrowed(minItems=1), about("which numbers are told: n, m, d, g")
     ] = ("n", "m")
 
     kind: ClassVar[str] = "told"
@@ -66,18 +66,18 @@ class Knowledge(PlacelessLighthouse):
 
 @dataclass(frozen=True, slots=True)
 class Movable(PlacelessLighthouse):
-    """No marker stands anywhere at the start; the robot has some in its hand.
+    """Markers that the robot carries: all are in its hand at the start.
 
     Sensed at a vertex: the number of markers that lie there, and the degree.  The markers point
     nowhere, and look alike.  The options: ``markers=K``, the number of markers (1);
-    ``pick=false``, a dropped marker stays; ``distinct=true``, the robot tells the markers
-    apart. Marker i then counts as 2^i marks, and of several the first is dropped and taken up.
+    ``pick=false``, a dropped marker stays; ``distinct=true``, the robot tells the markers apart:
+    marker i counts as 2^i marks, and the marker with the smallest i is dropped or taken up first.
     Source: Section II of the paper (Dudek, Jenkin, Milios, Wilkes 1991: one, with ``pick``).
     """
 
-    markers: Annotated[Positive, about("how many are in the hand at the start")] = 1
-    pick: Annotated[bool, about("whether one that was dropped may be taken up again")] = True
-    distinct: Annotated[IfAny[bool], about("whether they are told apart; else false")] = False
+    markers: Annotated[Positive, about("the number of markers in the hand at the start")] = 1
+    pick: Annotated[bool, about("whether a dropped marker may be taken up again")] = True
+    distinct: Annotated[IfAny[bool], about("whether markers are told apart; default: no")] = False
 
     kind: ClassVar[str] = "movable"
     leaves_marks: ClassVar[bool] = True

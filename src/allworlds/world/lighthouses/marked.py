@@ -21,7 +21,7 @@ from allworlds.world.lighthouses.options import InvalidWorld, ensure_legal, the_
 # ---------------------------------------------------------------- at one or two vertices
 
 StartsAt: TypeAlias = Annotated[
-    IfAny[Literal["v0", "any"]], about("whether the robot starts at v0, or anywhere; else v0")
+    IfAny[Literal["v0", "any"]], about("where the robot starts: `v0`, or anywhere; left out: `v0`")
 ]
 
 
@@ -101,9 +101,11 @@ class TowardsNeighbour(MarkedStart):
 class Position(MarkedStart):
     """One marker at the start vertex v0 that points nowhere.
 
-    Sensed at v0: one mark; at every vertex the degree.  ``dart`` is any dart of v0.  It is
-    not compared: in worlds with one start, two such lighthouses stand at one vertex.
+    Sensed at v0: one mark; at every vertex the degree.  ``dart`` is any dart of v0; which one
+    makes no difference.
     Source: Section III of the paper ('unique position information').
+
+    The dart is not compared: in worlds with one start, two such lighthouses stand at one vertex.
     """
 
     dart: base.StandsAt = field(compare=False)
@@ -183,9 +185,10 @@ class Door(SensedByBearing):
 
 @dataclass(frozen=True)
 class Word(SensedByBearing):
-    """A letter for each bearing of one dart of the start vertex v0, by one pattern for all worlds.
+    """A letter at each dart of the start vertex v0: one pattern gives the letters in all worlds.
 
-    Sensed at v0: the letter of the bearing as marks, a digit; elsewhere no mark; the degree.
+    Sensed at v0: a letter, which is a digit and counts as marks; elsewhere no mark; everywhere the
+    degree.  The pattern has the letters for the bearings 0, 1, 2, ... of ``dart``.
     ``word:1`` tells as much as ``position``, ``word:10*`` as ``door``.
     """
 
@@ -193,7 +196,7 @@ class Word(SensedByBearing):
     pattern: Annotated[
         str,
         Meta(pattern=r"^[0-9]+\*?[0-9]*$"),
-        about("the letters for the bearings from 0 on, repeated to the degree; `x*` repeats one"),
+        about("letters for the bearings 0, 1, ..., repeated as needed; `x*`: only x is repeated"),
     ] = "12"
 
     kind: ClassVar[str] = "word"
@@ -204,13 +207,13 @@ class Cluster(TowardsNeighbour):
     """One marker at the start vertex v0 and two at a neighbour v1 of it; they point nowhere.
 
     Sensed: one mark at v0, two at v1; at every vertex the degree.  ``dart`` leads from v0 to
-    v1.  With the option ``single=true`` it stands only where exactly one edge joins v0 and v1.
+    v1.  With the option ``single=true`` exactly one edge must join v0 and v1.
     Source: Sections IV and VIII of the paper.
     """
 
     dart: base.StandsAt
     single: Annotated[
-        IfAny[bool], about("whether exactly one edge joins v0 and v1; else false")
+        IfAny[bool], about("whether exactly one edge must join v0 and v1; left out: false")
     ] = False
     start: StartsAt = "v0"
 
@@ -368,11 +371,12 @@ class Labels(AtEveryVertex):
     """Every vertex has a number of its own, and a reference dart.
 
     Sensed at a vertex: as many marks as its number, the bearing of its reference dart, and the
-    degree.  So the robot tells all vertices apart; other lighthouses are compared with this one.
+    degree.  So the robot tells all vertices apart: compare other lighthouses with this one.
 
     Attributes:
         darts: the reference dart of each vertex, in the order of their numbers.
-        numbers: the numbers of the vertices; empty in every world: the numbers are 1, 2, 3 ...
+        numbers: the numbers of the vertices in this order; if empty, as in every world, the
+            numbers are 1, 2, 3, ...
     """
 
     darts: Annotated[
