@@ -44,7 +44,7 @@ Modules
     all maps of a class, glued together; the number of these maps, computed without making a map;
 ``count_source``
     the source with which the enumeration of an extent (a class of bounded size, under a condition)
-    is compared, and the number of maps that complete a partial gluing;
+    is compared; the number of maps that an unfinished map can become;
 ``build``, ``families``
     maps made by hand and by name, small changes to a map, and the shortest walk along all edges;
     large maps that a text and a seed determine;

@@ -213,9 +213,10 @@ def dense(vertices: int, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
 def _with_holes(rotation: dict[int, list[int]], holes: float, seed: int) -> dict[int, list[int]]:
     """The rotation without ``round(holes * m)`` random edges; the rest of the graph is connected.
 
-    The edges have a random order.  An edge is removed in its turn unless it is a bridge then.  If
-    the weights of the edges fall in this order, the bridges are the edges of the minimum spanning
-    tree.  So this tree is computed once, and the first edges outside the tree are removed.
+    The edges get a random order.  In this order each edge is removed, unless its removal would
+    disconnect the rest.  The edges that would remain at the end are a minimum spanning tree, if
+    earlier edges have larger weights.  So this tree is computed once, and the first edges outside
+    it are removed.
     """
     if not 0 <= holes <= 1:
         raise ValueError(f"holes = {holes} is not a fraction in 0..1")
@@ -285,7 +286,7 @@ def _wheel(n: int) -> CombinatorialMap:
 
 
 def _of_digits(rotation: str) -> CombinatorialMap:
-    """The map of a rotation in digits: a word for each vertex, a digit for each neighbour."""
+    """The map of a rotation such as ``12 20 01``: for each vertex the digits of its neighbours."""
     return from_rotation([[*map(int, vertex)] for vertex in rotation.split()])
 
 
@@ -365,7 +366,7 @@ def completed(sigma: Sequence[int], alpha: Sequence[Dart]) -> CombinatorialMap:
 
 
 def without(map_: CombinatorialMap, gone: set[Dart]) -> CombinatorialMap | None:
-    """The part with the vertex of dart 0, after the edges of the darts ``gone`` are removed.
+    """The map without the edges of the darts ``gone``, or the part of it with dart 0's vertex.
 
     The root is the first remaining dart of this vertex, clockwise from dart 0.  The result is None
     if no dart of this vertex remains.

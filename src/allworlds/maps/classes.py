@@ -2,7 +2,9 @@
 
 The module has, in this order: the classes; the conditions, and the table of the built-in ones;
 extents, which are classes of bounded size under a condition; the options by which requests name
-them.
+classes, bounds and conditions.
+
+A *gluing* is an unfinished map; the module ``enumeration`` explains how maps are glued together.
 """
 
 from __future__ import annotations
@@ -116,11 +118,11 @@ class NamedCondition(Struct, frozen=True):
 
     @property
     def dual(self) -> bool:
-        """Whether maps with the property are made as the duals of maps that are glued together."""
+        """Whether the enumeration glues together the duals of the maps with this property."""
         return self._kind.dual
 
     def may_begin(self, gluing: Gluing) -> bool:
-        """Whether this gluing can become a map, or the dual of a map, with the property."""
+        """Whether an unfinished map can become a map with the property, or the dual of one."""
         return self._kind.begins(gluing, self.number)
 
     @property
@@ -165,10 +167,10 @@ class AllOf(Struct, frozen=True):
 
 
 def narrowing(where: Condition | None) -> tuple[NamedCondition, ...]:
-    """The named conditions that are tested on unfinished gluings, to cut them off early.
+    """The named conditions that the enumeration tests on unfinished maps, to give them up early.
 
-    A gluing makes the maps themselves, or their duals.  So only conditions on maps are returned,
-    or, if there are none, the conditions on duals.
+    The enumeration glues together either the maps themselves or their duals.  So the result holds
+    only the conditions that are tested on maps; if there are none, those tested on duals.
     """
     parts = where.parts if isinstance(where, AllOf) else (where,)
     found = [part for part in parts if isinstance(part, NamedCondition)]
@@ -207,11 +209,11 @@ class ConditionKind(Struct, frozen=True):
     Attributes:
         holds: the function that tells, for a map and the number in the name, whether the map meets
             the condition.
-        begins: the function that tells, for a gluing and the number, whether the gluing can still
-            become a map that meets the condition.
+        begins: the function that tells, for an unfinished map and the number, whether this map can
+            still become a map that meets the condition.
         least: the least legal number; None if the name has no number.
-        dual: whether the maps are made as duals of maps that are glued together; if so, ``begins``
-            takes the gluings of these dual maps.
+        dual: whether the enumeration glues together the duals of the maps; if so, ``begins`` takes
+            an unfinished dual.
     """
 
     holds: Callable[[CombinatorialMap, int], bool]
@@ -239,9 +241,10 @@ def girth(map_: CombinatorialMap) -> int | None:
 
 
 def regular(gluing: Gluing, degree: int) -> bool:
-    """Whether all vertices have this degree, and the darts still to be made can form more of them.
+    """Whether all vertices so far have this degree, and the missing vertices can have it.
 
-    ``gluing.limit`` bounds the number of vertices.
+    The missing darts must be enough for a whole number of vertices, and ``gluing.limit`` bounds the
+    number of all vertices.
     """
     room = gluing.limit - len(gluing.degrees)
     return (
@@ -268,7 +271,7 @@ def tree(gluing: Gluing, _number: int) -> bool:
 
 
 def girth_at_least(gluing: Gluing, least: int) -> bool:
-    """Whether the newest edge closes no cycle that is shorter than this length."""
+    """Whether the newest edge closes no cycle of fewer than ``least`` edges."""
     dart = gluing.newest
     if dart == OPEN:
         return True
@@ -300,10 +303,10 @@ def _shortest_round(
 
 
 def genus_exactly(gluing: Gluing, genus: int) -> bool:
-    """Whether the surface so far has at most ``genus`` handles, and can still reach this number.
+    """Whether the genus of the edges so far is at most ``genus``, and can still become ``genus``.
 
-    The surface of the closed edges keeps its handles when the gluing grows.  A finished map with n
-    vertices has at least one face, so ``2g <= m - n + 1``.
+    When further edges are glued, the genus never falls.  A finished map with n vertices has at
+    least one face, so ``2g <= m - n + 1``.
     """
     vertices = len(gluing.degrees)
     most = (gluing.edges - vertices - (gluing.owed > 0) + 1) // 2
@@ -351,7 +354,7 @@ class MapSource(Protocol):
         count: the number of the maps.
         fixed: whether each map comes with a single start and a single place of its lighthouse.
         words: words about the number and the origin of the maps, for messages.
-        gate: the reason why no independent count exists to compare the number of the maps with.
+        gate: the reason why the number of the maps cannot be compared with an independent count.
     """
 
     starts: Mapping[int, int]

@@ -12,9 +12,10 @@ all maps                      the logarithm of the series of all pairs of permut
 planar maps                   the recurrence of Carrell and Chapuy at genus 0
 simple maps                   degree sequences
 simple planar maps            substitution into planar maps
-trees (the same in classes)   Catalan numbers
-cubic, regular, eulerian      with these degrees only: all maps by the logarithm, simple maps by
-                              degree sequences, planar maps by the recurrence of Walsh and Lehman
+trees (of any class)          Catalan numbers
+cubic, regular, eulerian      the logarithm for all maps, degree sequences for simple maps, the
+                              recurrence of Walsh and Lehman for planar maps; all with the legal
+                              degrees only
 triangulation, quadrangu-     the dual maps, by the recurrence of Walsh and Lehman; simple planar
 lation                        triangulations by Tutte's formula
 ============================  ===========================================================
@@ -62,7 +63,7 @@ def cells(edges: int, polynomial: Polynomial) -> Cells:
 
 
 def partitions(total: int, parts: int, largest: int) -> Iterator[tuple[int, ...]]:
-    """The partitions into ``parts`` descending parts, each from 1 to ``largest``."""
+    """The partitions of ``total`` into ``parts`` descending parts, each from 1 to ``largest``."""
     if parts == 0:
         if total == 0:
             yield ()
@@ -77,7 +78,10 @@ def partitions(total: int, parts: int, largest: int) -> Iterator[tuple[int, ...]
 def sequences(
     total: int, vertices: int, largest: int, legal: Degrees | None
 ) -> Iterator[tuple[tuple[int, ...], int]]:
-    """The partitions into legal degrees, each with the number of orders of its parts."""
+    """The partitions of ``total`` into legal degrees of ``vertices`` vertices.
+
+    Each partition comes with the number of different orders of its parts.
+    """
     for degrees in partitions(total, vertices, largest):
         if legal is None or legal.issuperset(degrees):
             orders = factorial(vertices) // prod(map(factorial, Counter(degrees).values()))
@@ -244,9 +248,9 @@ def _rooted_by_contraction(edges: int, vertices: int, genus: int, legal: Degrees
 
 @cache
 def _dotted(degrees: tuple[int, ...], genus: int) -> int:
-    """The number of maps with labelled vertices, of these degrees, which are ascending.
+    """The number of maps of this genus with labelled vertices of these degrees, ascending.
 
-    Each vertex has a distinguished dart.
+    Each vertex also has a distinguished dart.
     """
     edges = sum(degrees) // 2
     if genus < 0 or len(degrees) - edges + 1 > 2 - 2 * genus:
@@ -337,7 +341,10 @@ def rooted_simple_by_degrees(edges: int, legal: Degrees | None = None) -> Cells:
 
 @cache
 def _connected_rotations(vertices: int, edges: int, legal: Degrees | None) -> int:
-    """The number of rotation systems of connected simple labelled graphs with m >= 1 edges."""
+    """The number of rotation systems of all connected simple labelled graphs of this size.
+
+    There is at least one edge, and all degrees are legal.
+    """
     if not vertices - 1 <= edges <= comb(vertices, 2):
         return 0
     split = sum(
@@ -352,9 +359,9 @@ def _connected_rotations(vertices: int, edges: int, legal: Degrees | None) -> in
 
 @cache
 def _rotations(vertices: int, edges: int, legal: Degrees | None) -> int:
-    """The number of rotation systems of labelled simple graphs without isolated vertices.
+    """The number of rotation systems of all simple labelled graphs of this size.
 
-    In contrast to :func:`_connected_rotations`, the graphs need not be connected.
+    The graphs may be disconnected, but have no isolated vertices; all degrees are legal.
     """
     if edges > comb(vertices, 2):
         return 0

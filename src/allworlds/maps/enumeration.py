@@ -5,13 +5,16 @@ The oldest open dart is glued either to another open dart or to the first dart o
 degree d; the other darts of this vertex become open.  Each rooted map has exactly one such history,
 so no map is made twice.
 
-In the classes ``maps`` and ``planar`` each history can be finished: the last open dart stays open
-while darts are still to be made.  In the plane a dart is glued only within its own face of the open
-boundary, and there must be enough further vertices to make the number of open darts in each face
-even.  In simple classes each vertex needs enough remaining partners.  This condition is necessary
-but not sufficient, so a few histories end without a map.  Under a condition on maps, histories can
-also end without a map.  A condition on the faces of a map becomes a condition on the vertices of
-its dual, and the dual is glued together instead of the map.
+In the classes ``maps`` and ``planar`` each history can be finished, because a decision is refused
+in two cases: if it leaves no dart open, although darts must still be made; or if the bounds on
+edges and vertices leave too few new vertices.  In the plane a dart is glued only to a dart of the
+same face, and each face with an odd number of open darts needs a new vertex of its own.
+
+In simple classes all open darts of a vertex must lead to different vertices that are not yet its
+neighbours.  A decision is refused if there are too few such vertices.  This test does not find all
+dead ends, so a few histories end without a map.  Under a condition on maps, histories can also end
+without a map.  For a condition on the faces of a map the dual is glued together instead of the map,
+because it is a condition on the vertices of the dual.
 """
 
 from collections.abc import Iterator, Sequence
@@ -31,12 +34,12 @@ class Gluing:
     Attributes:
         edges: m, the number of edges of the finished map.
         limit: the largest allowed number of vertices.
-        alpha: for each dart so far its partner, or OPEN.
+        alpha: for each dart so far the dart to which it is glued; OPEN for an open dart.
         vertex: for each dart its vertex.
         degrees: the degree of each vertex.
         faces: the open darts round each face of the boundary, in their order; in classes that are
             not planar a single face holds all of them.
-        newest: a dart of the edge that was glued last, or OPEN.
+        newest: a dart of the edge that was glued last; OPEN if there is no edge.
     """
 
     def __init__(
@@ -281,7 +284,7 @@ def prefixes(
 ) -> Iterator[tuple[Decision, ...]]:
     """The histories cut after ``depth`` decisions; each map extends exactly one of them.
 
-    A history is left out if no map that meets the condition can extend it.
+    A history may be left out if no map that meets the condition extends it.
     """
     for history, _ in _grown(Gluing(edges, map_class, vertices, where), (), depth):
         yield history

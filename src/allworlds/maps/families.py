@@ -17,7 +17,7 @@ EdgeEnds: TypeAlias = list[tuple[int, int]]
 
 
 def torus(rows: int, columns: int, random: Random) -> CombinatorialMap:
-    """The square lattice on the torus, with a random root; m = 2RC."""
+    """The square lattice of R rows and C columns on the torus, with a random root; m = 2RC."""
     if rows < 1 or columns < 1:
         raise ValueError("R and C are at least 1")
     cells = [(r, c) for r in range(rows) for c in range(columns)]
@@ -122,9 +122,9 @@ def _diagonals(previous: dict[int, int], root: int) -> CombinatorialMap:
 
 
 def bouquet(loops: int, random: Random) -> CombinatorialMap:
-    """A vertex with c loops, joined to a vertex of degree 1, which is the first; m = c + 1.
+    """A vertex with c loops, and a vertex of degree 1 that is joined to it; m = c + 1.
 
-    The order of the loops' ends round their vertex is random.
+    Vertex 0 is the vertex of degree 1.  The order of the loops' ends round their vertex is random.
     """
     names = [loop for loop in range(loops) for _ in range(2)]
     random.shuffle(names)
@@ -132,10 +132,11 @@ def bouquet(loops: int, random: Random) -> CombinatorialMap:
 
 
 def lollipop(degree: int, length: int, random: Random) -> CombinatorialMap:
-    """A path from a first vertex of degree 1 to a knot: a random part that looks like the path.
+    """A path that leads from vertex 0, of degree 1, to a knot: a random part.
 
     The path has ``length`` inner vertices; loops raise their degree to D.  The knot also has
-    ``length`` vertices, of degree D, but D + 1 for the last vertex; its edges are random.
+    ``length`` vertices of degree D, so that it looks like the path; only its last vertex has the
+    degree D + 1.  The edges in the knot are random.
     """
     if degree < 4 or degree % 2 or length < 1:
         raise ValueError("D is even and at least 4, L at least 1")
@@ -221,7 +222,7 @@ def _drawn(vertices: int, ends: EdgeEnds, random: Random) -> CombinatorialMap:
 
 
 def _connected(draw: Callable[[], CombinatorialMap]) -> CombinatorialMap:
-    """The first connected map that ``draw`` returns; it is called until then."""
+    """The first connected map that ``draw`` returns; ``draw`` is called until it returns one."""
     while True:
         try:
             return draw()
@@ -230,7 +231,7 @@ def _connected(draw: Callable[[], CombinatorialMap]) -> CombinatorialMap:
 
 
 LEAST_DEGREE = 14
-"""The least degree of the hubs of a :func:`corridor`; it allows two types of hubs."""
+"""The least degree of the hubs of a :func:`corridor`; hubs of this degree can have two types."""
 
 
 def usual_degree(far: int) -> int:
@@ -242,9 +243,9 @@ def usual_degree(far: int) -> int:
 
 
 def out_darts(kind: int) -> tuple[int, int]:
-    """The two darts by which a hub of this type leads to the next hub, modulo the degree.
+    """The two darts by which a hub of the type ``kind`` leads to the next hub, modulo the degree.
 
-    Two types have no such dart in common.  Hubs are vertices of a :func:`corridor`.
+    Hubs of different types use different darts.  Hubs are vertices of a :func:`corridor`.
     """
     return -4 * kind, -4 * kind - 2
 
@@ -275,7 +276,7 @@ class CorridorShape(Struct, frozen=True):
 
     @property
     def window(self) -> int:
-        """The number g: the types of g consecutive near hubs tell which hubs they are."""
+        """The number g: the types of g consecutive near hubs determine their place in the row."""
         window = 1
         while self.types**window < (window + 1) * self.far:
             window += 1
@@ -300,9 +301,10 @@ class CorridorShape(Struct, frozen=True):
 def corridor(far: int, degree: int, seed: int) -> CombinatorialMap:
     """A corridor: vertex v0, then near hubs, then F far hubs in a row, all hubs of degree R.
 
-    Two edges lead from each hub to the next hub.  The remaining darts of a near hub are joined
-    randomly to loops; the remaining darts of all far hubs are joined randomly to edges.  Vertex 0
-    has the darts 0 and 1; hub l has the R darts from 2 + (l - 1)R on.
+    Two edges lead from each hub to the next hub; the *type* of the hub determines their darts (see
+    :func:`out_darts`).  The remaining darts of a near hub are joined randomly to loops; the
+    remaining darts of all far hubs are joined randomly to edges.  Vertex 0 has the darts 0 and 1;
+    hub l has the R darts from 2 + (l - 1)R on.
     """
     shape = CorridorShape(far, degree)
     numbers = f"{far}" if degree == usual_degree(far) else f"{far}x{degree}"

@@ -250,7 +250,7 @@ PARTS: dict[str, Generator] = {
     "corridor": corridor,
     "bouquet": bouquet,
 }
-"""The parts of mixtures, by their names; :data:`HISTORIES` is missing, as it depends on a class."""
+"""The parts of mixtures, by their names, without :data:`HISTORIES`, which depends on a class."""
 
 HISTORIES = "histories"
 """The name of the part that draws maps by :func:`glued`; every class and every size can have it."""
@@ -261,7 +261,7 @@ MIXES: dict[MapClass, tuple[str, ...]] = {
     MapClass.SIMPLE: (HISTORIES, "cover", "ring", "lattice", "strip", "regular"),
     MapClass.PLANAR_SIMPLE: (HISTORIES, "lattice", "strip"),
 }
-"""The names of the parts that each class has by default; other classes have :data:`HISTORIES`."""
+"""For each class of maps, the names of the parts of its default mixture."""
 
 
 def default_mix(extent: Extent) -> tuple[str, ...]:

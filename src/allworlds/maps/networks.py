@@ -169,12 +169,13 @@ def from_positions(graph: nx.Graph, pos: Mapping[Any, Sequence[float]]) -> Combi
 def from_directions(
     graph: nx.Graph, passages: Sequence[tuple[tuple[Any, Fraction], tuple[Any, Fraction]]]
 ) -> CombinatorialMap:
-    """The map of a graph, from the directions of :func:`turn` in which edges leave their ends.
+    """The map of a graph; the directions in which edges leave a node give their clockwise order.
 
     Args:
         graph: an undirected graph.  The nodes in their order become the vertices; the edges of the
             graph are compared with the edges of the map.
-        passages: both ends of each edge, each with the direction in which the edge leaves.
+        passages: both ends of each edge, each with the direction in which the edge leaves it: a
+            number as :func:`turn` returns it.
 
     Raises:
         InvalidMap: naming two edges that leave a node in one direction.

@@ -90,9 +90,9 @@ class Quotient(Struct, frozen=True, dict=True):
 
     Attributes:
         sigma, alpha: the permutations of the classes; alpha may have fixed points.
-        degree: for each class the degree of the vertices over it.
+        degree: for each class the degree of the map's vertices that have a dart in the class.
         labels: for each class the label of its darts.
-        sheets: k, the number of darts over each class.
+        sheets: k, the number of darts in each class.
     """
 
     sigma: tuple[int, ...]
@@ -118,8 +118,8 @@ class Quotient(Struct, frozen=True, dict=True):
     def cone_indices(self) -> tuple[int, ...]:
         """For each vertex of the quotient its cone index, which divides k.
 
-        The cone index is the degree of the map's vertices over this vertex, divided by the number
-        of classes at this vertex: a vertex of the map winds round it so many times.
+        The cone index is the degree of a vertex of the map, divided by the number of classes of
+        its darts: so many times these classes repeat round the vertex.
         """
         return tuple(self.degree[vertex[0]] // len(vertex) for vertex in self.vertices)
 
