@@ -1,4 +1,4 @@
-"""Functions that the readers and writers of files share: decoding, places in errors, neighbours."""
+"""Functions for readers and writers of files: decoding, the place of an error, neighbours."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -30,7 +30,7 @@ def text_of(content: bytes) -> str:
 
 
 def neighbours(entry: Entry) -> list[list[Vertex]]:
-    """For each vertex its neighbours, clockwise, for a notation that only tells simple maps.
+    """For each vertex its neighbours, clockwise, for a notation that can express only simple maps.
 
     Raises:
         InputError: naming a vertex with a loop or parallel edges.

@@ -86,7 +86,7 @@ class GivenMaps:
     Args:
         noun: the noun for a single map, for messages.
         of: words about the origin of the maps; empty for worlds that were made in this process.
-        gate: the reason why no independent count exists to compare the number of the maps with.
+        gate: the reason why the number of the maps cannot be compared with an independent count.
         found: for each map three things: its name for error messages, its key (the number of the
             file, the offset in the file, and the number of the map), and the map.
         find: the function from a key to the map.
@@ -148,7 +148,7 @@ class GivenMaps:
         return [sum(starts[i : i + PIECE]) for i in range(0, len(starts), PIECE)]
 
     def piece(self, edges: int, number: int) -> tuple[GivenMap, ...]:
-        """The maps of one piece of the level with ``edges`` edges."""
+        """The maps in the piece with this number of the level with ``edges`` edges."""
         keys = self._at[edges][4 * PIECE * number : 4 * PIECE * (number + 1)]
         return tuple(map(self._find, keys[::4], keys[1::4], keys[2::4]))
 
@@ -261,7 +261,7 @@ def _given(entry: Entry, name: str) -> GivenMap:
 
 
 def _worlds(given: object) -> tuple[Any, ...] | None:
-    """The names of files, or the worlds, as a tuple; None for None."""
+    """The given names of files, or the given worlds, as a tuple; None for None."""
     if given is None:
         return None
     every = [given] if isinstance(given, str | Path) else given

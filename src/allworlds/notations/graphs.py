@@ -357,7 +357,7 @@ def _ends(v: str, w: str, line: list[Point], boxes: Mapping[str, Box]) -> Any:
 
 
 def _joins(path: list[Point], one: Box, other: Box, slack: Fraction) -> bool:
-    """Whether a line begins in the first box and ends in the second box."""
+    """Whether a line begins in the first box and ends in the second; ``slack`` is the tolerance."""
     return _inside(path[0], *one, slack) and _inside(path[-1], *other, slack)
 
 

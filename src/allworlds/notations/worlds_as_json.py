@@ -67,7 +67,10 @@ def read_lines(
 
 
 def _entry(parse: Callable[[str], Any], text: str, line: int, start: int) -> Entry:
-    """The world of a text; errors name its line, counted from the byte ``start`` of the file on."""
+    """The world of a text, which begins in the line with the number ``line``.
+
+    Errors name this line; the lines are counted from the byte ``start`` of the file on.
+    """
     with at(f"line {line}" + (f" from byte {start} on" if start else "")):
         return entry_of(parse(text.strip()))
 
