@@ -37,13 +37,13 @@ def flaw(worlds: Sequence[World], bisimulation: Sequence[Sequence[int]]) -> str 
 
 
 def same_world_from(a: World, b: World) -> Dart | None:
-    """A dart of ``b``: if the robot starts there, ``b`` is the same world as ``a``.
+    """A dart of ``b``: with this dart as its start, ``b`` is the same world as ``a``.
 
-    If possible, it is the start of ``b``.  Two worlds are the same if an isomorphism of their maps
-    preserves the percepts and takes start to start.  The result is None if no start makes ``b`` the
-    same world.
+    If the start of ``b`` is such a dart, it is the result; if no dart is, the result is None.  Two
+    worlds are the same if an isomorphism of their maps preserves the percepts, and takes the start
+    of one world to the start of the other.
 
-    Cost: O(m) if the first start suffices, O(m^2) at worst.
+    Cost: O(m) if the result is the start of ``b``, O(m^2) at worst.
     """
     if len(a.map.sigma) != len(b.map.sigma):
         return None

@@ -105,7 +105,7 @@ LIGHTHOUSE = Option(
     f"The lighthouse for a WORLD that names none: {one_of(LIGHTHOUSES)}, {OWN}, or several with + "
     "between them.",
 )
-"""The option for the lighthouse of most verbs that take a world."""
+"""The option of most verbs that take a world: the lighthouse, if the WORLD names none."""
 
 HOLES = Option(
     RARE_SCOPE,
@@ -113,7 +113,7 @@ HOLES = Option(
     "Share of a family's edges to remove [default: none].",
     document_type=Annotated[Text | None, about("the share of a family's edges that was removed")],
 )
-"""The option for the holes of all verbs that take a family."""
+"""The option of all verbs that take a family: the share of its edges to remove."""
 
 
 def world_named(

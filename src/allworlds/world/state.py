@@ -17,8 +17,8 @@ class State:
         lying: the vertices of the markers that the robot has dropped, ascending; a vertex occurs
             once for each of its markers.
         hand: the number of markers in the robot's hand.
-        written: pairs of a place and the number written there, ascending; the places are vertices
-            or darts, by the lighthouse's kind.  Places with the number 0 are left out.
+        written: pairs of a place and the number written there, ascending.  Whether the places are
+            vertices or darts depends on the lighthouse.  Places with the number 0 are left out.
     """
 
     dart: Dart

@@ -95,9 +95,9 @@ class Lighthouse(ABC):
     (:meth:`places`), and the percepts there (:meth:`sensed`).  A field named ``dart`` holds a dart,
     and a field named ``darts`` a tuple of darts; a class with darts in other fields also defines
     their renaming (:meth:`relabelled`).  An integer, boolean or text in a field with a default is
-    an option.  The name on the command line may give an option NAME another default; then
-    ``cls.NAME`` and every ``cls(...)`` in :meth:`places` have this default, but the fields of the
-    dataclass do not.
+    an option.  On the command line the user may give an option called NAME another value.  In
+    :meth:`places` this value is then the default: ``cls.NAME`` and every ``cls(...)`` have it.  The
+    fields of the dataclass keep the default that is written in the class.
 
     Attributes:
         kind: the name on the command line and in files.
@@ -169,7 +169,7 @@ class Lighthouse(ABC):
         """
 
     def check(self, map_: CombinatorialMap, start: Dart) -> None:
-        """Raise InvalidWorld unless this place is a place of the lighthouse's kind in the map."""
+        """Raise InvalidWorld unless the lighthouse stands at a place of its kind in the map."""
         if self not in self.as_kind.places(map_, start):
             raise InvalidWorld(
                 f"the lighthouse {self.kind} cannot stand at {show(self)} in this map with start "
@@ -177,7 +177,7 @@ class Lighthouse(ABC):
             )
 
     def sensed(self, map_: CombinatorialMap, here: Dart) -> actions.Percept:
-        """The percept of a robot that has come in by the dart ``here``; by default a degree."""
+        """The percept of a robot that has come in by the dart ``here``; by default the degree."""
         return actions.Percept(map_.degree_at[here])
 
     def percepts(self, map_: CombinatorialMap) -> tuple[actions.Percept, ...]:

@@ -180,11 +180,14 @@ PLUS = "+"
 
 @dataclass(frozen=True, slots=True)
 class Composed(Lighthouse):
-    """Several lighthouses; at most one of them gives marks, one bearings, and one tells something.
+    """Several lighthouses in one world.
+
+    At most one of them gives marks, at most one gives bearings, and at most one tells the robot
+    something before the start.
 
     Attributes:
         parts: the lighthouses, each at its place.
-        kinds: the classes of the parts; only the class of a kind has them.
+        kinds: the classes of the parts, in a class that :func:`composed` makes; empty in this one.
     """
 
     parts: tuple[Lighthouse, ...]
@@ -259,7 +262,7 @@ class Composed(Lighthouse):
 
     @property
     def in_hand(self) -> int:
-        """The number of markers in the robot's hand at the start; the part with marks tells it."""
+        """The number of markers in the robot's hand at the start, by the part that gives marks."""
         return self._marking.in_hand
 
     @override

@@ -185,7 +185,8 @@ def lighthouse_from_json(
 ) -> Lighthouse:
     """The lighthouse that the JSON of a world describes.
 
-    If ``document`` is None, it is a lighthouse of the kind ``missing`` at its default place.
+    If ``document`` is None, the result is a lighthouse at its default place; the parameter
+    ``missing`` gives its kind.
     """
     if document is None:
         return lighthouse_kind(missing).as_class.usual(map_, start)
@@ -224,12 +225,12 @@ def _of_parts(name: str, parts: object, map_: CombinatorialMap, start: Dart) -> 
 def _own_of(document: Mapping[str, Any]) -> type[Lighthouse]:
     """The user's class that a document names.
 
-    The options in the document are applied only if the name is that of a factory, a function that
-    makes the class from them.
+    The document may name a factory instead: a function that makes a class from options.  Only then
+    the options in the document are applied.
 
     Raises:
-        InputError: if the class is missing, or the text of its program has another digest than the
-            document tells.
+        InputError: if the class is missing, or the digest of its program differs from the digest
+            in the document.
     """
     name, given = document["kind"], document.get("options", {})
     if not isinstance(given, Mapping):

@@ -152,8 +152,8 @@ def _words_in(hint: Any) -> tuple[str, ...]:
 def kind_with(kind: Any, options: Mapping[str, OptionValue]) -> Any:
     """A class like ``kind`` in which some options have other values.
 
-    Equal values give the same class.  Calling it makes lighthouses of class ``kind`` with these
-    values in their fields.  The values must be legal.
+    A call of the new class makes a lighthouse of the class ``kind`` with these values in its
+    fields.  Equal values give the same class.  The values must be legal.
     """
     of = options_of(kind)
     other = [

@@ -66,14 +66,14 @@ _OF_THEIRS: dict[type[Lighthouse], type[Lighthouse]] = {}
 """For each user's class the subclass that was made from it."""
 
 NOT_INHERITED = {"__dict__", "__weakref__", "__slots__", "__abstractmethods__", "_abc_impl"}
-"""The attributes of a class that Python makes for each class."""
+"""The attributes that Python makes for each class anew, so that no subclass gets a copy of them."""
 
 
 def _subclass(theirs: Any, code: user_code.UserCode) -> type[Lighthouse]:
     """A subclass of a user's class; this program changes the subclass, not the user's class.
 
-    The subclass has the same body, and its name for errors and files.  It is a dataclass even if
-    the user's class is none.
+    The subclass has the same body.  Its ``kind``, the name in errors and files, is the name of the
+    user's program.  The subclass is a dataclass even if the user's class is none.
     """
     body = {name: part for name, part in vars(theirs).items() if name not in NOT_INHERITED}
     body |= {"kind": code.plain, "code": code}
