@@ -23,11 +23,12 @@ UserLine: TypeAlias = tuple[str, int]
 NOWHERE: UserLine = ("", 0)
 
 ONCE = "once"
-"""The value that asks for the lines that run without their turns; True asks for both."""
+"""The value that asks only which lines run (:class:`LinesPlay`); the value True also asks for the
+turns in which they run (:class:`TracedPlay`)."""
 
 LATELY, BUSIEST = 1000, 5
-"""The number of last turns for which the runs of each line are counted, and the number of lines
-that are told because they ran most often."""
+"""Two numbers.  In the last ``LATELY`` turns it is counted how often each line ran; the ``BUSIEST``
+lines that ran most often are told."""
 
 _OURS = (__file__.rpartition("protocol")[0], sysconfig.get_path("stdlib"))
 
@@ -59,7 +60,7 @@ class TracedPlay:
         self._walk: Generator[Any, Any, Any]
 
     def player(self, player: actions.Player) -> Any:
-        """A player whose generator is this object; it is for one run of the given player."""
+        """A player for one run: it plays like the given player, but returns this object."""
 
         def play(*told: Any) -> Any:
             self._walk = player(*told)
@@ -107,8 +108,8 @@ class TracedPlay:
     def _end(self, error: BaseException) -> UserLine:
         """The line of the user's program where the explorer ended.
 
-        After an exception it is the innermost line of the user's that raised; after a return it is
-        the line that returned.
+        After an exception it is the innermost line of the user's program in the traceback; after a
+        return it is the line that returned.
         """
         line, frames = self._left, error.__traceback__
         while frames and not isinstance(error, StopIteration):

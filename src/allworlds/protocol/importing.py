@@ -126,7 +126,7 @@ def module_of_text(where: str, source: SourceText, name: str = "") -> Any:
 
 
 def _as_module(path: str) -> str:
-    """A hint for a user whose file has relative imports: the module name by which to give it."""
+    """A hint for a user whose file has relative imports: its name as a module of a package."""
     from pathlib import Path  # not loaded in players otherwise
 
     file = Path(path)
@@ -249,7 +249,7 @@ def _value(text: str) -> ArgumentValue:
 
 
 def _percept_alone(first: object) -> None:
-    """Stand for an explorer whose signature has only the percept."""
+    """Do nothing; only the signature of this function is used: a percept and nothing else."""
 
 
 def signature_of(explore: Callable[..., Any]) -> inspect.Signature:

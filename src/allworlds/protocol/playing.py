@@ -20,8 +20,8 @@ from allworlds.protocol import actions
 from allworlds.protocol.choices import Choices
 
 FREE = 10
-"""The number of free actions (drop, pick, write) that are legal for each traversal of the budget
-plus one.  Without a limit an explorer could drop and pick for ever."""
+"""``FREE * (budget + 1)`` free actions (drop, pick, write) are legal in a run that may have
+``budget`` traversals.  Without a limit an explorer could drop and pick for ever."""
 
 LONGEST = 20_000
 """The largest number of characters of a traceback that are kept."""

@@ -64,7 +64,7 @@ class Automaton:
     step: Callable[[Any, Any], tuple[Any, Any]]
 
     def begun(self, told: Any) -> Any:
-        """The memory at the start of a robot that was told the value ``told``."""
+        """The memory at the start, if the robot was told the value ``told`` before the start."""
         return self.start(told) if callable(self.start) else self.start
 
     def __call__(self, first: Any, *, told: Any = None) -> Generator[Any, Any, Any]:
@@ -128,8 +128,9 @@ class Turns:
         return found
 
     def plays(self, histories: Sequence[tuple[Any, Sequence[Sensed]]]) -> list[bytes]:
-        """All replies of the program in several histories; each is a told value and percepts.
+        """All replies of the program in each of several histories.
 
+        A history is given as the value that the robot is told before the start, and its percepts.
         For each history the result has a list of replies, written by :mod:`marshal`; :func:`said`
         reads each reply.  The histories are not kept, but new memories of an automaton get numbers.
         """
