@@ -1,6 +1,6 @@
-"""The languages that have a skeleton: its files, and the commands that try the explorer in it.
+"""The languages of the skeletons: the files of each skeleton, and the commands that try them.
 
-A skeleton is a set of files with an explorer that builds and runs, but gives wrong answers.  The
+A *skeleton* is a set of files with an explorer that builds and runs, but gives wrong answers.  The
 files for a language are in the folder of the language's name in ``skeletons``; their names end in
 ``.template``.
 """

@@ -182,10 +182,10 @@ class Subject(Struct, frozen=True, weakref=True):
         explore: the generator function; None if only other processes load the explorer, by its
             name, and this process never runs it.
         source: the text of the explorer's file, if the explorer is in a file.
-        program: the program outside Python that plays the explorer, if this process has started
-            it; also if the explorer has a shield.
-        native: the shared library that plays the explorer, if this process has loaded it; also if
-            the explorer has a shield.
+        program: the program outside Python that plays the explorer, or the explorer in a shield;
+            None if there is none, or this process has not loaded it.
+        native: the shared library that plays the explorer, or the explorer in a shield; None if
+            there is none, or this process has not loaded it.
     """
 
     name: str
@@ -376,7 +376,7 @@ def _called(
 def _accepted(name: str, explore: Callable[..., Any]) -> frozenset[str]:
     """The keywords among ``choices`` and ``told`` that a callable takes, by its signature.
 
-    If Python does not know the signature, there are none.
+    If Python does not know the signature, the result is empty.
 
     Raises:
         InputError: if the callable cannot be called with one percept and these keywords.
@@ -398,7 +398,7 @@ def _accepted(name: str, explore: Callable[..., Any]) -> frozenset[str]:
 
 
 def source_of(name: str) -> importing.SourceText | None:
-    """The text of the Python file that an explorer's name holds; None if it holds none.
+    """The text of the Python file that an explorer's name mentions; None if it mentions no file.
 
     Raises:
         InputError: if the name is no name of an explorer, or the file cannot be read.

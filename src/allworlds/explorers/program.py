@@ -94,7 +94,7 @@ def beginning(number: int, first: actions.Percept, told: actions.Told) -> bytes:
 def answering(percept: Any) -> bytes:
     """The line that answers an action with a percept.
 
-    In a user's model, a world that changes, a percept may be any JSON value.
+    In a user's model (a world that changes) a percept may be any JSON value.
     """
     if isinstance(percept, actions.Percept):
         return _answering(percept)
@@ -160,7 +160,7 @@ def _values(value: object, what: str, law: actions.FaultLaw, *keys: str) -> list
     """The values that a checkpoint or an answer has under these keys.
 
     Raises:
-        ExplorerFault: if it is no object, or lacks a key; ``law`` is then the broken law.
+        ExplorerFault: if ``value`` is no object, or lacks a key; ``law`` is then the broken law.
     """
     if not isinstance(value, dict):
         raise actions.ExplorerFault(law, f"{what} that is no object: {_short(value)}")
@@ -384,7 +384,9 @@ class Program:
         return goes_on
 
     def _ended(self, seen: str) -> actions.ExplorerFault:
-        """The fault of a program that has closed a pipe, in the words ``seen``, or that has ended.
+        """The fault of a program that has ended, or has closed a pipe but has not ended.
+
+        ``seen`` is the sentence about a closed pipe.
 
         Raises:
             NestedCheck: if the program has tried to begin a check.

@@ -185,7 +185,7 @@ class NativeExplorer:
 
     @property
     def keywords(self) -> frozenset[str]:
-        """The keywords that the library takes besides percepts."""
+        """The keywords of an explorer: ``told``, and ``choices`` if the library asks for them."""
         return frozenset({"told", "choices"} if self.library.choose else {"told"})
 
     def state(self) -> int:
@@ -201,7 +201,10 @@ class NativeExplorer:
         return self._state
 
     def handed(self) -> tuple[Any, ...]:
-        """New memory for compiled callers: for percept, action, ``here``, sigma and alpha."""
+        """New memory for compiled code that calls the library.
+
+        It is for the percept, the action, ``here``, sigma and alpha.
+        """
         return tuple(map(_integers, (3, 2, 1, ROOM, ROOM)))
 
     def close(self) -> None:
@@ -291,7 +294,7 @@ class NativeExplorer:
 
 
 def _one_number(told: actions.Told) -> int:
-    """The number that a library is told before the start, or :data:`NOTHING`.
+    """The number that a library is told before the start; :data:`NOTHING` if there is none.
 
     A lighthouse that tells several numbers is refused earlier.
     """

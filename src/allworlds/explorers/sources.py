@@ -137,7 +137,7 @@ def _like_file(name: str) -> str:
 
 
 def short_names(names: Sequence[str]) -> list[str]:
-    """For each name its shortest end that no other name has; for the heads of columns."""
+    """For each name its shortest end that no other name has, for the head of a table's column."""
     ends = [[*_ends(name)] for name in names]
     short = []
     for i, name in enumerate(names):
@@ -191,8 +191,7 @@ class SourceLine(Struct, frozen=True):
 def files_of_explorer(name: str) -> list[Path]:
     """The files of a user's explorer; the list is empty for a built-in explorer, or if unknown.
 
-    The files of an explorer outside Python, which runs by a command, are those that the command
-    names.
+    If an explorer runs by a command (``exec:COMMAND``), its files are those that the command names.
     """
     try:
         return [file for file in _files_named(innermost(name)) if file.is_file()]

@@ -137,7 +137,7 @@ class PartialMap:
 class Lazy(Sequence[int]):
     """A sequence of integers that is computed only when a policy reads it.
 
-    The first integer may be known already; to read it, the others are not computed.
+    The first integer may be known already; then reading it does not compute the others.
     """
 
     def __init__(self, compute: Callable[[], list[int]], first: int | None = None) -> None:
@@ -227,7 +227,8 @@ def algorithm1(
             is no hypothesis), ``loop`` and ``non-loop`` (the way in which S has grown).  The
             function has no influence on the walk.
 
-    Cost: at most (1) + (2) of Section VI traversals.  Source: Algorithm 1, Section IV.
+    Cost: at most (1) + (2) traversals, by the formulas (1) and (2) of the paper's Section VI.
+    Source: Algorithm 1, Section IV.
     """
     return (yield from Algorithm1(first, choices or Choices(), notice).explore())
 
@@ -391,7 +392,8 @@ def algorithm1_cluster(
 
     Choices and events are those of Algorithm 1.
 
-    Cost: at most (1) + (2), 2 traversals a test, and 2 deg(v0) for the search.
+    Cost: at most (1) + (2) traversals (see :func:`algorithm1`), 2 more for each test, and 2 deg(v0)
+    more for the search of v1.
     """
     is_v0, is_v1 = (lambda seen: seen.marks == 1), (lambda seen: seen.marks == 2)
     explorer = TwoVertices(first, is_v0, is_v1, choices or Choices(), notice)
@@ -445,7 +447,7 @@ class TwoVertices(Algorithm1):
         """Try the darts of v0, clockwise from the dart faced at the start, until one leads to v1.
 
         If no dart leads to v1, the lighthouse has broken its promise.  Then the explorer takes the
-        last dart, and no query will reach v1.
+        last dart, and every test fails: its query at v0 (see :meth:`try_path`) does not reach v1.
         """
         for dart in list(self.s.unexplored):
             seen = yield Move(dart - self.here)
@@ -455,13 +457,13 @@ class TwoVertices(Algorithm1):
                 return
 
     def reads(self, percept: Percept) -> Percept:
-        """The part of a percept that the algorithm compares: the degree, and whether it is v0's."""
+        """What the algorithm compares of a percept: the degree, and whether the vertex is v0."""
         return Percept(percept.degree, int(self.is_v0(percept)))
 
     def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
-        """Lines 10-13, and then the query at v0: leave by the dart that should lead to v1.
+        """Lines 10-13, and then the *query* at v0: leave by the dart that should lead to v1.
 
-        The robot senses there and comes back; then it is turned towards v1.
+        At its end the robot senses, and comes back; then it is turned towards v1.
         """
         motions, matched = yield from super().try_path(partner, path)
         if matched:

@@ -74,7 +74,7 @@ def dfs(
 def dudek91(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Stage[Estimate]:
-    """Explore a simple world with one marker in hand that can be taken up again.
+    """Explore a simple world with one marker, which the robot can drop and take up again.
 
     The events ``new-vertex`` and ``back-link`` are the two ways in which a pass can end.
 
@@ -134,7 +134,7 @@ class _Dudek:
         self.seen = yield Move(self.s.offset(self.here, dart))
 
     def candidates(self, explored: int, beyond: Percept) -> list[int]:
-        """The vertices of S that the unknown end could be, in the order of a walk round a tree."""
+        """The vertices of S that the unknown end could be, in the order of a depth-first search."""
         s = self.s
         possible = {
             s.vertex[dart]

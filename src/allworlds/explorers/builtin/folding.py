@@ -283,7 +283,8 @@ def way(log: FoldedLog, start: int, is_goal: Callable[[int], bool]) -> list[int]
 
 
 MOST_CHECKPOINTS = 1000
-"""The largest number of checkpoints between two motions; after more, a guest is ignored."""
+"""The largest number of checkpoints that the explorer in a shield may show between two motions;
+after more, the shield lets it make no further motion."""
 
 
 class Shield:

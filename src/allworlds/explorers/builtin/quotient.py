@@ -147,7 +147,7 @@ class ClassTable(NamedTuple):
 
     @property
     def sheets(self) -> int:
-        """The number of darts of the world over each class; it is computed from the vertex v0."""
+        """The number of darts of the world in each class; it is computed from the vertex v0."""
         return self.turns(self.vertices()[0])
 
     def is_alone(self) -> bool:
@@ -159,7 +159,7 @@ class ClassTable(NamedTuple):
         return self.sheets == 1 or (not cycles and (self.sheets == 2 or rigid))
 
     def turns(self, vertex: Sequence[int]) -> int:
-        """How often a vertex of the world goes round this vertex of the quotient."""
+        """How often the classes of this vertex repeat round a vertex of the world."""
         return self.sensed[vertex[0]].degree // len(vertex)
 
     def only_world(self) -> Estimate:
@@ -213,7 +213,8 @@ class _Learner:
     def _close(self) -> Stage[None]:
         """Make a new table by experiments.
 
-        Two darts are in one class if the percepts after all telling words are the same.
+        Two darts are in one class if the robot senses the same after each word of ``telling``, the
+        words that distinguish classes.
         """
         self._reached, self._rows = [()], [(yield from self._row(self.world.start))]
         leads: dict[str, list[int]] = {"s": [], "a": []}

@@ -24,7 +24,8 @@ def algorithm1_door(
 
     Choices and events are those of Algorithm 1.
 
-    Cost: at most (1) + (2), 2 traversals a test, and 2 (deg(v0) - 1) for the search of the door.
+    Cost: at most (1) + (2) traversals (the paper's Section VI), 2 more for each test, and
+    2 (deg(v0) - 1) more for the search of the door.
     """
     explorer = Scanning(first, choices or Choices(), notice, one_letter=True)
     return (yield from explorer.explore())
@@ -38,7 +39,8 @@ def algorithm1_word(
     The estimate is right if the letters are a primitive word, and not all 0.  Choices and events
     are those of Algorithm 1.
 
-    Cost: at most (1) + (2), and 2 (deg(v0) - 1) for the scan and for each test.
+    Cost: at most (1) + (2) traversals (the paper's Section VI), and 2 (deg(v0) - 1) more for the
+    scan and for each test.
     """
     return (yield from Scanning(first, choices or Choices(), notice).explore())
 
@@ -85,7 +87,7 @@ class Scanning(Algorithm1):
         self.queries = [telling(letters, dart) for dart in range(degree)]
 
     def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
-        """Lines 10-13, and then the queries at v0: out and back by darts with telling letters.
+        """Lines 10-13, and then the queries at v0: out and back by each dart in ``queries``.
 
         The robot is then turned to the dart of the last query.
         """
@@ -107,10 +109,11 @@ class Scanning(Algorithm1):
 
 
 def telling(letters: list[int], dart: int) -> list[int]:
-    """A few positions in a word whose letters prove that the robot has come in by ``dart``.
+    """A few positions in the word of v0; their letters prove that the robot came in by ``dart``.
 
-    If it has come in elsewhere, it reads a cyclic shift of the word, or only zeros.  The positions
-    distinguish the word from all of these that have the same letter at ``dart``, except equal ones.
+    If it came in by another dart of v0, it reads a cyclic shift of the word; at another vertex it
+    reads only zeros.  The letter at ``dart`` has been read already.  If a shift, or the zeros, have
+    the same letter there, they differ from the word at one of the positions, or equal the word.
     """
     shifts = [letters[k:] + letters[:k] for k in range(1, len(letters))]
     others = [word for word in ([0] * len(letters), *shifts) if word[dart] == letters[dart]]
