@@ -277,7 +277,7 @@ class Key(NamedTuple):
 
 
 NAMES = {"map_class": "class"}
-"""The names in JSON of computed keys that Python reserves, by the names of their attributes."""
+"""For attributes whose keys have names that Python reserves: the names of these keys in JSON."""
 
 
 def _meaning(key: computed[Any]) -> str:
@@ -309,7 +309,7 @@ def keys_of(kind: type[Document]) -> tuple[Key, ...]:
 
 
 def plain(value: Any) -> Any:
-    """The JSON value for a Python value; its method ``to_json`` is used if its class is unknown."""
+    """The JSON value for a Python value; a value of an unknown class must have ``to_json``."""
     if type(value) in _AS_IT_IS:  # nearly always
         return value
     match value:

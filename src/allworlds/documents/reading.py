@@ -52,7 +52,7 @@ a dictionary."""
 def _at(document: Any, steps: Iterable[str]) -> object:
     """The part of a JSON value to which steps such as ``rows`` and ``[0]`` lead.
 
-    If a step does not exist, it is the part before this step.
+    If a step does not exist, the result is the part to which the steps before it lead.
     """
     for step in steps:
         if step == "[...]":

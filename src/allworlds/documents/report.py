@@ -89,5 +89,5 @@ class Report(Paged, Document, kw_only=True):
         return {}
 
     def records(self) -> list[dict[str, Any]]:
-        """The rows of ``-o FILE.csv``, by the names of their columns, for ``pandas.DataFrame``."""
+        """The rows of ``-o FILE.csv`` as dictionaries by column, for ``pandas.DataFrame``."""
         return writers().records(self)

@@ -18,7 +18,7 @@ class Writers(NamedTuple):
         short_text: the function that returns at most 20 lines of this text.
         page: the function that returns the HTML element that notebooks show.
         picture: the function that returns the text of an SVG.
-        records: the function that returns rows for programs, by the names of their columns.
+        records: the function that returns the rows of a CSV file, each as a dictionary by column.
     """
 
     text: Callable[[Any], str]
@@ -63,7 +63,7 @@ class Paged:
         return writers().text(self)
 
     def __repr__(self) -> str:
-        """The text in at most 20 lines, for a plain Python."""
+        """The text in at most 20 lines, as Python's prompt shows it."""
         return writers().short_text(self)
 
     def __init_subclass__(cls, **keywords: Any) -> None:
@@ -72,7 +72,7 @@ class Paged:
         cls._repr_pretty_ = Paged._repr_pretty_  # type: ignore[method-assign]
 
     def _repr_pretty_(self, printer: Any, cycle: bool) -> None:  # noqa: ARG002  # IPython's call
-        """Print the text in a plain IPython."""
+        """Print the text at IPython's prompt, where no page can be shown."""
         printer.text(str(self))
 
     def _repr_html_(self) -> str:
