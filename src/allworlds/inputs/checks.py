@@ -83,7 +83,7 @@ def leave_interrupts_to_owner() -> None:
     """Leave interrupts to the owner of this process, the process that has started it.
 
     From now on SIGINT is ignored, so a KeyboardInterrupt can only come from users' code.  SIGTERM
-    or SIGHUP ends this process, even if the owner does not get it.
+    or SIGHUP ends this process, even if the owner does not get the signal.
     """
     _Interrupts.of_owner = True
     signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -93,8 +93,8 @@ def leave_interrupts_to_owner() -> None:
 def let_users_interrupt(error: BaseException) -> None:
     """Raise ``error`` again if no caller may ignore it.
 
-    That is an interrupt by the user, unless the owner of this process handles interrupts; the
-    refusal of a nested check; or the end of a job's time.
+    No caller may ignore the refusal of a nested check, the end of a job's time, or an interrupt by
+    the user.  If this process leaves interrupts to its owner, KeyboardInterrupt is no interrupt.
     """
     interrupt = isinstance(error, KeyboardInterrupt) and not _Interrupts.of_owner
     if interrupt or isinstance(error, NestedCheck | OutOfTime):
@@ -369,7 +369,8 @@ def one_of(names: Iterable[str]) -> str:
 
 
 ENDINGS = {name: getattr(os, name) for name in ("_exit", "execv", "execve")}
-"""The functions of ``os`` that end a process or its program at once; other functions call them."""
+"""The functions of ``os`` that end a process, or replace its program, at once; the other functions
+``os.exec...`` call them."""
 
 
 class _Kept:

@@ -29,7 +29,7 @@ _LOADING: ContextVar[bool] = ContextVar("loading", default=False)
 
 @contextmanager
 def loading() -> Iterator[None]:
-    """A context for the loading of a user's file; in it every beginning check is refused."""
+    """A context for the loading of a user's file; no check may begin in it."""
     token = _LOADING.set(True)
     try:
         yield
@@ -48,7 +48,7 @@ def ensure_outermost() -> None:
 
 
 def refusal_in(words: str) -> NestedCheck | None:
-    """The error of a nested check that a program has printed in its last line; None without it."""
+    """The refusal of a nested check in the last line that a program has printed; None if absent."""
     last = words.rstrip().rpartition("\n")[2]
     return NestedCheck(last.partition(": ")[2]) if SAID in last else None
 

@@ -69,7 +69,8 @@ class Option:
         name: the name of the option, without dashes; by default the name of the field.
         short: a letter as a second name.
         parse: the function from the text to the value of the field.
-        default: the text that stands for a missing option; empty if the default of the field does.
+        default: the text that is parsed if the option is missing; if it is empty, the field then
+            has its own default.
         apart: whether results are independent of the option, because it only tells where, how long
             or for whom a job is done.
         repeated: whether the option may be given several times; the field then gets a list.
