@@ -198,7 +198,7 @@ def _lit(
 
 @composite
 def _grown(draw: DrawFn, map_class: MapClass, least: int, most: int) -> CombinatorialMap:
-    """A map of the class; Hypothesis draws its size first, then the two corners of each edge."""
+    """A map of the class; Hypothesis draws its size first, then both ends of each edge."""
     edges = draw(integers(least, most))
     vertices = draw(integers(_fewest_vertices(map_class, edges), edges + 1))
     return grow(map_class, edges, vertices, lambda options: draw(integers(0, len(options) - 1)))
@@ -245,8 +245,8 @@ LOOP = CombinatorialMap((1, 0), (1, 0))
 LINK = CombinatorialMap((0, 1), (1, 0))
 
 NewEdge: TypeAlias = tuple[Dart, Dart]
-"""A new edge as a pair (a, b): it leads from the corner behind dart a to the corner behind dart b;
-if b is OUTWARD, to a new vertex."""
+"""A new edge as a pair (a, b): its ends come right after dart a and right after dart b, clockwise;
+if b is OUTWARD, the edge leads to a new vertex."""
 
 OUTWARD: Dart = -1
 
@@ -255,8 +255,9 @@ class _Growth:
     """A map to which edges are added; it stays in its class.
 
     Every rooted map can grow like this: its root edge first, then the rest of a spanning tree, then
-    the other edges.  In a simple class a map can always get another edge between two corners, until
-    it has the largest number of edges for its vertices: in the plane it is then a triangulation.
+    the other edges.  In a simple class a map can always get another edge between two of its
+    vertices, until it has the largest number of edges for its vertices: in the plane it is then a
+    triangulation.
     """
 
     def __init__(self, map_class: MapClass, root: CombinatorialMap) -> None:
@@ -265,7 +266,7 @@ class _Growth:
         self.vertex_count = root.vertex_count
 
     def between(self) -> list[NewEdge]:
-        """All edges that can be added between two corners, without a new vertex, ascending."""
+        """All edges that can be added without a new vertex, ascending."""
         darts = range(len(self.sigma))
         face, _ = places(cycles([self.sigma[e] for e in self.alpha]))
         vertex, _ = places(cycles(self.sigma))

@@ -308,7 +308,7 @@ def _drawn(explore: Explorer, count: int, edges: int, options: Mapping[str, Any]
 
 
 def _of_maps(options: Mapping[str, Any]) -> dict[str, Any]:
-    """Those of the options that a check of given maps has, too."""
+    """The part of these options of a check that a check of given maps takes, too."""
     named = {field.name for field in fields(MapsRequest)}
     return {key: options[key] for key in options if key in named}
 
