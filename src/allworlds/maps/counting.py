@@ -507,7 +507,7 @@ NARROWED: dict[str, Callable[[str, int], CountSource | None]] = {
     "triangulation": lambda map_class, _: _of_faces(map_class, 3),
     "quadrangulation": lambda map_class, _: _of_faces(map_class, 4),
 }
-"""For each kind of condition a function that returns the source of counts, or None without one.
+"""For each kind of condition a function that returns the source of counts; None if there is none.
 
 The function takes the name of a class, and the number in the condition's name.
 """
