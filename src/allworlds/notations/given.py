@@ -378,7 +378,7 @@ class GivenOptions(FileOptions):
         return {**super().in_effect, **(self.given.described if self.given else {})}
 
     def lighthouse_of_given(self, named: Any) -> Any:
-        """The kind of lighthouse that the given worlds have; without one, the kind ``named``.
+        """The kind of lighthouse that the given worlds have; if they have none, the kind ``named``.
 
         Raises:
             InputError: if the worlds have a lighthouse of another kind than ``named``.

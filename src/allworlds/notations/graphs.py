@@ -178,7 +178,10 @@ def _line_in_yed(edge: ET.Element, source: Any, target: Any) -> dict[str, Any]:
 
 
 def _label_in_yed(node: ET.Element) -> str:
-    """The first label of a node, of any shape, that is not blank; empty without such a label."""
+    """The first label of a node that is not blank; empty if there is none.
+
+    The node can have any shape.
+    """
     texts = (label.text or "" for label in node.iterfind(f"{PLAIN}data//{YED}NodeLabel"))
     return next(filter(None, map(str.strip, texts)), "")
 
@@ -301,7 +304,7 @@ def _entry(graph: nx.Graph) -> Entry:
 def _box(name: str, data: dict[str, Any]) -> Box:
     """The box of a node: its middle, and half its width and height.
 
-    They are read from the attributes ``pos``, ``x`` and ``y``, or ``graphics``.
+    They are read from the attribute ``pos``, from ``x`` and ``y``, or from ``graphics``.
     """
     graphics = data.get("graphics")
     drawn = graphics if isinstance(graphics, dict) else data

@@ -27,7 +27,7 @@ MOST = 255
 
 
 def _begun(file: IO[bytes], code: bytes) -> bytes:
-    """The word after the notation's name in the header of a file; empty without such a word.
+    """The word after the notation's name in the header of a file; empty if there is none.
 
     If the position in the file is before the end of the header, it is moved to this end.
     """
