@@ -43,7 +43,7 @@ class FieldOption(NamedTuple):
 
     Attributes:
         default: the default value; all values have the same type as the default.
-        limits: the limits of an integer, or the pattern of a text; None without limits.
+        limits: the limits of an integer, or the pattern of a text; None if there are none.
         legal: the legal words; if the option's value is a tuple, it may hold each word once.
         always: whether a JSON document names the option even if its value is the default.
     """

@@ -123,8 +123,8 @@ def _check_methods(kind: type[Lighthouse], code: user_code.UserCode) -> None:
 def _check(kind: type[Lighthouse], name: str, method: str, *, theirs: bool) -> None:
     """Replace a method by one that checks the returned value.
 
-    ``theirs`` tells whether the user wrote the method; if so, the new method also turns its errors
-    into InvalidWorld with the name of the lighthouse.
+    ``theirs`` tells whether the user wrote the method.  If so, the new method also turns errors of
+    the user's method into InvalidWorld, with the name of the lighthouse.
     """
     found = inspect.getattr_static(kind, method)
     if not _is_method(found):  # a plain value instead of a property
@@ -184,7 +184,8 @@ def _several(value: Any) -> tuple[int, ...]:
 def _places(places: tuple[Any, ...], kind: type[Lighthouse], *_asked: object) -> Iterator[Any]:
     """The places that a user's method yields, after a check.
 
-    Raise TypeError unless all of them have this class, and the options that were given to it.
+    Raise TypeError unless all places are lighthouses of the class ``kind``, with the options that
+    were given to this class.
     """
     made = [own_place(placed) if isinstance(placed, Lighthouse) else placed for placed in places]
     for placed in made:
@@ -199,7 +200,7 @@ def _percepts(
 ) -> tuple[actions.Percept, ...]:
     """The percepts that a user's method returns, in plain integers.
 
-    Raise TypeError unless there is one for each dart, with the degree of the dart's vertex.
+    Raise TypeError unless there is one percept for each dart, with the degree of the dart's vertex.
     """
     if len(sensed) != len(map_.darts):
         raise TypeError
