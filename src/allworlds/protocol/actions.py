@@ -74,7 +74,7 @@ class Move(Struct, frozen=True, gc=False):
 
 
 class Drop(Struct, frozen=True, gc=False):
-    """Lay down one marker here; free.  Legal only if the lighthouse gives markers."""
+    """Lay down one marker here, at no cost.  Legal only if the lighthouse gives markers."""
 
     def __str__(self) -> str:
         """The action in a word: ``drop``."""
@@ -82,7 +82,7 @@ class Drop(Struct, frozen=True, gc=False):
 
 
 class Pick(Struct, frozen=True, gc=False):
-    """Take up one marker from here; free.  Legal only if the lighthouse gives markers."""
+    """Take up one marker from here, at no cost.  Legal only if the lighthouse gives markers."""
 
     def __str__(self) -> str:
         """The action in a word: ``pick``."""
@@ -90,7 +90,7 @@ class Pick(Struct, frozen=True, gc=False):
 
 
 class Write(Struct, frozen=True, gc=False):
-    """Write the number ``k`` here; free.  Legal only if the lighthouse has room for numbers."""
+    """Write the number ``k`` here, at no cost.  Legal only if the lighthouse takes numbers."""
 
     k: int
 
@@ -408,5 +408,5 @@ class IllegalAction(ValueError):
 class BeyondRecord(Exception):
     """Raised for an action after the last recorded percept, when an earlier play is repeated.
 
-    In the earlier play the explorer made no action there.
+    In the earlier play the explorer made no action after this percept.
     """

@@ -207,7 +207,9 @@ def next_script(
 
 
 class ScheduledChoices(Choices):
-    """The choices of a run that is one of all schedules; the number of options is recorded, too.
+    """The choices of a run when all schedules are tried.
+
+    At each choice the number of options is recorded, too.
 
     Args:
         script: the indices for the first choices; all later indices are 0.
