@@ -28,7 +28,7 @@ INTERFACE_VERSION = 2
 """The version of the interface, ``ALLWORLDS_VERSION`` in ``allworlds.h``."""
 
 ROOM = 1 << 18
-"""The smallest number of darts for which a library gets room to write an answer."""
+"""A library gets room to write an answer with this number of darts at least."""
 
 MOVE, DROP, PICK, CHECKPOINT, ANSWER, AMBIGUOUS = range(1, 7)
 """The kinds of actions; in the header their names begin with ``ALLWORLDS_``."""

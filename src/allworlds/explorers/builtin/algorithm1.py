@@ -222,10 +222,11 @@ def algorithm1(
         first: the percept at v0 before any motion; it has a bearing.
         choices: the answers to all choices that the docstring of this module lists (default: first
             in, first out).
-        notice: the function that gets the name of each event: ``case-1``, ``case-2``, ``case-3``
-            (a test's outcome), ``v0-hypothesis`` (a test without a step, at v0), ``empty-H`` (there
-            is no hypothesis), ``loop`` and ``non-loop`` (the way in which S has grown).  The
-            function has no influence on the walk.
+        notice: the function that gets the name of each event.  ``case-1``, ``case-2``, ``case-3``:
+            a test fails before its last motion, fails after it, or succeeds.  ``v0-hypothesis``: a
+            test at v0, without a motion.  ``empty-H``: there is no hypothesis.  ``loop`` and
+            ``non-loop``: S has grown by an edge alone, or by a vertex.  The function has no
+            influence on the walk.
 
     Cost: at most (1) + (2) traversals, by the formulas (1) and (2) of the paper's Section VI.
     Source: Algorithm 1, Section IV.

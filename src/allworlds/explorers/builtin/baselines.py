@@ -26,7 +26,7 @@ from allworlds.protocol.choices import Choices
 def dfs(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Stage[Estimate]:
-    """Explore depth first, where each vertex shows its number and the bearing (``labels``).
+    """Explore depth first under the lighthouse ``labels``: each vertex shows number and bearing.
 
     The number identifies the vertex, and the bearing the dart of entry.  The choice ``edge`` is the
     open dart by which the robot leaves a vertex.  The events ``known`` and ``unknown`` tell whether

@@ -19,10 +19,10 @@ from allworlds.protocol.importing import signature_of
 
 
 class FromElsewhere:
-    """An explorer that begins at v0, although the robot may start at any vertex.
+    """An explorer for a robot that starts anywhere: it goes to v0, and starts another one there.
 
     Attributes:
-        explorer: the generator function that begins at v0.
+        explorer: the generator function of the other explorer, which begins at v0.
     """
 
     def __init__(self, explorer: Callable[..., Generator[Any, Any, Any]]) -> None:
