@@ -331,7 +331,7 @@ def _assert_holds(report: CheckReport) -> None:
 
 
 def _checked(explore: Explorer, options: Mapping[str, Any]) -> CheckReport:
-    """The report of a check that tries past findings first; fixed findings are deleted."""
+    """The report of a check that tries past findings first; those that are fixed are deleted."""
     given = {**options, **_bounds(options)}
     if "corpus" not in given and "run" not in given:
         plugin = sys.modules.get(PLUGIN)
