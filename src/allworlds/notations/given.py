@@ -143,7 +143,7 @@ class GivenMaps:
         return {"sha256": digests or None, "given": self.count, **named}
 
     def weights(self, edges: int) -> list[int]:
-        """For each piece of a level (:data:`PIECE` maps) the number of rooted maps in it."""
+        """The numbers of rooted maps in the pieces of a level; a piece has :data:`PIECE` maps."""
         starts = self._at[edges][3::4]
         return [sum(starts[i : i + PIECE]) for i in range(0, len(starts), PIECE)]
 

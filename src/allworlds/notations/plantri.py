@@ -1,4 +1,4 @@
-"""The two binary codes of plantri: neighbours, or numbers of edges, clockwise round each vertex.
+"""The two binary codes of plantri, which list neighbours or edges clockwise round each vertex.
 
 ``planar_code`` has a header, the number of vertices, and for each vertex its neighbours, counted
 from 1, and a 0.  Numbers have one byte, or two bytes after a first byte 0; the header tells whether

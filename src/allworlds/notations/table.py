@@ -194,9 +194,10 @@ def _check(notation: Notation, order: str | None, y: str | None) -> None:
 
 
 def _turned(entry: Entry, notation: Notation, order: Order | None, y: YAxis | None) -> Entry:
-    """The world as it is meant in its file, with another order of edges or another y axis.
+    """The world that its file means, after it was read in one way only.
 
-    ``entry`` was read as if the order were clockwise and the y axis upward.
+    ``entry`` was read as if the order of edges were clockwise and the y axis upward; ``order`` and
+    ``y`` tell the order and the axis that the file really has.
     """
     labels = entry.labels.checked(entry.map)
     if notation.y:
