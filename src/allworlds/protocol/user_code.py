@@ -41,7 +41,8 @@ class Role(Struct, frozen=True):
     Attributes:
         noun: the noun for messages.
         group: the group of entry points in which other packages offer programs for this role.
-        shape: the form of a function of this role, for messages; empty if it is no function.
+        shape: the form of a function of this role, for messages; empty if the role's programs are
+            no functions.
         known: the names that come with this program.
     """
 
