@@ -203,7 +203,7 @@ class NativeExplorer:
     def handed(self) -> tuple[Any, ...]:
         """New memory for compiled code that calls the library.
 
-        It is for the percept, the action, ``here``, sigma and alpha.
+        There is one part for each of the percept, the action, ``here``, sigma and alpha.
         """
         return tuple(map(_integers, (3, 2, 1, ROOM, ROOM)))
 

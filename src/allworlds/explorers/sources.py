@@ -47,7 +47,8 @@ from allworlds.inputs.requests import RARE_SCOPE, SCOPE, Argument, Option, Optio
 from allworlds.protocol import importing, user_code
 
 MOST_OF_A_COMMAND = 20
-"""The number of characters to which a command is shortened in heads of columns, if it is unique."""
+"""In the head of a column a command is shortened to this number of characters, if no other name
+is then the same."""
 
 
 # ---------------------------------------------------------------- names
