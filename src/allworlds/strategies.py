@@ -160,9 +160,9 @@ def choices(max_size: int = 40) -> SearchStrategy[Choices]:
 
 
 class Answers:
-    """The policy of :func:`choices`: it takes each option from a list of numbers, then option 0.
+    """The policy of :func:`choices`: a list of numbers tells the options, then option 0 is taken.
 
-    A number is taken modulo the number of options.
+    Each number is taken modulo the number of options.
     """
 
     def __init__(self, answers: Sequence[int] = ()) -> None:
