@@ -243,8 +243,8 @@ def girth(map_: CombinatorialMap) -> int | None:
 def regular(gluing: Gluing, degree: int) -> bool:
     """Whether all vertices so far have this degree, and the missing vertices can have it.
 
-    The missing darts must be enough for a whole number of vertices, and ``gluing.limit`` bounds the
-    number of all vertices.
+    The number of missing darts must be a multiple of the degree; ``gluing.limit`` bounds the number
+    of all vertices.
     """
     room = gluing.limit - len(gluing.degrees)
     return (
