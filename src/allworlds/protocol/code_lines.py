@@ -60,7 +60,7 @@ class TracedPlay:
         self._walk: Generator[Any, Any, Any]
 
     def player(self, player: actions.Player) -> Any:
-        """A player for one run: it plays like the given player, but returns this object."""
+        """A player for one run: it plays like the given player; this object is its generator."""
 
         def play(*told: Any) -> Any:
             self._walk = player(*told)
