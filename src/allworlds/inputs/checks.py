@@ -94,7 +94,7 @@ def let_users_interrupt(error: BaseException) -> None:
     """Raise ``error`` again if no caller may ignore it.
 
     No caller may ignore the refusal of a nested check, the end of a job's time, or an interrupt by
-    the user.  If this process leaves interrupts to its owner, KeyboardInterrupt is no interrupt.
+    the user.  If this process leaves interrupts to its owner, a KeyboardInterrupt may be ignored.
     """
     interrupt = isinstance(error, KeyboardInterrupt) and not _Interrupts.of_owner
     if interrupt or isinstance(error, NestedCheck | OutOfTime):
