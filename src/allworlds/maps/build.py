@@ -368,9 +368,9 @@ def completed(sigma: Sequence[int], alpha: Sequence[Dart]) -> CombinatorialMap:
 def without(map_: CombinatorialMap, gone: set[Dart]) -> CombinatorialMap | None:
     """The map without the edges of the darts ``gone``.
 
-    If several parts remain, the result is the part with the vertex of dart 0.
-    The root is the first remaining dart of this vertex, clockwise from dart 0.  The result is None
-    if no dart of this vertex remains.
+    If several parts remain, the result is the part with the vertex of dart 0.  The root is the
+    first remaining dart of this vertex, clockwise from dart 0.  The result is None if no dart of
+    this vertex remains.
     """
 
     def left(dart: Dart) -> Dart:

@@ -97,7 +97,7 @@ def listed(extent: Extent, edges: int) -> Mapping[int, int]:
 
     The maps have ``edges`` edges; see :func:`fingerprint`.  The maps are enumerated in the plainest
     way: all rooted maps with ``edges`` edges are made, and then those of the extent are selected.
-     The work is not divided, and no unfinished map is given up early.
+    The work is not divided, and no unfinished map is given up early.
     Cost: up to 5 edges 0.3 s; 0.03 ms for each map of any class.
     """
     sums: Counter[int] = Counter()
