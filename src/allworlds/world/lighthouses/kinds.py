@@ -127,7 +127,7 @@ def numbers_told(kind: LighthouseKind) -> tuple[str, ...]:
 
 
 def _part(text: str) -> str | user_code.UserCode:
-    """The part of a kind that a text names: for a built-in part the text, else a user's program."""
+    """The part of a kind that a text names: the text for a built-in part, else a user's program."""
     if text.partition(":")[0] in LIGHTHOUSES:
         return text
     parts = re.fullmatch(r"([^?]+):([^:?=]+=[^?]*)", text)
