@@ -131,7 +131,8 @@ class Choices:
         """Return one of the options.
 
         Args:
-            options: the options, in the canonical order of S; not empty.
+            options: the options, not empty; the policies ``fifo`` and ``lifo`` depend on their
+                order.
             of: the kind of the choice.
             cost: the walking distance of each option; None or empty if unknown.
 
