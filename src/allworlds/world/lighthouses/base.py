@@ -301,7 +301,8 @@ class ReferenceLighthouse(Lighthouse):
     def references(self, map_: CombinatorialMap) -> Mapping[Dart, int]:  # noqa: ARG002  # none
         """The reference darts, each with the number of marks at its vertex.
 
-        There is one for each vertex at which more than the degree is sensed; that of v0 is first.
+        There is one reference dart for each vertex at which more than the degree is sensed; the
+        reference dart of v0 comes first.
         """
         return {}
 
