@@ -24,7 +24,7 @@ from allworlds.protocol import actions, playing
 from allworlds.protocol.choices import Choices
 
 ALIVE = 100_000
-"""The largest number of runs that are kept alive."""
+"""The largest number of generators that :class:`Turns` keeps alive."""
 
 Sensed: TypeAlias = tuple[int, ...] | bytes
 """A percept in a message: the numbers of a :class:`Percept`, or a JSON value as canonical text."""
@@ -41,7 +41,7 @@ BEGIN = -1
 """The number before the first turn."""
 
 ACTION, ENDED, FAULT = "aef"
-"""The letters of a program's replies: an action, the program's answer, or a fault as in a log."""
+"""The letters of a program's replies: an action, the program's answer, or a fault."""
 
 LEGAL = "a Move, Drop, Pick, Write, Wait, Watch, Do or Checkpoint"
 

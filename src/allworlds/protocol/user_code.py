@@ -43,7 +43,7 @@ class Role(Struct, frozen=True):
         group: the group of entry points in which other packages offer programs for this role.
         shape: the form of a function of this role, for messages; empty if the role's programs are
             no functions.
-        known: the names that come with this program.
+        known: the names of the objects for this role that come with this package.
     """
 
     noun: str
