@@ -10,12 +10,12 @@ The way of a run of a user's explorer::
 A *job* is one call of a verb with many runs, such as a check.  A *level* of a job is all worlds
 with one number of edges.  A *unit* is some maps of a level, with places of the lighthouse; a *run*
 is one map and one place.  A *player* is a process with the explorer and without a judge; it makes
-*logs*, which are bytes.  A *judge* walks each log anew in the true map.  A *lane* is a judge with
-its two players; each worker has one lane.  A run has these forms in turn: ``NumberedRun`` (in a
-unit), ``Due`` (in a batch), ``Log`` (played), ``Episode`` (the log, followed in the world),
-``Outcome`` (judged); then it is counted, and becomes a ``Finding`` if it breaks a law.  For
-compiled built-in explorers there are no players and no logs: the kernel plays and judges their runs
-in threads.
+*logs*, which are bytes.  A player is *lost* if its process ends too early, or if it is silent for
+too long.  A *judge* walks each log anew in the true map.  A *lane* is a judge with its two players;
+each worker has one lane.  A run has these forms in turn: ``NumberedRun`` (in a unit), ``Due`` (in a
+batch), ``Log`` (played), ``Episode`` (the log, followed in the world), ``Outcome`` (judged); then
+it is counted, and becomes a ``Finding`` if it breaks a law.  For compiled built-in explorers there
+are no players and no logs: the kernel plays and judges their runs in threads.
 
 The modules, in this order; ``protocol.playing`` and ``log`` make and read logs:
 

@@ -49,7 +49,7 @@ class FirstLog(NamedTuple):
 
     Attributes:
         due: the run.
-        log: the log that the first player of that unit has made.
+        log: the log of the run's first play in that unit.
         right: whether the run breaks no law.
     """
 
@@ -59,7 +59,7 @@ class FirstLog(NamedTuple):
 
 
 def remember(batch: RunBatch, known: dict[AtPlace, FirstLog]) -> None:
-    """If the worlds of a batch are small, add its logs to ``known``, in the order of the plays."""
+    """Add the logs of a batch to ``known``, in the order of the plays, if its worlds are small."""
     unit, logs, broken = batch.work.unit, batch.logs[FIRST], {*batch.broken}
     small = isinstance(unit, LevelUnit | GivenUnit) and unit.edges <= ACROSS
     if small and batch.plain:  # a library draws the order
@@ -92,12 +92,12 @@ class _Play:
 
 
 class Across:
-    """The plays of one :class:`AcrossUnit`.
+    """The two plays, in opposite orders, of all runs in small worlds; see the text of this module.
 
     Args:
         setup: the explorer.
         judge: the judge of the explorer's runs.
-        work: the unit.
+        work: the unit (an :class:`AcrossUnit`), with the state of the work on it.
         seeds: the hash seeds of the two processes.
 
     Attributes:
@@ -105,8 +105,8 @@ class Across:
         begun: whether the plays have begun.
         found: a dictionary from the index of each run that refutes the explorer to the outcome of
             the run.
-        odd: pairs of the index of a run and its second log, if the two logs of the run differ and
-            no earlier run is the cause.
+        odd: for each run whose two logs differ, the index of the run and the log of the second
+            play; empty if earlier runs are found to be the cause of a difference.
     """
 
     def __init__(
@@ -124,8 +124,9 @@ class Across:
         """Begin the plays, once the units that count these runs are done.
 
         Args:
-            known: the logs of one process that has played nothing else, in the order of its plays;
-                if that process has played all runs, these logs serve as the first play.
+            known: logs by the map and the place of the run, in the order of the plays.  One process
+                has played these runs, and nothing else.  If they are all runs of this unit, their
+                logs serve as the first play.
         """
         assert isinstance(self.work.unit, AcrossUnit)
         self.begun = True
@@ -264,10 +265,11 @@ class Across:
                     return
 
     def _unlike(self, forwards: Sequence[bytes]) -> dict[int, int]:
-        """The runs whose logs in the second play differ from the logs ``forwards``.
+        """Compare the logs of the second play with the logs ``forwards``.
 
-        Item i of ``forwards`` is a log of run i.  Return a dictionary from the index of each run to
-        the position in the second play of the first log that differs.
+        Item i of ``forwards`` is a log of run i.  The second play may hold several logs of a run.
+        Return a dictionary from the index of each run with a different log to the position, in the
+        second play, of the first such log.
         """
         second, found = self._plays[1], dict[int, int]()
         assert second.logs is not None

@@ -93,8 +93,8 @@ class Work:
         batches: the iterator over the batches that have not been made yet; None at its end.
         more: the runs that are to be played again, each with its next schedule.
         open: the number of batches that are being played or compared.
-        best: for the number of each run, the run and the cost of its cheapest schedule so far;
-            empty unless every schedule is tried.
+        best: a dictionary from the number of a run to a pair: the run, and the cost of its cheapest
+            schedule so far.  It is empty unless every schedule is tried.
     """
 
     unit: UnitOfRuns
@@ -194,7 +194,7 @@ class Judge(Protocol):
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[RunBatch]:
         """Yield the runs of a unit in batches.
 
-        Each call of ``size`` returns about how many runs the next batch has.
+        ``size`` is a function that returns how many runs the next batch shall have, about.
         """
 
     def judge(self, batch: RunBatch) -> bool:

@@ -27,9 +27,9 @@ LIBRARIES = 8
 
 
 class CompiledBatch(RunBatch):
-    """Runs of a unit, which compiled code has written into arrays.
+    """Some runs of a unit; compiled code has written them into arrays.
 
-    The method :meth:`due` makes a value of Python of a run.
+    The method :meth:`due` returns one of these runs as a Python object.
 
     Attributes:
         laid: the number of the runs in the batch, and the numbers of these runs in the unit.
@@ -52,7 +52,7 @@ class CompiledBatch(RunBatch):
         return self.laid.runs
 
     def due(self, index: int) -> Due:
-        """The run of this index as a value of Python; its map is made from the run's table."""
+        """The run of this index as a Python object; its map is made from the run's table."""
         table = self.tables[index].reshape(-1, arrays.WIDE).tolist()
         sigma = [first + (d + 1 - first) % deg for d, (first, _, deg, *_) in enumerate(table)]
         map_ = CombinatorialMap(sigma, [dart[arrays.PARTNER] for dart in table])
@@ -81,8 +81,8 @@ class CompiledJudge:
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[CompiledBatch]:
         """Yield the runs of a unit in batches.
 
-        Each call of ``size`` returns about how many runs the next batch has; if the explorer is a
-        shared library, the batch is larger.
+        ``size`` is a function that returns how many runs the next batch shall have, about.  If the
+        explorer is a shared library, the batch is larger by the factor :data:`LIBRARIES`.
         """
         unit = work.unit
         assert isinstance(unit, LevelUnit)
@@ -103,10 +103,10 @@ class CompiledJudge:
                 work.tally.add(batch.tally)
 
     def judge(self, batch: RunBatch) -> bool:
-        """Judge and count the logs of a batch's first play; call this in the order of the batches.
+        """Judge and count the logs of a batch's first play.
 
-        Return False if Python must play the runs again, because compiled code could not write
-        all logs of a shared library.
+        Batches must be judged in the order in which they were made.  Return False if Python must
+        play the runs again, because compiled code could not write all logs of a shared library.
         """
         assert isinstance(batch, CompiledBatch)
         if self.native and batch.plain:

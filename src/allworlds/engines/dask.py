@@ -34,7 +34,7 @@ is given up; seconds after which unused lanes are closed."""
 
 
 class Dask:
-    """The transport to a Dask scheduler; the end of its ``with`` block cancels unfinished tasks.
+    """Brings units to a Dask cluster; the end of the ``with`` block cancels unfinished tasks.
 
     Args:
         address: the address of the scheduler, or :data:`LOCAL`.

@@ -1,7 +1,7 @@
 """**The** table of the engines, the data of a job for an engine, and two transports.
 
-Both transports are in this process.  This module knows the checks that the compiled engine cannot
-do, and loads no compiled code.  A new engine is a new entry of the table.
+The two transports bring units to engines in this process.  This module knows the checks that the
+compiled engine cannot do, and loads no compiled code.  A new engine is a new entry of the table.
 """
 
 import os
@@ -38,7 +38,7 @@ def _parts(engine: UnitEngine, unit: Any) -> Iterator[PartialResult]:
 
 
 class ThisThread:
-    """The transport to an engine in this thread; after each part the time limit is checked."""
+    """Brings units to an engine in this thread; after each part the time limit is checked."""
 
     def __init__(self, deadline: float | None = None) -> None:
         self._deadline = deadline
@@ -64,10 +64,10 @@ class ThisThread:
 def local_or_dask(
     cluster: str | None, deadline: float | None, workers: int = 0, batch: int = 1
 ) -> Transport:
-    """The transport to a Dask cluster, if one is named; else to threads or to this thread.
+    """The transport that brings units to a Dask cluster, to threads, or to this thread.
 
     Args:
-        cluster: the address of the scheduler; None for no cluster.
+        cluster: the address of the scheduler of the cluster; None for threads or this thread.
         deadline: the end of the time limit, on the monotonic clock; or None.
         workers: for a cluster on this machine, the number of its processes, with 0 for one process
             on each core; without a cluster, the number of threads, with 0 for this thread alone.
@@ -81,9 +81,9 @@ def local_or_dask(
 
 
 class Threads:
-    """The transport to a pool of threads; at the end of the ``with`` block their work is stopped.
+    """Brings units to a pool of threads.
 
-    The call ``engine.halt()`` stops the work.
+    At the end of the ``with`` block the call ``engine.halt()`` stops the work of the threads.
 
     Args:
         workers: the number of threads.
@@ -180,7 +180,7 @@ class Job(Struct, frozen=True):
 
 
 class ReadyEngine(Struct, frozen=True):
-    """An engine that is ready, and the transport between this engine and the loop of the study."""
+    """An engine that is ready, and the transport that brings it the units of a study."""
 
     transport: Transport
     engine: Any  # of the kind that the transport takes; None if every unit is kept
@@ -311,7 +311,9 @@ class Compiled(EngineKind):
 
 
 def players_for(job: Job) -> Transport:
-    """The transport to lanes that play the explorer: on this machine, or on workers of a cluster.
+    """The transport that brings units to lanes, on this machine or on the workers of a cluster.
+
+    A lane plays and judges the explorer.
 
     Raises:
         InputError: if the explorer cannot be sent to the workers of a cluster.

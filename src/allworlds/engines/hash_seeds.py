@@ -78,7 +78,10 @@ def explain(
 
 
 def by_seed(seeds: Seeds, first: Outcome, second: Outcome) -> Outcome | None:
-    """The first of the two outcomes that breaks a law, with its seed; None if no outcome does."""
+    """Of a run's outcomes under two hash seeds, the first that breaks a law, with its seed.
+
+    Return None if neither outcome breaks a law.
+    """
     for seed, outcome in zip(seeds, (first, second), strict=True):
         if outcome.violation is not None:
             return replace(outcome, hash_seed=seed)

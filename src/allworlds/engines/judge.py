@@ -45,8 +45,8 @@ class PythonJudge:
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[RunBatch]:
         """Yield the runs of a unit in batches.
 
-        A batch is full when it has as many runs as ``size`` then returns; the last batch may be
-        smaller.
+        After each run the function ``size`` is called: the batch is full if it has at least the
+        returned number of runs.  The last batch may be smaller.
         """
         batch = RunBatch(self, work, ())
         for run in self.counter.runs(work.unit):

@@ -2,8 +2,8 @@
 
 The form of a result follows from the types of its fields.  A struct or a dataclass is kept by its
 fields.  A counter, or a dictionary whose keys are not texts, is kept as a list of pairs.  A type
-with a function ``from_json`` is kept as this function reads it.  msgspec determines the form of any
-other type.
+with a function ``from_json`` is kept in the form that this function reads.  msgspec determines the
+form of any other type.
 """
 
 import hashlib
@@ -77,7 +77,7 @@ class Identity(doc.Document):
         return self.portion.count
 
     def difference(self, other: "Identity") -> str:
-        """A clause about the first value in which another identity differs; empty if none differs.
+        """A clause about the first value in which ``other`` differs from this identity; or empty.
 
         The index of a shard is not compared, but the number of shards is.
         """
@@ -156,7 +156,7 @@ WHAT = "what is kept of a unit"
 class Form(NamedTuple):
     """The form in which values of a type are kept.
 
-    If the type of a field is annotated by a form, the values of this field are kept in that form.
+    A field can have a form of its own: its type is then ``Annotated`` with the form.
 
     Attributes:
         write: the function from a value to its JSON value.

@@ -219,7 +219,7 @@ class Lane:
                 self._settle(batch)
 
     def _settle(self, batch: RunBatch) -> None:
-        """Find the runs of a batch that break a law; add the counts of the batch to the unit's."""
+        """Find the runs of a batch that break a law; add its counts to the counts of the unit."""
         self._settler.settle(batch, twice=self._twice)
         self._settled += len(batch)
         batch.work.tally.add(batch.tally)

@@ -1,4 +1,4 @@
-"""The transport into lanes, which are in this process or in forked processes.
+"""The transport that brings units to lanes, in this process and in forked processes.
 
 A lane is a judge with its two players.  One lane is in this process, unless a lighthouse, task or
 condition of the user takes part, because the user's code could end the process.  With more workers,
@@ -111,7 +111,7 @@ def _heard(processes: Sequence[_Process], seconds: float) -> list[_Process]:
 
 
 class Lanes(Struct):
-    """The transport into lanes: one in this process, the others in processes of their own.
+    """Brings units to lanes: one lane in this process, the others in processes of their own.
 
     Attributes:
         subject: the explorer.
@@ -307,7 +307,7 @@ def workers_for(
     models: bool = False,
     make: Callable[..., Any] = Lane,
 ) -> Transport:
-    """The transport into lanes for an explorer.
+    """The transport that brings units to the lanes for an explorer.
 
     The explorer, the limits and the models decide whether the lanes are in this process, or forked.
 

@@ -1,5 +1,8 @@
 """The meaning of the loss of a player.
 
+A player is lost if its process ends, or if it is silent for too long.  The *law of the loss* is the
+law that the explorer then breaks: ``crash`` or ``timeout``.
+
 The left column says what a further play shows, the right column what follows:
 
     ======================================================  ====================================

@@ -238,7 +238,7 @@ def played(
 
 
 def turns_of(subject: Subject, player: Player, beat: Any) -> Turns:
-    """The explorer in a form that answers single turns; no turn has been taken yet."""
+    """An object that asks the explorer for single turns; no turn has been asked for yet."""
     from allworlds.protocol.turns import Turns
 
     if subject.program:
@@ -247,7 +247,7 @@ def turns_of(subject: Subject, player: Player, beat: Any) -> Turns:
 
 
 def turns_taken(turns: Turns, batch: dict[str, Any]) -> list[bytes]:
-    """The replies of a program, as bytes, to all turns or to all histories in a batch."""
+    """The explorer's replies, as bytes, to the turns or histories in a batch (:data:`TURNS`)."""
     if batch["kind"] == "histories":
         return turns.plays(batch["content"])
     return turns.replies(batch["content"], known=batch["known"])
@@ -296,7 +296,8 @@ def in_bytes(told: actions.Told, transcript: actions.Transcript) -> bytes:
 def _around(kind: str, world: Any, told: Any, over: bool) -> Any:
     """The object that answers the explorer's actions, made from ``world``.
 
-    The kind of the batch says whether ``world`` is a table of a world, percepts, or a world.
+    The kind of the batch says what ``world`` is: the table of a world (kind ``table``), recorded
+    percepts (kind ``record``), or the arguments of :class:`AroundExplorer` (any other kind).
     """
     if kind == "table":
         return playing.TableWorld(world, told)

@@ -177,8 +177,8 @@ class PlayerProcess:
         seed: the hash seed of the process.
 
     Attributes:
-        jobs: the messages that have no answer yet, each in a pair after its job; a job is any value
-            by which the owner knows the message.
+        jobs: the messages that have no answer yet, each in a pair ``(job, message)``.  Here ``job``
+            is any value that the owner gives with a message, and gets back with the answer.
         beat: two numbers in shared memory: the number of the run in progress, or
             :data:`player.NO_RUN`; and the number of the explorer's turn in this run.
         part: the log so far of a run, if the player sends it turn by turn.
@@ -225,7 +225,7 @@ class PlayerProcess:
     def give(self, job: Any, message: dict[str, Any]) -> None:
         """Give the player a message; :meth:`heard` returns the answer together with ``job``.
 
-        The parameter ``job`` is any value by which the owner knows the message.
+        The parameter ``job`` is any value by which the owner recognises the answer.
         """
         if not self.jobs:
             self._seen, self._since = None, time.monotonic()
@@ -442,7 +442,7 @@ class PlayerHere:
     Args:
         explorer: the explorer.
         of_user: whether it is a user's explorer, whose prints are dropped.
-        subject: the explorer with its name; None suffices if no message asks turn by turn.
+        subject: the explorer with its name; needed only if a message asks for single turns.
 
     Attributes:
         beat, description, files, part: as in :class:`PlayerProcess`.
@@ -473,7 +473,7 @@ class PlayerHere:
         self.jobs.append((job, message))
 
     def heard(self) -> list[JobLogs]:
-        """Answer the next message; return its job with the logs.
+        """Answer the next message; return one pair: the message's value ``job``, and the logs.
 
         Return an empty list if there is no message.
         """

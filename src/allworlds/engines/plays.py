@@ -191,7 +191,7 @@ class BothPlays:
     def anew(self, seed: int, message: Message) -> Attempt:
         """Let a fresh player with this hash seed answer a message.
 
-        Return the logs, with None, or with the loss if the player was lost.
+        Return a pair: the logs; and the loss if the player was lost, else None.
         """
         player = started(self.setup, seed)
         try:

@@ -47,7 +47,7 @@ class Prints:
 
 
 def _letters(printed: bytes | bytearray) -> list[tuple[int, str]]:
-    """A pair for each printed letter: the number of its bytes, and the letter, perhaps escaped."""
+    """A pair for each printed character: the number of its bytes; and its text, maybe escaped."""
     letters = []
     for letter in printed.decode(errors="surrogateescape").replace("\r\n", "\n"):
         raw = letter.encode(errors="surrogateescape")
@@ -57,9 +57,9 @@ def _letters(printed: bytes | bytearray) -> list[tuple[int, str]]:
 
 
 def _fitting(letters: Sequence[tuple[int, str]], room: int) -> tuple[list[str], int]:
-    """The first letters that fit into ``room`` bytes, and the number of printed bytes they show.
+    """The first characters that fit into ``room`` bytes, and how many printed bytes they stand for.
 
-    An escaped letter needs more room than the printed bytes that it shows.
+    An escaped character is longer than the printed bytes that it stands for.
     """
     sizes = accumulate(len(shown.encode()) for _, shown in letters)
     fitting = letters[: sum(size <= room for size in sizes)]

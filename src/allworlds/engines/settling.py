@@ -191,7 +191,7 @@ class Settler:
 def _is_refused(without_words: Log, in_words: Log) -> bool:
     """Whether both plays end with the same illegal action.
 
-    The log without texts leaves this action out; the log with texts ends with this action.
+    The log ``without_words`` does not hold this action; the log ``in_words`` ends with it.
     """
     known = without_words.actions
     faults = fault_of(without_words), fault_of(in_words)

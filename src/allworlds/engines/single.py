@@ -115,7 +115,7 @@ class SingleRun(Report):
 
     @cached_property
     def walk(self) -> Walk:
-        """The walk in the world, whose darts have the numbers that were given."""
+        """The walk in the world that was given; the darts keep the given numbers."""
         return Walk.of(self.world, self.outcome.episode.walk.actions)
 
     @property
@@ -294,7 +294,7 @@ class Plays:
     def again(
         self, actions: Iterable[Action], script: tuple[int, ...], seed: int, times: int = 1
     ) -> tuple[list[Log], str]:
-        """Let one player play the run ``times`` times by percepts; return the logs and its prints.
+        """Let one player play the run ``times`` times by percepts; return the logs and the prints.
 
         The percepts are those of a walk that consists of these actions.
         """
@@ -401,7 +401,7 @@ def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: in
 
 
 def _unlike(finding: Finding, again: Log) -> Finding:
-    """The finding that an explorer is nondeterministic: a later play differs from a finding.
+    """The finding that an explorer is nondeterministic: a later play differs from ``finding``.
 
     ``again`` is the log of the later play.  If the given finding is about the loss of a player, it
     is returned as not confirmed.

@@ -30,7 +30,7 @@ from allworlds.inputs import checks, requests
 from allworlds.maps import classes
 
 By: TypeAlias = Literal["size", "world", "run"]
-"""The choice of rows in the output for programs.
+"""The choice of the rows in a report's CSV or Parquet file.
 
 For each explorer there is one row for each size, for each world, or for each run.
 """
@@ -99,9 +99,8 @@ class Sweep(ABC, Generic[Total, Answer]):
         verb: the study's name on the command line.
         request_type: the class of the study's requests.
         result: the class of the results of units, if its constructor needs no arguments.
-        finer: the number of decisions by which the prefix of each unit is longer than usual; a unit
-            holds the maps that are made by decisions beginning with its prefix, so that a longer
-            prefix makes a smaller unit.
+        finer: how many decisions longer than usual the prefix of each unit is.  A unit holds the
+            maps whose first decisions are its prefix; so a larger number makes smaller units.
         narrowed: the extent whose condition is checked in fresh processes; None for no check.
         portion: the shard: the part of all units that the job does.
         seconds: the seconds that each finished level took.
@@ -137,7 +136,7 @@ class Sweep(ABC, Generic[Total, Answer]):
         return cls.request_type(**options, shard=portion, listener=listener)
 
     def list_by(self, by: By) -> None:
-        """Choose the rows of the output for programs: one row for each size, world, or run.
+        """Choose the rows of the report's CSV file: one row for each size, world, or run.
 
         Raises:
             InputError: if the study offers no choice.

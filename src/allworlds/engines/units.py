@@ -260,7 +260,10 @@ errors of many units compensate each other.
 
 
 class GivenUnit(Struct, frozen=True):
-    """Some of the maps that the user has given, all of one level; ``number`` counts such units."""
+    """Some of the maps that the user has given, all with ``edges`` edges.
+
+    The units with one number of edges have the numbers ``number``: 0, 1, and so on.
+    """
 
     edges: int
     number: int
@@ -404,7 +407,7 @@ class UnitOfRuns(Unit, Protocol):
 
 
 class GivenWorlds(Struct, frozen=True):
-    """A unit of chosen worlds, each with the number of its place; the start is dart 0."""
+    """A unit of chosen worlds with start dart 0, each with the number of its lighthouse's place."""
 
     worlds: tuple[tuple[World, int], ...]
     key: str = ""

@@ -78,7 +78,7 @@ def _answers_of_processes(
         kind: the kind of the message.
         content: the content of the message.
         number: the number of items in an answer; each process makes them in an order of its own.
-        said: the name of the user's code for error messages.
+        said: the words by which error messages name the user's code.
         deadline: the end of the time limit, on the monotonic clock; or None.
 
     Raises:

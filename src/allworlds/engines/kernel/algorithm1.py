@@ -1,10 +1,11 @@
 """Algorithm 1, compiled: an explorer behind the C interface, one call for each percept.
 
-If a test has matched to its end, a lighthouse with a direction has proved the hypothesis.  Without
+If the lighthouse has a direction, a test that matches to its end proves its hypothesis.  Without
 a direction the robot can recognise only v0 and one neighbour v1.  So before its first pass it
-searches the dart of v0 that leads to v1; and after a test that has come to v0 it makes the *query*:
-it goes out by that dart, and back.  Hypotheses are tried in the order in which their darts came
-into S; each test walks to v0 on the first of the shortest paths.
+searches for the dart of v0 that leads to v1.  After a test that has come to v0 it makes the
+*query*: it leaves by the dart that should be this dart, and comes back.  Hypotheses are tried in
+the order in which their darts came into S; each test walks to v0 on the first of the shortest
+paths.
 
 The twin, Python code with the same results: :mod:`allworlds.explorers.builtin.algorithm1`.
 
@@ -306,7 +307,10 @@ def _plan(robot, start, goal):
 
 @inner
 def _nearer(robot, v):
-    """The first dart of vertex v that leads nearer to the goal of the last :func:`_measure`."""
+    """The first dart of vertex v that leads nearer to the goal.
+
+    The goal is the vertex for which :func:`_measure` was called last.
+    """
     dart = robot.first[v]
     while robot.length[robot.owner[robot.alpha[dart]]] != robot.length[v] - 1:
         dart += 1

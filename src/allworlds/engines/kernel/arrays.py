@@ -135,7 +135,7 @@ class Sums(Struct, frozen=True):
 
 
 DARTS = 32
-"""The length of arrays by darts or by vertices of a world; a world never has more of them."""
+"""The length of arrays with an item for each dart or each vertex of a world; no world has more."""
 
 DEPTHS = 16
 """The largest number of decisions of a gluing: one for each edge, and the root's degree."""
@@ -298,7 +298,10 @@ READER = _record(
 """A reader of logs, which stands in for an explorer."""
 
 WALKED = 80
-"""The length of arrays by darts, larger than a world, so that a wrong robot stays within them."""
+"""The length of arrays with an item for each dart, vertex or degree, in the demand-driven check.
+
+It is larger than the number of darts of any world, so that a wrong robot stays within the arrays.
+"""
 
 NOW = _record(
     # The phase of the walk, and the dart that it is about to cross.
@@ -366,7 +369,7 @@ SCHEDULES = _record(
 
 
 class Kept(NamedTuple):
-    """Runs that are kept, each as a row of numbers.
+    """The most expensive runs, and the least runs that break a law, each as a row of numbers.
 
     A row holds n, the canonical code of the rooted map, the place, the law's number, and the code
     of the map without a root.  The last code is the least of the map's codes from all roots.

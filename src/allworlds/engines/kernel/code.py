@@ -9,7 +9,7 @@ FACTOR, LESS = 0x1E3779B97F4A7C15, (1 << 62) - 1
 
 @inlined
 def mixed(code, decision):
-    """The fingerprint of a partial map after one more decision; ``code`` is that before it."""
+    """The fingerprint of a partial map after a decision; ``code`` is its fingerprint before."""
     code = (code ^ decision) * FACTOR & LESS
     return code ^ code >> 31
 
@@ -65,7 +65,7 @@ def number(world, root):
 
 @inlined
 def encode(world, root, row, start):
-    """Write the canonical code of the map with this root, sigma then alpha, to ``row[start:]``."""
+    """Write the canonical code of the map with this root to ``row[start:]``: sigma, then alpha."""
     number(world, root)
     for i in range(world.darts):
         row[start + i] = world.number[world.sigma[world.order[i]]]

@@ -159,9 +159,10 @@ def ask(_context, address, arguments):
 
 
 def expression(function: Callable[..., Any]) -> Any:
-    """Make a function for compiled code; the function takes and returns 64-bit integers.
+    """Make a function that compiled code can call; it takes and returns 64-bit integers.
 
-    The given function builds the instructions of the function that is made.
+    ``function`` builds the instructions of this new function: it gets a builder of instructions,
+    and the arguments of the call.
     """
 
     @wraps(function)

@@ -55,8 +55,8 @@ _FEW = 0xFF
 def explore(w, prefix, kept, halt):
     """Walk once in every world whose first decisions are ``prefix``, and count the world.
 
-    If a law is broken in a world, a run with place 0 and law 0 is kept, which stands for all places
-    in the world and for all laws.  The work is given up once ``halt[0]`` is not 0.
+    If a law is broken in a world, a run with place 0 and law 0 is kept.  This run stands for all
+    places in the world, and for all laws.  The work is given up once ``halt[0]`` is not 0.
     """
     s = w.now
     _begin(w, s, prefix)

@@ -117,7 +117,10 @@ def compile_apart(explorer: str) -> None:
 
 
 def in_another_process(code: str) -> subprocess.Popen[bytes]:
-    """A new process that runs the code with the same import path; its prints are dropped."""
+    """A new Python process that executes the text ``code``, with the import path of this process.
+
+    The prints of the new process are dropped.
+    """
     program = f"import json, sys; sys.path[:] = json.loads(sys.argv[1]); {code}"
     command, no = [sys.executable, "-c", program, json.dumps(sys.path)], subprocess.DEVNULL
     marked = {**os.environ, COMPILER: "1"}
@@ -141,7 +144,7 @@ def set_up(job: Any, robot: Any, level: Level) -> None:
 
 
 def _at(row: list[int], darts: int) -> At:
-    """The run that a row of :class:`Kept` holds, in maps with this number of darts."""
+    """The run that a row of :class:`Kept` describes; the map of the run has ``darts`` darts."""
     n, *code = row
     return At(n, tuple(code[:darts]), tuple(code[darts : 2 * darts]), code[2 * darts])
 
@@ -200,8 +203,8 @@ class LaidOutRuns(Struct, frozen=True):
 
     Attributes:
         runs: the number of runs.
-        first, until: the number in the unit of the batch's first run, and of the run after the
-            batch's last run.
+        first, until: two numbers of runs in the unit: the number of the batch's first run, and the
+            number of the run after its last run.
         last: whether this batch is the last batch of its unit.
     """
 

@@ -36,9 +36,8 @@ from allworlds.engines.kernel.compiling import (
 def gluing_rule(edges: int) -> Any:
     """A table that says which partial maps are legal.
 
-    Entry ``[missing, open]`` is 1 if a partial map may have this number of darts that are still to
-    be added, and this number of open darts; else 0.  While darts are to be added, some dart must be
-    open.
+    Entry ``[missing, open]`` is 1 if it is legal that ``missing`` darts are still to be added, and
+    ``open`` darts are open; else 0.  While darts are to be added, some dart must be open.
     """
     viable = ones((2 * edges + 1, 4 * edges + 1), int64)
     viable[1:, 0] = 0
@@ -187,8 +186,8 @@ def _take_back(g):
 def rule(g):  # pragma: no cover  # compiled
     """Set ``g.possible`` to 0 if the partial map is not of the class, or cannot be finished.
 
-    In simple classes each vertex must have enough partners left; this alone does not prove that the
-    map can be finished.
+    In simple classes ``g.possible`` may stay 1 although the map cannot be finished: only the
+    condition of :func:`_simple` is checked.
     """
     depth = g.depth
     new = min(2 * g.edges - g.darts, g.limit - g.vertices)
@@ -231,7 +230,11 @@ def _one_face(g, y, z):
 
 @inner
 def _even(g, new):
-    """Whether this number of new vertices can make the number of open darts of each face even."""
+    """Whether the number of faces with an odd number of open darts is at most ``new``.
+
+    ``new`` is the largest number of vertices that can still be added.  Otherwise a planar map
+    cannot be finished, because one new vertex makes only one of these faces even.
+    """
     odd, rest = 0, g.open
     while rest:
         start = dart = lowest(rest)
@@ -246,9 +249,10 @@ def _even(g, new):
 
 @inner
 def _simple(g, new):
-    """Whether there are no loops and no parallel edges, and enough partners left for each vertex.
+    """Whether there are no loops and no parallel edges, and each vertex can avoid them further on.
 
-    ``new`` is the largest number of vertices that can still be added.
+    Each open dart of a vertex must be joined to another vertex: to one that has an open dart and is
+    no neighbour yet, or to a new vertex.  Up to ``new`` vertices can still be added.
     """
     waiting = 0
     for v in range(g.vertices):
