@@ -15,11 +15,9 @@ from allworlds.world.state import State
 
 
 def trail_to(map_: CombinatorialMap, here: Dart, walk: Walk | Transcript) -> list[Dart]:
-    """The robot's darts in this map, at the start and after each step.
+    """The robot's darts in ``map_``, at the start and after each step, if it ends at ``here``.
 
-    The last dart is ``here``.
-
-    Motions are reversible, so the walk is traced back to the dart where it must have begun.
+    Motions are reversible, so the walk is traced back from ``here`` to its beginning.
     """
     trail = [here]
     for action in reversed(walk.actions):
@@ -45,8 +43,8 @@ def believed_percepts(
 ) -> list[actions.Percept] | None:
     """The percepts that the estimated map predicts, at the start and after each step.
 
-    ``trail`` holds the robot's darts in this map.  The lighthouse stands where the robot must
-    believe it to be; the result is None if the map has no place for the lighthouse.
+    ``trail`` holds the robot's darts in the estimated map.  There the lighthouse stands where the
+    robot must believe it to be; the result is None if the map has no place for the lighthouse.
     """
     world, answered = walk.world, WalkInAnswer(estimate, trail, walk.percepts)
     lighthouse = world.lighthouse.believed(world.map, world.start, answered)
@@ -118,7 +116,7 @@ def find_parting(
 
 
 class BelievedWalk(Struct, frozen=True):
-    """A walk in an answer beside the walk in the world.
+    """A walk in the map of an answer, compared step by step with the walk in the world.
 
     Attributes:
         trail: the robot's darts in the answer at the start and after each step; the last dart is
@@ -146,11 +144,11 @@ class BelievedWalk(Struct, frozen=True):
 def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
     """The walk in the answer that agrees for longest with the walk in the world.
 
-    The first candidate is the walk that ends at ``here``, because an explorer that errs only at the
-    end was right before.  There is one further candidate for each dart of the answer, which begins
-    at this dart.  These candidates are tried in an order: first the walk in which most degrees,
-    from the start on, equal the sensed degrees; among equal walks, first the walk from the smaller
-    dart.  Of several walks that agree equally long, the first one is taken.
+    The first candidate is the walk that ends at ``here``.  The further candidates are the walks
+    that begin at a dart of the answer, one for each dart: an explorer may have been right up to its
+    last step, and then have given a wrong ``here``.  First comes the walk whose degrees equal the
+    sensed degrees for the most steps from the start on; among equal walks, the walk from the
+    smaller dart.  Of several walks that agree equally long, the first one is taken.
 
     Cost: the steps times the number of darts of the answer from which the degrees agree for longer
     than the best walk so far.
@@ -174,7 +172,7 @@ def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
 
 
 def _alike(map_: CombinatorialMap, trail: Iterable[Dart], degrees: Sequence[int]) -> int:
-    """The number of darts of the trail before the first dart that has not the sensed degree."""
+    """The number of darts of the trail before the first dart whose degree is not the sensed one."""
     pairs = zip(trail, degrees, strict=True)
     return next(
         (step for step, (dart, degree) in enumerate(pairs) if map_.degree_at[dart] != degree),

@@ -22,10 +22,10 @@ SHOWN_BEFORE, SHOWN_AFTER = 8, 4
 def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = False) -> Outcome:
     """The outcome of the first play, or an outcome which says that the two plays differ.
 
-    If the plays differ, the law ``nondeterministic`` is broken, with one exception: if both plays
-    break one law that comes before ``nondeterministic`` in the order of precedence, and is not
-    ``crash`` or ``timeout``, the outcome of the first play stays.  ``choices`` is as in
-    :func:`difference_of`.
+    If the plays differ, the law ``nondeterministic`` is broken, with one exception: the outcome of
+    the first play stays if both plays break the same law, this law comes before
+    ``nondeterministic`` in the order of precedence, and it is neither ``crash`` nor ``timeout``.
+    The parameter ``choices`` is that of :func:`difference_of`.
     """
     difference = difference_of(first, second, choices=choices)
     if difference is None or not _may_be_overruled(outcome.violation, second):

@@ -19,7 +19,7 @@ from allworlds.protocol.choices import Choices
 from allworlds.world.world import World
 
 RECORD_ENDS = "nothing: the record ends here"
-"""The legal action, in words, where an explorer's recorded percepts have ended: there is none."""
+"""The words for the legal actions after the last recorded percept: no action is legal then."""
 
 
 class Answered(Struct, frozen=True):

@@ -321,11 +321,11 @@ class Rules(RuleOptions, kw_only=False):
         return self.budget_by_size(map_.vertex_count, map_.edge_count)
 
     def budget_by_size(self, vertices: int, edges: int) -> int:
-        """The largest legal number of traversals in a world of that size.
+        """The largest legal number of traversals in a world of this size.
 
-        If the user gives no budget, the budget is at least the explorer's own bound, but never
-        above a hundred times the checked bound plus 100.  A bound that depends on more than the
-        size is ignored.
+        If the user gives no budget, it is the default step budget, or the explorer's own bound if
+        this is larger; but it is never above the budget of :meth:`budget_of_bound`.  A bound that
+        depends on more than the size is ignored.
         """
         if self.step_budget is not None:
             return self.step_budget
@@ -337,10 +337,10 @@ class Rules(RuleOptions, kw_only=False):
         return usual if far is None else min(usual, far)
 
     def budget_of_bound(self, vertices: int, edges: int) -> int | None:
-        """A hundred times the checked bound, plus 100.
+        """A hundred times the checked bound, plus 100, in a world of this size.
 
-        None if there is no bound, if it depends on more than the size, or if it has no value here.
-        A run with this cost breaks the law ``bound`` in any case, so the run is stopped there.
+        Return None if there is no bound, or if the bound depends on more than the size, or has no
+        value for it.  A longer run breaks the law ``bound`` in any case, so it is stopped.
         """
         if not self.the_bound.variables <= SIZE:
             return None
@@ -376,7 +376,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def in_effect(self) -> dict[str, Any]:
-        """The options with the values that take effect, by the keys of the options in documents."""
+        """The values of all options that take effect, by the options' keys in documents."""
         effective = {
             "task": None if self.task.is_map else self.task,
             "bound": self.the_bound,

@@ -62,7 +62,7 @@ def comes_home(world: World, walk: Walk, answer: object) -> str | None:
 
 
 def counts(what: str, number: Callable[[World], int]) -> Complaint:
-    """The complaint of a task whose answer must be a certain number of the world.
+    """The complaint of a task whose answer must be a number, such as the number of vertices.
 
     Args:
         what: the number, in words.
@@ -135,9 +135,9 @@ class Task(Struct, frozen=True):
 
     @property
     def is_map(self) -> bool:
-        """Whether the answer must be an estimate; laws judge estimates.
+        """Whether the task is ``map``: the answer must be an estimate, and laws judge it.
 
-        If not, any answer is legal.
+        In any other task any answer is legal, and the task itself judges it.
         """
         return self.name == MAP
 

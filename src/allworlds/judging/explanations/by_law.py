@@ -38,7 +38,7 @@ from allworlds.world.world import World
 
 
 def _say_message(finding: Finding) -> list[str]:
-    """Tell the explorer's last message: the last line that names an error, or else the last line.
+    """Say the explorer's last message: the last line that names an error, or else the last line.
 
     The lines are those of the traceback, or of stderr.  Some crashes leave neither, for example a
     call of ``abort``; then the lines are those that the explorer printed.  There is no sentence if
@@ -55,8 +55,8 @@ def _say_message(finding: Finding) -> list[str]:
 def ending(how: str) -> Teller:
     """The function that explains a run by its ending.
 
-    The explanation says how the run ended, in the sentence ``how``, in which ``{seen}`` stands for
-    the observation; then it says the last step and percept.
+    The explanation begins with the sentence ``how``, which says how the run ended; in this sentence
+    ``{seen}`` is replaced by the observation.  Later it says the last step and the last percept.
     """
 
     def tell(story: Story) -> Telling:
@@ -76,7 +76,7 @@ CLOCKWISE = "Bearings, motions and ways back count darts clockwise."
 
 
 def tell_no_estimate(story: Story) -> Telling:
-    """Tell the ending; if the answer is no map, tell the axiom of maps that it breaks."""
+    """Say how the run ended; if the answer is no map, say which axiom of maps it breaks."""
     seen = str(story.finding.seen)
     if not seen.startswith(playing.NO_MAP):
         return ending("The explorer ended without an answer that could be judged.")(story)
@@ -92,7 +92,7 @@ def tell_no_estimate(story: Story) -> Telling:
 
 
 def tell_nondeterministic(story: Story) -> Telling:
-    """Tell that two plays differ, and the usual cause."""
+    """Say that two plays differ, and what the usual cause is."""
     how = "In a second run in the same world the explorer acted differently."
     if after := story.finding.earlier:
         before = listed([world.in_words for world in after])
@@ -111,7 +111,7 @@ SHOW = (
 
 
 def tell_budget(story: Story) -> Telling:
-    """Tell where the budget comes from, and after which step the robot found no new edge."""
+    """Say where the budget comes from, and after which step the robot found no new edge."""
     how = "The explorer did not end within its step budget, so the run was stopped."
     wrong = _tell_first_wrong(story)
     if wrong:  # that is the cause
@@ -127,7 +127,7 @@ def tell_budget(story: Story) -> Telling:
 
 
 def tell_whose_budget(finding: Finding) -> str:
-    """Tell where the step budget comes from; if known, tell options with which no law is broken."""
+    """Say where the step budget comes from, and name the options of :func:`_say_tried`."""
     rules, map_ = finding.rules, finding.world.map
     if rules.step_budget is not None:
         return f"--step-budget sets the budget: {plural(rules.step_budget, 'traversal')}."
@@ -144,14 +144,14 @@ def tell_whose_budget(finding: Finding) -> str:
 
 
 def _say_tried(finding: Finding) -> list[str]:
-    """Tell the options with which the check breaks no law; no sentence if none are known."""
+    """Name options under which no tried run breaks a law; no sentence if none are known."""
     if not finding.tried:
         return []
     return [f"With {finding.tried} no law is broken, in this world and in all others tried."]
 
 
 def _say_progress(story: Walked) -> str:
-    """Tell the step after which no edge was new; if no edge was ever new, tell the last step."""
+    """Say after which step no new edge was found; if none was found at all, say the last step."""
     found_at = story.discoveries.values()
     if not found_at:
         return _say_last_step(story)
@@ -181,7 +181,7 @@ def _say_left(story: Story) -> list[str]:
 
 
 def _tell_first_wrong(story: Story) -> list[str]:
-    """Tell the first checkpoint with a wrong S; no sentence if there is none."""
+    """Say which checkpoint is the first with a wrong S; no sentence if there is none."""
     if story.checkpoint is None:
         return []
     what = story.finding.wrong_checkpoint or "its S is not the explored part"
@@ -206,10 +206,10 @@ GUESSED = "guessed"
 
 
 def tell_map(story: Story) -> Telling:
-    """Tell how the answer differs from the world, and the step at which the two walks diverge.
+    """Say how the answer differs from the world, and at which step the two walks diverge.
 
-    If a slip is found (one mistake that makes a right answer wrong), tell the slip; else tell the
-    sizes of both maps.  If the walks never diverge, tell that the answer fits the whole log.
+    If a slip is found (one mistake that makes a right answer wrong), describe the slip; else say
+    the sizes of both maps.  If the walks never diverge, say that the answer fits the whole log.
     """
     belief = Belief(story)
     slip, parting = the_slip(belief), tell_parting(belief)
@@ -231,7 +231,7 @@ def _say_sizes(world: CombinatorialMap, answer: CombinatorialMap) -> str:
 
 
 def tell_parting(belief: Belief) -> list[str]:
-    """Tell where the walks in world and answer diverge, and the percept that shows it."""
+    """Say where the walk in the answer diverges from the walk in the world, and what shows it."""
     parting, misfits = belief.walk.parting, belief.walk.misfits
     if parting is None:
         fits = (
@@ -292,7 +292,7 @@ TURNED, ELSEWHERE = "off by a turn", "another vertex"
 
 
 def tell_pose(story: Story) -> Telling:
-    """Tell the robot's dart, the answer's ``here``, and the step at which the walks diverge."""
+    """Say the robot's dart, the answer's ``here``, and the step at which the walks diverge."""
     belief = Belief(story)
     images = _images(belief)
     alike = len(images) - 1
@@ -330,7 +330,7 @@ def _images(belief: Belief) -> list[Dart]:
 
 
 def _say_where(belief: Belief, images: list[Dart]) -> str:
-    """Tell the robot's dart in the world, and the dart of the world that the answer gives."""
+    """Say at which dart of the world the robot is, and at which dart it is by the answer."""
     story = belief.story
     map_, robot = story.map, story.walk.darts[-1]
     stands = f"the robot stands at {story.spot(robot)}, and the answer says"
@@ -352,7 +352,7 @@ def _say_where(belief: Belief, images: list[Dart]) -> str:
 
 
 def tell_ambiguity(story: Story) -> Telling:
-    """Tell what the answer had to be, and the robot's place in the world."""
+    """Say what the answer had to be, and where the robot is in the world."""
     broken = (
         "The answer says that several worlds look alike. Then it must be the quotient of these "
         "worlds, where darts that look alike are one dart, rooted at the robot's dart."
@@ -367,8 +367,8 @@ def tell_ambiguity(story: Story) -> Telling:
 def checkpoint(broken: str) -> Teller:
     """The function that explains a run by a checkpoint.
 
-    The explanation says what is broken, in the sentence ``broken``, and then the checkpoint that
-    shows it.
+    The explanation is the sentence ``broken``, which says what is wrong, and a sentence about the
+    checkpoint that shows it.
     """
 
     def tell(story: Story) -> Telling:
@@ -393,7 +393,7 @@ NAMED = 3
 
 
 def tell_open_darts(story: Story) -> list[str]:
-    """Tell the open darts of the folded log, and the vertices that occur in it more than once.
+    """Name the open darts of the folded log, and the vertices that occur in it more than once.
 
     There is no sentence if no dart is open, or if the lighthouse allows no folding.
     """
@@ -449,7 +449,7 @@ def another_world(world: World, transcript: actions.Transcript) -> World | None:
 
 
 def tell_folding(story: Story) -> Telling:
-    """Tell the open darts of the log, and another world that agrees with it."""
+    """Name the open darts of the folded log, and say that another world agrees with the log."""
     guessed = "The log does not determine the map, so the answer, right or not, was guessed."
     other = another_world(story.world, story.walk.transcript)
     assert other is not None
@@ -462,16 +462,16 @@ def tell_folding(story: Story) -> Telling:
 
 
 def tell_bound(story: Story) -> Telling:
-    """Tell which other laws hold, where the bound comes from, and how many steps found an edge."""
+    """Say which other laws hold, where the bound comes from, and how many edges the walk found."""
     made, new = plural(story.walk.cost, "traversal"), len(story.discoveries)
     used = f"The robot made {made}, of which {new} found a new edge."
     return Telling([*tell_whose_bound(story.finding), used])
 
 
 def tell_whose_bound(finding: Finding) -> list[str]:
-    """Tell the other laws that hold, and where the bound comes from.
+    """Say which other laws hold, and where the bound comes from.
 
-    If options are known with which no law is broken, tell these options, too.
+    The options of :func:`_say_tried` are named, too.
     """
     others = [law for law in finding.rules.applying if law != "bound"]
     rest = f"every other law that was checked holds: {listed(others)}" if others else ""

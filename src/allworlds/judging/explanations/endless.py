@@ -15,7 +15,7 @@ from allworlds.protocol.code_lines import is_users
 from allworlds.words import listed, plural
 
 TIMES = 3
-"""The least number of repetitions of some steps at the end of a walk that make a round."""
+"""If a walk ends with the same steps this number of times, or more often, it ends in a round."""
 
 SHOWN = 8
 """The largest number of darts of a round, of lines of code, or of edges that sentences name."""
@@ -57,7 +57,7 @@ def round_of(walk: Sequence[Any]) -> Round | None:
 
 
 def tell_round(story: Story) -> list[str]:
-    """Tell where a round begins, and the darts and lines of code in it.
+    """Say where a round begins, and name the darts and the lines of code in it.
 
     There is no sentence if the walk ends in no round.
     """
@@ -78,7 +78,7 @@ def tell_round(story: Story) -> list[str]:
 
 
 def tell_way_back(story: Story) -> list[str]:
-    """Tell where a robot confuses two doors after a way back; no sentence if it does not.
+    """Say where a robot confuses two doors after a way back; no sentence if it does not.
 
     A robot that comes back to a vertex faces the door by which it had left.  Some explorers count
     doors from another door instead: the one by which the robot had first come.  There is a sentence
@@ -144,6 +144,6 @@ def stack_of(finding: Finding) -> list[tuple[str, str]]:
 
 
 def tell_stack(finding: Finding) -> list[str]:
-    """Tell the user's lines in the stack of a silent run; no sentence if no stack was printed."""
+    """Name the user's lines in the stack of a silent run; no sentence if no stack was printed."""
     frames = [f"{function} ({line})" for line, function in stack_of(finding)[:SHOWN]]
     return [f"It was then in the function {', called by '.join(frames)}."] if frames else []

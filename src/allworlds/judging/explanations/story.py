@@ -162,8 +162,8 @@ class Slip(Struct, frozen=True):
         name: the name of the slip, in a word or two.
         sentence: a description with the darts of the world.
         mended: the answer's map without the slip; None if the slip is in the reading of percepts.
-        truth: the map that equals the mended map: the world's map; but if the answer lacks or
-            misplaces an edge of the world, the world's map without this edge.
+        truth: the map that equals the mended map.  It is the world's map; but if the answer lacks
+            or misplaces an edge of the world, it is the world's map without this edge.
         here: the robot's dart in the mended map; None if the answer's ``here`` is also wrong, or if
             the dart is unknown.
     """
@@ -276,7 +276,10 @@ def _glued_crosswise(belief: Belief) -> Slip | None:
 def _reglued(
     map_: CombinatorialMap,
 ) -> Iterator[tuple[CombinatorialMap, tuple[tuple[Dart, Dart], tuple[Dart, Dart]]]]:
-    """The maps in which two edges have exchanged ends, each with these two edges as they were."""
+    """The maps that arise from ``map_`` if two edges exchange an end.
+
+    Each map comes with the two edges as they are in ``map_``.
+    """
     for i, (a, b) in enumerate(map_.edges):
         for c, d in map_.edges[i + 1 :]:
             for pairs in (((a, c), (b, d)), ((a, d), (b, c))):

@@ -225,7 +225,8 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
     def rank(self) -> tuple[Any, ...]:
         """The key by which all findings are sorted, also several findings of one run.
 
-        Of one run the findings with earlier runs come first, then those that need a hash seed.
+        Among the findings of one run, those that name earlier runs come first, then those that need
+        a hash seed.
         """
         return self.key, not self.after, self.hash_seed is None, self.hash_seed or 0
 

@@ -75,9 +75,9 @@ class _Folding:
         self._add(first.degree)
 
     def walk(self, dart: int, k: int, percept: Percept) -> int:
-        """Leave by ``sigma^k(dart)``, which is a dart of a root node; return the dart of arrival.
+        """Leave by ``sigma^k(dart)``; return the dart of arrival.
 
-        The dart of arrival is a dart of a root node, too.
+        ``dart`` and the dart of arrival are darts of root nodes.
         """
         _check(percept)
         v = self.node[dart]

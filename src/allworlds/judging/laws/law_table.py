@@ -111,8 +111,8 @@ def map_law(case: Case) -> Violation | None:
 def pose_law(case: Case) -> Violation | None:
     """Require that ``here`` stands for the robot's dart.
 
-    That is: the answer's map rooted at ``here`` is the same as the world's rooted at the robot's
-    dart.
+    That is: the answer's map, rooted at ``here``, is the same rooted map as the world's map, rooted
+    at the robot's dart.
     """
     return _wrong_answer(case, "pose") if case.answer == "pose" else None
 
@@ -126,8 +126,8 @@ def _wrong_answer(case: Case, law: str) -> Violation:
 def ambiguity_law(case: Case) -> Violation | None:
     """Require that an answer without a map is the rooted quotient of a world that has lookalikes.
 
-    A percept is here the degree, and one mark at the vertex of the start.  Lookalikes are all other
-    worlds, with maps of any class, in which every walk has the same percepts.
+    Under this law a robot senses the degree, and one mark at the vertex of the start.  Lookalikes
+    are all other worlds, with maps of any class, in which every walk has the same percepts.
     Cost: O(m log m).
     """
     answer = case.estimate
@@ -291,9 +291,9 @@ def variant(case: Case) -> Violation | None:
 def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | str:
     """The dart of the world for each dart of S, or the reason why S cannot be embedded.
 
-    ``dart`` is the robot's dart in the world, the image of ``here``.  A dart in U may be the
-    partner of a dart d that is not in U (which breaks I-2); its image is then the other end of the
-    image of d.
+    ``dart`` is the robot's dart in the world, the image of ``here``.  In an S that breaks I-2, a
+    dart u in U may be the other end of an explored dart d; then the image of u is the other end of
+    the image of d.
 
     Cost: O(|S|).
     """
@@ -356,7 +356,7 @@ IDLE = {
     "elsewhere a promise can make an explorer right that breaks this law",
     BOUNDED: "has no effect where the bound is none; name a bound too",
 }
-"""For each condition, the reason why a law that needs it cannot be checked without it."""
+"""For each condition, the reason why a law that needs it is not checked if it is not met."""
 
 
 class Law(Struct, frozen=True):
