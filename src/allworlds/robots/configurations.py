@@ -48,10 +48,10 @@ class Ends(Struct):
 
 
 PlannedTurn: TypeAlias = tuple[Any, int, bool]
-"""The turn of a robot in a configuration: three values.
+"""The turn of a robot in a configuration, as three values.
 
-They are the action, the end or the fault of its program; its mind after the turn; and whether the
-action is done in a later event.
+The first is the robot's action, or the end or the fault of its program.  The second is the robot's
+mind after the turn.  The third says whether the action is done in a later event.
 """
 
 
@@ -100,7 +100,8 @@ class Search:
     def begin(self) -> None:
         """Make the first configurations.
 
-        There is one for each pair of a state at the start and a delay of robot 1.
+        There is one for each state at the start and each number of rounds by which robot 1 may
+        begin later.
 
         Raises:
             InputError: if there are too many robots, or if a bound on activations is given and all
@@ -185,10 +186,10 @@ class Search:
     def configuration(self, number: int) -> tuple[Any, tuple[int, ...], tuple[int, ...]]:
         """The state of the world, the minds and the scheduler's counts in a configuration.
 
-        The mind of a robot between Look and Move is given as ``~mind``, which is below 0.  The
-        counts are the number of rounds before robot 1 begins, if robot 1 may begin later; then, if
-        ``lead`` is given, the number of activations by which each robot is ahead of the robot that
-        is furthest behind.
+        The mind of a robot between Look and Move is given as ``~mind``, which is below 0.  If robot
+        1 may begin later, the first count is the number of rounds before it begins.  If ``lead`` is
+        given, the last counts say by how many activations each robot is ahead of the robot that is
+        furthest behind.
         """
         key = self._keys[number]
         robots = len(self.program_of)
@@ -203,9 +204,9 @@ class Search:
         return self._sensed_in(self._keys[number][0])[robot]  # type: ignore[no-any-return]
 
     def sensed_first(self, state: int, robot: int) -> Sensed | None:
-        """The percept of a robot in the state of this number; None if the robot is gone.
+        """The percept of a robot in the state of the world with this number in :attr:`states`.
 
-        The result is also None if the model has not been asked for this state yet.
+        Return None if the robot is gone, or if the model was not asked for its percept yet.
         """
         return self._sensed[state][robot] if self._sensed[state] else None
 
@@ -296,9 +297,9 @@ class Search:
         return ((event.group, bits_of(event.group)),)
 
     def _chosen(self, following: Sequence[Any]) -> Iterable[tuple[int, Any]]:
-        """The states ``following`` that are tried, each with its index.
+        """Those of the states ``following`` that are tried, each with its index.
 
-        If a schedule is given, the only state is the one that the schedule's next event chooses.
+        If a schedule is given, only the state is tried that the schedule's next event chooses.
 
         Raises:
             InputError: if the schedule chooses an index that does not exist.
@@ -345,7 +346,7 @@ class Search:
         bits: int,
         turns: Mapping[int, PlannedTurn],
     ) -> bool:
-        """Make the transitions from a configuration in which a group of robots is activated.
+        """Make the transitions from a configuration if just the robots of a group are activated.
 
         Return False if a law is broken.
         """
@@ -388,7 +389,7 @@ class Search:
         Args:
             state: the state before.
             acts: the actions that are done now, by robot.
-            due: the actions of robots that look now, which are done later.
+            due: the actions that are chosen now, at a look, and done later; by robot.
 
         Raises:
             IllegalAction: if the model refuses an action.
@@ -448,7 +449,7 @@ class Search:
         return number
 
     def _sensed_in(self, state_id: int) -> list[Any]:
-        """The percepts of all robots in the state of this number; the model is asked only once."""
+        """The percepts of all robots in the state with this number; the model is asked once."""
         found = self._sensed[state_id]
         if not found:
             state = self.states[state_id]
@@ -536,9 +537,10 @@ class Search:
         return way[::-1]
 
     def assumed(self, assumption: Assumption, before: int, index: int) -> bool:
-        """Whether the assumption is about the adversary's choice in a transition.
+        """Whether the adversary's choice in a transition is of the kind that is assumed.
 
-        The transition has the index ``index`` and leads from the configuration ``before``.
+        The transition has the index ``index`` and leads from the configuration ``before``.  The
+        assumption says that the adversary makes choices of this kind again and again.
         """
         state, after = self.states[self.state_number(before)], self.graph.target(index)
         following = self.states[self.state_number(after)]
@@ -546,7 +548,7 @@ class Search:
         return bool(assumption.holds(state, following, words))
 
     def schedules(self) -> int | None:
-        """The number of runs that cannot be continued; None if there are cycles.
+        """The number of complete runs: those that cannot be continued; None if there is a cycle.
 
         With a cycle there are infinitely many runs.
         """

@@ -86,8 +86,8 @@ def _broken_in_component(
 ) -> Broken | None:
     """The law that a cycle in a strongly connected component breaks; None if no law is broken.
 
-    If no robot is activated on the first cycle that is found, and this cycle breaks no law, a cycle
-    with an activation is tried.
+    If the first cycle that is found breaks no law, a second cycle is tried, on which some robot is
+    activated.
     """
     cycle = _cycle(search, component, criteria, outgoing)
     if not cycle:
@@ -119,9 +119,8 @@ def _holds(search: Search, condition: Liveness, number: int) -> bool:
 def _criteria_of(search: Search, condition: Liveness) -> Iterator[Criterion]:
     """The criteria for a cycle that breaks the condition.
 
-    A condition that must hold again and again needs no criterion.  For such a condition, cycles are
-    searched only among configurations in which the condition does not hold, so every cycle breaks
-    it.
+    There is no criterion if the condition must hold again and again: then cycles are searched only
+    among configurations in which the condition does not hold, so every cycle breaks it.
     """
     if condition.holds is None:
         yield lambda _before, index: bool(search.graph.has_action(index))
@@ -155,9 +154,9 @@ def _assumptions(search: Search) -> Iterator[Criterion]:
 
 
 def components(search: Search, inside: Sequence[int], outgoing: Outgoing) -> Iterator[list[int]]:
-    """The strongly connected components that have a transition, ascending by least configuration.
+    """The strongly connected components of a subgraph, without those that have no transition.
 
-    The algorithm is Tarjan's.
+    They are sorted by their least configurations.  The algorithm is Tarjan's.
 
     Args:
         search: the search with the graph.
@@ -236,10 +235,10 @@ def _meets(search: Search, inside: set[int], criteria: list[Criterion], outgoing
 def _shortest(
     search: Search, inside: set[int], at: int, criterion: Criterion, outgoing: Outgoing
 ) -> list[tuple[int, int]]:
-    """A shortest way from ``at`` through ``inside`` whose last transition meets the criterion.
+    """A shortest way that begins at ``at``, and whose last transition meets the criterion.
 
-    Each item is the number of a configuration, and the index of the transition from this
-    configuration.
+    The way stays in the set ``inside`` of configurations.  It is a list of pairs: the number of a
+    configuration, and the index of the transition by which the way leaves this configuration.
     """
     to = search.graph.target
     reached_by: dict[int, tuple[int, int]] = {at: (-1, -1)}

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Turn(NamedTuple):
-    """A robot's turn in an event; or the Look or the Move of a turn that takes two events.
+    """A robot's turn in an event; or, if the turn takes two events, its Look or its Move.
 
     Attributes:
         robot: the number of the robot.

@@ -69,8 +69,8 @@ class Dialogue(Struct):
             percept.
         turns: all turns so far, in their order.
         replies: the program's reply in each of these turns.
-        waiting: the turns of the next message, each with its mind; for an automaton, with -1 in
-            place of a mind.
+        waiting: the turns that the next message will hold, each in a pair with the mind after it;
+            for an automaton, which then has no such mind yet, the second value is -1.
         automaton: whether the program is an automaton; None if it has not been asked yet.
     """
 
@@ -215,9 +215,10 @@ class Minds:
         self._promised.clear()
 
     def after(self, mind: int) -> int:
-        """The mind of a robot after the action of the mind ``mind`` is done.
+        """The mind that follows the mind ``mind`` once its action is done.
 
-        For an automaton this is the mind with the same memory, and without an action.
+        For a generator it is ``mind`` itself; so it is for an automaton that watches or has ended.
+        For any other automaton it is the mind with the same memory, and without an action.
         """
         program = self._program_of[mind]
         stays = self.watches[mind] or type(self.value[mind]) is Ended
@@ -228,8 +229,8 @@ class Minds:
     def precedes(self, mind: int, before: int) -> bool:
         """Whether a turn can be the next turn of a robot with this mind.
 
-        ``before`` is the second item of the turn.  For a generator, it is the number of the turn
-        before; for an automaton, it is the memory before the turn.
+        ``before`` is the second item of the turn: for a generator, the number of the turn before;
+        for an automaton, the number of the memory before the turn; or BEGIN for a first turn.
         """
         automaton = self.dialogues[self._program_of[mind]].automaton
         first = self.depth[mind] == 0 and self.sensed[mind] is None

@@ -201,7 +201,7 @@ def every_start(map_: CombinatorialMap, robots: int) -> Iterator[tuple[Dart, ...
 
 
 def joined(words: str, more: str) -> str:
-    """The words for two choices of the adversary at once; a text may be empty."""
+    """The words for two choices of the adversary, joined to one text; each may be empty."""
     return f"{words}; {more}" if words and more else words or more
 
 

@@ -12,7 +12,7 @@ from allworlds.robots.model import ModelError, ModelInMap
 def ensure_same_model(search: Search) -> None:
     """Ask the model again about every state of a search; then search again with renumbered darts.
 
-    The states are asked about in reverse order.
+    The second questions come in the reverse order of the states.
 
     Raises:
         ModelError: if the model answers differently; or if a search in the map with renumbered

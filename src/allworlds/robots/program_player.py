@@ -96,7 +96,10 @@ class ProgramPlayer:
             return [_fault(lost)]
 
     def _after(self, lost: Lost, turns: Sequence[NumberedTurn]) -> list[bytes]:
-        """The replies in all these turns, although the player was lost in one of them."""
+        """The replies in all these turns, after the player was lost in one of them.
+
+        A new player takes this turn again; if it is lost, too, the reply is a fault.
+        """
         at = min(max(0, self._player.beat[0]), len(turns) - 1)
         before = turns[:at]
         self._start()
@@ -240,10 +243,10 @@ def _beginning(dialogue: Dialogue, told: Any) -> Iterator[int]:
 
 
 def _alike(first: bytes, second: bytes, numbers: dict[int, int]) -> bool:
-    """Whether two replies are equal, if the numbers of memories may differ between the plays.
+    """Whether two replies are equal, except that a memory may have another number in each play.
 
     ``numbers`` is a dictionary from the number of each memory in the first play to its number in
-    the second play; a new number is added.
+    the second play; a memory that is missing is added.
     """
     if not first or not second:
         return first == second

@@ -21,8 +21,9 @@ class ScheduledEvent(NamedTuple):
     """An event of a schedule that the user gives.
 
     Attributes:
-        phases: for each robot of the event ``L`` (the robot looks, and moves later), ``M`` (it
-            makes the move of an earlier look), or an empty text (it looks and moves at once).
+        phases: a dictionary from each robot of the event to its part: ``L`` (the robot looks, and
+            moves later), ``M`` (it makes the move of an earlier look), or an empty text (it looks
+            and moves at once).
         adversary: the index of the adversary's choice among the states that can follow.
     """
 

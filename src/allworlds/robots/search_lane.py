@@ -113,7 +113,8 @@ class SearchLane:
     def _parts_of(self, unit: Any) -> Iterator[TeamTally]:
         """Yield the parts of a unit's result.
 
-        The last part has the findings of programs whose second player gives another reply.
+        The last part has the findings for programs of which a second player gave another reply than
+        the first player.
         """
         for player in (*self._players[FIRST], *self._players[SECOND]):
             player.begin_unit()
@@ -134,7 +135,7 @@ class SearchLane:
         yield self._taken()
 
     def _taken(self) -> TeamTally:
-        """The tally of everything since the last call; a new tally begins."""
+        """The tally of all searches since the last call of this method; a new tally begins."""
         taken, self._tally = self._tally, self.counter.tally()
         return taken
 

@@ -25,11 +25,11 @@ class SearchOutcome(Struct, frozen=True):
         law: the broken law; empty if no law is broken.
         seen: how the law is broken, in words.
         events: the events of a shortest run that breaks the law; empty if no law is broken.
-        loop: the number of last events of this run that repeat for ever; 0 if the run ends.
+        loop: how many events at the end of this run repeat for ever; 0 if the run ends.
         unfinished: the number of configurations in which the budget cuts a run off.
         configurations: the number of configurations that the search reached.
-        schedules: the number of runs that cannot be continued; None if a law is broken, if a run
-            never ends or is cut off, or if the search is ``full``.
+        schedules: the number of complete runs: those that cannot be continued.  None if a law is
+            broken, if a run never ends or is cut off, or if the search is ``full``.
         longest: the largest number of activations of a robot in a run that ends.
         full: whether the search stopped because it reached too many configurations.
         search: the search itself.

@@ -51,7 +51,7 @@ class Team(Struct, frozen=True, weakref=True):
 
     @property
     def digests(self) -> tuple[str, ...]:
-        """The digest of each program's source; on other machines it must be the same."""
+        """The digest of each program's source, which must be the same on all machines."""
         return tuple(map(content_digest, self.subjects))
 
     @property
@@ -90,15 +90,15 @@ class TeamRow:
 
     Attributes:
         maps: the number of rooted maps.
-        worlds: the number of searches; each search is of a map with the starts of all robots.
+        worlds: the number of searches: one for each map and each choice of the robots' start darts.
         configurations: the number of configurations of all searches.
         most: the largest number of configurations of a search.
         ends: the number of configurations in which a run ends.
         cut_off: the number of configurations in which the budget cuts a run off.
         full: the number of searches that stopped because they reached too many configurations.
         longest: the largest number of activations of a robot in a run that ends.
-        schedules: the number of runs that cannot be continued; None if the number is infinite or
-            not known.
+        schedules: the number of complete runs: those that cannot be continued; None if the number
+            is infinite or not known.
     """
 
     maps: int = 0
@@ -154,7 +154,8 @@ class TeamTally:
     """The results of all searches of a part of a job, added up.
 
     Attributes:
-        keep: the largest number of kept findings, each the smallest of its law and map.
+        keep: the largest number of findings that are kept.  Of findings with the same law and map
+            only the smallest is kept.
         rows: the counts by (edges, vertices).
         findings: the smallest findings, ascending.
         unfinished: a list with the smallest run that the budget cuts off, or an empty list.
@@ -221,8 +222,8 @@ class TeamScope(Struct, frozen=True):
         team: the programs.
         timing: the schedules that are tried.
         keep: the largest number of findings to keep.
-        starts: a dart for each robot, as the only start that is tried; None if all starts of the
-            model are tried.
+        starts: a dart for each robot, if only this start is tried; None if all starts that the
+            model yields are tried.
     """
 
     extent: Extent
@@ -244,7 +245,8 @@ class TeamScope(Struct, frozen=True):
         """The searches of a unit, in a fixed order.
 
         Each item is a pair.  The first value says whether the item is the first of its map.  The
-        second value is the search; for a map without a start it is the model in this map.
+        second value is the search; if the model yields no start for a map, it is the model in this
+        map.
         """
         for map_ in unit.maps(self.extent):
             world, first = ModelInMap(self.model.model, map_, self.model.name), True

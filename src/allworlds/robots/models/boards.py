@@ -109,7 +109,8 @@ def _written(
 ) -> Iterator[tuple[BoardsState, str]]:
     """The states after these robots have written, each with the adversary's choice in words.
 
-    There is one state for each choice of the robots that write last.
+    If several robots write on one board, the adversary chooses the robot that writes last; there is
+    one state for each such choice.
     """
     writers: dict[Vertex, list[int]] = {}
     for robot, action in acts.items():

@@ -112,7 +112,7 @@ class Wrapper(Model):
 
 
 def _inside(holds: Callable[..., bool]) -> Callable[..., bool]:
-    """Return a condition on states of the wrapper: that ``holds`` is true of the states inside."""
+    """Return a function of states of the wrapper: it calls ``holds`` with the wrapped states."""
     return lambda *values: holds(*(v.inside if isinstance(v, FaultsState) else v for v in values))
 
 

@@ -22,7 +22,8 @@ class RoundState(NamedTuple):
     Attributes:
         darts: the dart of each robot.
         moved: for each robot whether its last motion succeeded.
-        held: for each robot whether it is on a port whose edge was missing.
+        held: for each robot whether it waits on the port of an edge that was missing.  The port is
+            the point at the vertex from which a robot crosses the edge.
         visited: the vertices that any robot has visited.
     """
 
@@ -36,8 +37,8 @@ class RoundState(NamedTuple):
 class OneInterval(Apart):
     """Robots that must visit all vertices, in a world in which one edge may be missing each round.
 
-    A robot that moves first goes to the port of the edge, a point at its vertex.  From the port it
-    crosses the edge; if the edge is missing, the robot is held on the port.
+    To move, a robot first goes to the port of the edge, which is a point at its vertex.  From the
+    port it crosses the edge; if the edge is missing, the robot is held on the port.
 
     A robot is told the number of vertices.  Its percept is ``[degree, moved, held, others]``: the
     degree; whether its last motion succeeded; whether it is on a port whose edge was missing; and

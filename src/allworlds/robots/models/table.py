@@ -73,9 +73,9 @@ class NamedModel(Struct, frozen=True):
         return "".join(code.digest for code in self.codes)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """The values from which pickle makes the model again: its name, and texts of user's code.
+        """What pickle needs to make the model again: its name, and the texts of the user's code.
 
-        If the model exists in this process alone, the model itself is one of these values.
+        If the model exists in this process alone, the model itself takes the place of the texts.
         """
         if self.here:
             return NamedModel, (self.name, self.model, (), True)
@@ -135,7 +135,7 @@ def _wrapped(plain: str, rest: str, name: str) -> tuple[Model, str]:
 
 
 def _own(name: str) -> tuple[user_code.UserCode, str]:
-    """The user's code with which the name of a model begins, and the text of the options."""
+    """The user's code that the first part of a model's name means, and the text of the options."""
     parts = re.fullmatch(r"(.+)[:?]([^:?=]+=.*)", name)
     plain, options = (parts[1], parts[2]) if parts else (name, "")
     return MODEL.find(plain), options
