@@ -35,10 +35,7 @@ MOST_EARLIER = 4
 """The largest number of earlier runs that a finding names."""
 
 FEW = 3
-"""The largest number of runs whose logs differ and for which a cause is searched.
-
-The cause of a difference is a list of earlier runs.
-"""
+"""The largest number of runs with different logs for which a cause is searched: earlier runs."""
 
 AtPlace: TypeAlias = tuple[CombinatorialMap, int]
 """A map, and the number of the lighthouse's place."""

@@ -198,8 +198,8 @@ class CompiledJudge:
     def percepts(self, batch: RunBatch, indices: Indices, order: Indices = ()) -> Message:
         """The message that tells a player to play these runs by their percepts, without a world.
 
-        If compiled code plays the whole batch, it draws the order of the runs; else the runs are
-        played in the given order of their positions in ``indices``.
+        ``order`` is the order of the play: it lists positions in ``indices``.  It has no effect if
+        compiled code plays the whole batch, because compiled code draws an order of its own.
         """
         assert isinstance(batch, CompiledBatch)
         if len(indices) == len(batch) and not batch.plain:

@@ -66,7 +66,8 @@ class Identity(doc.Document):
     def code(self) -> dict[str, str]:
         """The user's code that the job needs.
 
-        Return a dictionary from each name to the text of the file, or to the digest of the module.
+        Return a dictionary from the name of each piece of code to its text, or to its digest if it
+        is a module.
         """
         code: dict[str, str] = self.parameters.get("code", {})
         return code
@@ -107,9 +108,9 @@ class Identity(doc.Document):
 
 
 def _in_words(value: Any) -> str:
-    """A parameter in the form of the command line.
+    """The value of a parameter as a user writes it on the command line.
 
-    None is ``the default``, and a list is a text with commas.
+    For the value None these words are ``the default``; a list becomes a text with commas.
     """
     if value is None:
         return "the default"

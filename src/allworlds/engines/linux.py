@@ -76,7 +76,7 @@ def end_adopted(token: str) -> None:
 
 @contextmanager
 def compilers_ended() -> Iterator[None]:
-    """A context in which an interrupt by the user also ends the compilers below this process."""
+    """A context in which an interrupt by the user also ends processes that compile for this one."""
     try:
         yield
     except KeyboardInterrupt:

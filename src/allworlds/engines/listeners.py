@@ -7,7 +7,8 @@ class Listener:
     def level(self, edges: int, worlds: int) -> None:
         """Hear that a level with this number of worlds begins.
 
-        If a shard is done, ``worlds`` is about the number of worlds of the level in this shard.
+        If the job does only a shard, ``worlds`` is an estimate: the number of worlds of the level
+        in this shard.
         """
 
     def stage(self, name: str, total: int, of: str) -> None:

@@ -51,7 +51,7 @@ NATIVE_MEMORY = 2048
 library, if the user sets no limit."""
 
 RELAYED = 1 << 16
-"""The number of printed bytes after which the user sees no more prints of an explorer's loading."""
+"""While an explorer is loaded, the user sees its prints, up to about this number of bytes."""
 
 _BOOT = (
     "import gc, sys; gc.disable(); sys.path[:] = sys.argv[1:]; del sys.argv[1:]; "
@@ -86,7 +86,7 @@ class Description(NamedTuple):
 
     Attributes:
         keywords: the keyword arguments that the explorer takes, such as ``told``.
-        has_shield: whether the explorer is in a shield, which is a wrapper as in ``shield:NAME``.
+        has_shield: whether the explorer is wrapped in a shield, as by the name ``shield:NAME``.
     """
 
     keywords: frozenset[str]
@@ -129,10 +129,9 @@ class Logs(Sequence[bytes]):
 
 
 JobLogs: TypeAlias = tuple[Any, Sequence[bytes] | None]
-"""A job, and the logs that a player has made for it.
+"""A pair: the value ``job`` that the owner gave with a message, and the logs in the answer.
 
-A job is any value by which the owner knows its message to the player.  In place of the logs there
-is None if the second logs of a library do not fit into memory.
+In place of the logs there is None if the second logs of a library do not fit into memory.
 """
 
 
@@ -626,7 +625,7 @@ def _shared(size: int) -> tuple[mmap.mmap, int]:
 
 
 _spawners: list[tuple[int, ThreadPoolExecutor]] = []
-"""At most one pair: the number of this process, and the thread of it that starts all players.
+"""At most one pair: the number of this process, and the one thread that starts all its players.
 
 The system ends the players when that thread ends.
 """

@@ -328,9 +328,9 @@ def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limi
     """Play a finding again; return it with new values of two fields, ``output`` and ``confirmed``.
 
     ``output`` holds the prints of these plays.  ``confirmed`` says whether fresh processes repeat
-    the run.  A run in which the player was lost is played once more in its world, because its walk
-    is not known yet.  If no other process can import the explorer, its finding is not confirmed;
-    the explorer plays once more in this process, for its prints.
+    the run.  If a player was lost in the run, and left no error text, the run is played once more
+    in its world, because its walk is not known yet.  If no other process can import the explorer,
+    its finding is not confirmed; the explorer plays once more in this process, for its prints.
 
     Raises:
         InputError: if a user's lighthouse gives another answer when it is asked again.
@@ -358,7 +358,7 @@ def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limi
 
 
 def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
-    """The finding of a loss, with the walk of this log in place of its own walk.
+    """The finding about the loss of a player, with the walk of ``log`` in place of its own walk.
 
     ``confirmed`` says whether the player was lost again by the same law.
     """
@@ -377,9 +377,9 @@ def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: in
 
     The field ``confirmed`` of the returned finding says whether fresh processes repeat the run.  If
     a process plays the run differently, the returned finding says that the explorer is
-    nondeterministic.  A finding that already says so is confirmed if the plays differ.  The players
-    of ``later`` first play runs in other worlds.  ``first`` is the log of a play that has been made
-    already.
+    nondeterministic.  A finding that already says so is confirmed if the plays differ.  ``plays``
+    makes plays of the run alone, ``later`` makes plays after the finding's earlier runs.  ``first``
+    is the log of a play of the run alone that has been made already.
     """
     record = finding.transcript.actions, finding.choices
     if finding.after:

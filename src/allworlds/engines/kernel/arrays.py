@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Level(Struct, frozen=True, eq=False):
-    """The question of Python to the kernel about a level; it is the same for all its units.
+    """What Python asks the kernel to do in a level; it is the same for all units of the level.
 
     A level is all worlds with one number of edges.  A map is made by decisions, its *gluing*; a
     unit is the maps of a level whose gluing begins with one list of decisions.

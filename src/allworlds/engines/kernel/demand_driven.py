@@ -41,8 +41,8 @@ ONE_LOOP, ONE_PARALLEL = 1 << 52, 1 << 53
 
 EDGE, PATH, PICK, NEXT, ENDED, FAILED = range(6)
 """The phases of a walk: before crossing the dart e; before a step of a path; before the choice of
-e; before the choice of a hypothesis; ended; failed, and so failed in each world in which the walk
-begins in this way."""
+e; before the choice of a hypothesis; ended; failed.  A walk that has failed counts as failed in
+every world in which it begins in this way."""
 
 # The columns of the tally, by vertices: worlds, the cost summed and the largest, events summed,
 # worlds with a loop and with parallel edges, their fingerprints, and walks that failed.
