@@ -50,7 +50,7 @@ class ThisThread:
         """Leave the context; no work goes on."""
 
     def map(self, engine: UnitEngine, units: Iterable[Any]) -> Iterator[PartialResult]:
-        """Yield the parts of all units, in the order of the units.
+        """Yield the parts of the units' results, in the order of the units.
 
         Raises:
             TimeIsUp: when the time limit has been reached.
@@ -111,7 +111,7 @@ class Threads:
         self._pool.shutdown(wait=patient, cancel_futures=True)
 
     def map(self, engine: Any, units: Iterable[Any]) -> Iterator[PartialResult]:
-        """Yield the parts of all units, in the order in which the batches of units are done.
+        """Yield the parts of the units' results, in the order in which batches of units are done.
 
         Raises:
             TimeIsUp: when the time limit has been reached.
@@ -135,7 +135,7 @@ class Threads:
 
 
 def _done(engine: UnitEngine, batch: Iterable[Any], ended: Event) -> list[PartialResult]:
-    """The parts of some units; once ``ended`` is set, further units are left out."""
+    """The parts of the results of some units; once ``ended`` is set, no further unit is begun."""
     return [
         part
         for unit in takewhile(lambda _: not ended.is_set(), batch)
@@ -269,7 +269,7 @@ class EngineKind:
 
 
 class Compiled(EngineKind):
-    """The compiled engine: built-in explorers in threads, users' explorers in processes."""
+    """The compiled engine: threads play built-in explorers, processes play users' explorers."""
 
     name = "kernel"
 

@@ -147,7 +147,7 @@ class Lanes(Struct):
     def map(
         self, counter: tally.RunCounter, units: Iterable[UnitOfRuns]
     ) -> Iterator[PartialResult]:
-        """Yield the parts of all units, in the order in which the parts are ready.
+        """Yield the parts of the units' results, in the order in which the parts are ready.
 
         Raises:
             TimeIsUp: when the time limit has been reached.
@@ -230,8 +230,8 @@ class Lanes(Struct):
         Raises:
             InputError: if too many lanes have ended while they did one of these units, and a
                 lighthouse, task or condition of the user takes part.
-            Unsettled: if too many lanes have ended in this way, and no such code of the user takes
-                part.
+            Unsettled: if too many lanes have ended while they did one of these units, and no
+                lighthouse, task or condition of the user takes part.
         """
         self._processes.remove(process)
         how, left = process.end(), process.units

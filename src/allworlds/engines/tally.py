@@ -60,8 +60,8 @@ class Row:
         traversals_rooted: the traversals, summed over the first place of each rooted map only.
         max_cost: the largest cost of an episode.
         bound: the largest bound of a run; None without a bound.
-        best_cost: the largest, over the runs, of the cost of the cheapest schedule; None unless
-            every schedule is tried.
+        best_cost: the largest cost of a run's cheapest schedule; None unless every schedule is
+            tried.
         fingerprint: the sum of the worlds' fingerprints modulo 2^62.
         most_expensive: of the runs with the largest cost, the first in the order of
             :class:`AtRun`; None without a run.  The comparison of rows ignores this field.

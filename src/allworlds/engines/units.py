@@ -88,7 +88,7 @@ class Transport(Protocol):
     def __exit__(self, *_: object) -> None: ...
 
     def map(self, engine: Any, units: Iterable[Any], /) -> Iterator[PartialResult]:
-        """Yield the parts of all units, in the order in which the parts are ready.
+        """Yield the parts of the units' results, in the order in which the parts are ready.
 
         Raises:
             TimeIsUp: when the time limit has been reached.

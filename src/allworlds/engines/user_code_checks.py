@@ -50,10 +50,10 @@ def ensure_same_worlds(extent: Extent | None, units: Sequence[Any], deadline: fl
 
 
 def ensure_same_senses(finding: Finding) -> None:
-    """Raise InputError unless a user's lighthouse acts in fresh processes as in a finding.
+    """Raise InputError unless a user's lighthouse gives the answers of a finding once more.
 
-    Each process makes the world of the finding anew, and follows the walk of the finding in it.
-    What the lighthouse tells the robot, and each percept, must be as in the finding.
+    Several fresh processes make the world of the finding anew, and follow its walk.  In each
+    process the lighthouse must tell the robot the same, and give the same percepts.
     """
     world, transcript = finding.world, finding.transcript
     kind = kind_of(world.lighthouse)

@@ -178,7 +178,7 @@ def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episo
 def fault_of(log: Log, budget: int = 0, *, maps: bool = True) -> Fault | None:
     """The fault with which a log ends; None if the log ends with an answer, or with a done task.
 
-    ``budget`` and ``maps`` are as in :func:`followed`; they only change the words of the fault.
+    ``budget`` and ``maps`` are those of :func:`followed`; they only change the words of the fault.
     """
     code, *parts = log.ending
     match code:

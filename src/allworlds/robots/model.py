@@ -54,8 +54,8 @@ class Assumption(NamedTuple):
 
     Attributes:
         name: the choices in words, as ``the edge 3 is there``.
-        holds: the function that says whether a step is such a choice, from the state before the
-            step, the state after it, and the adversary's choice in words.
+        holds: the function that says whether the adversary has made such a choice in a step.  Its
+            arguments are the state before the step, the state after it, and the choice in words.
     """
 
     name: str

@@ -178,10 +178,11 @@ class SearchLane:
 def _where_sensed(
     search: Search, program: int, found: Difference, minds: Minds
 ) -> tuple[int, tuple[int, ...], int] | None:
-    """The first configuration in which a robot takes the turn in which two plays differ.
+    """Find the first configuration in which a robot can take the turn of ``found``.
 
-    Return the number of the configuration, a group of robots that can be activated there together,
-    and the robot, which belongs to the group.  Return None if there is no such configuration.
+    In this turn two plays of the program ``program`` differ.  Return the number of the
+    configuration, a group of robots that can be activated there at once, and the robot, which
+    belongs to the group.  Return None if there is no such configuration.
     """
     _, before, sensed = found.turn
     for number in range(len(search)):

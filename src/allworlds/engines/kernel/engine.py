@@ -56,8 +56,8 @@ def judge(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = Non
         level: the request.
         prefix: the first decisions, at least one, by which these maps are made
             (:func:`allworlds.maps.enumeration.prefixes`).
-        keep: the largest number of kept runs that break a law; of all runs that break one law in
-            one map only the least is kept.
+        keep: how many runs that break a law are kept at most; of all runs that break the same law
+            in the same map only the least is kept.
         halt: an array of one number; once this number is not 0, the work is given up, and its
             result is void.  None if the work is never given up.
 
@@ -219,7 +219,7 @@ class UnitJudge:
 
     Args:
         level, prefix: the request, and the first decisions by which each map of the unit is made.
-        keep: the largest number of kept runs that break a law, for each batch.
+        keep: how many runs of a batch that break a law are kept at most.
         stretch: the memory of the first play of a batch, in which the explorer walks in worlds.
         replay: the memory of the second play, in which the explorer gets the percepts of the first
             play.

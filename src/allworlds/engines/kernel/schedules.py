@@ -36,7 +36,7 @@ _FAR = 1 << 30
 
 
 class Rooms(NamedTuple):
-    """The arrays of a search."""
+    """The arrays of a search: the costs that are known, and the results."""
 
     # The worst and best costs by set of edges and vertex; the reached vertices by set of edges.
     worst: Any
@@ -327,7 +327,7 @@ class ScheduleCosts(NamedTuple):
         vertices: n.
         rooted: the number of rooted maps.
         worst: the largest cost of a schedule in any of the maps.
-        best: the largest, over the worlds, of the cost of the cheapest schedule.
+        best: the largest cost of a world's cheapest schedule in any of the maps.
         tests: the number of tests, on all simple paths, in the searched worlds.
         wrong: the number of tests that confirmed a false hypothesis.
         sigma, alpha: the map with the cost ``worst``; of several such maps the map with the least

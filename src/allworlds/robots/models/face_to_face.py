@@ -34,9 +34,9 @@ class FaceToFace(Model):
     Each robot is told its number.
 
     A percept is ``[degree, others]``.  ``others`` is a sorted list with a pair ``[k, value]`` for
-    each other robot here: the dart of that robot is k darts clockwise from the dart of the robot
-    that looks, and that robot says the value, at first null.  After ``Do(value)`` a robot says the
-    value until its next motion; ``Move(k)`` moves.
+    each other robot at the vertex.  The dart of the other robot is k darts clockwise from the dart
+    of the robot that looks.  ``value`` is what the other robot says, at first null.  After
+    ``Do(value)`` a robot says the value until its next motion; ``Move(k)`` moves.
 
     Attributes:
         together: whether all robots start at one dart.

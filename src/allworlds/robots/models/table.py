@@ -96,9 +96,9 @@ def _named_again(name: str, texts: dict[str, str]) -> NamedModel:
 def model_of(text: object) -> tuple[Model, str]:
     """The model with this name, and its canonical name.
 
-    A name is ``NAME[:key=value,...]``, ``path/to/file.py:Class[:key=value,...]``,
-    ``lighthouse:KIND``, or ``crash:F+`` or ``hidden:F+`` before one of these names; F is the
-    largest number of faults.
+    A name is ``NAME[:key=value,...]``, ``path/to/file.py:Class[:key=value,...]`` or
+    ``lighthouse:KIND``.  Before a name ``crash:F+`` or ``hidden:F+`` may stand; F is the largest
+    number of faults.
 
     Raises:
         InputError: for an unknown model or option, or an illegal value; the error names it.
