@@ -56,7 +56,7 @@ The modules, in this order; ``protocol.playing`` and ``log`` make and read logs:
     the identity of a job, and the results of its units as JSON; the directory that keeps finished
     units;
 ``engine_table``
-    **the** table of the engines, the checks that the compiled one cannot do, and the job that an
+    **the** table of the engines, the checks that the compiled engine cannot do, and the job that an
     engine gets; two further transports: to this thread, and to several threads;
 ``sweep``
     **the** loop over units, and through the levels of a study;

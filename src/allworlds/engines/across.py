@@ -3,10 +3,10 @@
     one process:      run 1, run 2, ..., run N
     another process:  run N, ..., run 2, run 1; with few edges run 1, run 2, ..., run N once more
 
-Take any two runs, perhaps of different units: each is once played before the other.  The two
-processes play nothing but these runs.  If a run has different logs in the two processes, a
-bisection finds the fewest earlier runs that cause the difference.  These plays are not counted,
-because each run is counted in another unit.
+Of any two runs, perhaps of different units, each is played before the other in one of the two
+processes.  The processes play nothing but these runs.  If a run has different logs in the two
+processes, a bisection finds the fewest earlier runs that cause the difference.  These plays are not
+counted, because each run is counted in another unit.
 """
 
 from collections.abc import Callable, Mapping, Sequence

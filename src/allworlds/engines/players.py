@@ -440,7 +440,7 @@ class PlayerHere:
 
     Args:
         explorer: the explorer.
-        of_user: whether it is a user's explorer, whose prints are dropped.
+        of_user: whether it is a user's explorer; then its prints do not reach stdout or stderr.
         subject: the explorer with its name; needed only if a message asks for single turns.
 
     Attributes:

@@ -96,14 +96,16 @@ class Transport(Protocol):
 
 
 class Shard(Struct, frozen=True):
-    """One of ``count`` parts, to which the units of every level are dealt; the first has index 0.
+    """One of ``count`` parts of a job: the units of every level are dealt to these parts.
+
+    The first part has index 0.
 
     A scope has a shard or a :class:`Sample`, which says which worlds are tried.  So both classes
     have these attributes.
 
     Attributes:
         drawn: whether worlds are drawn at random.
-        finished: the words of reports for what is finished.
+        finished: the words by which reports name what is finished.
         min_edges: the least number of edges of a world.
 
     Raises:
@@ -527,7 +529,7 @@ Coverage: TypeAlias = Shard | Sample
 
 
 class Scope(Struct, frozen=True):
-    """A class of worlds with its bounds, and the rules.
+    """What a check is about: the worlds that it tries, and the rules of its runs.
 
     Attributes:
         extent: the class and its bounds.

@@ -5,7 +5,7 @@
 ``walk``
     the walk of a run in its world, which all other modules read;
 ``belief``
-    the same walk in the answer, and the first step at which the two walks diverge;
+    the same walk in the map of the answer, and the first step at which the two walks diverge;
 ``rules``
     the rules by which a run is played and judged; a finding records these rules;
 ``referee``

@@ -146,9 +146,10 @@ def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
 
     The first candidate is the walk that ends at ``here``.  The further candidates are the walks
     that begin at a dart of the answer, one for each dart: an explorer may have been right up to its
-    last step, and then have given a wrong ``here``.  First comes the walk whose degrees equal the
-    sensed degrees for the most steps from the start on; among equal walks, the walk from the
-    smaller dart.  Of several walks that agree equally long, the first one is taken.
+    last step, and then have given a wrong ``here``.  Among them the walk is tried first whose
+    degrees equal the sensed degrees for the most steps from the start on; if two are equal in this,
+    the walk from the smaller dart.  Of several candidates that agree equally long, the first one
+    that was tried is taken.
 
     Cost: the steps times the number of darts of the answer from which the degrees agree for longer
     than the best walk so far.

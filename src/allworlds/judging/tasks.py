@@ -1,8 +1,8 @@
 """Tasks, which define when a run has done its work.  **The** table of the tasks of this program.
 
-Each task has a *complaint*: a function of the world, the transcript and the answer that returns the
-fault of the run, or None.  A user's task is a function of this kind.  The task ``map`` has no
-complaint: the laws ``map`` and ``pose`` find its faults.
+Each task has a *complaint*: a function that returns the fault of a run, or None.  Its arguments are
+the world, the transcript and the answer.  A user's task is a function of this kind.  The task
+``map`` has no complaint: the laws ``map`` and ``pose`` find its faults.
 """
 
 from collections.abc import Callable
@@ -20,8 +20,8 @@ from allworlds.world.world import World
 Complaint: TypeAlias = Callable[[World, Walk, Any], str | None]
 """A function that returns the fault of a finished run, or None.
 
-A user's function that ends runs has an attribute ``over``: a function of the world and the walk
-that returns whether the task is done.
+A user's function that ends runs has an attribute ``over``: a function that returns whether the task
+is done.  Its arguments are the world and the walk.
 """
 
 MAP = "map"

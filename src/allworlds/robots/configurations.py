@@ -206,7 +206,7 @@ class Search:
     def sensed_first(self, state: int, robot: int) -> Sensed | None:
         """The percept of a robot in the state of the world with this number in :attr:`states`.
 
-        Return None if the robot is gone, or if the model was not asked for its percept yet.
+        Return None if the robot is gone, or if the model was not asked about this state yet.
         """
         return self._sensed[state][robot] if self._sensed[state] else None
 

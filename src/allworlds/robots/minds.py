@@ -1,9 +1,9 @@
 """The next action of a robot: a function of its percepts, never of a world.
 
-A *mind* is a number.  The mind of a generator stands for a *history*, all its percepts so far; the
-histories are the nodes of a trie, a tree in which each percept leads to a child.  The mind of an
-automaton stands for its memory, with the action that is due.  A search needs three answers: the
-mind after one more percept, the action of a mind, and the mind after that action.
+A *mind* is a number.  The mind of a generator stands for its *history*: all its percepts so far.
+The histories are the nodes of a tree, in which each percept leads from a node to a child.  The mind
+of an automaton stands for its memory, with the action that is due.  A search needs three answers:
+the mind after one more percept, the action of a mind, and the mind after that action.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class ProgramFault(NamedTuple):
     Attributes:
         law: the law that the program breaks.
         seen: what the program has done, in words.
-        detail: a traceback, or the end of its stderr; or empty.
+        detail: a traceback, or the end of the program's stderr; may be empty.
     """
 
     law: str

@@ -33,7 +33,7 @@ class Liveness(NamedTuple):
     A run is fair if no robot that can always be activated is left out for ever.
 
     Attributes:
-        name: the condition in words, as ``robot 0 at vertex 3``.
+        name: the condition in words, such as ``robot 0 at vertex 3``.
         forever: whether the condition must hold at all times from some time on (FG); else it must
             hold again and again (GF).
         holds: the function that says whether the condition holds in a state; None for the condition
@@ -53,7 +53,7 @@ class Assumption(NamedTuple):
     """Choices that the adversary is assumed to make again and again.
 
     Attributes:
-        name: the choices in words, as ``the edge 3 is there``.
+        name: the choices in words, such as ``the edge 3 is there``.
         holds: the function that says whether the adversary has made such a choice in a step.  Its
             arguments are the state before the step, the state after it, and the choice in words.
     """

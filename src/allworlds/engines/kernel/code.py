@@ -1,4 +1,4 @@
-"""Canonical codes and fingerprints of rooted maps, and rows that hold the least of many runs."""
+"""Canonical codes and fingerprints of rooted maps; arrays that keep the least of many runs."""
 
 from allworlds.engines.kernel.arrays import NONE
 from allworlds.engines.kernel.compiling import inlined, inner
@@ -94,7 +94,7 @@ def _encode_unrooted(world, row, start):
 def note(world, law, row):
     """Write the numbers of a run to ``row``.
 
-    The last part of the row, the code of the map without a root, is left as it is.
+    The last part of the row is left as it is (the code of the map without a root).
     """
     row[0] = world.vertices
     encode(world, 0, row, 1)

@@ -277,7 +277,7 @@ class UnitJudge:
 def lay_out(job, unit, heads, worlds):
     """Write runs to memory up to number ``job.until``, or until there is no more room.
 
-    Return the number of written runs.  ``job`` and ``unit`` are as in
+    Return the number of written runs.  ``job`` and ``unit`` are the arguments of
     :func:`allworlds.engines.kernel.runs.examine`.  ``job.number`` becomes the number of the next
     run, and ``job.until`` becomes 0 after the last run.  Each run is written to a row of ``heads``
     and a row of ``worlds``.

@@ -9,7 +9,7 @@ false hypothesis must be rejected on each of these paths.
 
 Since every choice of a dart is tried, the costs are equal for all roots at v0.  So of all rooted
 maps that differ only in the root at v0, only one is searched: the rooted map with the least code.
-The code of a map is the list of its darts in a fixed order.
+The code of a rooted map is its sigma and alpha, with the darts renumbered from the root.
 
 Source: Algorithm 1, Section IV.
 """

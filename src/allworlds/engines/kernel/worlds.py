@@ -218,7 +218,10 @@ def _next_open(g, dart, open_):
 
 @inner
 def _one_face(g, y, z):
-    """Whether the darts y and z were in one face before they were joined; True at a new vertex."""
+    """Whether the darts y and z were in one face before they were joined.
+
+    The result is also True if z is a dart of a vertex that was added by this decision.
+    """
     if g.added[g.depth]:
         return True
     before = g.open | 1 << y | 1 << z
@@ -461,9 +464,10 @@ def _joined(world, vertex):
 
 @inner
 def _unique(world, dart):
-    """Whether no other vertex has the degree of v0 or of v1, the vertex to which this dart leads.
+    """Whether the degrees of v0 and v1 are different, and no other vertex has one of them.
 
-    If an earlier dart of v0 also leads to v1, the result is False.
+    Here v1 is the vertex to which this dart of v0 leads.  If an earlier dart of v0 also leads to
+    v1, the result is False.
     """
     v1 = world.owner[world.alpha[dart]]
     for before in range(dart):

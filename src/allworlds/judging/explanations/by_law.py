@@ -56,7 +56,7 @@ def ending(how: str) -> Teller:
     """The function that explains a run by its ending.
 
     The explanation begins with the sentence ``how``, which says how the run ended; in this sentence
-    ``{seen}`` is replaced by the observation.  Later it says the last step and the last percept.
+    ``{seen}`` is replaced by the observation.  Further sentences say the last step and percept.
     """
 
     def tell(story: Story) -> Telling:
@@ -127,7 +127,7 @@ def tell_budget(story: Story) -> Telling:
 
 
 def tell_whose_budget(finding: Finding) -> str:
-    """Say where the step budget comes from, and name the options of :func:`_say_tried`."""
+    """Say where the step budget comes from; if known, name options under which no law is broken."""
     rules, map_ = finding.rules, finding.world.map
     if rules.step_budget is not None:
         return f"--step-budget sets the budget: {plural(rules.step_budget, 'traversal')}."
@@ -471,7 +471,7 @@ def tell_bound(story: Story) -> Telling:
 def tell_whose_bound(finding: Finding) -> list[str]:
     """Say which other laws hold, and where the bound comes from.
 
-    The options of :func:`_say_tried` are named, too.
+    If options are known under which no law is broken, name these options, too.
     """
     others = [law for law in finding.rules.applying if law != "bound"]
     rest = f"every other law that was checked holds: {listed(others)}" if others else ""

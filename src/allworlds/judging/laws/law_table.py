@@ -1,6 +1,6 @@
 """**The** table of the laws of finished runs, and each law as a function.
 
-A new law is a function of a :class:`Case`, which is a run together with the truth, and an entry in
+A new law needs a function of a :class:`Case` (a run together with the truth), and an entry in
 ``LAWS``.  A law that ends a run early, such as ``timeout``, has only an entry in ``ASKED``.
 
 The laws about checkpoints embed the S of a checkpoint into the true map: they map the checkpoint's

@@ -18,9 +18,9 @@ class BlackHole(WhiteboardModel):
     The adversary chooses the hole: any vertex but home.  A robot is told the number of vertices and
     its own number, as ``[vertices, number]``.  A percept is ``[degree, home, others, board]``: the
     degree, whether this vertex is home, the number of other robots here, and the value on the
-    whiteboard.  A robot in the hole is gone.  An answer is a walk from the home's dart to the hole,
-    a list of numbers for ``Move``: on a ring ``[0, 1, 1]`` leads three vertices on.  The robots are
-    right if at least one robot answers, and no answer is wrong.
+    whiteboard.  A robot in the hole is gone.  An answer is a walk from the home's dart to the hole.
+    It is a list of numbers for ``Move``: on a ring ``[0, 1, 1]`` leads three vertices on.  The
+    robots are right if at least one robot answers, and no answer is wrong.
     """
 
     @override

@@ -49,8 +49,8 @@ class OneInterval(Apart):
         ends: whether the run ends when all vertices are visited; else the programs must end.
         exclusive: whether at most one robot can be on a port; if several robots want to go to one
             port, the adversary chooses the robot that goes there.
-        one_face: whether all robots start at darts of one face; on a ring all robots then have one
-            orientation.
+        one_face: whether all robots start at darts of one face; on a ring all robots then have the
+            same orientation.
     """
 
     ends: bool = False
