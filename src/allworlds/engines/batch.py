@@ -159,7 +159,7 @@ class RunBatch:
         return [index for index in indices if index not in known] if isinstance(known, dict) else []
 
     def outcome(self, index: int) -> Judged:
-        """What the Python judge says of the run of this index, from the log of its first play."""
+        """The Python judge's judgement of the run of this index, from the log of its first play."""
         if index not in self.judged:
             self.judged[index] = self.by.judged(self.due(index), self.logs[FIRST][index])
         return self.judged[index]

@@ -529,7 +529,7 @@ Coverage: TypeAlias = Shard | Sample
 
 
 class Scope(Struct, frozen=True):
-    """What a check is about: the worlds that it tries, and the rules of its runs.
+    """The content of a check: the worlds that it tries, and the rules of its runs.
 
     Attributes:
         extent: the class and its bounds.

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Level(Struct, frozen=True, eq=False):
-    """What Python asks the kernel to do in a level; it is the same for all units of the level.
+    """A task that Python gives the kernel in a level; it is the same for all units of the level.
 
     A level is all worlds with one number of edges.  A map is made by decisions, its *gluing*; a
     unit is the maps of a level whose gluing begins with one list of decisions.

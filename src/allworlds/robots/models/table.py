@@ -73,7 +73,7 @@ class NamedModel(Struct, frozen=True):
         return "".join(code.digest for code in self.codes)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """What pickle needs to make the model again: its name, and the texts of the user's code.
+        """The values that pickle needs to make the model again: its name, and texts of user's code.
 
         If the model exists in this process alone, the model itself takes the place of the texts.
         """
