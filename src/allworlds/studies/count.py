@@ -237,7 +237,7 @@ def count_compiled(extent: classes.Extent, unit: LevelUnit) -> Counted:
 
 
 def count_one_by_one(extent: classes.Extent, unit: LevelUnit) -> Iterator[Counted]:
-    """Enumerate the maps of a unit, of any class; yield counts, each of some of these maps."""
+    """Enumerate the maps of a unit, whatever the class; each yielded part counts some of them."""
     counted = Counted()
     for met, map_ in enumerate(unit.maps(extent), 1):
         cell = map_.vertex_count, map_.genus

@@ -98,7 +98,8 @@ def explain(request: ExplainRequest) -> Explanation | TeamExplanation:
 def explained(finding: Finding, number: int = 1, findings: int = 1) -> Explanation:
     """The explanation of a finding of one robot.
 
-    ``number`` is the number of the finding in its report, which holds ``findings`` findings.
+    ``number`` is the number of the finding in its report; ``findings`` is how many findings the
+    report has.
 
     Raises:
         InputError: if the finding's transcript is no walk in its world, or its answer is illegal.

@@ -190,7 +190,7 @@ class Replay(Report):
 
     @property
     def facts(self) -> Facts:
-        """The facts that decide the exit code: the finding is fixed, or this is left open."""
+        """The facts that decide the exit code: whether the finding is fixed, or left open."""
         outcome = self.outcome
         return Facts(fixed=outcome == "fixed", undecided=outcome == "not-reproduced")
 
@@ -199,15 +199,15 @@ class Replay(Report):
 def replay(request: ReplayRequest) -> Replay | TeamReplay:
     """Run an explorer again in a finding's world, under its rules; by default its own explorer.
 
-    The recorded explorer gets the recorded choices, as far as they fit, since its code may have
-    changed.  Any other explorer, named by ``explore``, gets choices by the recorded policy.  For a
-    finding of the law ``nondeterministic`` the run is made up to :data:`TRIES` times.  For a
-    finding of a team, its world is searched again.
+    The recorded explorer gets the recorded choices as far as they fit; its code may have changed.
+    Any other explorer, named by ``explore``, gets choices by the recorded policy.  For a finding of
+    the law ``nondeterministic`` the run is made up to :data:`TRIES` times.  For a finding of a team
+    of robots, its world is searched again.
 
     Raises:
-        InputError: if the explorer cannot be found, the finding's transcript is no walk in its
-            world, or the finding has choices but its explorer takes none, unless that explorer is
-            named by ``explore``, too.
+        InputError: if the explorer cannot be found; if the finding's transcript is no walk in its
+            world; or if the finding has choices, but its explorer takes none any more.  The last
+            is no error if ``explore`` names this explorer.
     """
     finding, explore = request.finding, request.explore
     if isinstance(finding, TeamFinding):

@@ -1,4 +1,4 @@
-"""The function that makes the scope of a report from a request, and a key of several scopes."""
+"""The function that makes the scope of a report from a request, and a key that many scopes have."""
 
 from typing import Annotated, Any, TypeAlias, TypeVar
 

@@ -216,7 +216,7 @@ def corpus_of(
     ``read`` makes a finding from the text of its file.
 
     Raises:
-        InputError: if a corpus and a run directory, ``run``, are named.
+        InputError: if both a corpus and a run directory (``run``) are named.
     """
     if named is None:
         return None

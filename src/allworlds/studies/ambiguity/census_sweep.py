@@ -74,8 +74,8 @@ class SizeCounts(Struct):
     Attributes:
         marked_worlds: the number of maps with a lighthouse, up to isomorphism.
         ambiguous_worlds: the number of these worlds that have a twin, whatever the twin's size.
-        classes: the number of ambiguity classes that have two or more members, of which at least
-            one has one of these sizes.
+        classes: the number of ambiguity classes with two or more members, if at least one member
+            has one of these sizes.
         largest_class: the number of members of the largest of these classes; 0 if there is none.
     """
 
@@ -85,9 +85,11 @@ class SizeCounts(Struct):
     largest_class: int = 0
 
     def add_class(self, members: int, of: int) -> None:
-        """Count a class of ``of`` worlds.
+        """Count an ambiguity class.
 
-        ``members`` of these worlds have the sizes that are counted here.
+        Args:
+            members: the number of its worlds that have one of the counted sizes.
+            of: the number of all its worlds.
         """
         self.ambiguous_worlds += members
         self.classes += 1
@@ -99,12 +101,13 @@ class SensedParts(Struct, forbid_unknown_fields=True):
 
     Attributes:
         worlds: the number of rooted maps.
-        sizes: the numbers of edges and of vertices of each world, by the world's name.
-        looks: for each look the name of the smallest world with this look.  A look is a code of all
-            that a robot can find out from a start.
+        sizes: the numbers of edges and of vertices of each world, by the world's name.  Isomorphic
+            worlds have the same name.
+        looks: for each look the name of the smallest world with this look.  A look is a text that
+            stands for all that a robot can find out from a start.
         alike: pairs of names of worlds that share a look, the smaller world first.
-        counted: for some looks the number of worlds in the ambiguity class with this look, computed
-            by Burnside's lemma.
+        counted: for some looks the number of worlds in the ambiguity class of the worlds with this
+            look, computed by Burnside's lemma.
     """
 
     worlds: doc.Natural
@@ -150,8 +153,8 @@ class SensedParts(Struct, forbid_unknown_fields=True):
     def classes(self) -> Iterator[list[str]]:
         """Yield each class of two or more worlds, as the list of its members' names.
 
-        Two worlds are in one class if they look alike from some starts, or if a chain of worlds
-        leads from one to the other, in which each world looks like the next one.
+        Two worlds are in one class if they look alike from some starts.  They are also in one class
+        if a chain of worlds leads from one to the other, and each world looks like the next one.
         """
         beside: dict[str, list[str]] = {}
         for one, other in self.alike:
@@ -169,9 +172,10 @@ class SensedParts(Struct, forbid_unknown_fields=True):
                 yield found
 
     def counts(self, name: Callable[[SizePair], Key]) -> dict[Key, SizeCounts]:
-        """The counts of the worlds, by key.
+        """Count the worlds in groups; return the counts of each group, by the group's key.
 
-        The function ``name`` makes the key of a world from its numbers of edges and of vertices.
+        The function ``name`` makes the key of a world's group from the world's numbers of edges and
+        of vertices.
         """
         found: dict[Key, SizeCounts] = {}
         for size, number in Counter(self.sizes.values()).items():
@@ -231,7 +235,7 @@ def batches(
 ) -> Iterator[tuple[int, list[arrays.LitMap]]]:
     """Yield the worlds of a unit in batches, each with the number of rooted maps in the batch.
 
-    There is at least one batch, which may be empty.
+    The last batch may be empty; it is yielded all the same.
     """
     maps, worlds = 0, list[arrays.LitMap]()
     for map_, places in unit.placed(extent, kind.as_class):
@@ -408,9 +412,9 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         pair = self._compared(self._met.smallest_pair()) if whole else None
 
         def shown(counts: SizeCounts) -> dict[str, int]:
-            """The counts, by the keys of a row.
+            """The counts that a row of the report shows, by their keys in the row.
 
-            For a shard this is only the number of worlds, since the other counts need all shards.
+            A row of a shard shows only the number of worlds: the other counts need all shards.
             """
             return asdict(counts) if whole else {"marked_worlds": counts.marked_worlds}
 

@@ -106,7 +106,8 @@ class Coarser(base.Lighthouse):
 
     Attributes:
         finest: the lighthouse of the finest sensor, at its place.
-        letters: the letter of each feature; several features can have the same letter.
+        letters: the letter of each feature; several features can have the same letter.  Features
+            are what the finest sensor shows at darts besides the degree.
     """
 
     finest: base.Lighthouse
@@ -116,7 +117,7 @@ class Coarser(base.Lighthouse):
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[base.Lighthouse]:  # noqa: ARG003
-        """Yield no lighthouse; a coarser sensor is made from a lighthouse of the finest sensor."""
+        """Yield nothing: a coarser sensor is made from a placed lighthouse of the finest sensor."""
         yield from ()
 
     @override
@@ -134,9 +135,9 @@ class FinestLevel(NamedTuple):
 
     Attributes:
         worlds: the rooted maps, each once for every place of the lighthouse.
-        arrays: the same worlds as arrays; a robot senses only the degrees in these.
-        features: for each dart the number of the feature that the finest sensor senses there.
-        roots: for each world the number of its rooted map.
+        arrays: the same worlds as arrays; the percepts in these arrays have only the degree.
+        features: for each dart the number of the feature that the finest sensor shows there.
+        roots: for each world the number of its rooted map: equal numbers mean equal rooted maps.
     """
 
     worlds: list[many.LitMap]
@@ -171,7 +172,7 @@ def partitions(count: int) -> list[Letters]:
 
 
 def lower(letters: Letters) -> list[Letters]:
-    """The next coarser coarsenings; each makes one letter of two letters of this coarsening."""
+    """The next coarser coarsenings: each merges two letters of this coarsening into one."""
     count, found = max(letters) + 1, list[Letters]()
     for other in range(count):
         for one in range(other):
@@ -194,7 +195,7 @@ class Refuter:
     def pair(self, letters: Letters) -> tuple[WorldAt, WorldAt] | None:
         """Return two worlds with different rooted maps that look alike; None if there are none.
 
-        Each world is given by two indices: that of its level, and that of the world in the level.
+        A world is returned as two numbers: the index of its level, and its index in the level.
         """
         known = sorted({index for pair in self.pairs for index in pair})
         if pair := self._alike(letters, known):

@@ -213,12 +213,12 @@ def _smaller_code(formula: Formula, pair: PairVariables) -> None:
 
 
 def forbid_other_start(formula: Formula, pair: PairVariables, start: int) -> None:
-    """Require that the second world entered at dart ``start`` is not the first world.
+    """Require that the second world, if it is entered at dart ``start``, is not the first world.
 
-    If a vertex is marked, this is required only for a ``start`` at v0.  Let F number the second
-    map's darts from ``start`` on, in the order that the first map's numbering prescribes.  Then F
-    must fail to carry the first map's sigma, alpha or reference darts to those of the second map.
-    For ``start`` 0 this is required already, since the codes differ.
+    If a vertex is marked, this is required only if ``start`` is a dart of v0.  Let F number the
+    second map's darts from ``start`` on, in the order that the first map's numbering prescribes.
+    Then F must fail to carry the first map's sigma, alpha, reference darts or letters to those of
+    the second map.  For dart 0 nothing need be required, since the codes differ.
     """
     one, two, darts = pair.one, pair.two, range(pair.one.size.darts)
     shape = (len(darts), len(darts))

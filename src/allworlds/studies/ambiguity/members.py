@@ -231,7 +231,7 @@ SheetPermutation: TypeAlias = tuple[int, ...]
 """A permutation of the sheets ``0..k-1``."""
 
 _Kind: TypeAlias = Callable[[Sequence[SheetPermutation]], Iterator[SheetPermutation]]
-"""A function for one of several choices: it makes the options from those chosen before."""
+"""A function for one kind of choice: it makes the options from those chosen for earlier kinds."""
 
 
 def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
@@ -422,10 +422,11 @@ def class_of(request: ClassRequest) -> AmbiguityClass:
 
     Raises:
         InputError: for another lighthouse, under which a class can be infinite; for a world outside
-            the class of maps; for a limit below 1; for a limit that is smaller than the ambiguity
-            class, if only some maps count, since all members must then be made.
+            the class of maps; for a limit below 1.  Also for a limit that is smaller than the
+            ambiguity class, if the class of maps is not ``maps``: then all members must be made.
 
-    Cost: O(k m) for each of at most k * ``limit`` maps with the quotient, for k sheets.
+    Cost: O(k m) for each of at most k * ``limit`` maps with the quotient; k is the number of
+    sheets.
     """
     limit, universe = request.limit, request.map_class
     world = world_named(request.world, request.lighthouse)
@@ -500,8 +501,8 @@ def _members(quotient: Quotient, limit: int, own: LeastRooting) -> dict[Code, Le
 def _check_complete(quotient: Quotient, found: dict[Code, LeastRooting], own: LeastRooting) -> None:
     """Raise Disagreement unless all members of the class have been found.
 
-    The number of members must be that of Burnside's lemma, the number of their poses must be that
-    of another count, and the given world must be a member.
+    Three things are checked: Burnside's lemma gives the same number of members, :func:`pose_count`
+    gives the same number of poses, and the given world, whose code is in ``own``, is a member.
     """
     size, poses, weighed = class_size(quotient), pose_count(quotient), _poses(quotient, found)
     if len(found) != size or poses != weighed or own.code not in found:

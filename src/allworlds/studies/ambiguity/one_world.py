@@ -36,7 +36,7 @@ class OneWorld(Struct, frozen=True):
         return (self.alpha if t % 2 else self.sigma)[t // 2, y]
 
     def has_degree(self, x: int, degree: int) -> Clause:
-        """A part of a clause: the literal that says that the vertex of dart x has this degree.
+        """The literal 'the vertex of dart x has this degree', as a part of a clause.
 
         The part is empty if no vertex can have this degree.
         """
@@ -136,9 +136,10 @@ def _vertices(formula: Formula, world: OneWorld) -> None:
 
 
 def _constant(formula: Formula, step: Atoms, here: Atoms, there: Atoms) -> None:
-    """Require: if ``step`` leads from dart x to dart y, the label of y is the label of x.
+    """Require that two darts have the same label if ``step`` leads from one to the other.
 
-    The label of x is that in the block ``here``, the label of y that in the block ``there``.
+    The block ``here`` has the label of the dart before the step, the block ``there`` the label of
+    the dart after the step.
     """
     labels = range(here.shape[1])
     for x, y in product(*map(range, step.shape)):

@@ -260,7 +260,8 @@ def letters_at(placed: base.Lighthouse, map_: combinatorial.CombinatorialMap) ->
 def _ensure_at_v0(question: Question) -> None:
     """Raise InputError if a robot senses more than degrees and the letters at v0.
 
-    This is tried in all small maps.
+    This is tried out: with every place of the lighthouse in all maps of at most ``TRIED_EDGES``
+    edges.
     """
     most = min(question.edges, TRIED_EDGES)
     for map_ in (map_ for edges in range(1, most + 1) for map_ in rooted_maps(edges)):

@@ -61,7 +61,7 @@ def matrices(worlds: Sequence[LitMap]) -> SensedWorlds:
     """The worlds as arrays, in which a percept is a number, the same in all worlds.
 
     Raises:
-        InputError: for more marks than a number can hold.
+        InputError: for a percept with more marks than fit into its number.
     """
     import numpy as np
 
@@ -84,9 +84,9 @@ def matrices(worlds: Sequence[LitMap]) -> SensedWorlds:
 
 
 def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
-    """The name of a lighthouse in compiled code; empty if compiled code does not make the worlds.
+    """The name by which compiled code knows a lighthouse; empty if Python makes the worlds.
 
-    Then Python makes them.  Lighthouses with letters have the name of ``Door``.
+    All lighthouses that show letters at v0 have the name of the lighthouse ``Door``.
     """
     name = Door.kind if issubclass(kind, SensedByBearing) else kind_of(kind)
     name = Nothing.kind if kind is Labels else name
@@ -97,10 +97,10 @@ def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
 
 @lru_cache(16)
 def _room(edges: int, thread: int) -> tuple[Any, ...]:  # noqa: ARG001  # each has its own
-    """Four arrays for the compiled code: for a job, a robot that stands still, and the worlds.
+    """Four arrays for the compiled code that makes worlds; each thread has its own arrays.
 
-    The first array of worlds has an entry for each world, the second one for each dart of a world.
-    Each thread has its own arrays.
+    They are for a job; for a robot, which does not move; for the worlds, with an entry for each
+    world; and for the darts, with an entry for each dart of each world.
     """
     from allworlds.engines.kernel import arrays
 
@@ -165,7 +165,10 @@ def _labelled(worlds: SensedWorlds, first: Matrix) -> SensedWorlds:
 
 
 def _ranks(keys: Matrix) -> Matrix:
-    """A matrix that has, for each entry, the number of different smaller values in its world."""
+    """The matrix in which each entry is replaced by its rank among the entries of its world.
+
+    The rank is the number of different smaller entries.
+    """
     import numpy as np
 
     order = np.argsort(keys, axis=1, kind="stable")
@@ -180,9 +183,9 @@ def _ranks(keys: Matrix) -> Matrix:
 def classes(worlds: SensedWorlds) -> Matrix:
     """A matrix with the number, from 0 on, of each dart's class in the quotient of its world.
 
-    Two darts are in one class if no motion tells them apart.  Classes are split by percepts, then
-    by the classes of sigma and alpha of their darts, until no class is split.  The numbers of the
-    classes do not depend on the numbers of the darts.
+    Two darts are in one class if no motion tells them apart.  Classes are split by percepts; then,
+    in rounds, by the classes to which sigma and alpha lead, until no class is split.  The numbers
+    of the classes do not depend on the numbers of the darts.
 
     Cost: O(m log m) for each world and round; there are at most as many rounds as classes.
     """

@@ -1,6 +1,7 @@
 """The comparison of sensors: what can a robot tell apart under each lighthouse?
 
-The smallest worlds that look alike under each sensor are found, and which sensor tells more apart.
+For each sensor the smallest worlds that look alike are found.  Of two sensors it is found out which
+one tells more worlds apart.
 """
 
 from collections.abc import Hashable, Sequence
@@ -74,8 +75,8 @@ class AlikePair(doc.Document):
 
         Args:
             worlds: the two worlds.
-            shown: the same worlds under the coarser sensor under which they look alike; empty if
-                they look alike under their own lighthouses.
+            shown: the same two worlds with a coarser sensor as their lighthouse, if the proof is
+                for this sensor; empty if the worlds look alike under their own lighthouses.
 
         Raises:
             Disagreement: if the proof is wrong.
@@ -174,8 +175,8 @@ class Sensor(Struct):
     def meet(self, worlds: Sequence[LitMap], number: dict[CombinatorialMap, int]) -> None:
         """Add worlds that are no smaller than the earlier ones.
 
-        ``number`` has a number for each rooted map in the worlds of any sensor so far; new maps are
-        added.
+        ``number`` has the number of each rooted map that was met so far under any of the sensors;
+        the new maps of these worlds are added to it.
         """
         arrays = matrices(worlds)
         in_order = zip(worlds, named(arrays), arrays.sensed.tolist(), strict=True)
@@ -265,7 +266,7 @@ def compared(request: SensorsRequest) -> AmbiguitySensors:
 
 
 def _follows(one: Sequence[Hashable], other: Sequence[Hashable]) -> bool:
-    """Whether ``one`` has equal values at any two indices at which ``other`` has equal values."""
+    """Whether ``one`` has equal values at two indices whenever ``other`` has equal values there."""
     return len({*zip(other, one, strict=True)}) == len({*other})
 
 

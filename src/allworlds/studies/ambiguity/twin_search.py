@@ -338,7 +338,8 @@ class _TwinsSearch(Struct):
     def _decide(self, sizes: Sizes) -> Searched:
         """Solve the formula of two sizes.
 
-        If the found worlds are one map with two starts, the formula is solved again without them.
+        If the two worlds of a solution are one map with two starts, this start is forbidden, and
+        the formula is solved again.
         """
         began = monotonic()
         formula, pair = formulas.pair_formula(self.question, sizes)

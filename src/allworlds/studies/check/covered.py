@@ -13,8 +13,8 @@ def telling_apart(map_: CombinatorialMap) -> tuple[int, int]:
 
     There is no lighthouse: a robot senses degrees alone.  Darts look alike if no walk tells them
     apart.  Classes of darts that look alike are equally large; their size is the number of sheets.
-    If two darts do not look alike, a walk tells them apart whose traversals are at most the second
-    number.
+    Any two darts that do not look alike are told apart by a walk with at most as many traversals as
+    the second number says.
 
     Cost: O(m log m) for each of these traversals.
     """

@@ -120,7 +120,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
     def begin(self) -> outcome.Ending | None:
         """Try again the findings of the user's corpus.
 
-        The check ends if as many of them are reproduced as the check keeps.
+        If the check keeps K findings, and K past findings or more are reproduced, the check ends.
         """
         return self.retry_past(self._tally)
 

@@ -62,11 +62,11 @@ def hinted(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> 
 
 
 def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> str:
-    """Options with which no law is broken, as on the command line; empty if none are known.
+    """A text with options, as on the command line, with which the explorer breaks no law.
 
-    The options were tried in the finding's world, in its mirror image, and in all worlds with at
-    most M edges.  The text also has ``--edges M``; M is at least the number of edges of the
-    finding's world.
+    The text is empty if no such options are known.  The options were tried in the finding's world,
+    in its mirror image, and in all worlds with at most M edges.  The text also has ``--edges M``; M
+    is at least the number of edges of the finding's world.
 
     Args:
         finding: the confirmed finding.
@@ -139,8 +139,8 @@ def located(
         subject: the explorer.
         limits: the limits of the time for an answer, and of memory.
         others: further worlds, each with the number of its lighthouse's place.  The explorer is
-            also run in these worlds.  A line is not named as a line of this finding alone if it
-            also runs there, in a run that breaks no law.
+            also run in these worlds.  A line that also ran there, in a run that breaks no law, is
+            not named as a line that ran in this finding alone.
 
     Cost: that of the runs, each some ten times slower than a run whose lines are not traced.
     """

@@ -168,11 +168,11 @@ Then the fingerprints of both lists are compared.
 
 
 def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
-    """The known fingerprint, in hexadecimal, of all worlds with these edges, by number of vertices.
+    """The known fingerprints, in hexadecimal, of the worlds with these edges, by vertices.
 
-    The fingerprint of many worlds is the sum of the fingerprints of single worlds.  Up to
-    :data:`LISTED_EDGES` edges, code that the check does not use lists the worlds once more.  For
-    more edges, the fingerprints are those in the corpus that ships with the package.
+    A fingerprint is a number made from a map; for many maps it is the sum of their fingerprints.
+    Up to :data:`LISTED_EDGES` edges, code that the check does not use lists the worlds once more.
+    For more edges, the fingerprints are those in the corpus that ships with the package.
     """
     if edges <= LISTED_EDGES:
         return {n: f"{each:x}" for n, each in count_source.listed(extent, edges).items()}
@@ -218,9 +218,9 @@ def missing_witnesses(
 ) -> tuple[str, ...]:
     """The events that must occur in a check of the whole extent, but are not in ``seen``.
 
-    Events that the explorer reports are required only if its task is to draw the map, since runs
-    with another task may end before such an event.  These events are required only if there is no
-    condition on the worlds, since the smallest worlds with them need not satisfy the condition.
+    Events that the explorer reports are required only if two things are true.  Its task is to draw
+    the map, since runs with another task may end before such an event.  And there is no condition
+    on the worlds, since the smallest worlds with such an event need not satisfy the condition.
     """
     simple, last = extent.map_class.simple, extent.levels[-1]
     required = {event for event, least in SMALLEST.items() if extent.include(named_map(least))}

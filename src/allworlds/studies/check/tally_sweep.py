@@ -46,8 +46,8 @@ class Confirmation(Struct, frozen=True):
     Attributes:
         subject, limits, scope: the explorer, the limits and the scope of the job.
         deadline: the time after which findings are no longer played again.
-        kept: the records of earlier confirmations in the run directory.  These are not repeated,
-            so all reports of a job agree.
+        kept: the records in the run directory.  A confirmation that is recorded there is not
+            repeated, so all reports of a job agree.
     """
 
     subject: loading.Subject
@@ -102,9 +102,9 @@ class Confirmation(Struct, frozen=True):
     def _again(self, found: Finding, *, number: int) -> Finding:
         """The finding, played again, with hints.
 
-        ``number`` is the number of findings before ``found``.  If it is 0, the finding gets all
-        hints.  The next findings get lines of code; findings from number :data:`LOCATED` on get no
-        hint.
+        ``number`` is the number of findings before ``found``.  The first finding, number 0, gets
+        all hints.  The next findings get only lines of code as hints.  From number :data:`LOCATED`
+        on, findings get no hint.
         """
         again = single.played_again(found, self.subject, self.limits)
         if number == 0:
@@ -114,9 +114,9 @@ class Confirmation(Struct, frozen=True):
     def _settled(self, found: Finding, *, number: int) -> Finding | str:
         """The finding, played again in a fresh process; or a remark that replaces it.
 
-        A remark replaces a crash or a time-out that is not repeated, if the machine may be its
-        cause.  If the machine cannot be the cause, the explorer is nondeterministic: then a finding
-        of the law ``nondeterministic`` is returned.
+        If a crash or a time-out is not repeated, and the machine may be its cause, a remark
+        replaces the finding.  If the machine cannot be the cause, the explorer is nondeterministic:
+        then a finding of the law ``nondeterministic`` is returned.
         """
         again = self._again(found, number=number)
         if again.law not in LOST or not self.subject.importable or again.confirmed:
@@ -274,8 +274,8 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
     def retry_past(self, total: tally.Tally) -> outcome.Ending | None:
         """Try the findings of the corpus again; put those that are reproduced into ``total``.
 
-        Return the ending of the job if the reproduced findings are as many as the job keeps, else
-        None.
+        At most as many are put there as the job keeps.  If there are that many, return the ending
+        of the job, else None.
         """
         job = self.job
         if self.corpus is not None:

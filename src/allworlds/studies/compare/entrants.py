@@ -177,7 +177,7 @@ class CostTally(Tally):
 
 
 class CostEngine(RunCounter, frozen=True):
-    """The run counter that also keeps the cost of every run."""
+    """The engine that counts runs, and also keeps the cost of every run."""
 
     def tally(self) -> CostTally:
         """An empty tally that also keeps the costs of runs."""
@@ -258,7 +258,7 @@ class CostsOfAll(Struct):
 
 
 class SideBySide:
-    """A transport, which sends units to workers, for the units of all entrants.
+    """One transport for the units of all entrants; a transport sends units to workers.
 
     It is made of one transport for each entrant.
     """
@@ -282,8 +282,8 @@ class SideBySide:
     ) -> Iterator[units.PartialResult]:
         """Yield the results of all units, part by part, as they come.
 
-        ``engines`` has an engine for each entrant.  In ``given`` the units of one entrant are
-        consecutive.
+        ``engines`` has an engine for each entrant.  In ``given``, all units of one entrant come
+        before the units of the next one.
         """
         for number, own in groupby(given, key=lambda unit: unit.number):
             transport = self._transports[number]
@@ -318,7 +318,7 @@ class Entrant(Struct, frozen=True):
         return self.named(self.subject.name)
 
     def named(self, explorer: str) -> str:
-        """The text ``explorer``, with ``@`` and a lighthouse if the entrant's name has these."""
+        """The name ``explorer``, with ``@`` and a lighthouse if the entrant's own name has them."""
         return f"{explorer}{AT}{self.at}" if self.at else explorer
 
     def scope(self, extent: classes.Extent, portion: units.Shard = units.WHOLE) -> units.Scope:
@@ -351,9 +351,9 @@ def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
 def _with_lighthouse(explore: object) -> tuple[Any, LighthouseKind | None]:
     """An explorer without ``@LIGHTHOUSE`` behind its name, and this lighthouse, or None.
 
-    Paths and commands may contain ``@``, too.  So ``@`` counts only before the name of a
-    lighthouse.  If the text before ``@`` names an explorer, any other text behind ``@`` is an
-    error.
+    Paths and commands may contain ``@``, too.  So ``@`` separates the two only if the name of a
+    lighthouse follows.  If no such name follows, but the text before ``@`` names an explorer
+    that is no program, this is an error.
     """
     name, at, lighthouse = explore.rpartition(AT) if isinstance(explore, str) else ("", "", "")
     try:
@@ -503,7 +503,7 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
         self.request = doc.replace(self.request, by=by)
 
     def contest(self, ending: outcome.Ending) -> dict[str, Any]:
-        """Return the fields that :class:`ContestReport` has, by name."""
+        """Return the values of the fields of a :class:`ContestReport`, by the fields' names."""
         return {
             **self.ended(ending, self.bounds),
             "findings": tuple(self.findings),

@@ -154,10 +154,10 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
 
 
 def _largest(growing: Growing, degree: int, edges: int) -> str:
-    """The name of the largest member with at most ``edges`` edges; removed edges are counted, too.
+    """The name of the largest member of a family with at most ``edges`` edges.
 
-    The name is empty if this member has fewer than :data:`LEAST` edges, or if all members have more
-    than ``edges`` edges.
+    Edges that are removed from a member later are counted, too.  The name is empty if this member
+    has fewer than :data:`LEAST` edges, or if all members have more than ``edges`` edges.
     """
     number = 1
     while families.edges_of(growing.member(number + 1, degree)) <= edges:
@@ -373,7 +373,7 @@ class _Size(Struct, frozen=True):
     """The members of a family that have one size.
 
     Attributes:
-        number: the number of the family among those of the request, from 0 on.
+        number: the family's index among the families of the request.
         family: the name of the family in the request.
         edges: the number of edges of a member before edges are removed.
         seeds: the number of members that were drawn.
@@ -390,9 +390,10 @@ class _Size(Struct, frozen=True):
 
 
 class GrowingWorlds(entrants.Contest[Growth]):
-    """The sweep of explorers through growing worlds, the sizes of all families in ascending order.
+    """The sweep of explorers through growing worlds, from the smallest size to the largest.
 
-    So, when the time is up, the smaller sizes of every family are finished.
+    The sizes of all families are in one order.  So, when the time is up, the smaller sizes of every
+    family are finished.
 
     Args:
         entrants: the explorers.

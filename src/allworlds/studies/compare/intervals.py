@@ -113,8 +113,9 @@ def _reach(left: Sequence[float], across: Sequence[float], degrees: int) -> floa
 def _bend(sizes: Sequence[float], heights: Sequence[float]) -> str:
     """A text that says how the points bend; empty if no quadratic term is significant.
 
-    By the theorem of Frisch, Waugh and Lovell the coefficient of the quadratic term is a slope:
-    that of the residuals of the heights over the residuals of the squares.
+    ``heights`` and the squares of ``sizes`` are each fitted by a line over ``sizes``.  By the
+    theorem of Frisch, Waugh and Lovell the coefficient of the quadratic term is the slope of the
+    residuals of the heights over the residuals of the squares.
     """
     left = _left_by(sizes, heights)
     if max(map(abs, left)) < CLOSE:

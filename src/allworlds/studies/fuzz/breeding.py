@@ -53,7 +53,10 @@ MUTANTS_TRIED = 20
 
 
 class Bred(Struct, frozen=True):
-    """The unit of the worlds that are bred from ``drawn``: the first draws of a block."""
+    """The unit of the worlds that are bred from the batch ``drawn``.
+
+    This batch has the first draws of a block; a block is :data:`DRAWS_PER_BLOCK` draws.
+    """
 
     drawn: Batch
 
@@ -100,14 +103,16 @@ def bred(
     bred worlds depend on the explorer and on these draws alone.  If the player is lost, breeding
     ends.
 
-    Rare lines are the only target, since two other targets did not help: a high cost, and long
-    agreement with a wrong hypothesis.  Measured with up to 60 edges, in 48 searches for a slip
-    behind four nested conditions: 256 draws found 4 slips, 64 draws and 192 bred worlds found 14.
-    With up to 12 edges, breeding found one such slip from 7 of 8 seeds, and 448 draws found this
-    slip from one of these seeds.  The two other targets found less than plain draws, in up to four
-    times the time.  The slip of an explorer that trusts a hypothesis after 24 steps was found by
-    these two targets from 2 and from 1 of 6 seeds, by plain draws from 4; a cost above 8,000 was
-    found by the two targets from 4 and from 3 of the seeds, by plain draws from 5.
+    Breeding helps to find slips behind nested conditions.  In 48 searches in worlds with up to 60
+    edges, for a slip behind four nested conditions, 256 draws found 4 slips; 64 draws and 192 bred
+    worlds found 14.  In worlds with up to 12 edges, breeding found one such slip from 7 of 8 seeds,
+    and 448 draws found it from one of these seeds.
+
+    Rare lines are the only target of breeding.  Two other targets were tried: a high cost, and long
+    agreement with a wrong hypothesis.  They found less than plain draws, in up to four times the
+    time.  One slip was that an explorer trusts a hypothesis after 24 steps: the two targets found
+    it from 2 and from 1 of 6 seeds, plain draws from 4.  A cost above 8,000 was found by the two
+    targets from 4 and from 3 of the seeds, by plain draws from 5.
 
     Cost: 256 traced runs, each some three times as expensive as a plain run.
     """
@@ -172,7 +177,7 @@ class _Pool:
     def _child(self, parent: CombinatorialMap) -> CombinatorialMap:
         """A mutant of the parent that is in the class of maps and within the bounds.
 
-        If none of :data:`MUTANTS_TRIED` mutants is, the parent itself is returned.
+        If none of :data:`MUTANTS_TRIED` mutants is such a map, the parent itself is returned.
         """
         for _ in range(MUTANTS_TRIED):
             child = mutated(parent, self._extent.levels[-1], self._random)

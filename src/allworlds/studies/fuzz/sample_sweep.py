@@ -124,7 +124,7 @@ def scope_of(request: FuzzRequest, rules: Rules) -> Scope:
 
 
 class SampleCounter(RunCounter, frozen=True, kw_only=True):
-    """The counter of a sample: of its runs, its worlds' features, and the runs in bred worlds.
+    """The engine that counts the runs of a sample, its worlds' features, and the bred worlds' runs.
 
     Attributes:
         subject, limits: the explorer, and the limits of its players; breeding needs both.
@@ -195,7 +195,7 @@ class FuzzSweep(TallySweep[CheckReport]):
     def begin(self) -> Ending | None:
         """Try again the findings of the user's corpus.
 
-        The job ends if as many of them are reproduced as the job keeps.
+        If the job keeps K findings, and K past findings or more are reproduced, the job ends.
         """
         return self.retry_past(self._tally)
 

@@ -336,10 +336,10 @@ class TeamRequest(
 def _one(
     name: str, map_: combinatorial.CombinatorialMap, starts: Sequence[int] | None
 ) -> GivenMaps:
-    """The given maps that consist of one map alone, under this name.
+    """Make given maps of one map alone; ``name`` is what the request calls it.
 
-    The map comes with every root; if an automorphism takes one root to another, only the first of
-    them is used.  If starts are given, the first start is the only root.
+    The map is taken with every dart as its root; if an automorphism takes one root to another, only
+    the first of them is used.  If starts are given, the first start is the only root.
     """
     if starts is not None:
         renamed(map_, starts)

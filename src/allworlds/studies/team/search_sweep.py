@@ -124,7 +124,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
     def begin(self) -> outcome.Ending | None:
         """Try again the past findings of the corpus.
 
-        The job ends if as many of them are reproduced as the job keeps.
+        If the job keeps K findings, and K past findings or more are reproduced, the job ends.
         """
         if self.corpus is None:
             return None
@@ -140,7 +140,8 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
         None if no law is broken.
 
         Raises:
-            OtherText: if the finding's model has changed, or its run has another number of robots.
+            OtherText: if the finding's model has changed, or the number of programs does not fit
+                the number of robots in the finding.
             LeftOpen: if a limit ends the search.
         """
         programs = tuple(self.request.explorers)
@@ -237,7 +238,8 @@ def request_again(
 ) -> TeamRequest:
     """The request that searches the world of a finding again, with these programs.
 
-    The model ``here`` is used if the finding names it.  It may exist in this process alone.
+    If the finding's model has the name of the model ``here``, then ``here`` is used: a model may
+    exist in this process alone.  Otherwise the finding's model is looked up by its name.
 
     Raises:
         InputError: if the model cannot be found, or has changed.
@@ -286,7 +288,10 @@ def _place(map_: CombinatorialMap, starts: Sequence[int]) -> Any:
 
 
 def _rooted_like(map_: CombinatorialMap, extent: Extent) -> Iterator[CombinatorialMap]:
-    """Yield maps of an extent; if ``map_``, with any root, is in the extent, it is among them."""
+    """Yield those maps of an extent that may be ``map_`` with another root.
+
+    If ``map_``, with any root, is in the extent, it is among them.
+    """
     if extent.given is not None:
         for unit in units.units_of_level(extent, map_.edge_count, units.WHOLE):
             yield from unit.maps(extent)

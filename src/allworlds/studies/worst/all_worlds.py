@@ -138,7 +138,7 @@ class WorstRow(doc.Document):
     def agrees(self) -> bool:
         """Whether the search agrees with the independent count, and with a run that is replayed.
 
-        The replayed run must attain the worst cost; this is not asked if a test was wrong.
+        The replayed run must attain the worst cost, unless a test of Algorithm 1 was wrong.
         """
         counted = self.counted in (None, self.worlds)
         return counted and (bool(self.wrong_tests) or self.replayed == self.worst)

@@ -166,9 +166,9 @@ class EverySchedule:
         return max((self._onward(explored, robot, p) for p in self._passes(explored)), default=0)
 
     def _onward(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
-        """The largest cost of a pass, which explores one edge, and of all later passes.
+        """The largest cost of all passes from this pass on; each pass explores one edge.
 
-        The way to the dart that the pass explores is included.
+        The way to the dart that this pass explores is included.
         """
         return self._most(explored, robot, chosen) + self._worst(chosen.explored, chosen.robot)
 
@@ -250,9 +250,9 @@ class EverySchedule:
         return None
 
     def _sensed(self, dart: Dart) -> tuple[int, Dart | None]:
-        """The degree at a dart by which the robot arrives, and this dart if it is at v0, else None.
+        """What the robot senses when it arrives by a dart: the degree, and at v0 the dart itself.
 
-        At v0 the robot knows the dart by the bearing.
+        At v0 the robot knows the dart by the bearing; at other vertices None stands for the dart.
         """
         marked = self._owner[dart] == self._v0
         return self._map.degree_at[dart], dart if marked else None
