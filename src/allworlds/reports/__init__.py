@@ -1,8 +1,8 @@
 """Results for people and for other programs; each form of report is loaded on first use.
 
 ``parts``
-    the parts of a report's content: scenes, which are the contents of pictures in every form, and
-    rows for programs;
+    the parts of a report's content, among them scenes (the contents of pictures in every form) and
+    rows for files such as CSV;
 ``content``
     the content of each verb's report;
 ``plain_text``, ``web``

@@ -176,10 +176,10 @@ def _texts(finding: "Finding | TeamFinding", number: int) -> tuple[str, str]:
 def _at(
     finding: "Finding | TeamFinding", source: SourceLine | None, root: Path
 ) -> SourceLine | None:
-    """The line of the user's code to which a finding belongs; else ``source``.
+    """The line of the user's code to which a finding belongs.
 
-    For one robot it is the first wrong line.  For a team it is the line of the program that is to
-    blame.  The line must be known, and its file must be inside the repository.
+    For one robot this is the first wrong line, for a team the line of the program that is to blame.
+    If this line is unknown, or its file is not inside the repository, ``source`` is returned.
     """
     if not isinstance(finding, Finding):
         blamed = place_of_explorer(finding.programs[finding.robot or 0])
@@ -302,11 +302,11 @@ def _source_of_check(root: Path) -> SourceLine | None:
 
 
 def _project(explorer: str) -> tuple[Path, SourceLine | None]:
-    """The root of the repository, and the line of the explorer's code, if its file is inside.
+    """The root of the repository; and, if the explorer's file is in it, the line of its code.
 
-    The root is the folder of the git repository that holds the current folder, or else the
-    explorer. Without a repository it is the folder that a CI service names, or else the current
-    folder.
+    The root is the folder of the git repository in which the current folder is, or else of the
+    repository in which the explorer is. Without a repository it is the folder that a CI service
+    names, or else the current folder.
     """
     here, source = Path.cwd().resolve(), place_of_explorer(explorer)
     above = (here, *here.parents, *(source.file.parents if source else ()))
@@ -374,8 +374,8 @@ class Format(Struct, frozen=True):
         of_content: the function that makes the file's content from the content of a report.
         suffix: the suffix of file names that means this format; empty if a user must write
             ``FORMAT:`` before the name.
-        shows: the kinds of content that the format can show, as in ``verbs``; a verb with one of
-            these has the format; empty: every verb has it.
+        shows: the kinds of content that the format can show; the module ``verbs`` names them.
+            Verbs whose reports have one of these kinds can write the format; empty: all verbs can.
         library: three words about a library that the format needs: its import name, the extra of
             this package that installs it, and the words for a refusal without it.  None: no library
             is needed.
@@ -394,7 +394,7 @@ class Format(Struct, frozen=True):
 
 
 def csv_rows(content: parts.ReportContent) -> str:
-    """The rows for programs as CSV; empty if there are no rows."""
+    """The report's rows as CSV; empty if there are no rows."""
     out, found = io.StringIO(), parts.rows_of(content)
     if found.columns:
         writer = csv.writer(out, lineterminator="\n")
@@ -409,7 +409,7 @@ LATEX |= {"\\": r"\textbackslash{}", "~": r"\textasciitilde{}", "^": r"\textasci
 
 
 def latex_rows(content: parts.ReportContent) -> str:
-    """The rows for programs as a table of LaTeX that needs no package; empty without rows."""
+    """The report's rows as a table of LaTeX that needs no package; empty if there are no rows."""
     found = parts.rows_of(content)
     if not found.columns:
         return ""
@@ -459,7 +459,7 @@ def sequence_diagram(content: parts.ReportContent) -> str:
 
 
 def parquet_rows(content: parts.ReportContent) -> bytes:
-    """The rows for programs as a file of Parquet, with a typed column for each name."""
+    """The report's rows as a file of Parquet, in which each column has a name and a type."""
     from pyarrow import BufferOutputStream, Table, bool_, float64, int64, schema, string
     from pyarrow.parquet import write_table
 

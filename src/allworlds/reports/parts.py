@@ -1,4 +1,4 @@
-"""The parts of the content of every report, and rows for programs.
+"""The parts of the content of every report, and rows for files such as CSV.
 
 A module of ``content`` makes the content of a verb's report.  ``plain_text``, ``web`` and the
 formats show any content, and know only the parts in this module.  A *scene* is a map with
@@ -144,10 +144,10 @@ def scene_of(world: World, dropped: Collection[int] = ()) -> Scene:
 
 
 def _names(world: World) -> Sequence[str]:
-    """The names of the vertices.
+    """The names of the vertices, each followed by what a user's lighthouse has there.
 
-    A user's lighthouse may have fields that hold darts.  The names of such fields follow the name
-    of the vertex of the dart.
+    A user's lighthouse may have fields that hold darts.  The name of such a field is added to the
+    name of the vertex at which the dart is.
     """
     map_, labels = world.map, world.labels
     named = [
@@ -193,7 +193,7 @@ CellValue: TypeAlias = int | float | str | bool | None
 
 
 class CsvRows(Struct, frozen=True):
-    """Rows for programs, as files of CSV have them.
+    """The rows of a report in files for other programs: CSV, Parquet and LaTeX.
 
     Attributes:
         columns: the type of each column, ``int``, ``float``, ``str`` or ``bool``, by its name.
@@ -205,7 +205,7 @@ class CsvRows(Struct, frozen=True):
 
     @classmethod
     def of(cls, results: Iterable[Any], **columns: type) -> CsvRows:
-        """A row for each result; the column with the name of an attribute holds its value."""
+        """Make a row of each result; each column holds the attribute that has the column's name."""
         return cls(columns, [[getattr(result, name) for name in columns] for result in results])
 
     @property
@@ -380,8 +380,8 @@ class ShownWalk(Struct, frozen=True):
         views: the pictures.
         sentences: sentences about the walk.
         elsewhere: the percepts of the same motions in another map; None if nothing is compared.
-        agreement: the number of steps, with the start, in which the first two views agree, so
-            that they are drawn alike; None if each view is drawn by itself.
+        agreement: the number of elements, from the start on, in which the trails of the first two
+            views agree, so that they are drawn alike; None if each view is drawn by itself.
         parting: the step at which belief and truth diverge; None if they do not.
         tour: whether the walk only serves to visit every edge, so that its steps mean nothing.
         lines: the line of the user's code for each step, as ``FILE:LINE``; empty if unknown.
@@ -478,7 +478,7 @@ class Quote(Struct, frozen=True):
 
 
 class DataRecord(Struct, frozen=True):
-    """Data for programs, beside the text for people.
+    """JSON data for other programs, beside the text for people.
 
     Attributes:
         title: the title of the data.
@@ -532,7 +532,7 @@ class ReportContent(Struct, frozen=True):
         whole: further sections, which a terminal shows only under the option ``-v``.
         more: a function that makes sections with walks to step through, for pages alone; it may
             play runs again.
-        rows: a function that makes the rows for programs; None: the steps of the first walk.
+        rows: a function that makes the rows of a CSV file; None: the steps of the first walk.
         cases: a function that makes the cases for test runners; None without cases.
         command: the words of the command line that make the names of cases unique among reports.
         page: a function that makes the page; None: a page of these sections.
@@ -612,7 +612,7 @@ def rows_of_walk(walk: ShownWalk) -> CsvRows:
 
 
 def rows_of(content: ReportContent) -> CsvRows:
-    """The rows for programs, by default the steps of the first walk; no columns without a walk."""
+    """The rows of a CSV file, by default the steps of the first walk; no columns without a walk."""
     if content.rows:
         return content.rows()
     blocks = (block for section in content.sections for block in section.blocks)

@@ -109,8 +109,8 @@ class Shapes:
     """The types in the schema of one document, as msgspec can describe them.
 
     Attributes:
-        written: whether the required keys are those that are always written; else they are those
-            that readers need.
+        written: True if a key is required because it is always written; False if a key is required
+            only because readers need it.
         also: the definitions of types that msgspec cannot describe, by their names.
     """
 
@@ -267,7 +267,7 @@ def page(name: str) -> Schema:
 
 
 def schemas() -> dict[str, Schema]:
-    """The schemas of all documents by their names; then ``names``, that of the tables of names."""
+    """The schemas of all documents by their names; the schema ``names`` has the tables of names."""
     parts: Schema = {}
     for name, (title, table) in NAMES.items():
         entries = [*table]

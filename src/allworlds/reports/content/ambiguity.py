@@ -150,7 +150,7 @@ def _walk(
     motions: Sequence[int],
     sentences: Sequence[str],
 ) -> parts.ShownWalk:
-    """One walk: the same motions in each of the worlds."""
+    """A walk that makes the same motions in each of the worlds."""
     walks = [Walk.of(world, map(actions.Move, motions)) for world in worlds]
     views = [
         parts.View(
@@ -170,7 +170,10 @@ def _walk(
 
 
 def _why_alike(quotients: Sequence[Quotient]) -> str:
-    """The reason why no motion tells worlds apart; their quotients differ at most in the sheets."""
+    """The reason why no motion tells worlds apart.
+
+    Their quotients must be equal, except for the numbers of sheets.
+    """
     sheets = [quotient.sheets for quotient in quotients]
     if len({*sheets}) > 1:
         who = f"A is a cover with {words.plural(sheets[0], 'sheet')} and B with {sheets[1]}, both"
@@ -328,11 +331,11 @@ def _found(result: twin_search.SearchResult) -> tuple[parts.Headline, list[tuple
 
 
 def tour(worlds: Sequence[World]) -> list[int]:
-    """The motions of one walk that, made in each of these worlds, goes along every edge there.
+    """Motions with which a robot goes along every edge, in whichever of these worlds it is.
 
     The worlds must look alike.  The walk takes the nearest new edge of the first world; of equally
-    near edges it takes the first one clockwise.  If no edge is left, it continues with the edges of
-    the next world.
+    near edges it takes the first one clockwise.  If no edge is left there, it continues with the
+    edges of the next world.
 
     Cost: the edges of all worlds, times the darts of one world.
     """

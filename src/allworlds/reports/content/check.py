@@ -86,7 +86,7 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
 
 
 def _rows(report: CheckReport) -> parts.CsvRows:
-    """A row for each number of edges and of vertices, also for a sample."""
+    """A row for each size: each pair of numbers of edges and of vertices; so for a sample, too."""
     played = {"worlds": int, "runs": int, "episodes": int}
     costs = {"traversals": int, "traversals_rooted": int, "max_cost": int, "bound": int}
     if report.asked.schedules == "all":
@@ -359,7 +359,10 @@ def _failure(report: CheckReport, name: str, found: Sequence[int]) -> parts.Suit
 
 
 def _findings(report: CheckReport, found: Iterable[int]) -> list[parts.Section]:
-    """A section for each finding with one of these indices, with its origin."""
+    """A section for each finding whose index is in ``found``.
+
+    The section says so if the finding comes from the user's corpus.
+    """
     sections = []
     for i in found:
         past = report.past and report.past.holds(report.findings[i])

@@ -88,7 +88,7 @@ def left_out(worlds: int) -> str:
 
 
 def option_facts(report: OfWorlds, said: Iterable[str]) -> list[tuple[str, str]]:
-    """A fact about the given options; the fields ``said`` are left out: other facts tell them."""
+    """A fact with the given options, without the fields ``said``, of which other facts tell."""
     given = given_again(type(report.request), report.request, but=said)
     return [("options", " ".join(given))] if given else []
 

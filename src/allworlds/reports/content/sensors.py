@@ -105,7 +105,7 @@ def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
 
 
 def _less_at_a_step(found: AmbiguitySensors) -> Iterator[str]:
-    """A sentence for each sensor that senses less at a step than others, but tells as much."""
+    """A sentence for each sensor that senses less at a step, but tells as many worlds apart."""
     for row in found.rows:
         less = row.lighthouse
         more = [b for a, b in found.coarser if a == less and (b, a) not in found.coarser]
@@ -129,7 +129,8 @@ def weakest_content(found: AmbiguityWeakest) -> parts.ReportContent:
     """The content for the weakest sensors: minimal coarsenings, and twins under coarser sensors.
 
     A coarsening is a sensor that is made from a finer sensor: some of its letters become one
-    letter. A minimal coarsening suffices, but no next coarser one does, as these twins show.
+    letter. A minimal coarsening suffices. If two more of its letters become one, it suffices no
+    longer, as the twins show.
     """
     rows: list[list[parts.Cell]] = [
         [

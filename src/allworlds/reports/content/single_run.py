@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 def known(run: SingleRun) -> parts.ShownMap | None:
     """The part of the world that a run's checkpoints show, with the first step of each piece.
 
-    None if there is no checkpoint, or if an S cannot be embedded in the world.
+    None if there is no checkpoint, or if the part S of a checkpoint does not fit into the world.
     """
     episode, world = run.outcome.episode, run.world
     if not episode.checkpoints:
@@ -76,7 +76,7 @@ def run_content(run: SingleRun | WorldNames) -> parts.ReportContent:
 
 
 def _rows(section: parts.Section) -> parts.CsvRows:
-    """The rows for programs: the steps of the walk that the section shows."""
+    """The rows of a CSV file: the steps of the walk that the section shows."""
     return parts.rows_of_walk(
         next(each for each in section.blocks if isinstance(each, parts.ShownWalk))
     )
@@ -94,7 +94,7 @@ def _said(run: SingleRun) -> str:
 def replay_content(replay: Replay) -> parts.ReportContent:
     """The content for a new run of a finding.
 
-    If the new run breaks no law, a page shows it, and the recorded run, too.
+    If the new run breaks no law, a page shows both runs: the new one and the recorded one.
     """
     recorded, run = replay.recorded, replay.again
     again = run.finding

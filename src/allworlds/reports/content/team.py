@@ -310,7 +310,10 @@ def _cell(event: EventRow, robot: int, most: int = COLUMNS) -> str:
 
 
 def sensed_in_words(turn: Turned, most: int) -> str:
-    """The percept of a robot's turn, in at most ``most`` characters if it is no usual percept."""
+    """The percept of a robot's turn, as text.
+
+    A percept other than degree, marks and bearing is cut to ``most`` characters.
+    """
     sensed: Any = turn.sensed
     if isinstance(sensed, dict) and {*sensed} == {"degree", "marks", "bearing"}:
         return str(Percept(**sensed))

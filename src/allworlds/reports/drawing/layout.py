@@ -287,7 +287,7 @@ def drawn_beside(
         first: the view of one map.
         other: the view of the other map.
         drawn: the layout of the first map.
-        agreement: the number of steps, with the start, in which both trails agree.
+        agreement: the number of elements, from the start on, in which the two views' trails agree.
     """
     world, answer = first.scene, other.scene
     ties = _ties(first, other, agreement)
@@ -304,9 +304,10 @@ def drawn_beside(
 
 
 def named_like(first: View, other: View, agreement: int) -> View:
-    """The view ``other``, named like the view ``first``, if the vertices of ``first`` have names.
+    """The view ``other``, with the names that the vertices have in the view ``first``.
 
-    The first ``agreement`` elements of both trails agree.
+    If vertices of ``first`` have no names, ``other`` stays as it is.  The first ``agreement``
+    elements of the two views' trails agree.
     """
     if not first.scene.vertices:
         return other
@@ -332,7 +333,8 @@ def extended(
     In a conflict a dart keeps its first partner; no dart of the map ``other`` is used twice.
 
     Args:
-        tied: the pairs to begin with, which are whole vertices of equal degree.
+        tied: the pairs of darts to begin with.  If one dart of a vertex is in a pair, all its darts
+            are, and their partners are all darts of a vertex of equal degree.
         map_: the map whose darts are the keys.
         other: the map whose darts are the values.
 

@@ -43,7 +43,7 @@ class PlanarMap(Struct, frozen=True):
 def planar(map_: CombinatorialMap) -> PlanarMap:
     """A drawing of the map in the plane; it has no crossing if and only if the genus is 0.
 
-    Cost: O(TRIES m c), for c crossings and edges.
+    Cost: O(TRIES m c); c is the number of crossings and edges together.
     """
     edges = map_.edges
     tries = min(len(edges), TRIES) if map_.genus else 1
@@ -105,7 +105,8 @@ class _Plane:
     def route(self, a: Dart, b: Dart) -> list[Dart]:
         """The darts that a shortest way from dart a's corner to dart b's corner crosses.
 
-        The way crosses each of these darts from left to right.
+        A dart's corner is its place between the drawn darts of its vertex.  The way crosses each of
+        the returned darts from left to right.
         """
         face_of, darts = self._faces()
         goal = self._face_at(b, face_of)
@@ -197,9 +198,10 @@ RING = 0.05
 class Mesh(Struct, frozen=True):
     """The triangulation of a planar drawing.
 
-    The points are, in this order: the darts; then, for each dart, three points beside it: after it
-    at its vertex, before it at its vertex, and to the left of its edge; the vertices, in the order
-    of sigma's cycles; the faces; and the ring of points round the drawing.
+    Its points are, in this order: a point for each dart; a point for each dart after it at its
+    vertex; one before it at its vertex; one to the left of its edge; a point for each vertex, in
+    the order of sigma's cycles; a point for each face but the outer one; and the points of the ring
+    round the drawing.
 
     Attributes:
         links: the neighbours of each point inside the ring, clockwise.

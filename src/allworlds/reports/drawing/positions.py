@@ -25,7 +25,10 @@ WIDE = 0.35 * tau
 
 
 def laid_out(scene: Scene) -> Layout:
-    """The drawing at the scene's positions; that of :func:`layout` without positions that fit."""
+    """The drawing with the vertices at the scene's positions.
+
+    Without positions, or if they do not fit the map, it is the drawing of :func:`layout`.
+    """
     placed = at_positions(scene.map, scene.positions) if scene.positions else None
     return placed or layout(scene.map, scene.root)
 
@@ -85,7 +88,7 @@ def _angles(
 
     Args:
         map_: a map with at least two vertices.
-        around: the darts of the vertex, clockwise, which is by ascending angles.
+        around: the darts of the vertex, clockwise; this is the order of ascending angles.
         centres: the positions of all vertices.
     """
     owner, alpha = map_.vertex_of, map_.alpha

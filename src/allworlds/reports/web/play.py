@@ -67,9 +67,9 @@ def game(play: Play) -> str:
 
 
 def costs_data(play: Play) -> dict[str, Any]:
-    """The costs for the script: that of Algorithm 1, if it was run, and the bound.
+    """The costs with which the page's script compares that of the reader.
 
-    The bound is None if there is none.
+    They are the cost of Algorithm 1, if it was run, and the bound on the cost, or None.
     """
     world = play.world
     bound = bound_named(world.lighthouse.as_kind.default_bound).of(world.map, world.start)
