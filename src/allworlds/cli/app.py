@@ -119,8 +119,8 @@ def _command(verb: Verb) -> _Verb:
 def _function_of(verb: Verb) -> tuple[Callable[..., int], dict[str, Any], str]:
     """The function of a verb on the command line, the parts of its request, and its help.
 
-    Most verbs answer a request, and write the answer: they share one function.  A verb that does
-    more has its own function.
+    Most verbs only answer a request and write the answer: these verbs share one function.  A verb
+    that does more has its own function.
     """
     if verb.help:
         answers = resolve_name(verb.path)

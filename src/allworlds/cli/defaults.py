@@ -103,7 +103,10 @@ def defaults_here() -> Defaults:
 
 
 def _table(file: str, text: str, name: str) -> dict[str, Any] | None:
-    """The table ``name`` of a TOML text, with a table for each verb; None without such a table."""
+    """The entries of the table ``name`` in a TOML text; None if the text has no such table.
+
+    An entry that has a verb's name is a table with the defaults for this verb alone.
+    """
     try:
         found: Any = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -115,9 +118,10 @@ def _table(file: str, text: str, name: str) -> dict[str, Any] | None:
 
 
 def _flat(table: Mapping[str, Any], group: str = "") -> Iterator[tuple[str, Any]]:
-    """Yield the entries of a table; the tables of a group's verbs get the whole names of the verbs.
+    """Yield the entries of a table of defaults, each with its name.
 
-    The whole name of a verb has two words: the group and the verb.
+    A verb in a group has a table inside the group's table.  This table gets the verb's whole name,
+    which has two words: the group and the verb.
     """
     for key, value in table.items():
         inner = isinstance(value, dict) and any(isinstance(each, dict) for each in value.values())
@@ -147,7 +151,8 @@ def _options(command: Any) -> dict[str, Any]:
 def _ensure_known(keys: Iterable[str], owner: str, known: Collection[str]) -> None:
     """Raise InputError for a key that is not among the known options.
 
-    ``owner`` is for the message: the name of a verb, or ``a verb``.
+    The message says that the key is no option of ``owner``: the name of a verb, or the words
+    ``a verb``.
     """
     for key in keys:
         if key not in known:
@@ -157,7 +162,7 @@ def _ensure_known(keys: Iterable[str], owner: str, known: Collection[str]) -> No
 def _value(key: str, value: object, param: Any) -> Any:
     """A value of the file, in the form in which the command line gives it.
 
-    This is a text, a list of texts, or, for a flag, whether it is set.
+    The form is a text, or a list of texts; for a flag it is True or False.
     """
     if getattr(param, "is_flag", False):
         if isinstance(value, bool):

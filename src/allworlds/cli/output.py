@@ -92,7 +92,8 @@ def _times_named(path: str) -> int:
 def _files_in(word: str) -> set[str]:
     """The real paths that a word of the command may name.
 
-    The path may be the whole word or value, may follow ``@``, or may be on either side of a colon.
+    In a word such as ``--option=VALUE`` only the value is searched.  The path may be the whole
+    text, may follow ``@``, or may be on either side of a colon.
     """
     value = word.partition("=")[2] if word.startswith("--") else word.removeprefix("-o")
     found = set()
@@ -253,7 +254,8 @@ def answered(function: Callable[..., Answer], request: Any, output: OutputGroup)
     """Answer a request by a function of the package; show progress if the request names a listener.
 
     Raises:
-        InputError: naming the option ``by`` if no file with rows is written.
+        InputError: naming the option ``by``, if it is given and no file of CSV or Parquet is
+            written.
     """
     from allworlds.studies.swept import RowOptions
 
@@ -285,7 +287,7 @@ def respond(function: Callable[..., Any], request: Any, output: OutputGroup) -> 
 def stdout_on_stderr() -> Iterator[None]:
     """Send to stderr all that the user's code prints to stdout.
 
-    This includes what programs print that the user's code starts.
+    If the user's code starts programs, their output to stdout is sent to stderr, too.
     """
     printed, stdout = sys.stdout, os.dup(1)
     os.dup2(2, 1)

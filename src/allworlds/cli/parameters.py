@@ -108,9 +108,9 @@ class Reader:
     asked: Option
 
     def __call__(self, _context: click.Context, parameter: click.Parameter, given: Any) -> Any:
-        """The value of the text.
+        """The value of the text that the command line gives.
 
-        This is a list of values if the option may be repeated, and None if there is no text.
+        For an option that may be repeated it is a list of values; without a text it is None.
 
         Raises:
             InputError: naming a text that is no legal value, or an option that is given twice.
