@@ -29,7 +29,7 @@ class MergeRequest(RowOptions, ListenerOptions):
 
 
 def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
-    """The class of the sweeps that answer the verb with this name."""
+    """The class of the sweeps for a verb, such as ``check``; a sweep does all units of a job."""
     from allworlds.studies.ambiguity.census_sweep import CensusSweep
     from allworlds.studies.check.exhaustive import CheckSweep
     from allworlds.studies.compare.comparison import SameWorlds
@@ -107,7 +107,7 @@ def merge(*runs: str | Path, by: str | None = None, listener: Listener | None = 
     No explorer is needed or run: each shard has confirmed its own findings.
 
     Returns:
-        The report of the job's verb, as if the job had no shards.
+        The report that the job's verb, such as ``check``, would have given without shards.
 
     Raises:
         InputError: if the directories are not of one job, overlap, or are damaged.

@@ -179,7 +179,7 @@ class UserCorpus(Struct, Generic[Found]):
         return CorpusReport(directory=str(self.directory), **files)
 
     def holds(self, finding: Found) -> bool:
-        """Whether the finding is one of the past findings that this check has reproduced."""
+        """Whether the finding is one of the corpus's findings that this check has reproduced."""
         return finding in self._standing
 
     def write(self, findings: Iterable[Found]) -> Iterator[str]:

@@ -368,7 +368,7 @@ def census(request: CensusRequest) -> AmbiguityCensus:
 
 
 class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
-    """The sweep of a census."""
+    """The sweep of a census: it goes through the worlds, level by level, and makes the report."""
 
     verb, request_type, result = "ambiguity census", CensusRequest, SensedParts
     extent: classes.Extent

@@ -118,7 +118,7 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
 
     @override
     def begin(self) -> outcome.Ending | None:
-        """Try again the findings of the user's corpus.
+        """Try again the findings in the user's corpus, a directory of earlier findings.
 
         If the check keeps K findings, and K past findings or more are reproduced, the check ends.
         """

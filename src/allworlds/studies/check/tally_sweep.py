@@ -272,7 +272,7 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
         self.corpus = corpus_of(request.corpus, request.run, Finding.from_json)
 
     def retry_past(self, total: tally.Tally) -> outcome.Ending | None:
-        """Try the findings of the corpus again; put those that are reproduced into ``total``.
+        """Try the user's earlier findings again; put those that are reproduced into ``total``.
 
         At most as many are put there as the job keeps.  If there are that many, return the ending
         of the job, else None.
@@ -287,7 +287,7 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
         return None
 
     def keep_new(self, total: tally.Tally) -> None:
-        """Write the new findings of ``total`` into the corpus.
+        """Write the new findings of ``total`` into the user's corpus, a directory of findings.
 
         For each finding that cannot be written, a remark is added to ``total``.
         """

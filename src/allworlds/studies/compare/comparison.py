@@ -224,7 +224,7 @@ class SameWorlds(Contest[Comparison]):
                 yield UnitOfOne(number, unit)
 
     def _placed(self, one: Entrant, map_: CombinatorialMap) -> tuple[tuple[World, int], ...]:
-        """The worlds of a map, one for each place of the entrant's lighthouse.
+        """The worlds of a map, one for each place of an explorer's lighthouse.
 
         With each world comes the number of the place.
         """

@@ -223,7 +223,7 @@ class InWorld(NamedTuple):
 
 
 class UnitOfOne(Struct, frozen=True):
-    """A unit of runs, and the number of the entrant that plays them."""
+    """A unit of runs, and the number of the compared explorer whose runs they are."""
 
     number: int
     unit: units.UnitOfRuns
@@ -235,7 +235,7 @@ class UnitOfOne(Struct, frozen=True):
 
 
 class CostsOfAll(Struct):
-    """The costs of each entrant's runs, by the entrant's number.
+    """The costs of the runs of each compared explorer, by the explorer's number.
 
     Parts can be added in any order.
     """
@@ -244,11 +244,11 @@ class CostsOfAll(Struct):
 
     @property
     def worlds(self) -> int:
-        """The number of rooted maps, counted once for each entrant."""
+        """The number of rooted maps, counted once for each explorer."""
         return sum(tally.worlds for tally in self.of.values())
 
     def one(self, number: int) -> CostTally:
-        """The tally of the entrant with this number; an empty one if it has no runs yet."""
+        """The tally of the explorer with this number; an empty tally if it has no runs yet."""
         return self.of.setdefault(number, CostTally(keep=1))
 
     def add(self, other: "CostsOfAll") -> None:
@@ -258,9 +258,9 @@ class CostsOfAll(Struct):
 
 
 class SideBySide:
-    """One transport for the units of all entrants; a transport sends units to workers.
+    """One transport for the units of all compared explorers; a transport sends units to workers.
 
-    It is made of one transport for each entrant.
+    It is made of one transport for each explorer.
     """
 
     def __init__(self, transports: Sequence[units.Transport]) -> None:
@@ -282,7 +282,7 @@ class SideBySide:
     ) -> Iterator[units.PartialResult]:
         """Yield the results of all units, part by part, as they come.
 
-        ``engines`` has an engine for each entrant.  In ``given``, all units of one entrant come
+        ``engines`` has an engine for each explorer.  In ``given``, all units of one explorer come
         before the units of the next one.
         """
         for number, own in groupby(given, key=lambda unit: unit.number):
@@ -322,11 +322,11 @@ class Entrant(Struct, frozen=True):
         return f"{explorer}{AT}{self.at}" if self.at else explorer
 
     def scope(self, extent: classes.Extent, portion: units.Shard = units.WHOLE) -> units.Scope:
-        """The scope of the entrant's runs in the worlds of ``extent``, or in a shard of them."""
+        """The scope of the explorer's runs in the worlds of ``extent``, or in a shard of them."""
         return units.Scope(extent, self.rules, coverage=portion)
 
     def first_world(self, map_: combinatorial.CombinatorialMap) -> world.World:
-        """The world of a map rooted at dart 0, with the entrant's lighthouse at its first place."""
+        """The world of a map rooted at dart 0; the explorer's lighthouse is at its first place."""
         return world.World(map_, next(iter(self.rules.kind.places(map_, 0))), 0)
 
 
@@ -435,7 +435,7 @@ class ContestReport(SweptReport, kw_only=True):
 
 
 class Contest(sweep.Sweep[CostsOfAll, Answer]):
-    """The sweep of several entrants through the same worlds.
+    """The sweep of several explorers through the same worlds.
 
     Args:
         entrants: the explorers.
@@ -491,7 +491,7 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
 
     @override
     def leave(self, level: units.SweptLevel, total: CostsOfAll) -> None:
-        """Keep the smallest finding of each entrant, in each growing family."""
+        """Keep the smallest finding of each explorer, in each family of growing worlds."""
         family = getattr(level.of, "number", 0)
         for number, tally in total.of.items():
             known = self._found.setdefault((family, number), CostTally(keep=1))
@@ -513,7 +513,7 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
 
     @override
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
-        """Confirm the findings of all entrants.
+        """Confirm the findings of all explorers.
 
         A job that was stopped because a law is broken counts as completed.
         """

@@ -446,7 +446,7 @@ class GrowingWorlds(entrants.Contest[Growth]):
             yield SweptLevel(edges, runs, self._units(mine), mine)
 
     def _units(self, size: _Size) -> Iterator[entrants.UnitOfOne]:
-        """Yield a unit for each entrant and world, with the chosen places of its lighthouse."""
+        """Yield a unit of runs for each explorer and world, at the chosen lighthouse places."""
         for number, one in enumerate(self.entrants):
             for member, map_ in size.maps.items():
                 _, ran = self._chosen(one, member, map_)
@@ -458,7 +458,7 @@ class GrowingWorlds(entrants.Contest[Growth]):
     def _chosen(
         self, one: entrants.Entrant, member: Member, map_: CombinatorialMap
     ) -> tuple[int, dict[int, Lighthouse]]:
-        """The number of places of an entrant's lighthouse in a world, and the chosen places.
+        """The number of places of an explorer's lighthouse in a world, and the chosen places.
 
         A chosen place is given as its number and the lighthouse at this place.  If the request
         allows fewer places than there are, places are drawn at random; the seed of this choice is
@@ -489,9 +489,9 @@ class GrowingWorlds(entrants.Contest[Growth]):
         )
 
     def _rows_of(self, size: _Size, total: entrants.CostsOfAll) -> Iterator[GrowRow]:
-        """Yield a row for each entrant, about the members whose runs are all done.
+        """Yield a row for each explorer, about the members whose runs are all done.
 
-        In a member there is one run for each chosen place of the entrant's lighthouse.
+        In a member there is one run for each chosen place of the explorer's lighthouse.
         """
         for number, one in enumerate(self.entrants):
             costs, members = total.one(number).costs, dict[CombinatorialMap, GrownWorld]()

@@ -66,7 +66,7 @@ class Bred(Struct, frozen=True):
         return f"{self.drawn.key}/bred"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
-        """Yield the draws from which the worlds are bred."""
+        """Yield the draws, which are random worlds, from which the unit's worlds are bred."""
         return self.drawn.placed(extent, kind)
 
 
@@ -100,8 +100,8 @@ def bred(
 
     The explorer is run in the first draws of the block, and its lines are traced; then it is run,
     generation by generation, in mutants of worlds in which it ran one of its rarest lines.  The
-    bred worlds depend on the explorer and on these draws alone.  If the player is lost, breeding
-    ends.
+    bred worlds depend on the explorer and on these draws alone.  If the player dies, or is silent
+    for too long, breeding ends.
 
     Breeding helps to find slips behind nested conditions.  In 48 searches in worlds with up to 60
     edges, for a slip behind four nested conditions, 256 draws found 4 slips; 64 draws and 192 bred

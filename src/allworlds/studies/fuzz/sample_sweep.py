@@ -146,7 +146,7 @@ class SampleCounter(RunCounter, frozen=True, kw_only=True):
 
 
 class FuzzSweep(TallySweep[CheckReport]):
-    """The sweep of a sample.
+    """The sweep of a sample: it goes through the random worlds, and makes the report.
 
     The first level is a few small worlds, which show whether the explorer walks for ever.  The next
     levels are waves of random worlds, each wave three times as large as all earlier waves together;
@@ -193,7 +193,7 @@ class FuzzSweep(TallySweep[CheckReport]):
 
     @override
     def begin(self) -> Ending | None:
-        """Try again the findings of the user's corpus.
+        """Try again the findings in the user's corpus, a directory of earlier findings.
 
         If the job keeps K findings, and K past findings or more are reproduced, the job ends.
         """
@@ -224,7 +224,7 @@ class FuzzSweep(TallySweep[CheckReport]):
     def conclude(self, ending: Ending) -> None:
         """Shrink the findings if the job is completed; confirm them, and add them to the corpus.
 
-        Past findings that this job has reproduced are confirmed already, and are in the corpus.
+        If the job has reproduced a finding of the corpus, nothing is confirmed or added.
         """
         settled = self.confirmation
         if isinstance(ending, Completed):

@@ -126,7 +126,9 @@ class Batch(Struct, frozen=True):
             yield map_, [random.choice(places)] if places else []
 
     def _drawn(self, extent: Extent, part: str, random: Random) -> CombinatorialMap:
-        """A random map of the class, drawn by this part, or by ``histories`` after many rejections.
+        """A random map of the class, drawn in the way of this part of the mixture.
+
+        After many rejected maps it is drawn in the way of the part ``histories``.
 
         Raises:
             InputError: if many maps of the part ``histories`` fail the condition, too.

@@ -122,7 +122,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 
     @override
     def begin(self) -> outcome.Ending | None:
-        """Try again the past findings of the corpus.
+        """Try again the findings in the user's corpus, a directory of earlier findings.
 
         If the job keeps K findings, and K past findings or more are reproduced, the job ends.
         """
@@ -159,7 +159,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 
     @override
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
-        """Write new findings into the corpus; add a remark for each that could not be written."""
+        """Write new findings into the user's corpus; add a remark for each failure."""
         if self.corpus is not None:
             for lost in self.corpus.write(self._tally.findings):
                 self._tally.remarks[lost] += 1
