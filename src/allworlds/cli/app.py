@@ -1,4 +1,4 @@
-"""The command line: its verbs and groups of verbs, and the errors for unknown words and options."""
+"""The command line: its verbs, such as ``check``, its groups of verbs, and its errors."""
 
 import os
 import shutil
@@ -73,7 +73,7 @@ class _Group(_Verb, click.RichGroup):  # type: ignore[misc]  # as rich-click's o
 
 @cache
 def command_line(first: str | None = None) -> click.RichGroup:
-    """The command of click that holds all verbs.
+    """The command, of the library click, that holds all verbs, such as ``check``.
 
     Args:
         first: the first word after ``allworlds``.  Only the verb or the group with this name gets
@@ -92,7 +92,7 @@ def command_line(first: str | None = None) -> click.RichGroup:
 
 
 def _listed(verb: Verb, **settings: Any) -> _Verb:
-    """The command of click for a verb; it has no options unless ``settings`` has them."""
+    """The command of click for a verb; ``settings`` may have its options."""
     return _Verb(verb.name.rpartition(" ")[2], verb, **settings)
 
 
