@@ -214,7 +214,7 @@ def defaults_used() -> dict[str, dict[str, Any]]:
 
 
 def made_by(report: Report, workers: int | None = None) -> MadeBy:
-    """The origin of the document of a report that is written now, with measured times.
+    """The origin of the document that is written now for a report; it has measured times.
 
     Args:
         report: the report; it may know the durations of its parts.

@@ -444,7 +444,7 @@ class RunRow(Struct, frozen=True):
 
 
 class ShownRun(Struct, frozen=True):
-    """A run of several robots: on a page step by step beside its map, in a text a diagram.
+    """A run of several robots: a page steps through it beside its map; a text shows a diagram.
 
     Attributes:
         title: the title of the picture.

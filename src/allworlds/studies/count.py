@@ -82,7 +82,7 @@ class CountRow(doc.Document, kw_only=True):
     def agrees(self) -> bool:
         """Whether enumeration and source give equal counts for every number of vertices.
 
-        It is true without a source.  In a shard: whether the enumeration counts no more maps than
+        Without a source this is True.  A shard agrees if the enumeration counts no more maps than
         the source.
         """
         return not self.miscounts
@@ -144,8 +144,8 @@ def count(request: CountRequest) -> Census:
     Raises:
         InputError: naming the offending option and what would be legal.
 
-    Cost: some microseconds a rooted map, in the class ``maps`` from 7 edges on some 150 ns;
-    constant memory.
+    Cost: some microseconds for each rooted map; in the class ``maps``, from 7 edges on, some 150
+    ns.  The memory is constant.
     """
     return CountSweep(request).answer(request.run)
 

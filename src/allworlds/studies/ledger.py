@@ -450,8 +450,8 @@ def entry_of(claim: Claim, check: ClaimFunction, means: Means) -> CheckedClaim:
     If the check takes at most :data:`QUICK` seconds, it is made twice.
 
     Raises:
-        InputError: naming the claim.  Its function ends the process, returns no outcome, or returns
-            another outcome the second time.
+        InputError: naming the claim, if its function ends the process, returns no outcome, or
+            returns another outcome the second time.
     """
     began = time.monotonic()
     entry = entry_with(claim, means.budget, _outcome_of(claim, check, means))

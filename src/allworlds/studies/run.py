@@ -1,7 +1,7 @@
 """One run: ``run`` plays it in one world, ``replay`` plays the run of a finding again.
 
-A replayed finding may be an entry of the corpus.  In ``play`` the user is the robot: a page
-compares the user's cost with that of Algorithm 1.
+A replayed finding may come from a corpus, which is a collection of findings.  In ``play`` the user
+is the robot: a page compares the user's cost with that of Algorithm 1.
 """
 
 import os

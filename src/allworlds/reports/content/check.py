@@ -27,7 +27,7 @@ from allworlds.words import about, counted, duration, listed, number, plural, si
 
 
 def check_content(report: CheckReport | time_estimate.TimeEstimate) -> parts.ReportContent:
-    """The content for a check: verdict, findings, scope and counts; or for the estimated duration.
+    """The content for a check: verdict, findings, scope and counts; or its estimated duration.
 
     The page of a check that holds also has the most expensive runs.
     """

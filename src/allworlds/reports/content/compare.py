@@ -23,8 +23,8 @@ from allworlds.world.named import code_of
 def compare_content(report: comparison.Comparison | growth.Growth) -> parts.ReportContent:
     """The content for a comparison: the verdict, the findings, and the costs.
 
-    A page of a comparison without growing worlds also has each explorer's walk in the world that
-    differs most.
+    A page of a comparison without growing worlds also has each explorer's walk in the world in
+    which the costs differ most.
     """
     return _growth(report) if isinstance(report, growth.Growth) else _comparison(report)
 

@@ -20,7 +20,7 @@ WIDTH = 90
 def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
     """The content for sensors: a row for each sensor, the order of sensors, the smallest twins.
 
-    The order compares sensors with equal places.
+    Two sensors are ordered only if their lighthouses can stand at the same places.
     """
     enough = [row.lighthouse for row in found.rows if row.sufficient]
     header = ["sensor", "suffices", "minimal", "fails from m", "maps alike"]

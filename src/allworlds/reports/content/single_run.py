@@ -290,7 +290,7 @@ def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
 
 
 def _law(finding: Finding, step: int | None) -> parts.FactList:
-    """Facts: the law, the expected and the found result, and lines of code.
+    """Facts about a finding: the law, the expected and the found result, and lines of code.
 
     If the found result is a map, the two results are left out.
     """

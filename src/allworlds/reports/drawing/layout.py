@@ -356,9 +356,9 @@ def extended(
 
 
 def dart_names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, many: int) -> list[str]:
-    """For each dart of a map the number of its partner in another map, which has ``many`` darts.
+    """For each dart of a map the number of its partner in another map.
 
-    Darts without a partner get new numbers, from ``many`` on.
+    Darts without a partner get new numbers, from ``many`` on: the other map has the numbers below.
     """
     new = iter(range(many, many + len(map_.sigma)))
     return [str(ties[d] if d in ties else next(new)) for d in map_.darts]

@@ -237,9 +237,10 @@ _Kind: TypeAlias = Callable[[Sequence[SheetPermutation]], Iterator[SheetPermutat
 def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
     """Yield the maps with this quotient, one for each way to permute the sheets.
 
-    Dart ``q * k + i`` of a map lies over class q, in sheet i.  Sigma changes the sheet only at the
-    last class of a vertex, alpha only at edges outside a spanning tree.  The same marked map
-    comes up to k times: once for each orbit of its automorphisms on the darts over class 0.
+    The quotient merges k darts into each class.  Dart ``q * k + i`` of a map lies over class q, in
+    sheet i.  Sigma changes the sheet only at the last class of a vertex of the quotient, alpha only
+    at edges outside a spanning tree.  The same marked map comes up to k times: once for each orbit
+    of its automorphisms on the darts over class 0.
 
     Cost: O(m) a map, and O(m) memory.
     """
@@ -271,7 +272,9 @@ def _lift(quotient: Quotient, choice: Iterator[SheetPermutation]) -> Combinatori
 
 
 def _permute(map_: list[Dart], k: int, q: int, to: int, moved: Sequence[int]) -> None:
-    """Let a permutation of darts take the darts over class q to those over class ``to``.
+    """Change a permutation of darts: it shall take the darts over class q to those over ``to``.
+
+    The darts over a class are those that the quotient merges into it, one in each sheet.
 
     Args:
         map_: the permutation of the darts, which is changed.
@@ -313,8 +316,8 @@ def _choices(kinds: Sequence[_Kind]) -> Iterator[tuple[tuple[int, ...], ...]]:
     A kind is a function: it gets the options chosen for the earlier kinds, and returns its own
     options.
 
-    No options are stored, unlike in a product; there may be thousands of kinds, unlike in a
-    recursion.
+    ``itertools.product`` would store all options, and a recursion could not go through thousands of
+    kinds; this function can, and stores no options.
     """
     chosen: list[SheetPermutation] = []
     options: list[Iterator[SheetPermutation]] = []

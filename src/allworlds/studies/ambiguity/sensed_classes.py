@@ -272,7 +272,7 @@ class NamedWorld(NamedTuple):
 
 
 def named(worlds: SensedWorlds) -> Iterator[NamedWorld]:
-    """Yield the names of each of some worlds with equally many darts."""
+    """Yield the names of each world; all these worlds have equally many darts."""
     import numpy as np
 
     count, told = len(worlds.sigma), worlds.told

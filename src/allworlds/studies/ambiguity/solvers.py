@@ -1,4 +1,4 @@
-"""Solvers of formulas, all with a time limit; the only module that imports z3 and pysat.
+"""Solvers of formulas, all with a time limit.  No other module imports z3 or pysat.
 
 ``python -m allworlds.studies.ambiguity.solvers FORMULA PROOF`` runs python-sat's CaDiCaL in a
 process of its own, since a call of CaDiCaL cannot be interrupted.

@@ -265,7 +265,7 @@ def search(request: SearchRequest) -> SearchResult:
 
 
 def _directory(out: str | Path | None) -> Path:
-    """The directory ``out``, which is made if it is missing; a new temporary one for None."""
+    """The directory ``out``, made if it is missing; a new temporary one if ``out`` is None."""
     if out is None:
         return Path(tempfile.mkdtemp(prefix="allworlds-search-"))
     directory = a_path("out", out)

@@ -85,11 +85,11 @@ class Confirmation(Struct, frozen=True):
         return bool(remarks)
 
     def replaced(self, name: str, found: Finding, by: Callable[[Finding], Finding]) -> Finding:
-        """The finding that the function ``by`` makes from ``found``.
+        """The finding that the function ``by`` makes from the finding ``found``.
 
-        The new finding is recorded under ``name``.  If one is recorded already, it is returned
-        without another call of ``by``.  If a remark is recorded instead, ``found`` is returned.  If
-        nothing is recorded and the deadline is past, ``found`` is returned, too.
+        The new finding is recorded in the run directory under ``name``.  If it is recorded there
+        already, ``by`` is not called again.  The old finding ``found`` is returned in two cases: a
+        remark is recorded in place of a finding; or nothing is recorded, and the deadline is past.
         """
         settled = self._recorded(name, found, by)
         return found if isinstance(settled, str) else settled

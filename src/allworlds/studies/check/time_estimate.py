@@ -138,8 +138,8 @@ def estimated(job: Job, engine: EngineKind) -> Guess:
 def one_larger(job: Job) -> classes.Extent | None:
     """The job's class of maps with one more edge.
 
-    None if the job has no bound on the edges, if no map has one more edge, or if one more edge is
-    more than :data:`COUNTABLE` edges, since counting so many maps takes long.
+    None if the job has no bound on the edges, or if no map has one more edge.  None, too, if the
+    larger maps have more than :data:`COUNTABLE` edges, since counting so many maps takes long.
     """
     extent = job.scope.extent
     if extent.edges is None or extent.edges >= COUNTABLE:

@@ -102,7 +102,7 @@ class Comparison(ContestReport):
         return self.all_counted
 
     def walks(self) -> Iterator[single.SingleRun]:
-        """Yield a run of each explorer in the world of ``differ_most``, if there is such a world.
+        """Yield a run of each explorer in the world where the costs differ most, if there is one.
 
         Each explorer's lighthouse is at the first of its places.
         """

@@ -9,5 +9,5 @@
 ``shrinking``
     the way from a refuting world to a small one;
 ``given_maps``
-    runs in maps that another program draws, such as Hypothesis, and the smallest finding.
+    runs in maps that another program, such as Hypothesis, draws; and the smallest finding.
 """

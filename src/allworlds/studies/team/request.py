@@ -351,7 +351,7 @@ def _one(
 
 
 def renamed(map_: combinatorial.CombinatorialMap, starts: Sequence[int]) -> tuple[int, ...]:
-    """The starts in the canonical numbering of the map with its root at the first start.
+    """The numbers of the starts after the map is numbered canonically from the first start on.
 
     Raises:
         InputError: for a start that is no dart of the map.
