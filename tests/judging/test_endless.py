@@ -249,10 +249,8 @@ def test_a_silent_run_tells_the_lines_in_which_it_was(tmp_path, monkeypatch):
     (finding,) = report.findings
     assert (finding.law, finding.detail) == ("timeout", "")
     told = [said for said in explain(finding).sentences if said.startswith("It was then in")]
-    assert re.fullmatch(
-        r"It was then in the function search \(stuck\.py:[56]\), called by explore \(stuck\.py:11\)\.",
-        told[0],
-    )
+    searches, explores = r"search \(stuck\.py:[56]\)", r"explore \(stuck\.py:11\)\."
+    assert re.fullmatch(f"It was then in the function {searches}, called by {explores}", told[0])
     assert "::error file=stuck.py,line=" in file_of("annotations", report)
     assert not [said for said in explain(replace(finding, output="")).sentences if "was in" in said]
 
