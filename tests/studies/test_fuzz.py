@@ -160,8 +160,8 @@ def test_a_report_tells_what_was_covered_and_what_follows():
     told = dict(scope_words(report))
     assert told["mixture"].startswith("uniform, cover, ring, regular, sparse, planar,")
     assert told["chance"] == (
-        "not refuted in 36 fresh draws: with 95 % confidence a draw of this distribution refutes "
-        "with probability below 3/36"
+        "not refuted in 36 fresh draws: with 95 % confidence, one more draw from this "
+        "mixture refutes with probability below 3/36"
     )
     # That is so: a slip that shows with this probability escapes 36 draws less often.
     assert all((1 - 3 / draws) ** draws < 0.05 for draws in (3, 36, 10**6))

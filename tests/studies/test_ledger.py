@@ -335,7 +335,7 @@ def test_each_standing_has_its_sign_and_what_differs_is_told(paper):
     told = text(report, 100)
     signs = [line[0] for line in told.splitlines() if line[:1] in "=≠?-" and line[1:2] == " "]
     assert signs[:3] == ["=", "≠", "-"]
-    assert "DIFFERS    not-all: verdict: refuted expected, holds found" in told
+    assert "DIFFERS    not-all: verdict: expected refuted, found holds" in told
     assert "REQUIRED   proof was not checked" in told
     assert brief(report, 100) == (
         "REFUTED: 3 claims: 1 holds, 1 not as expected, 1 not checked (1: Coq is not installed)"

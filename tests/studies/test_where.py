@@ -152,7 +152,7 @@ def test_a_wrong_count_under_a_condition_is_an_error(monkeypatch):
     assert allworlds.count(edges=3, where="trees").exit_code == 70
     report = allworlds.check(edges=3, where="trees")
     assert report.verdict.value == "error"
-    assert "but Catalan numbers counts 6" in text(report, 1000)
+    assert "but the independent count (Catalan numbers) is 6" in text(report, 1000)
     assert allworlds.ambiguity.census(edges=3, where="trees").exit_code == 70
 
 

@@ -458,7 +458,7 @@ class TwoVertices(Algorithm1):
                 return
 
     def reads(self, percept: Percept) -> Percept:
-        """What the algorithm compares of a percept: the degree, and whether the vertex is v0."""
+        """The parts of a percept that tests compare: the degree, and whether the vertex is v0."""
         return Percept(percept.degree, int(self.is_v0(percept)))
 
     def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:

@@ -250,7 +250,7 @@ class EverySchedule:
         return None
 
     def _sensed(self, dart: Dart) -> tuple[int, Dart | None]:
-        """What the robot senses when it arrives by a dart: the degree, and at v0 the dart itself.
+        """The robot's percept when it arrives by a dart: the degree, and at v0 the dart itself.
 
         At v0 the robot knows the dart by the bearing; at other vertices None stands for the dart.
         """
