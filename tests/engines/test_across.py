@@ -57,7 +57,7 @@ def test_a_flag_that_one_run_leaves_for_another_is_found_with_both_runs(latch, n
     assert (report.exit_code, found.law, found.confirmed) == (1, "nondeterministic", True)
     assert [size(world) for world in found.earlier] == [SIZES[name][0]]
     assert size(found.world) == SIZES[name][1]
-    assert "after that world" in found.seen
+    assert "After the explorer had explored" in found.seen
     assert (report.worlds, report.runs) == (86, 309)
 
 
@@ -69,7 +69,7 @@ def test_replay_plays_both_runs_and_explain_names_both(latch, tmp_path):
     assert again.outcome == "reproduced"
     assert again.again.finding.earlier == found.earlier
     assert found.reproduce.startswith("allworlds replay ")
-    assert "after that world" in " ".join(explain(read).sentences)
+    assert "After the explorer had explored" in " ".join(explain(read).sentences)
     tmp_path.joinpath("another.py").write_text(LATCH.format(earlier=0, later=0))
     assert replay(read).outcome == "not-reproduced"
 
