@@ -209,3 +209,7 @@ def test_a_map_grows_to_the_size_that_was_asked_for(picked):
 def test_the_least_bounds_are_one_edge(strategy):
     strategy(1, 1)
     strategy(3, 3)
+
+
+def test_a_failing_example_shows_the_answers_to_its_choices():
+    assert repr(strategies.Answers([2, 0])) == "Answers([2, 0])"

@@ -350,3 +350,8 @@ def test_of_the_edges_that_were_left_out_eight_are_named(rooms, more):
     )
     assert told.count("the edge from") == 8
     assert told.endswith(f"dart 17 of v0{more}.")
+
+
+def test_three_rounds_are_a_round_and_two_are_none():
+    assert round_of([1, 2] * 2) is None
+    assert round_of([1, 2] * 3) == Round(1, 2, 3)

@@ -172,3 +172,9 @@ def test_what_was_expected_may_be_a_text_or_a_number(finding, value):
 def test_what_was_expected_is_nothing_else(finding, value):
     with pytest.raises(InputError, match=r"^expected is a rooted map, an integer or a text, not "):
         Finding.from_json(finding.to_json() | {"expected": value})
+
+
+def test_a_report_of_another_schema_is_refused_by_its_number(finding):
+    report = {"schema": 1, "findings": [finding.to_json()]}
+    with pytest.raises(InputError, match="^report of schema 1; this program reads 2$"):
+        Finding.from_json(report)
