@@ -176,5 +176,5 @@ def test_what_was_expected_is_nothing_else(finding, value):
 
 def test_a_report_of_another_schema_is_refused_by_its_number(finding):
     report = {"schema": 1, "findings": [finding.to_json()]}
-    with pytest.raises(InputError, match="^report of schema 1; this program reads 2$"):
+    with pytest.raises(InputError, match=r"^report of schema 1; this program reads 2$"):
         Finding.from_json(report)
