@@ -176,8 +176,8 @@ class Settler:
     def _by_seed(self, batch: RunBatch, indices: list[int], seeds: Seeds) -> dict[int, Outcome]:
         """The outcomes that break a law, by index, of runs whose plays depend on the hash seed.
 
-        A run breaks no law if it breaks none under either seed.  Under the second seed, the runs
-        are played again in their worlds.
+        A run must break no law under both seeds.  The logs of the first seed are there; under the
+        second seed the runs are played once more, in their worlds.
         """
         batch.work.tally.remark(hash_seeds.GOES_BY_HASHES)
         again = self.plays.again(FIRST, seeds[SECOND], batch, indices)
@@ -191,7 +191,8 @@ class Settler:
 def _is_refused(without_words: Log, in_words: Log) -> bool:
     """Whether both plays end with the same illegal action.
 
-    The log ``without_words`` does not hold this action; the log ``in_words`` ends with it.
+    The log ``without_words`` is of compiled code, and stops before this action.  The log
+    ``in_words`` is of a play in Python, and ends with the action and its text.
     """
     known = without_words.actions
     faults = fault_of(without_words), fault_of(in_words)

@@ -99,9 +99,11 @@ class Sweep(ABC, Generic[Total, Answer]):
         verb: the study's name on the command line.
         request_type: the class of the study's requests.
         result: the class of the results of units, if its constructor needs no arguments.
-        finer: how many decisions longer than usual the prefix of each unit is.  A unit holds the
-            maps whose first decisions are its prefix; so a larger number makes smaller units.
-        narrowed: the extent whose condition is checked in fresh processes; None for no check.
+        finer: a larger number makes smaller units.  The enumeration makes a map by decisions, and
+            a unit holds the maps with the same first decisions; this is how many more of them are
+            fixed than usual.
+        narrowed: the extent with a condition of the user's.  Fresh processes must select the same
+            maps by it.  None if nothing is compared.
         portion: the shard: the part of all units that the job does.
         seconds: the seconds that each finished level took.
         deadline: the end of the time limit, on the monotonic clock; or None.

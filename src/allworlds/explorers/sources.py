@@ -1,8 +1,8 @@
 """Explorers in requests, and the files of explorers.
 
 In Python an explorer is given by a name or a function, on the command line by options.  This module
-finds files of similar names, the digest of an explorer's files, and the line where the explorer
-begins.  It runs no explorer.
+finds a file whose name resembles a mistyped one, the digest of an explorer's files, and the line
+where an explorer begins.  It runs no explorer.
 """
 
 import ast

@@ -175,7 +175,7 @@ class Claim(Sentence):
         return {"quick": self.quick, "full": self.full or self.quick}
 
     def scope_under(self, budget: Budget) -> str:
-        """The scope under a budget, in words."""
+        """The scope in words, under one of the ledger's budgets, ``quick`` or ``full``."""
         return self.scope.format(**self.scopes[budget].bounds)
 
     @property

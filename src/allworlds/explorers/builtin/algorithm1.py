@@ -322,7 +322,7 @@ class Algorithm1:
         return self.s.alpha[path[-1]] if path else partner
 
     def path_to_v0(self, partner: int) -> list[int]:
-        """Line 9: the darts by which a simple path in S from v_k' leaves its vertices."""
+        """Line 9: the darts by which a simple path in S, from v_k' to v0, leaves its vertices."""
         return list(simple_path(self.s, self.s.vertex[partner], 0, self.choices, "path"))
 
     def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:

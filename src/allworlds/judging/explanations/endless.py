@@ -82,9 +82,9 @@ def tell_way_back(story: Story) -> list[str]:
 
     A robot that comes back to a vertex faces the door by which it had left.  Some explorers count
     doors from another door instead: the one by which the robot had first come.  There is a sentence
-    if the walk looks like this mistake.  That is: with doors counted in this wrong way, some motion
-    along a walked edge would have led along a new edge, and no motion along a new edge would have
-    led along a walked edge.
+    if the walk looks like this mistake, which two tests decide.  Take the same motions, but count
+    doors in this wrong way.  Then some motion that in truth led along a walked edge leads along a
+    new one, and no motion that in truth led along a new edge leads along a walked one.
     """
     map_, darts = story.map, story.walk.darts
     came, left, walked, remarks = dict[int, Dart](), dict[int, Dart](), set[Dart](), list[str]()

@@ -1,4 +1,4 @@
-"""Content with named facts and tables: for jobs, new projects, and every other result."""
+"""Content with named facts and tables, for results that have no module of their own here."""
 
 from collections.abc import Sequence
 from typing import Any

@@ -156,8 +156,9 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
 def _largest(growing: Growing, degree: int, edges: int) -> str:
     """The name of the largest member of a family with at most ``edges`` edges.
 
-    Edges that are removed from a member later are counted, too.  The name is empty if this member
-    has fewer than :data:`LEAST` edges, or if all members have more than ``edges`` edges.
+    Some families remove a share of a member's edges; these edges are counted here.  The name is
+    empty if this member has fewer than :data:`LEAST` edges, or if all members have more than
+    ``edges`` edges.
     """
     number = 1
     while families.edges_of(growing.member(number + 1, degree)) <= edges:

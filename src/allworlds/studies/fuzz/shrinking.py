@@ -156,10 +156,10 @@ def _smaller(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -
 def placed_rootings(
     maps: Iterable[CombinatorialMap], scope: Scope
 ) -> Iterator[tuple[tuple[int, int, Code, int], tuple[world.World, int]]]:
-    """Yield a key and a world for each rooting of these maps and each place, by ascending keys.
+    """Yield a key, a world and its place for each rooting of these maps, by ascending keys.
 
     A key has four entries: the numbers of edges and of vertices, the code of the rooted map, and
-    the number of the lighthouse's place.  This last number also comes with the world.  Of
+    the number of the lighthouse's place; this last number is yielded beside the world, too.  Of
     isomorphic rootings only one is yielded.  Maps that are not in the scope's class, or do not
     satisfy its condition, are left out; the bounds of the scope do not matter.
     """

@@ -187,7 +187,8 @@ class Composed(Lighthouse):
 
     Attributes:
         parts: the lighthouses, each at its place.
-        kinds: the classes of the parts, in a class that :func:`composed` makes; empty in this one.
+        kinds: the classes of the parts.  :func:`composed` makes a subclass that has them; in this
+            class there are none.
     """
 
     parts: tuple[Lighthouse, ...]
