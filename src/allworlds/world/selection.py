@@ -183,11 +183,12 @@ def _try(kind: LighthouseKind) -> None:
 def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:
     """Yield faults of a kind of lighthouse in maps with at most ``edges`` edges.
 
-    At most one fault is yielded for each map.  These rules are tested.  The kind has a place in at
-    least one map with at most ``edges + 1`` edges.  No place occurs twice.  Two calls of a method return the
-    same.  If the darts get other names, the places, their order, the percepts, and the value told
-    to the explorer stay the same.  The kind gives marks and bearings only if its class says so.  If
-    a lighthouse is written as JSON and read again, the result is an equal lighthouse.
+    At most one fault is yielded for each map.  These rules are tested.  The kind has a place in
+    at least one map with at most ``edges + 1`` edges.  No place occurs twice.  Two calls of a
+    method return the same.  If the darts get other names, the places, their order, the
+    percepts, and the value told to the explorer stay the same.  The kind gives marks and
+    bearings only if its class says so.  If a lighthouse is written as JSON and read again, the
+    result is an equal lighthouse.
     """
     for map_, other in _renamed(edges):
         for wrong in islice(_flaws(kind.as_class, map_, other), 1):

@@ -191,7 +191,7 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
 
 
 def _of_sample(report: CheckReport) -> Iterator[tuple[str, str]]:
-    """Facts about a sample: its mixture, worlds made from its draws, the chance of a refuting draw."""
+    """Facts about a sample: its mixture, worlds made from draws, the chance of a refuting draw."""
     sample = report.asked.coverage
     if not isinstance(sample, units.Sample):
         return
