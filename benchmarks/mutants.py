@@ -328,8 +328,8 @@ class Copy:
         """The tests to run with a mutant, in their order."""
         own = f"/test_{Path(mutant.file).stem}.py::"
         module = mutant.file.removeprefix("src/").removesuffix(".py").replace("/", ".")
-        names = [mutant.name, module] if mutant.early and mutant.name else []
-        naming = {file for name in names for file in self._files_that_name(name)}
+        early = mutant.early and mutant.name
+        naming = self._files_that_name(mutant.name, module) if early else set()
         tests = {
             test
             for test in self.seconds
@@ -350,12 +350,12 @@ class Copy:
         files = list(dict.fromkeys(test.partition("::")[0] for test in chosen))
         return sorted(chosen, key=lambda each: files.index(each.partition("::")[0]))
 
-    def _files_that_name(self, name: str) -> set[str]:
-        """The files of tests that have this name in them, or in a text beside them."""
+    def _files_that_name(self, *names: str) -> set[str]:
+        """The files of tests that have one of these names in them, or in a text beside them."""
         found = set[str]()
         for path in self.tree.joinpath("tests").rglob("test_*.py"):
             texts = (each.read_text() for each in (path, path.with_suffix(".txt")) if each.exists())
-            if any(name in text for text in texts):
+            if any(name in text for text in texts for name in names):
                 found.add(str(path.relative_to(self.tree)))
         return found
 
