@@ -104,8 +104,8 @@ def tell_nondeterministic(story: Story) -> Telling:
 
 
 SHOW = (
-    "The explorer showed no wrong checkpoint. If it shows one after each edge, this report tells "
-    "where its map first goes wrong."
+    "The explorer showed no wrong checkpoint. If it shows its map after each edge, this report "
+    "tells where the map first goes wrong."
 )
 """The advice for a walk without an end and without a wrong checkpoint."""
 
@@ -168,12 +168,7 @@ def _say_left(story: Story) -> list[str]:
         visited = story.walk.visited
         left = [story.vertex(v[0]) for v in map_.vertices if map_.vertex_of[v[0]] not in visited]
     elif task == "cover:edges":
-        walked = story.walk.crossed
-        left = [
-            f"the edge from dart {a} of {story.vertex(a)} to dart {b} of {story.vertex(b)}"
-            for a, b in map_.edges
-            if a not in walked
-        ]
+        left = story.unwalked
     if len(left) > NAMED:
         left[NAMED:] = [f"{len(left) - NAMED} more"]
     verb = "walked along" if task == "cover:edges" else "visited"

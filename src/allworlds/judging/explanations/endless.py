@@ -116,12 +116,7 @@ def tell_way_back(story: Story) -> list[str]:
 
 def tell_open(story: Story) -> list[str]:
     """Name the edges that were never walked along; no sentence if there are none."""
-    walked = story.walk.crossed
-    edges = [
-        f"the edge from dart {a} of {story.vertex(a)} to dart {b} of {story.vertex(b)}"
-        for a, b in story.map.edges
-        if a not in walked
-    ]
+    edges = story.unwalked
     if len(edges) > SHOWN:
         edges[SHOWN:] = [f"{len(edges) - SHOWN} more"]
     return [f"The robot never walked along {listed(edges)}."] if edges else []

@@ -58,6 +58,16 @@ class Walked:
         """The name of a dart with its vertex: ``v1, dart 3``."""
         return f"{self.vertex(dart)}, dart {dart}"
 
+    @property
+    def unwalked(self) -> list[str]:
+        """The edges that the robot never walked along, in words."""
+        walked = self.walk.crossed
+        return [
+            f"the edge from dart {a} of {self.vertex(a)} to dart {b} of {self.vertex(b)}"
+            for a, b in self.map.edges
+            if a not in walked
+        ]
+
     def arrival(self, step: int) -> str:
         """The vertex and dart of the robot after a step, such as ``v1, dart 3``.
 
