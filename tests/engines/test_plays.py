@@ -112,3 +112,20 @@ def test_after_a_loss_each_run_is_played_alone(both, monkeypatch):
     asked.clear()
     assert [*both.fresh(7, list, [0, 2])] == [0, 2]
     assert asked == [(7, [0, 2])]
+
+
+def test_a_fresh_player_plays_as_its_player_does(both, monkeypatch):
+    asked = []
+    monkeypatch.setattr(
+        both, "anew", lambda seed, message: asked.append((seed, message)) or ([OVER], None)
+    )
+    batch = Batch(plain=True)
+    for which in (FIRST, SECOND):
+        both.alone(which, batch, 1)
+        assert [*both.again(which, 7, batch, [2])] == [2]
+    assert asked == [
+        (0, ("worlds", [1])),
+        (7, ("worlds", [2])),
+        (1, ("percepts", [1])),
+        (7, ("percepts", [2])),
+    ]

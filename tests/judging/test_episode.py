@@ -7,7 +7,7 @@ import pytest
 from allworlds import log
 from allworlds.explorers.builtin.algorithm1 import algorithm1
 from allworlds.inputs import checks
-from allworlds.judging.episode import Answered, Fault, followed, play
+from allworlds.judging.episode import Answered, Fault, ending_of, followed, play
 from allworlds.maps import CombinatorialMap, InvalidMap, from_cycles, rooted_maps
 from allworlds.protocol.actions import (
     Ambiguous,
@@ -901,3 +901,12 @@ def test_a_value_that_is_no_json_is_no_answer(text):
     episode = followed(log.Log(log.value(text)), WORLD, BUDGET)
     assert episode.ending == Fault("no-estimate", A_VALUE, checks.show(text))
     assert followed(log.Log(log.value("[1]")), WORLD, BUDGET).ending == Answered([1])
+
+
+@pytest.mark.parametrize(
+    ("code", "legal"),
+    [(log.BEYOND, "nothing: the record ends here"), (log.REFUSED, "a legal action")],
+)
+def test_an_action_after_the_end_of_a_record_and_one_that_is_refused_have_other_words(code, legal):
+    ending = ending_of(log.Log(bytes((0, 0, code))))
+    assert ending == Fault("illegal-action", legal, "Move(k=0)")

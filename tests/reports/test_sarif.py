@@ -248,6 +248,7 @@ def test_where_there_is_no_file_at_all_the_location_says_so(refuted, tmp_path, m
     (result, *_) = run_of(refuted)["results"]
     place = result["locations"][0]["physicalLocation"]
     assert place["artifactLocation"] == {"uri": "no%20file%20associated%20with%20this%20alert"}
+    assert place["region"] == {"startLine": 1, "startColumn": 1, "endLine": 1, "endColumn": 2}
 
 
 def test_the_rules_of_code_scanning_do_not_take_anything(repository, tmp_path):

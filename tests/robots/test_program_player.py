@@ -4,9 +4,10 @@ import pytest
 
 from allworlds.engines.players import Lost, Unsettled
 from allworlds.log import fault
-from allworlds.protocol.turns import FAULT, said
+from allworlds.protocol.turns import ACTION, BEGIN, FAULT, marshalled, said
 from allworlds.robots import program_player
-from allworlds.robots.program_player import MOST_LOST, ProgramPlayer
+from allworlds.robots.minds import Dialogue
+from allworlds.robots.program_player import MOST_LOST, ProgramPlayer, difference
 
 
 class Player:
@@ -116,3 +117,24 @@ def test_a_player_is_closed_once(dying):
     program.close()
     program.close()
     assert program.closed == 1
+
+
+@pytest.mark.parametrize("wrong", [None, 0, 1, 2])
+def test_every_history_is_played_again_the_last_one_first_and_one_difference_is_found(wrong):
+    roots = [(2 * which, BEGIN, told) for which, told in enumerate("abc")]
+    turns = [turn for root in roots for turn in (root, (root[0] + 1, root[0], "seen"))]
+    moved = [marshalled(0, ACTION, k) for k in (0, 1)]
+    dialogue = Dialogue(None, {}, turns, [b"", moved[0]] * 3, [], automaton=False)
+    asked = []
+
+    class Again:
+        def plays(self, histories):
+            asked.extend(told for told, _ in histories)
+            return [[moved[which == wrong]] for which in (2, 1, 0)]
+
+    found = difference(dialogue, Again())
+    assert asked == ["c", "b", "a"]
+    if wrong is None:
+        assert found is None
+    else:
+        assert found == (turns[2 * wrong + 1], "move 0", "move 1")

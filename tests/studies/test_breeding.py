@@ -155,6 +155,7 @@ def test_parents_are_the_last_worlds_of_the_rarest_lines():
     kept._child = lambda parent: parents.append(parent) or parent
     placed = [*kept.bred()]
     assert len(placed) == BRED_PER_GENERATION
+    assert breeding.BRED_PER_BLOCK % BRED_PER_GENERATION == 0  # whole generations
     assert {*parents} == {theta}
     assert {map_ for map_, _ in placed} == {theta}
     assert {place for _, places in placed for place, _ in places} <= {*range(3)}

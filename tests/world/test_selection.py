@@ -7,7 +7,8 @@ import pytest
 from allworlds.inputs.checks import InputError
 from allworlds.world import InvalidWorld, World, worlds
 from allworlds.world.named import world_named
-from allworlds.world.selection import tried_kind
+from allworlds.world.selection import OwnCondition, a_condition, tried_kind
+from small import EDGE, PATH
 
 MINE = """
 from dataclasses import dataclass
@@ -114,3 +115,15 @@ def test_places_of_all_worlds_are_all_or_the_first():
     assert [sum(1 for _ in worlds(edges=1, places=which)) for which in ("first", "all")] == [2, 3]
     with pytest.raises(InputError, match="places 'some' is not one of all, first"):
         next(worlds(edges=1, places="some"))
+
+
+def test_a_predicate_that_has_a_name_of_its_own_is_a_predicate_all_the_same():
+    class Even:
+        name = "even"
+
+        def __call__(self, map_):
+            return map_.edge_count % 2 == 0
+
+    condition = a_condition(Even(), local=True)
+    assert type(condition) is OwnCondition
+    assert [condition.holds(map_) for map_ in (EDGE, PATH)] == [False, True]

@@ -276,8 +276,6 @@ def _dotted_pairs(a: int, b: int, rest: tuple[int, ...], genus: int) -> int:
     for size in range(len(rest) + 1):
         for chosen in combinations(range(len(rest)), size):
             left = tuple(sorted((a, *(rest[i] for i in chosen))))
-            if sum(left) % 2:
-                continue
             right = tuple(sorted((b, *(d for i, d in enumerate(rest) if i not in chosen))))
             total += sum(_dotted(left, g) * _dotted(right, genus - g) for g in range(genus + 1))
     return total

@@ -297,8 +297,6 @@ def _plain(schema: Any) -> Any:
         case {"anyOf": [{"type": str(plain), **more}, {"type": "null"}]} if plain in SIMPLE:
             del kept["anyOf"]
             kept |= {"type": [plain, "null"], **more}
-    if kept.keys() & {"const", "enum"}:
-        kept.pop("$ref", None)
     if "properties" in kept and "description" in kept:
         # What follows the second paragraph is for those who read the class.
         title, *rest = kept.pop("description").split("\n\n")
