@@ -10,6 +10,10 @@ then leads to two nodes, these two nodes are merged, too.  Each node is a copy o
 true map, and its darts have the numbers of that vertex's darts.  Dart d of node v is the number
 ``v << NODE | d``.
 
+Three arguments have the same meaning in all functions.  ``published`` is S with its ``here``.
+``judged`` holds the laws that the checkpoints of a run have broken so far, and room for the work of
+the functions.  ``fold`` is the state of a log that is being folded.
+
 The twins, Python code with the same results: :mod:`allworlds.judging.laws` and
 :class:`allworlds.maps.combinatorial.CombinatorialMap`.
 """
@@ -41,7 +45,7 @@ NODE = DARTS.bit_length() - 1
 
 @inner
 def look_at(judged, published, world, dart, walked):
-    """Note in ``judged`` the laws that the checkpoint ``published`` breaks.
+    """Note in ``judged.broken`` the laws that the checkpoint ``published`` breaks.
 
     ``alpha[d] == d`` marks an open dart of S.  ``dart`` is the robot's true dart, and ``walked`` is
     the set of the darts of all edges that the robot has walked so far.
@@ -65,9 +69,10 @@ def look_at(judged, published, world, dart, walked):
 
 @inner
 def answer_law(published, world, dart, judged):
-    """The number of the law that the answer breaks (no-estimate, map or pose); 0 if it breaks none.
+    """The number of the law that an answer breaks (no-estimate, map or pose); 0 if it breaks none.
 
-    ``dart`` is the robot's true dart.
+    ``published`` is the answer, and ``dart`` is the robot's true dart.  ``judged`` is only room for
+    the work: the broken law is returned, and not noted there.
     """
     size, here = int64(published.darts), int64(published.here)
     if here < 0 or here >= size or not _is_map(published, judged):
@@ -86,7 +91,8 @@ def _is_part(judged, published, world, dart, walked):
     """Whether S, with its cyclic orders, is a part of the world, and all edges of S were walked.
 
     S is ``published``, and its ``here`` must stand for ``dart``, a dart of the world.  ``walked``
-    is the set of the darts of walked edges; -1 is the set of all darts.
+    is the set of the darts of walked edges; -1 is the set of all darts.  ``judged`` is only room
+    for the work: no law is noted there.
     """
     size, here = published.darts, published.here
     if here < 0 or here >= size or size > world.darts:
@@ -136,7 +142,8 @@ def _is_part(judged, published, world, dart, walked):
 def _is_map(published, judged):
     """Whether the published sigma and alpha are a connected map.
 
-    Both must be permutations, and alpha must pair each dart with another dart.
+    Both must be permutations, and alpha must pair each dart with another dart.  ``judged`` is only
+    room for the work.
     """
     size, sigma, alpha = published.darts, published.sigma, published.alpha
     if size <= 0 or size % 2 or size > LONG:
@@ -168,7 +175,11 @@ def _is_map(published, judged):
 
 @inner
 def folds(world, log, fold):
-    """Whether no dart of the folded log is open; the lighthouse must be directional."""
+    """Fold the log of a finished run; return whether no dart is open any more.
+
+    The lighthouse of ``world`` must be directional.  ``fold`` is room for the work: its content
+    before the call has no influence.
+    """
     fold.parent[0] = fold.linked[0] = fold.node = 0
     fold.open = world.degree[0]
     fold.nodes = 1
@@ -181,9 +192,10 @@ def folds(world, log, fold):
 
 @inlined
 def _step(world, fold, entered):
-    """Fold one more step: the robot arrives by the dart ``entered``.
+    """Fold one more step of the log: the robot arrives by the dart ``entered`` of the world.
 
-    There must be an open dart; without one the map is known, and no further step is folded.
+    Before this step some dart must be open.  If no dart is open, the map is known, and no further
+    step is folded.
     """
     leaving, at = world.alpha[entered], fold.node
     if fold.linked[at] >> leaving & 1:

@@ -1,8 +1,9 @@
 """Batches of runs that a shared library plays; only player processes use this module.
 
 A batch is played in its worlds, and then again by the percepts of this first play.  A run yields a
-log (:mod:`allworlds.log`), which another process judges.  The twin, Python code with the same logs:
-:mod:`allworlds.explorers.shared_library`.
+log (:mod:`allworlds.log`), which another process judges.  The memory of a batch is a
+:class:`Stretch`, named ``memory`` or ``shared``: runs are read from it, and logs are written to it.
+The twin, Python code with the same logs: :mod:`allworlds.explorers.shared_library`.
 """
 
 from collections.abc import MutableSequence, Sequence
@@ -95,9 +96,10 @@ class LibraryPlayer:
         return self._in_order(order, size, memory)
 
     def _in_order(self, order: Any, size: int, memory: Stretch) -> tuple[bytes, Any]:
-        """The lengths of the logs as bytes, and the logs, both sorted by the numbers of the runs.
+        """The lengths of a batch's logs as bytes, and the logs, both sorted by the runs' numbers.
 
-        ``order`` holds these numbers in the order in which the runs were played.
+        ``memory`` holds the logs, ``size`` bytes in all, in the order in which the runs were
+        played.  ``order`` holds the numbers of the runs in this order.
         """
         begins, lengths = memory.begins[: len(order)], empty(len(order), c_int)
         lengths[order] = diff(begins[order], append=c_int(size))
@@ -145,10 +147,11 @@ def move(begins, lengths, logs, moved):
 
 @entry
 def play(handed, shared, order, again):
-    """Play runs in this order; return the size of all logs in bytes, or -1 if they have no room.
+    """Play runs; return the number of bytes of all logs, or -1 if there is no room for the logs.
 
-    ``order`` holds the numbers of the runs.  If ``again`` is set, the runs are played by the
-    percepts of the first play, without a world.
+    ``shared`` is the memory of the batch: the runs are read from it, and the logs are written to
+    it.  ``order`` holds the numbers of the runs in the order of the play.  If ``again`` is set, the
+    runs are played by the percepts of the first play, without a world.
     """
     at = int64(0)
     for run in order:
@@ -164,7 +167,8 @@ def play(handed, shared, order, again):
 def _episode(handed, shared, run, again, at):
     """Play a run; return the index after its log, or -1 if there is no room for its log.
 
-    ``at`` is the index at which the log begins.
+    ``shared`` is the memory of the batch.  The log is written to ``shared.logs``, from index ``at``
+    on; the returned index is also one of ``shared.logs``.
     """
     explorer, action, head, logs = handed.library, handed.action, shared.heads[run], shared.logs
     cost, shown, turn = 0, 0, 1
@@ -228,9 +232,13 @@ def _sense(address, percept):
 
 @inlined
 def _arrival(sensed, offset, motion, degree):
-    """The offset, in the table of a world, of the percept at the end of this motion.
+    """The offset of the percept that the robot gets after this motion.
 
-    ``offset`` is the offset of the percept before the motion.
+    The world of a run is a table of five bytes for each dart: FIRST, PARTNER, and the three bytes
+    of the percept of a robot that arrives by the dart.  ``sensed`` is the address of the percept of
+    dart 0, and an offset is the distance in bytes from there.  ``offset`` is the offset of the
+    percept before the motion, ``degree`` is the degree in this percept, and ``motion`` is less than
+    ``degree``.
     """
     leaving = offset + layout.WIDE * motion
     if leaving >= layout.WIDE * (byte_of(sensed, offset + layout.FIRST - layout.DEGREE) + degree):
@@ -240,7 +248,11 @@ def _arrival(sensed, offset, motion, degree):
 
 @inlined
 def _begin(explorer, action, head):
-    """Let the explorer take the first step of a run."""
+    """Begin a run: let the explorer read its first percept, and write its first action.
+
+    The explorer writes the action to ``action``.  ``head`` holds the numbers of the run, such as
+    the number that the explorer is told before the start.
+    """
     explorer.wrong = 0
     if explorer.choose:
         call(explorer.choose, (explorer.state, explorer.pick, explorer))
@@ -251,7 +263,10 @@ def _begin(explorer, action, head):
 
 @inlined
 def _end(handed, logs, at):
-    """Write the end of the log, with or without an answer; return the index of its last byte."""
+    """Write the end of a log, with or without an answer; return the index of the last byte.
+
+    The end is written to ``logs``, from index ``at`` on.
+    """
     kind = handed.action[0]
     if kind == names.ANSWER_READY:
         return max(at, _publish(handed, logs, at, codes.ANSWERED) - 1)
@@ -267,10 +282,11 @@ def _end(handed, logs, at):
 
 @inner
 def _publish(handed, logs, at, what):
-    """Write the byte ``what``, then the explorer's map; return the index after the map.
+    """Write the byte ``what`` and the explorer's map to ``logs``; return the index after the map.
 
-    If a number of the map does not fit into a byte, write the byte BEYOND instead of all this, and
-    return its index.
+    The first byte has the index ``at``.  If the number of darts is not from 1 to MOST_DARTS, or if
+    another number of the map does not fit into a byte, write only the byte BEYOND, and return
+    ``at``.
     """
     explorer, here = handed.library, handed.here
     here[0] = NONE
@@ -293,10 +309,12 @@ def _publish(handed, logs, at, what):
 
 
 def pick(library, of, options, cost):  # pragma: no cover  # compiled
-    """Return the index that the policy chooses, to an explorer that calls ``allworlds_pick``.
+    """Return the index of the option that the policy chooses.
 
-    ``of`` is the number of the kind of choice, from 0 to 3.  A wrong call is noted in
-    ``library.wrong``.
+    The explorer calls this function as ``allworlds_pick``.  ``of`` is the number of the kind of
+    choice, from 0 to 3; ``options`` is the number of options; ``cost`` is the address of the costs
+    of the options, or 0.  If ``of`` is not from 0 to 3, or if ``options`` is less than 1,
+    ``library.wrong`` is set to 1, and the returned index is 0.
     """
     taken = 0
     if options < 1 or of < 0 or of > 3:

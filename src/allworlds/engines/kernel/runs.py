@@ -4,7 +4,8 @@ A run is a world with a place of the lighthouse.  Runs have the same numbers in 
 Python engine; a world without a place counts as one run.
 
 In this module a player is an explorer behind its C interface, or a reader of logs.  The judge is
-compiled twice: once for explorers, and once for readers.
+compiled twice: once for explorers, and once for readers.  The argument ``job`` is the state of the
+unit that is being done: the map and the lighthouse of the present run, its log, and more.
 """
 
 from typing import Any, NamedTuple
@@ -63,9 +64,9 @@ class UnitArrays(NamedTuple):
 def examine(job, player, unit, halt):
     """Play and judge the runs of a unit; return whether the unit is finished.
 
-    True: all runs are done, or the bound has no value for a run; ``job.undefined`` is then 1.
-    False: the work was given up, because ``halt[0]`` is not 0, or all runs before the run number
-    ``job.until`` are done.
+    True: all runs are done, or the bound has no value for a run; only in this second case
+    ``job.undefined`` is 1.  False: the work was given up, because ``halt[0]`` is not 0, or all runs
+    before the run number ``job.until`` are done.
 
     ``player`` is an explorer, or the reader of logs that an explorer has left.
     """
@@ -135,7 +136,12 @@ def _count_run(world, log, law, counts, most_expensive):
 
 @inner
 def _judged_run(job, player, budget, bound):
-    """Play and judge a run; return the number of the first law that it breaks, or 0."""
+    """Play and judge a run in ``job.world``; return the number of the broken law, or 0.
+
+    If the run breaks several laws, the number is that of the first law in the order of precedence.
+    ``budget`` is the largest legal number of traversals; a run with more of them ends.  ``bound``
+    is the largest legal cost of a finished run.
+    """
     world, log, judged = job.world, job.log, job.judged
     judged.broken = judged.shown = 0
     law = play(world, player, budget, log, judged)
@@ -276,7 +282,7 @@ def _note(reader, at, world, dart):
     """Write the percept on arriving by the dart as three bytes, from byte ``at`` of the percepts.
 
     A fourth byte is also written, but the next percept overwrites it.  If there is no room for the
-    percept, the log is counted in ``reader.strange``.
+    percept, the log is counted in ``reader.strange``, as a log for the Python judge.
     """
     if at + 4 > LOG_BYTES:
         reader.strange += 1

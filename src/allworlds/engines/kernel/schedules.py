@@ -11,6 +11,9 @@ Since every choice of a dart is tried, the costs are equal for all roots at v0. 
 maps that differ only in the root at v0, only one is searched: the rooted map with the least code.
 The code of a rooted map is its sigma and alpha, with the darts renumbered from the root.
 
+The maps are made as in :mod:`allworlds.engines.kernel.worlds`: a list of decisions makes a map, and
+``viable`` is the table that says which unfinished maps are legal.
+
 Source: Algorithm 1, Section IV.
 """
 
@@ -55,7 +58,8 @@ class Rooms(NamedTuple):
 def search(job, prefix, viable, rooms, halt):
     """Search all schedules in every map whose first decisions are ``prefix``.
 
-    The job is a new array ``SCHEDULES`` with the request filled in.  The search is given up once
+    ``job`` is a new array ``SCHEDULES`` with the request filled in.  ``viable`` is the table of
+    :func:`gluing_rule`.  The results are written to ``rooms``.  The search is given up once
     ``halt[0]`` is not 0.
     """
     while not halt[0] and advance(job.gluing, prefix, viable):
@@ -68,7 +72,11 @@ def search(job, prefix, viable, rooms, halt):
 
 @inner
 def _is_least(world, row, other):
-    """Whether no other root at v0 gives a smaller code; write the world's code to ``row[1:]``."""
+    """Whether no other root at v0 gives a smaller code than the root of the world, dart 0.
+
+    The number of vertices is written to ``row[0]``, and the code of the world to ``row[1:]``.
+    ``other`` is room for the code from another root.
+    """
     row[0] = world.vertices
     encode(world, 0, row, 1)
     for root in range(1, world.degree[0]):
@@ -83,7 +91,11 @@ def _is_least(world, row, other):
 
 @inner
 def _keep(job, rooms):
-    """Add the results of a world to the counts; keep the map with the largest worst cost so far."""
+    """Add the results of a world to the counts of the worlds with the same number of vertices.
+
+    Of these worlds the map with the largest worst cost so far is kept; of several such maps, the
+    map with the least code.
+    """
     n, counts, least, worst = job.world.vertices, rooms.counts, rooms.least, rooms.worst[0, 0]
     counts[n, TESTS] += job.tests
     counts[n, WRONG] += job.wrong
@@ -100,7 +112,8 @@ def _keep(job, rooms):
 def _solve(job, worst, best, reached):
     """Write the worst and the best cost of a run to ``worst[0, 0]`` and ``best[0, 0]``.
 
-    Entry ``[explored, v]`` is the cost from vertex v on, when these edges are explored.
+    In both arrays, entry ``[explored, v]`` is the cost that remains if the robot is at vertex v and
+    has explored the set ``explored`` of edges.  ``reached`` is room for :func:`_begin`.
     """
     world = job.world
     _begin(job, reached)
@@ -354,7 +367,9 @@ def schedule_costs_of_unit(
     simple: bool = False,
     planar: bool = False,
 ) -> list[ScheduleCosts]:
-    """The schedule costs of every map of a class whose first decisions are ``prefix``.
+    """The costs over all schedules, in the maps of a class whose first decisions are ``prefix``.
+
+    The result has one item for each number of vertices that occurs.
 
     Args:
         edges: m.
