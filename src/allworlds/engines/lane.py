@@ -5,7 +5,9 @@
 
 The lane is the loop: it gives the players batches, hears them, and goes on with each batch once one
 of its plays is complete.  Other modules judge a batch (``judge``), and define what a lost player
-means (``losses``) and what two plays that differ mean (``settling``, ``hash_seeds``).
+means (``losses``) and what two plays that differ mean (``settling``, ``hash_seeds``).  The runs of
+an :class:`AcrossUnit`, which are all runs of small worlds, are played in two opposite orders, each
+order by one process (``across``).
 """
 
 import time
@@ -37,9 +39,10 @@ class Lane:
         counter: the counter of the runs, which also holds the scope.
         limits: the limits of the time for an answer, and of memory.
         given: if there is only one run, its choices; such a run is not played again under further
-            seeds.  None if the scope determines the choices.
+            hash seeds.  None if the scope determines the choices.
         seeds: the hash seeds of both players.
-        first_lane: whether this is the one lane that starts the compiler and tries six more seeds.
+        first_lane: whether this is the one lane that starts the compiler, and that plays some runs
+            under six further hash seeds.
         deadline: the time, on the monotonic clock, after which the lane waits for no play; or None.
 
     Attributes:
@@ -78,7 +81,7 @@ class Lane:
     # ---------------------------------------------------------------- units
 
     def offer(self, unit: units.UnitOfRuns) -> None:
-        """Take a unit, on which the next turns will work."""
+        """Take a unit; the next calls of :meth:`turn` work on it."""
         work = Work(unit, self.counter.tally())
         if isinstance(unit, units.AcrossUnit):
             work.open, seeds = 1, hash_seeds.across(self._plays.seeds)
@@ -99,7 +102,7 @@ class Lane:
 
     @property
     def keeps(self) -> bool:
-        """Whether the lane keeps runs that it will play under further seeds, see :meth:`end`."""
+        """Whether the lane keeps runs that :meth:`end` will play under further hash seeds."""
         return bool(self._more_seeds)
 
     def turn(self, others: Sequence[int] = ()) -> list[units.PartialResult]:
@@ -109,7 +112,8 @@ class Lane:
             others: descriptors; the turn ends when one of them is readable.
 
         Raises:
-            InputError: if the explorer cannot be loaded, or if a user's model raises it.
+            InputError: if the explorer cannot be loaded, or if a lighthouse, task or condition of
+                the user fails.
             Unsettled: if processes are lost again and again, or the explorer is silent too often.
             HarnessError: if a player fails because of an error in this package.
         """
@@ -126,7 +130,7 @@ class Lane:
         return self._done()
 
     def end(self) -> tally.Tally:
-        """Play some runs under further seeds, after all units; return the tally of these plays."""
+        """Play the kept runs under further hash seeds, after all units; return their tally."""
         return self._more_seeds.end()
 
     def close(self) -> None:
@@ -249,10 +253,12 @@ class Lane:
     # ---------------------------------------------------------------- across units
 
     def _hear_across(self, across: Across) -> None:
-        """Hear the players that play all runs in both orders; at the end look for differences.
+        """Go on with an :class:`AcrossUnit`, whose runs are played in two opposite orders.
 
-        If a fresh player has repeated a loss, the explorer is refuted; then these plays are given
-        up, because their players would be lost, too.
+        The first call begins these plays, and later calls hear their players.  Once the plays are
+        complete, their logs are compared: a run whose log depends on earlier runs refutes the
+        explorer.  If a fresh player has repeated a loss before, the explorer is refuted already;
+        then these plays are given up, because their players would be lost, too.
         """
         if not (across.begun or self._losses.repeated):
             across.begin(self._first_logs)

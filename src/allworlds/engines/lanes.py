@@ -1,8 +1,10 @@
 """The transport that brings units to lanes, in this process and in forked processes.
 
-A lane is a judge with its two players.  One lane is in this process, unless a lighthouse, task or
-condition of the user takes part, because the user's code could end the process.  With more workers,
-this lane begins first, because a small job ends before forked lanes are ready.  Lanes are forked
+A lane is a judge with its two players.  One lane is in this process, unless code of the user is
+needed beside the explorer, because this code could end the process: a lighthouse, a *task* (the
+demand on a run; by default, to answer with the map) or a *condition* (a property of maps that
+selects the worlds).  :func:`workers_for` lists all exceptions.  With more workers, the lane in
+this process begins first, because a small job ends before forked lanes are ready.  Lanes are forked
 after everything is loaded.  If a forked lane ends too early, other lanes do its units again, so
 that no verdict is lost.  A lane gets one unit at a time, as soon as the lane can begin that unit.
 """
@@ -152,7 +154,7 @@ class Lanes(Struct):
         Raises:
             TimeIsUp: when the time limit has been reached.
             InputError: if the explorer cannot be loaded, or if a lighthouse, task or condition of
-                the user raises it.
+                the user fails.
             Unsettled: if processes are lost again and again.
         """
         waiting = in_any_order(units) if self.subject.from_user else iter(units)
@@ -309,7 +311,10 @@ def workers_for(
 ) -> Transport:
     """The transport that brings units to the lanes for an explorer.
 
-    The explorer, the limits and the models decide whether the lanes are in this process, or forked.
+    If no other process can load the explorer, the only lane is in this process.  For any other
+    explorer, lanes are forked if there are several workers, if ``models`` is set, or if the memory
+    of a built-in explorer is limited.  In the last two cases, and for a shared library with several
+    workers, no lane is in this process.
 
     Args:
         subject: the explorer.

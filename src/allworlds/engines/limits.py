@@ -86,7 +86,11 @@ def positive(name: str) -> Callable[[Any], Any]:
 
 
 def _seconds(about: str, panel: str = RARE_EFFORT) -> Option:
-    """An option for a number of seconds; the option does not belong to the identity of a job."""
+    """An option for a number of seconds on which no result depends.
+
+    ``about`` is the help of the option, and ``panel`` is the part of the help that shows it.
+    An interrupted job can go on with another value of the option.
+    """
     return Option(panel, "S", about, parse=seconds_of, apart=True)
 
 

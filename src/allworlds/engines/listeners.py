@@ -24,7 +24,10 @@ class Listener:
         """
 
     def walk(self, turns: int, budget: int) -> None:
-        """Hear that a run goes on, with the explorer's turns so far and the run's step budget."""
+        """Hear that a run goes on, in which the explorer has had ``turns`` turns so far.
+
+        ``budget`` is the largest legal number of traversals in the run.
+        """
 
     def notice(self, text: str) -> None:
         """Hear a message to the user."""

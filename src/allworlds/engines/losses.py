@@ -7,14 +7,14 @@ The left column says what a further play shows, the right column what follows:
 
     ======================================================  ====================================
     a fresh player that plays this run alone is also lost   the run breaks the law of the loss
-    the fresh player is not lost; the machine cannot be     the run breaks that law after other runs
-    the cause, or it is at least the second time-out that
-    no fresh player repeats
+    the fresh player is not lost; the machine cannot be     the run breaks the law of the loss, but
+    the cause, or it is at least the second time-out that   only if other runs came before it in the
+    no fresh player repeats                                 same process
     the fresh player is not lost, in all other cases        a remark: it refutes nothing
     ======================================================  ====================================
 
-Once a fresh player has repeated a loss by a law, the run of each further loss by that law breaks
-the law, without another play.  A remark is a line of the report that refutes nothing.
+After a fresh player has repeated one crash, each later crash counts as repeated, without a further
+play; the same holds for time-outs.  A remark is a line of the report that refutes nothing.
 """
 
 from collections import Counter

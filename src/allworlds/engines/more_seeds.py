@@ -30,7 +30,10 @@ class MoreSeeds:
         return bool(self._kept)
 
     def keep(self, batch: RunBatch) -> None:
-        """Keep some runs of a batch, if its worlds are of the last level, and not small."""
+        """Keep runs of a batch, if its worlds are of the last level, and have over SMALL edges.
+
+        At most :data:`KEPT` runs are kept in all.
+        """
         levels = self._settler.judge.counter.scope.extent.levels
         wanted = self._wanted and len(self._kept) < KEPT
         edges = batch.due(0).world.map.edge_count if wanted else 0

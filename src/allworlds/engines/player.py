@@ -49,11 +49,12 @@ bad input; an error of our code; the second logs of a library do not fit into me
 TURNS = "turns", "histories"
 """The kinds of messages that ask an explorer for single turns, or for the turns of whole histories.
 
-A history is the list of all that the explorer has sensed since its start.
+In a turn the explorer gets one percept, and replies with its next action.  A history is the value
+that the robot is told before the start, and all percepts since then.
 """
 
 PICKLED = ("model", "maps", "walk")
-"""The kinds of messages with pickled worlds, whose code the player loads."""
+"""The kinds of messages whose content, such as worlds, is pickled; the player unpickles it."""
 
 NO_RUN = -1
 """The number that stands for no run in progress."""
@@ -140,7 +141,7 @@ class _Server:
         self._turns: Turns | None = None
 
     def serve(self, batch: dict[str, Any]) -> None:
-        """Play a batch, and send its logs."""
+        """Do the work that a message asks for, such as to play a batch; send the answer."""
         self._beat[0] = NO_RUN
         try:
             if batch["kind"] == "native":
@@ -247,7 +248,11 @@ def turns_of(subject: Subject, player: Player, beat: Any) -> Turns:
 
 
 def turns_taken(turns: Turns, batch: dict[str, Any]) -> list[bytes]:
-    """The explorer's replies, as bytes, to the turns or histories in a batch (:data:`TURNS`)."""
+    """The explorer's replies, as bytes, to the turns or the histories in a batch.
+
+    In a turn the explorer gets one percept, and replies with its next action.  A history is all
+    percepts of one run so far; one item of the result holds the replies to all of them.
+    """
     if batch["kind"] == "histories":
         return turns.plays(batch["content"])
     return turns.replies(batch["content"], known=batch["known"])
@@ -296,8 +301,13 @@ def in_bytes(told: actions.Told, transcript: actions.Transcript) -> bytes:
 def _around(kind: str, world: Any, told: Any, over: bool) -> Any:
     """The object that answers the explorer's actions, made from ``world``.
 
-    The kind of the batch says what ``world`` is: the table of a world (kind ``table``), recorded
-    percepts (kind ``record``), or the arguments of :class:`AroundExplorer` (any other kind).
+    Args:
+        kind: the kind of the batch, which says what ``world`` is.
+        world: the table of a world (kind ``table``), recorded percepts (kind ``record``), or the
+            arguments of :class:`AroundExplorer` (any other kind).
+        told: the value that the robot is told before the start; only for the first two kinds.
+        over: whether the run ends after the last recorded percept, because its task is done; only
+            for the kind ``record``.
     """
     if kind == "table":
         return playing.TableWorld(world, told)

@@ -86,7 +86,8 @@ class Description(NamedTuple):
 
     Attributes:
         keywords: the keyword arguments that the explorer takes, such as ``told``.
-        has_shield: whether the explorer is wrapped in a shield, as by the name ``shield:NAME``.
+        has_shield: whether the explorer is inside a shield, as by the name ``shield:NAME``.  A
+            shield walks on until the map is known, and answers in place of the explorer.
     """
 
     keywords: frozenset[str]
@@ -254,7 +255,8 @@ class PlayerProcess:
 
         Raises:
             Lost: if the player is silent for too long, or has died.
-            InputError: if the explorer cannot be loaded, or if a user's model raises it.
+            InputError: if the explorer cannot be loaded, or if a lighthouse, task or condition of
+                the user fails in the player.
             HarnessError: if the player itself has failed.
         """
         self._write()

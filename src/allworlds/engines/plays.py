@@ -121,9 +121,9 @@ class BothPlays:
         return heard
 
     def longest_walk(self) -> tuple[int, int] | None:
-        """The explorer's turns in the longest run in progress, and the step budget of that run.
+        """The explorer's turns in the longest run in progress, and the budget of that run.
 
-        Return None if no run is in progress.
+        The budget is the largest legal number of traversals.  Return None if no run is in progress.
         """
         walks = list[tuple[int, int]]()
         for player in self.players:

@@ -3,7 +3,8 @@
 The identity of a job is all that its report depends on.  Results are merged only if the identities
 of their jobs are equal.  The file holds JSON texts and no code.  Each unit is written in one
 transaction, so that a killed process loses only the units that it was doing.  The checksum of a row
-is checked when the row is read.
+is checked when the row is read.  A command locks the file ``lock`` of the directory while it adds
+units, so that no other command adds units at the same time.
 """
 
 import fcntl
@@ -67,7 +68,7 @@ def damaged(path: Path, how: str) -> InputError:
 
 @contextmanager
 def saying_where(path: Path) -> Iterator[None]:
-    """A context in which an error of SQLite becomes a one-line error about the directory."""
+    """A context in which an error of SQLite becomes an InputError that names the directory."""
     try:
         yield
     except sqlite3.OperationalError as error:
@@ -106,7 +107,7 @@ class Database:
         return None if row is None else json.loads(self._sound(f"unit {key}", *row)[3])
 
     def units(self) -> Iterator[tuple[str, int, float, Any]]:
-        """Yield the key, the number of worlds, the time and the result of each finished unit."""
+        """Yield key, number of worlds, time of the end, and result of each finished unit."""
         with saying_where(self.path):
             for row in self._connection.execute("SELECT * FROM units"):
                 key, worlds, finished, result, _ = self._sound(f"unit {row[0]}", *row)
@@ -115,7 +116,8 @@ class Database:
     def keep(self, key: str, worlds: int, finished: float, result: Any) -> None:
         """Write a finished unit and the time of its end, in a transaction of its own.
 
-        If the lock was removed and another command writes the same unit, both results are equal.
+        A row of the same unit is replaced.  Such a row can exist if the file ``lock`` was removed,
+        and another command has done the same unit; the results of both commands are equal.
 
         Raises:
             sqlite3.OperationalError: if there is no room for the unit.

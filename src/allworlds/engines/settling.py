@@ -1,7 +1,10 @@
 """The search for runs of a batch that break a law, after both plays of every run.
 
-If the two plays of a run differ, fresh players repeat both plays, each under its own hash seed and
-twice: once in the order of the runs, and once in the reverse order.
+If the two plays of some runs differ, fresh players repeat both plays of these runs, each play under
+its own hash seed.  They do so twice: once in the order of these runs, and once in the reverse
+order.  The table of :mod:`allworlds.engines.hash_seeds` says what follows from these plays: either
+the hash seeds explain the difference, and each run is judged under both seeds, or the explorer is
+nondeterministic.  If the machine may have ended a play, further plays decide.
 """
 
 from collections.abc import Sequence
@@ -73,9 +76,10 @@ class Settler:
             counter.settle(referee, due.world, due.place, outcome, batch.work.tally)
 
     def give_up(self, which: int, batch: RunBatch) -> None:
-        """Keep the findings of the runs of an unfinished batch in which a player was lost.
+        """Keep the findings of those runs of a batch in which a player was lost.
 
-        ``which`` is the number of that player.  The batch itself is not counted.
+        The batch is not finished, and its runs are not counted.  ``which`` is the number of the
+        lost player.
         """
         outcomes = dict[int, Outcome]()
         for index in batch.lost:
@@ -105,7 +109,8 @@ class Settler:
     def _own(self, batch: RunBatch, index: int) -> Outcome:
         """The outcome of a run by its first play.
 
-        If that play did not make the choices of its script, the explorer is nondeterministic.
+        If every schedule is tried, the first choices of each play are prescribed: its script.  If
+        the play did not make these choices, the explorer is nondeterministic.
         """
         one = batch.outcome(index)
         if not one.fits:
@@ -176,8 +181,9 @@ class Settler:
     def _by_seed(self, batch: RunBatch, indices: list[int], seeds: Seeds) -> dict[int, Outcome]:
         """The outcomes that break a law, by index, of runs whose plays depend on the hash seed.
 
-        A run must break no law under both seeds.  The logs of the first seed are there; under the
-        second seed the runs are played once more, in their worlds.
+        A run is right, and is left out of the result, if it breaks no law under the first seed and
+        no law under the second seed.  The logs under the first seed exist already; under the second
+        seed the runs are played once more, in their worlds.
         """
         batch.work.tally.remark(hash_seeds.GOES_BY_HASHES)
         again = self.plays.again(FIRST, seeds[SECOND], batch, indices)
@@ -191,8 +197,8 @@ class Settler:
 def _is_refused(without_words: Log, in_words: Log) -> bool:
     """Whether both plays end with the same illegal action.
 
-    The log ``without_words`` is of compiled code, and stops before this action.  The log
-    ``in_words`` is of a play in Python, and ends with the action and its text.
+    The log ``without_words`` is of compiled code, and does not contain this action.  The log
+    ``in_words`` is of a play in Python, and this action is the last action in it.
     """
     known = without_words.actions
     faults = fault_of(without_words), fault_of(in_words)

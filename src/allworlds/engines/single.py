@@ -95,7 +95,7 @@ class SingleRun(Report):
 
     @doc.computed
     def ambiguous(self) -> Ambiguous | UnsetType:
-        """The answer, if it names no map; else absent."""
+        """The answer, if it is a rooted quotient (``Ambiguous``) in place of a map; else absent."""
         return self.answer if isinstance(self.answer, Ambiguous) else UNSET
 
     @doc.computed
@@ -205,7 +205,8 @@ def _outcome_of(
 
     A lane plays the run twice, and compares the two plays.
 
-    ``world`` is in canonical numbering; ``script`` holds the first choices.
+    The darts of ``world`` have the numbers of the map's code, so that the start is dart 0.
+    ``script`` holds the first choices.
     """
     counter = OutcomeCounter(Scope(Extent(MapClass.MAPS, world.map.edge_count), rules), keep=1)
     seeds = (FIRST, SECOND) if hash_seed is None else (hash_seed, hash_seed)
@@ -428,9 +429,11 @@ def _same_walk(finding: Finding, log: Log) -> bool:
 
 
 def _ends_alike(finding: Finding, log: Log) -> bool:
-    """Whether a play ends as the finding says.
+    """Whether the end of a play, given by its log, agrees with a finding.
 
-    The log of the play does not contain an action that was refused.
+    If the play ends with a fault, the law of the fault must be the law of the finding; the texts
+    are not compared.  If the finding shows a wrong estimate, the play must end with the same
+    estimate.  Any other end must be one after which the law of the finding can be broken.
     """
     end = ending_of(log)
     if isinstance(end, Fault):

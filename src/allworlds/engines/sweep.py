@@ -55,8 +55,9 @@ def gather(
 
     Raises:
         TimeIsUp: when the time limit has been reached; ``total`` holds the results so far.  If
-            finished units are kept in a directory, and no unit was finished, the message says so,
-            and how long a unit takes.
+            finished units are kept in a directory, and no unit was finished, the message says so.
+            If a part of a unit was done, the message also estimates from this part how long the
+            whole unit takes.
     """
     begun: dict[str, units.Sum] = {}
     started, unit = time.monotonic(), None
@@ -100,10 +101,10 @@ class Sweep(ABC, Generic[Total, Answer]):
         request_type: the class of the study's requests.
         result: the class of the results of units, if its constructor needs no arguments.
         finer: a larger number makes smaller units.  The enumeration makes a map by decisions, and
-            a unit holds the maps with the same first decisions; this is how many more of them are
-            fixed than usual.
-        narrowed: the extent with a condition of the user's.  Fresh processes must select the same
-            maps by it.  None if nothing is compared.
+            a unit holds the maps with the same first decisions; ``finer`` is added to the usual
+            number of these first decisions.
+        narrowed: the extent.  If it has a condition of the user, fresh processes must select the
+            same maps by this condition.  None if the selections are not compared.
         portion: the shard: the part of all units that the job does.
         seconds: the seconds that each finished level took.
         deadline: the end of the time limit, on the monotonic clock; or None.

@@ -36,10 +36,13 @@ def finding_from_record(document: Mapping[str, Any]) -> Finding:
 
 
 class AtRun(NamedTuple):
-    """A run whose map is in canonical numbering, and the choices that were made in it.
+    """A run, given by the code of its rooted map, its place, and the choices that were made in it.
 
-    ``place`` is the number of the lighthouse's place.  ``choices`` may be empty if the policy makes
-    the choices.
+    Attributes:
+        sigma, alpha: the code: the map with its darts renumbered from the start, which is dart 0.
+        place: the number of the lighthouse's place.
+        choices: the indices of the options that were taken; may be empty if the policy makes the
+            choices.
     """
 
     sigma: tuple[int, ...]
@@ -62,7 +65,8 @@ class Row:
         bound: the largest bound of a run; None without a bound.
         best_cost: the largest cost of a run's cheapest schedule; None unless every schedule is
             tried.
-        fingerprint: the sum of the worlds' fingerprints modulo 2^62.
+        fingerprint: the sum of the fingerprints of all rooted maps, modulo 2^62.  A fingerprint is
+            a number computed from the map.  The sum shows whether each map was counted once.
         most_expensive: of the runs with the largest cost, the first in the order of
             :class:`AtRun`; None without a run.  The comparison of rows ignores this field.
     """
@@ -79,7 +83,7 @@ class Row:
     fingerprint: int = 0
 
     def add(self, other: "Row") -> None:
-        """Add the counts of another part of the check."""
+        """Add the counts of another part of the check, in worlds of the same size."""
         self.worlds += other.worlds
         self.fingerprint = (self.fingerprint + other.fingerprint) % FINGERPRINTS
         self.runs += other.runs

@@ -62,8 +62,8 @@ class PartialResult(Struct, frozen=True):
         result: the part, which the receiver adds to the earlier parts of this unit.
         last: whether the unit is finished with this part.
         anew: whether the unit is begun anew, so that the receiver must drop its earlier parts.
-        walk: the number of the explorer's turns in the longest run in progress, and the step budget
-            of that run; None if no run is in progress.
+        walk: the number of the explorer's turns in the longest run in progress, and the largest
+            legal number of traversals in that run; None if no run is in progress.
     """
 
     unit: Any
@@ -264,7 +264,10 @@ errors of many units compensate each other.
 class GivenUnit(Struct, frozen=True):
     """Some of the maps that the user has given, all with ``edges`` edges.
 
-    The units with one number of edges have the numbers ``number``: 0, 1, and so on.
+    Attributes:
+        edges: the number of edges of each map.
+        number: the number of this unit among the units whose maps have ``edges`` edges, from 0 on.
+        given: the maps.
     """
 
     edges: int
@@ -423,8 +426,9 @@ class GivenWorlds(Struct, frozen=True):
 ACROSS, TWICE = 4, 3
 """Two numbers of edges.
 
-Runs with at most :data:`ACROSS` edges are played in both orders.  If there are at most
-:data:`TWICE` edges, the second process plays each run twice, so that each run also follows itself.
+All runs in worlds with at most :data:`ACROSS` edges are played in two opposite orders, each order
+by one process.  If all these worlds have at most :data:`TWICE` edges, the second process plays each
+run twice, so that each run also follows itself.
 """
 
 
@@ -557,7 +561,10 @@ class Scope(Struct, frozen=True):
         return () if self.extent.given is None else self.extent.given.like(world)
 
     def labelled(self, finding: Finding) -> Finding:
-        """The finding; if the user has given its world, the world has the user's labels."""
+        """The finding; if its world is one of the worlds given by the user, with the user's labels.
+
+        These are names of the world and its vertices, and the vertices' positions in a drawing.
+        """
         world = finding.world
         return replace(finding, world=labelled(world, self.like(world)))
 

@@ -75,7 +75,7 @@ def _answers_of_processes(
     """The answers of :data:`PROCESSES` fresh processes to one message, as lists of byte strings.
 
     Args:
-        kind: the kind of the message.
+        kind: the kind of the message: ``maps`` or ``walk``.
         content: the content of the message.
         number: the number of items in an answer; each process makes them in an order of its own.
         said: the words by which error messages name the user's code.
@@ -83,7 +83,7 @@ def _answers_of_processes(
 
     Raises:
         TimeIsUp: when the time limit has been reached.
-        InputError: if a process is lost, or if a user's model raises it.
+        InputError: if a process is lost, or if the user's condition or lighthouse fails in one.
     """
     patient = limits.Limits(answer_timeout=limits.MOST["answer-timeout"])
     setup = players.Setup(load("algorithm1"), patient)
