@@ -235,14 +235,15 @@ def algorithm1(
 
 
 class Algorithm1:
-    """One exploration.  Each method is a group of lines, which a variant can override.
+    """One exploration.  Methods are groups of lines of Algorithm 1, which a variant can override.
 
     Attributes:
         s: the map S with its open darts U.
         here: the robot's dart in S; only meaningful between two passes.
         turned: the number of darts, clockwise, from the robot's dart of entry to the dart at which
-            it stands.  The dart of entry is a dart of v0 after a confirmed hypothesis, and a dart
-            of v_u after a rejected one.
+            it stands; usually 0.  But after a rejected test the robot is back at v_u, and after a
+            query (in a variant) it is back at v0.  There it stands at the dart by which it had
+            left, and its dart of entry is still that of its arrival before the test or the query.
     """
 
     def __init__(
@@ -277,7 +278,7 @@ class Algorithm1:
         return percept
 
     def take_from_u(self) -> int:
-        """Line 3: the dart e that this pass explores."""
+        """Line 3: the dart e of U that this pass explores."""
         s = self.s
         cost = walks(s, s.vertex[self.here], s.unexplored)
         return self.choices.pick(s.unexplored, of="edge", cost=cost)
@@ -291,7 +292,7 @@ class Algorithm1:
         return (yield Move(s.offset(at, goal)))
 
     def hypotheses(self, goal: int, percept: Percept) -> list[int]:
-        """Line 6: H, the other darts in U by which a robot would arrive with this percept.
+        """Line 6: H, the darts in U, except ``goal``, by which a robot arrives with this percept.
 
         At v0 the percept includes the direction.  So a hypothesis at v0 needs no further test.
         """
@@ -299,7 +300,7 @@ class Algorithm1:
         return [d for d in s.unexplored if d != goal and s.expected[d] == percept]
 
     def test_all(self, hypotheses: list[int]) -> Stage[int | None]:
-        """Lines 7-17: the hypothesis e' that is confirmed, or None."""
+        """Lines 7-17: test the hypotheses in turn; return the confirmed one, e', or None."""
         self.turned = 0
         while hypotheses:
             cost = walks(self.s, 0, hypotheses)
@@ -318,15 +319,28 @@ class Algorithm1:
         return None
 
     def confirmed_at(self, partner: int, path: list[int]) -> int:
-        """The robot's dart in S after case (3), the confirmed test; it is a dart of v0."""
+        """The robot's dart in S, a dart of v0, after a test that has confirmed a hypothesis.
+
+        This is case (3) of the paper: all percepts of the test were the expected ones.
+
+        Args:
+            partner: the confirmed hypothesis e', the dart by which the robot came to v_u.
+            path: the darts by which the test left its vertices, see :meth:`path_to_v0`; empty if
+                e' is a dart of v0.
+        """
         return self.s.alpha[path[-1]] if path else partner
 
     def path_to_v0(self, partner: int) -> list[int]:
-        """Line 9: the darts by which a simple path in S, from v_k' to v0, leaves its vertices."""
+        """Line 9: the darts by which a simple path in S from v_k' to v0 leaves its vertices.
+
+        v_k' is the vertex of the hypothesis ``partner``; the list is empty if it is v0.
+        """
         return list(simple_path(self.s, self.s.vertex[partner], 0, self.choices, "path"))
 
     def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
         """Lines 10-13: execute the motions M as long as the percepts are the expected ones, P.
+
+        M leads along ``path`` if the robot has come to v_u by the hypothesis ``partner``.
 
         Returns:
             The executed motions, each counted from the dart of entry at its vertex, and whether all
@@ -345,11 +359,12 @@ class Algorithm1:
         return motions, True
 
     def retrace(self, motions: list[int]) -> Stage[None]:
-        """Line 15: undo the motions.
+        """Line 15: undo the motions ``k1..kr`` of a rejected test; the robot is then back at v_u.
 
-        The robot undoes the motions ``k1..kr`` by ``0, -kr, ..., -k2``.  The remaining turn by
-        ``-k1`` costs nothing and becomes a part of the next motion.  A remaining turn from the dart
-        of entry also becomes a part of the next motion.
+        The robot undoes them by the motions ``-turned, -kr, ..., -k2``.  Here ``turned`` is 0,
+        unless a query (in a variant) came last.  At v_u the robot stands at the dart by which it
+        had left, ``k1`` darts from its dart of entry; so the new value of ``turned`` is ``k1``,
+        and the next motion takes this turn into account.  Without motions nothing changes.
         """
         back = -self.turned
         for motion in reversed(motions):
@@ -358,12 +373,12 @@ class Algorithm1:
         self.turned = -back
 
     def augment_by_vertex(self, goal: int, percept: Percept) -> None:
-        """Lines 20-21: v_u is a new vertex; its first dart is the dart of entry."""
+        """Lines 20-21: add v_u to S as a new vertex, whose first dart is the dart of entry."""
         entry = self.s.add_vertex(goal, percept)
         self.here = self.s.turn(entry, self.turned)
 
     def augment_by_loop(self, goal: int, partner: int) -> None:
-        """Lines 18-19: e and e' are one edge, and e' leaves U."""
+        """Lines 18-19: join e (``goal``) and e' (``partner``) to one edge; both leave U."""
         self.s.add_loop(goal, partner)
 
     def answer(self) -> Estimate:
@@ -458,13 +473,18 @@ class TwoVertices(Algorithm1):
                 return
 
     def reads(self, percept: Percept) -> Percept:
-        """The parts of a percept that tests compare: the degree, and whether the vertex is v0."""
+        """The percept that tests compare: the degree, and one mark at v0, no mark elsewhere."""
         return Percept(percept.degree, int(self.is_v0(percept)))
 
     def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
         """Lines 10-13, and then the *query* at v0: leave by the dart that should lead to v1.
 
-        At its end the robot senses, and comes back; then it is turned towards v1.
+        At the other end of this dart the robot senses whether it is at v1.  Then it comes back to
+        v0, where it stands at the dart by which it had left.
+
+        Returns:
+            The executed motions without those of the query, and whether all percepts were the
+            expected ones, also the percept of the query.
         """
         motions, matched = yield from super().try_path(partner, path)
         if matched:
@@ -476,5 +496,5 @@ class TwoVertices(Algorithm1):
         return motions, matched
 
     def confirmed_at(self, partner: int, path: list[int]) -> int:  # noqa: ARG002  # any path
-        """The dart that leads to v1; by it the robot has come back to v0 after the query."""
+        """The dart of v0 that leads to v1; by this dart the robot has come back from the query."""
         return self.pointed

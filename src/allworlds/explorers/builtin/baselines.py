@@ -8,7 +8,8 @@ carries the marker to the known end of the dart, and tries the open darts at the
 marker was until one leads to the marker (back-link validation).
 
 In a simple world the answer is right.  With parallel edges, or two loops at a vertex, back-link
-validation can find a wrong dart; no explorer with markers is right in all worlds of this kind.
+validation can find a wrong dart.  A better explorer would not help: markers without a direction,
+however many the robot can drop, do not show how two loops at a vertex lie.
 
 The source leaves three points open; this module decides them so.  The dart that leaves U is a
 choice (``edge``).  The candidates are visited in the order of a depth-first walk of a spanning tree
@@ -26,9 +27,10 @@ from allworlds.protocol.choices import Choices
 def dfs(
     first: Percept, *, choices: Choices | None = None, notice: Callable[[str], None] = nobody
 ) -> Stage[Estimate]:
-    """Explore depth first under the lighthouse ``labels``: each vertex shows number and bearing.
+    """Explore depth first under the lighthouse ``labels``.
 
-    The number identifies the vertex, and the bearing the dart of entry.  The choice ``edge`` is the
+    Each vertex shows its number, and the bearing of its reference dart.  The number identifies the
+    vertex, and the bearing identifies the dart of entry.  The choice ``edge`` is the
     open dart by which the robot leaves a vertex.  The events ``known`` and ``unknown`` tell whether
     the vertex beyond a dart was known before.
 
@@ -78,8 +80,8 @@ def dudek91(
 
     The events ``new-vertex`` and ``back-link`` are the two ways in which a pass can end.
 
-    Cost: in a simple world at most ``3s`` for a vertex that is found when s vertices are known, and
-    ``5n + 2D - 4`` for every other edge, where D is the largest degree: O(mn).
+    Cost: in a simple world at most ``3s`` traversals for a vertex that is found when s vertices are
+    known, and ``5n + 2D - 4`` for every other edge, where D is the largest degree: O(mn).
     """
     return (yield from _Dudek(first, choices or Choices(), notice).explore())
 
@@ -134,7 +136,11 @@ class _Dudek:
         self.seen = yield Move(self.s.offset(self.here, dart))
 
     def candidates(self, explored: int, beyond: Percept) -> list[int]:
-        """The vertices of S that the unknown end could be, in the order of a depth-first search."""
+        """The vertices of S that the unknown end of the dart ``explored`` could be.
+
+        They have the degree of ``beyond``, the percept at the unknown end, and an open dart other
+        than ``explored``.  They are in the order of a depth-first search.
+        """
         s = self.s
         possible = {
             s.vertex[dart]
@@ -153,8 +159,9 @@ class _Dudek:
     def close(self, dart: int) -> Stage[None]:
         """Find the other dart of the explored edge by back-link validation, and join both darts.
 
-        The robot carries the marker to the known end of ``dart`` and goes back.  Then it tries the
-        open darts until one leads to the marker.
+        The robot stands at the vertex where it has found the marker.  It carries the marker to the
+        known end of ``dart`` and goes back.  Then it tries the open darts of the vertex until one
+        leads to the marker; if all others fail, the last one is the other dart.
         """
         s = self.s
         vertex = s.vertex[self.here]

@@ -2,8 +2,9 @@
 
 A word is a sequence of motions.  The explorer tries all words, shorter ones first, and words of one
 length in lexicographic order.  Before the next word the robot goes back only to the point from
-which the two words differ.  It knows the way back without a map: after it has tried all other darts
-of a vertex in turn, the next dart is the one by which it arrived.
+which the two words differ.  The robot knows the way back without a map: at each vertex it tries the
+darts clockwise, from the dart by which it arrived on; after the last one, the next dart clockwise
+is again the dart by which it arrived.
 
 Cost of the search: less than 8 D^d traversals, for the distance d to v0 and the largest degree
 D > 1, because all words of up to L motions cost at most T(L) = D (2 + T(L - 1)) < 4 D^L.
@@ -19,7 +20,7 @@ from allworlds.protocol.importing import signature_of
 
 
 class FromElsewhere:
-    """An explorer for a robot that starts anywhere: it goes to v0, and starts another one there.
+    """An explorer for a robot that starts anywhere: it goes to v0, where another explorer starts.
 
     Attributes:
         explorer: the generator function of the other explorer, which begins at v0.
@@ -52,8 +53,9 @@ class FromElsewhere:
             due: the ``k`` of the robot's next motion ``Move(k)``.
 
         Returns:
-            The percept at v0, if a word leads there; the robot is then at v0.  Otherwise None, and
-            the ``k`` of the next motion: with it the robot leaves by the dart of its first arrival.
+            If a word leads to v0: the percept at v0, where the robot then is, and 0.  Otherwise
+            None, and a number k.  The robot is then back at its vertex, and ``Move(k)`` leaves by
+            the dart by which it had come to this vertex, or which it faced at the start.
         """
         for _ in range(degree if longest else 0):
             seen = yield Move(due)

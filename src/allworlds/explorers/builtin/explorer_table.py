@@ -47,10 +47,11 @@ class BuiltIn(Struct, frozen=True):
             and has no influence.  It may also take ``told``.
         lighthouse: the explorer's kind of lighthouse, in the form ``KIND[:key=value,...]``.
         witnesses: the events that must occur in a complete check.  Each event has two entries: one
-            for classes with loops and parallel edges, one for simple classes.  An entry holds the
-            smallest known numbers of edges and vertices up to which the event occurs under every
-            policy; it is None if the event never occurs under some policy.  If an event occurs
-            later or never, the check has left out a branch of the algorithm.
+            for classes with loops and parallel edges, one for simple classes.  An entry is a pair:
+            under every policy, a check of all worlds with at most this number of edges and at most
+            this number of vertices meets the event.  These are the smallest such numbers that are
+            known.  A check of these worlds that does not meet the event has left out a branch of
+            the algorithm.  The entry is None if the event never occurs under some policy.
         bound: the name of the bound that the explorer keeps under its kind of lighthouse; None if
             it is the lighthouse's own bound.
         step_budget: the largest legal number of traversals, if the usual budget is too small.

@@ -1,16 +1,18 @@
 """The folded log, explorers that use it alone, and the shield.
 
-All percepts of a robot with a directional lighthouse form one map, the folded log.  Each visit of a
-vertex begins as a *node*.  If an arrival at v0 shows that two nodes are one vertex, the nodes are
-merged.  Then the nodes to which their equal darts lead are merged, because a dart leads to only one
-dart.  So the folded log is a part of every world that agrees with the log.  A folded log without an
-open dart is the world.  So if an explorer takes its answer from such a folded log, the answer is
-right, whatever the explorer's walk.
+All percepts of a robot with a directional lighthouse form one map, the folded log.  Each motion
+through an open dart makes a new *node*, a copy of the vertex of arrival.  If an arrival at v0 shows
+that two nodes are one vertex, the nodes are merged.  Then the nodes to which their equal darts lead
+are merged, because a dart leads to only one dart.  So the folded log is a part of every world that
+agrees with the log.  A folded log without an open dart is the world.  So if an explorer takes its
+answer from such a folded log, the answer is right, whatever the explorer's walk.
 
-A *way* decides which open dart comes next.  It must be fair: each open dart is finally walked
-through, or closed by other motions.  Then the robot finally goes from each entered vertex home to
-v0, the vertex is merged, and the exploration ends.  A way that always chooses the open dart nearest
-to the robot is not fair: the robot can walk on for ever, from one copy of a vertex to the next.
+An explorer by the folded log has a rule that chooses the next open dart.  The exploration ends if
+the rule is fair, that is, if no dart stays open for ever.  For in the world some path leads from
+the vertex of each node to v0.  By a fair rule, every dart of this path finally gets a known other
+end in the log, from each copy of the vertex; then the path leads from each copy to the same dart of
+v0, so the copies are merged.  The rule that always chooses the open dart nearest to the robot is
+not fair: the robot can walk on for ever, from one copy of a vertex to the next.
 
 The *shield* makes any explorer right in every world under the directional lighthouse.  Two
 *guests*, the explorer and Algorithm 1, take turns with budgets 1, 2, 4, ...: in its turn a guest
@@ -22,10 +24,11 @@ When a guest goes through an open dart, the robot walks to this dart by a shorte
 and goes through it, too.
 
 Cost: less than 9 min(X, (1) + (2)) traversals, where X is the number of traversals of the explorer
-until its own log has no open dart, and (1) + (2) is the paper's bound on Algorithm 1.  Proof: in
-each turn the robot could walk back to v0 on the way of the last guest, and then follow the way of
-the next one.  This costs 2 (1 + 2 + ... + 2^(k-1)) before the turn with the budget 2^k, and a guest
-that needs this turn has walked more than 2^(k-2).
+until its own log has no open dart, and (1) + (2) is the paper's bound on Algorithm 1.  Proof: at
+the beginning of each turn the robot could walk back to v0 along the walk of the guest of the turn
+before, and then repeat the walk of the guest whose turn it is.  So before the turn with the budget
+2^k it walks at most 2 (1 + 2 + ... + 2^(k-1)) < 8 * 2^(k-2) traversals.  A guest that needs this
+turn needs more than 2^(k-2) traversals, the budget of its turn before.
 """
 
 from bisect import insort
@@ -133,7 +136,10 @@ class FoldedLog:
         return self.canonical(other)
 
     def _differ(self, _v: int, _w: int) -> bool:
-        """Whether two nodes of the same degree are known to be two vertices."""
+        """Whether two nodes of the same degree are known to be two vertices.
+
+        Here this is never known; a subclass may know it.
+        """
         return False
 
     def _stays(self, v: int, w: int) -> bool:
@@ -141,7 +147,11 @@ class FoldedLog:
         return v < w
 
     def _merge(self, one: int, another: int) -> None:
-        """Merge two darts, and all darts that are then equal."""
+        """Merge two darts, and all darts that are then equal.
+
+        Raises:
+            ValueError: if two nodes that would be merged cannot be one vertex.
+        """
         node, base, degree, link = self.node, self.base, self.degree, self._link
         equal = [(one, another)]
         while equal:
@@ -218,7 +228,10 @@ def to_oldest(log: FoldedLog, here: int) -> list[int]:
 def explore_folding(
     first: Percept, next_way: ToOpenDart, hears: Callable[[str], None] = nobody
 ) -> Stage[Estimate]:
-    """Explore by the folded log, until no dart is open; ``next_way`` chooses each next walk."""
+    """Explore by the folded log, until no dart is open; ``next_way`` chooses each next walk.
+
+    The function ``hears`` gets the event ``merged``, see :func:`folding`.
+    """
     log, here = begun(first)
     while has_open_dart(log):
         for dart in next_way(log, here):
@@ -261,10 +274,10 @@ def _darts(log: FoldedLog) -> Iterator[int]:
 
 
 def way(log: FoldedLog, start: int, is_goal: Callable[[int], bool]) -> list[int]:
-    """The darts by which a shortest walk leaves its nodes; the last dart is a goal.
+    """The darts by which a shortest walk in the log leaves its nodes; the last dart is a goal.
 
-    The walk begins at the dart ``start``.  The darts of a node are tried clockwise, from the dart
-    of entry on.
+    The walk begins at the dart ``start``.  A goal is a dart for which ``is_goal`` is true.  The
+    darts of a node are tried clockwise, from the dart of entry on.
     """
     came: dict[int, list[int]] = {log.node[start]: []}
     queue = [start]
@@ -283,8 +296,8 @@ def way(log: FoldedLog, start: int, is_goal: Callable[[int], bool]) -> list[int]
 
 
 MOST_CHECKPOINTS = 1000
-"""The largest number of checkpoints that the explorer in a shield may show between two motions;
-after more, the shield lets it make no further motion."""
+"""The largest number of checkpoints that the explorer in a shield may show between two motions; if
+it shows more, the shield lets the explorer make no further motion."""
 
 
 class Shield:
@@ -352,7 +365,7 @@ class _Guest:
 class _Stranger(_Guest):
     """A guest that is a user's explorer.
 
-    If it ends, raises or yields an illegal value, it makes no further motions.
+    If the explorer ends, raises or yields an illegal value, the guest makes no further motions.
     """
 
     def next_dart(self) -> int | None:

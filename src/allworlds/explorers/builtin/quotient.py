@@ -20,7 +20,8 @@ class TreeDart(NamedTuple):
     """A dart in the tree of all walks from the start; see :class:`Experiments`.
 
     Attributes:
-        node: the name of the dart's node: the ``turn`` of each dart on the way from the start.
+        node: the name of the dart's node: the ``turn`` of each dart by which the way from the start
+            to the node leaves a node.
         turn: the number of darts, clockwise, from the node's dart of entry to this dart.
     """
 
@@ -97,8 +98,9 @@ def quotient(
 ) -> Stage[Estimate | Ambiguous]:
     """Explore under the lighthouse ``position``: learn the rooted quotient of the world.
 
-    The answer is the map if only one map has this quotient, else the quotient.  The event ``map``
-    or ``ambiguous`` tells the kind of the answer.
+    This lighthouse is a marker at v0 that points nowhere: the robot senses one mark at v0, no mark
+    elsewhere, and no bearing.  The answer is the map if only one map has this quotient, else the
+    quotient.  The event ``map`` or ``ambiguous`` tells the kind of the answer.
 
     Cost: polynomial in the darts; at most 557 traversals for up to 4 edges, 1,791 for 5 edges.
     """
@@ -114,7 +116,7 @@ class ClassTable(NamedTuple):
     """Classes of darts, and the class to which each letter leads; class 0 is that of the start.
 
     Attributes:
-        sigma, alpha: the permutations of the classes.
+        sigma, alpha: for each class the class to which the letter ``s``, or ``a``, leads.
         sensed: for each class the percept of its darts.
         here: the class of the robot's dart.
     """
@@ -142,12 +144,15 @@ class ClassTable(NamedTuple):
         return words
 
     def vertices(self) -> tuple[tuple[int, ...], ...]:
-        """The cycles of sigma; the cycle of the start comes first."""
+        """The cycles of sigma, each a vertex of the quotient; the one of the start comes first."""
         return cycles(self.sigma)
 
     @property
     def sheets(self) -> int:
-        """The number of darts of the world in each class; it is computed from the vertex v0."""
+        """The number of darts of the world in each class, the same for all classes.
+
+        The number is computed at v0: only v0 has a mark, so its darts alone are in their classes.
+        """
         return self.turns(self.vertices()[0])
 
     def is_alone(self) -> bool:
@@ -159,13 +164,21 @@ class ClassTable(NamedTuple):
         return self.sheets == 1 or (not cycles and (self.sheets == 2 or rigid))
 
     def turns(self, vertex: Sequence[int]) -> int:
-        """How often the classes of this vertex repeat round a vertex of the world."""
+        """The number of times that the classes in ``vertex`` occur round a vertex of the world.
+
+        ``vertex`` is one of :meth:`vertices`.  All vertices of the world that have darts of these
+        classes have the same degree: this number times the number of the classes.
+        """
         return self.sensed[vertex[0]].degree // len(vertex)
 
     def only_world(self) -> Estimate:
-        """The only world with this quotient, as an estimate.
+        """The only world with this quotient, as an estimate; :meth:`is_alone` must be true.
 
-        The sheets are exchanged round vertices and across edges where the quotient requires it.
+        The darts of each class have numbers, from 0 on, as many as there are sheets.  sigma and
+        alpha lead to a dart with the same number in another class, with two exceptions.  If the
+        classes occur several times round a vertex of the world, sigma adds 1 to the number from the
+        last of these classes to the first.  If alpha leads from a class to itself, it exchanges the
+        numbers 0 and 1.
         """
         k = self.sheets
         sigma = [of * k + i for of in self.sigma for i in range(k)]
@@ -198,7 +211,10 @@ class _Learner:
         self._rows: list[SensedRow] = []
 
     def learn(self) -> Stage[None]:
-        """Make experiments until the table is right: it predicts the results of enough words."""
+        """Make experiments until the table predicts the percepts on all words that prove it right.
+
+        These words are those of :meth:`_to_be_met`.
+        """
         wrong: SensedWord | None = ()
         while wrong is not None:
             for i in range(len(wrong) + 1):
@@ -236,9 +252,9 @@ class _Learner:
         return tuple(row)
 
     def _refuted(self) -> Stage[SensedWord | None]:
-        """A word after which two darts of one class show different percepts.
+        """A word from the start whose last percept the table predicts wrongly.
 
-        It comes from the first wrong prediction of the table; None if all predictions are right.
+        The result is None if all predictions on the words of :meth:`_to_be_met` are right.
         """
         for word in self._to_be_met():
             at, of = self.world.start, 0
@@ -253,7 +269,7 @@ class _Learner:
         return None
 
     def _to_be_met(self) -> Iterator[SensedWord]:
-        """Yield words: if the table predicts all percepts on them rightly, the table is proved."""
+        """Yield words that prove the table, if it predicts rightly all percepts along each word."""
         table = self.table
         degrees = [percept.degree for percept in table.sensed]
         # The letters have inverses, and v0 has as many classes as there are different rows.
@@ -270,9 +286,10 @@ class _Learner:
                     yield (*"s" * turned, *word, letter, *back)
 
     def _back(self, word: SensedWord, degrees: list[int]) -> SensedWord:
-        """The word that leads back, after ``word`` from the start.
+        """The word that leads back to the start from the dart to which ``word`` leads.
 
-        The reverse of one turn is as many turns clockwise as lead to the previous dart.
+        The reverse of the letter ``a`` is ``a``.  The reverse of one ``s`` at a vertex of degree d
+        is d - 1 times ``s``.  ``degrees`` holds for each class the degree of its darts' vertices.
         """
         back: list[str] = []
         for i in range(len(word), 0, -1):

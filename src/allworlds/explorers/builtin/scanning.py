@@ -1,11 +1,12 @@
 """Algorithm 1 for a robot that senses at v0 only a letter, which depends on the bearing.
 
-If only one bearing has a letter, the letter marks a *door*; else the letters of all bearings,
-clockwise, are a *word*.  In the *scan* the robot learns the letters of v0: it leaves by each dart
-of v0 and comes back.  A test that has come to v0 ends with *queries*: the robot goes out and back
-by darts whose letters prove that it had entered v0 by the expected dart.  These darts exist if the
-word is primitive, that is, no repetition of a shorter word; for a door one query suffices.  A
-failed query need not be undone: after it the robot is at v0 again, and has only turned.
+A letter is the number of marks in a percept; 0 means no letter.  If only one bearing has a letter,
+the letter marks a *door*; else the letters of all bearings, clockwise, are a *word*.  In the *scan*
+the robot learns the letters of v0: it leaves by each dart of v0 and comes back.  A test that has
+come to v0 ends with *queries*: the robot goes out and back by darts whose letters prove that it had
+entered v0 by the expected dart.  These darts exist if the word is primitive, that is, no repetition
+of a shorter word; for a door one query suffices.  A failed query need not be undone: after it the
+robot is at v0 again, and has only turned.
 
 The paper does not have this algorithm.
 """
@@ -75,7 +76,10 @@ class Scanning(Algorithm1):
         return Percept(percept.degree, percept.marks)
 
     def scan(self) -> Stage[None]:
-        """Read the letters of v0, clockwise from the dart faced at the start."""
+        """Read the letters of v0, clockwise from the dart faced at the start.
+
+        If only one dart has a letter, the scan ends at this dart.
+        """
         first = self.s.expected[0]
         degree = first.degree
         letters = [first.marks] + [0] * (degree - 1)
@@ -89,7 +93,8 @@ class Scanning(Algorithm1):
     def try_path(self, partner: int, path: list[int]) -> Stage[tuple[list[int], bool]]:
         """Lines 10-13, and then the queries at v0: out and back by each dart in ``queries``.
 
-        The robot is then turned to the dart of the last query.
+        After a query the robot stands at the dart by which it went out.  A letter that is not the
+        expected one ends the queries, and the test has failed.
         """
         motions, matched = yield from super().try_path(partner, path)
         if matched:
@@ -104,16 +109,21 @@ class Scanning(Algorithm1):
         return motions, matched
 
     def confirmed_at(self, partner: int, path: list[int]) -> int:
-        """The dart of v0 by which the robot has come back from the last query."""
+        """The dart of v0 by which the robot has come back from the last query.
+
+        If no query was needed, this is the dart by which the test has arrived at v0.
+        """
         return self.s.turn(super().confirmed_at(partner, path), self.turned)
 
 
 def telling(letters: list[int], dart: int) -> list[int]:
-    """A few positions in the word of v0; their letters prove that the robot came in by ``dart``.
+    """A few darts of v0 at which letters prove that the robot came in by ``dart``.
 
-    If it came in by another dart of v0, it reads a cyclic shift of the word; at another vertex it
-    reads only zeros.  The letter at ``dart`` has been read already.  If a shift, or the zeros, have
-    the same letter there, they differ from the word at one of the positions, or equal the word.
+    If the robot takes another dart of v0 for ``dart``, it reads a cyclic shift of ``letters``; if
+    it takes another vertex for v0, it reads only zeros.  The letter at ``dart`` is already read, so
+    only those shifts and zeros are left that have the same letter at ``dart``.  Each of them has
+    another letter than ``letters`` at one of the returned darts.  The exception is one that equals
+    ``letters``: then nothing can prove the dart, and the word is not primitive, or all 0.
     """
     shifts = [letters[k:] + letters[:k] for k in range(1, len(letters))]
     others = [word for word in ([0] * len(letters), *shifts) if word[dart] == letters[dart]]
