@@ -177,15 +177,16 @@ class Subject(Struct, frozen=True, weakref=True):
     Attributes:
         name: the name by which other processes find the explorer: a built-in name,
             ``module:attribute``, ``path/to/file.py:attribute`` or an entry point, each perhaps with
-            ``?key=value``; ``exec:COMMAND`` or ``native:PATH``; with a shield ``shield:NAME``.
+            ``?key=value``; ``exec:COMMAND`` or ``native:PATH``; or such a name in a wrapper,
+            ``shield:NAME`` or ``elsewhere:NAME``.
         keywords: the keywords among ``choices``, ``told`` and ``notice`` that the explorer takes.
         explore: the generator function; None if only other processes load the explorer, by its
             name, and this process never runs it.
         source: the text of the explorer's file, if the explorer is in a file.
-        program: the program outside Python that plays the explorer, or the explorer in a shield;
-            None if there is none, or this process has not loaded it.
-        native: the shared library that plays the explorer, or the explorer in a shield; None if
-            there is none, or this process has not loaded it.
+        program: the program outside Python that is the explorer; for an explorer in a wrapper, the
+            program that is the explorer inside.  None if the explorer is no program, or if this
+            process has not loaded the explorer.
+        native: the same for an explorer in a shared library.
     """
 
     name: str
@@ -206,7 +207,7 @@ class Subject(Struct, frozen=True, weakref=True):
 
     @property
     def from_user(self) -> bool:
-        """Whether this is a user's explorer, or has a wrapper; each of its runs is made twice."""
+        """Whether this is a user's explorer, or has a wrapper; each run of it is played twice."""
         return self.own is None
 
     @property
@@ -245,7 +246,10 @@ class Subject(Struct, frozen=True, weakref=True):
         return "choices" in self.keywords
 
     def player(self, notice: Callable[[str], None] = lambda _event: None) -> Player:
-        """The explorer in a form that is ready to run; it must be loaded in this process."""
+        """The function that begins a run of the explorer, which this process must have loaded.
+
+        ``notice`` gets the explorer's events, if the explorer tells any.
+        """
         explore = self.explore
         assert explore is not None
 
@@ -298,7 +302,7 @@ def in_process_subject(explore: Callable[..., Any]) -> Subject:
     such as closures or functions of the running script, are played in this process.
 
     Raises:
-        InputError: if it is no explorer.
+        InputError: if ``explore`` is no explorer.
     """
     from allworlds.explorers.builtin.explorer_table import BUILT_IN
     from allworlds.explorers.builtin.folding import Shield
@@ -334,7 +338,7 @@ def keywords_of(name: str, explore: Any) -> frozenset[str]:
     percept, and its result must have ``send``, as a generator has.
 
     Raises:
-        InputError: if it is no explorer, or must be called in another way.
+        InputError: if ``explore`` is no explorer, or must be called in another way.
     """
     function = explore if inspect.isroutine(explore) else getattr(explore, "__call__", None)  # noqa: B004
     if not callable(explore):
@@ -354,8 +358,8 @@ def _called(
 ) -> tuple[Any, frozenset[str]]:
     """Return the result of a call of ``explore``, and the keywords that it has accepted.
 
-    If the call fails because of an unexpected keyword, it is made again without it: a decorated
-    function can have ``**`` in its signature, and still refuse a keyword.
+    If the call fails because of an unexpected keyword, the call is made again without this keyword:
+    a decorated function can have ``**`` in its signature, and still refuse a keyword.
 
     Raises:
         InputError: if the call raises another error.
@@ -398,7 +402,7 @@ def _accepted(name: str, explore: Callable[..., Any]) -> frozenset[str]:
 
 
 def source_of(name: str) -> importing.SourceText | None:
-    """The text of the Python file that an explorer's name mentions; None if it mentions no file.
+    """The text of the Python file in an explorer's name; None if the name contains no file.
 
     Raises:
         InputError: if the name is no name of an explorer, or the file cannot be read.
@@ -438,7 +442,8 @@ def load(
         source: the text of the explorer's file, if the file has already been read.
 
     Raises:
-        InputError: if there is no such explorer, or it cannot be imported, or it is no explorer.
+        InputError: if there is no object of that name, or it cannot be imported, or the object is
+            no explorer.
     """
     wrapper, inside = wrapped(name)
     if wrapper:
@@ -495,9 +500,10 @@ def shield(explorer: Callable[..., Generator[Any, Any, Any]]) -> Shield: ...
 def shield(explorer: str | Callable[..., Generator[Any, Any, Any]]) -> str | Shield:
     """Return an explorer with a shield: right in every world under the directional lighthouse.
 
-    It walks less than nine times as far as the explorer alone walks until its log has no open dart.
-    It also walks less than nine times the sum of the paper's bounds (1) and (2).  An explorer
-    that neither yields nor returns still breaks the law ``timeout``.
+    The explorer alone would walk for some time until its log has no open dart; with a shield it
+    makes less than nine times as many traversals.  It also makes less than nine times the sum of
+    the paper's bounds (1) and (2).  An explorer that neither yields nor returns still breaks the
+    law ``timeout``.
 
     Args:
         explorer: a generator function; or a name, as on the command line, where ``exec:COMMAND`` is

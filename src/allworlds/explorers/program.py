@@ -35,7 +35,8 @@ SCRIPT = re.compile(r".+\.([cm]?js|lua|php|pl|py|rb)")
 def missing_script(words: Sequence[str]) -> str:
     """The reason why the interpreter in a command cannot open its script.
 
-    The result is empty if it can, or if the command is not known to be an interpreter's.
+    ``words`` are the words of the command.  The result is empty if the script exists, or if the
+    command is not known to be a call of an interpreter with a script.
     """
     interpreter = Path(words[0]).name
     script = next((word for word in words[1:] if not word.startswith("-")), "")
@@ -46,7 +47,10 @@ def missing_script(words: Sequence[str]) -> str:
 
 
 def obstacle(name: str) -> str:
-    """The reason why the system finds no program ``name`` to run."""
+    """The reason why the system cannot run ``name``, the first word of a command.
+
+    The caller has already looked for the program in vain; the result is never empty.
+    """
     if is_loop_of_links(name):
         return f"{show(name)} is a loop of links"
     if os.path.isdir(name):  # noqa: PTH112  # takes any text, as below
@@ -86,7 +90,7 @@ ProgramMessage: TypeAlias = actions.Action | actions.Checkpoint | EpisodeEnd
 
 
 def beginning(number: int, first: actions.Percept, told: actions.Told) -> bytes:
-    """The line that begins an episode."""
+    """The line that begins an episode; it has a number, the first percept and the told value."""
     heard = b"" if told is None else b'"told": %b, ' % json.dumps(told).encode()
     return b'{"episode": %d, ' % number + heard + answering(first)[1:]
 
@@ -157,7 +161,9 @@ def _estimate(value: object) -> actions.Estimate:
 
 
 def _values(value: object, what: str, law: actions.FaultLaw, *keys: str) -> list[Any]:
-    """The values that a checkpoint or an answer has under these keys.
+    """The values that ``value``, a checkpoint or an answer in JSON, has under these keys.
+
+    ``what`` names the value in the message of an error.
 
     Raises:
         ExplorerFault: if ``value`` is no object, or lacks a key; ``law`` is then the broken law.
@@ -252,7 +258,12 @@ class Program:
                 self._kill()
 
     def _next_message(self) -> ProgramMessage:
-        """The next message of the program; ExplorerFault if none comes, or an illegal one."""
+        """The next message of the program.
+
+        Raises:
+            ExplorerFault: if the program ends or is silent, or if its message is illegal, or is an
+                answer with another line behind it.
+        """
         line = self._line()
         try:
             message = (_message_of_short if len(line) < SHORT else message_of)(line)
@@ -384,12 +395,14 @@ class Program:
         return goes_on
 
     def _ended(self, seen: str) -> actions.ExplorerFault:
-        """The fault of a program that has ended, or has closed a pipe but has not ended.
+        """The fault of a program that has closed its stdin or stdout.
 
-        ``seen`` is the sentence about a closed pipe.
+        Usually the program has ended, or ends within a second; then the fault tells how.  If the
+        program goes on, the fault says ``seen``, the words about the pipe that is closed.
 
         Raises:
-            NestedCheck: if the program has tried to begin a check.
+            NestedCheck: if the last line of the program's stderr is the refusal of a nested check,
+                because the program has tried to begin a check.
         """
         assert self._process is not None
         with contextlib.suppress(subprocess.TimeoutExpired):

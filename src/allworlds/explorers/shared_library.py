@@ -141,7 +141,7 @@ _NO_ACCESS = 0
 
 
 def guarded(kind: type[T]) -> T:
-    """A value of a type of :mod:`ctypes`, filled with zeros; behind it is a page without access.
+    """A value of a type of :mod:`ctypes`, filled with zeros; a page without access is behind it.
 
     Source: mprotect(2).
     """
@@ -262,10 +262,18 @@ class NativeExplorer:
         ours.bearing = NOTHING if percept.bearing is None else percept.bearing
 
     def _said(self, function: Any, lists: int, law: actions.FaultLaw) -> list[tuple[int, ...]]:
-        """Lists of integers with one entry for each dart; a function of the library fills them.
+        """Call a function of the library that writes an answer; return the lists that it writes.
+
+        Each list has an integer for each dart.  The function returns the number of darts.  It also
+        writes ``here``, to ``self._here``.
+
+        Args:
+            function: ``allworlds_answer`` or ``allworlds_quotient``.
+            lists: the number of lists: 2 (sigma, alpha), or 4 (also degree, marks).
+            law: the law that is broken if the number of darts is illegal.
 
         Raises:
-            ExplorerFault: if the function tells an illegal number of darts.
+            ExplorerFault: if the number of darts is negative, or there is no room for so many.
         """
         if self._sensed > len(self._rooms[0]):
             self._rooms = [_integers(2 * self._sensed) for _ in range(4)]
@@ -311,9 +319,15 @@ class _Asked:
         self._wrong = ""
 
     def pick(self, _: int | None, of: int, options: int, cost: Any) -> int:
-        """Answer the library's call of ``allworlds_pick`` with the index of an option.
+        """The index of an option, which answers the library's call of ``allworlds_pick``.
 
-        After an illegal call the answer is 0, and :meth:`complain` reports the error later.
+        After an illegal call the index is 0, and :meth:`complain` reports the error later.
+
+        Args:
+            _: the context that the library passes; it is not used.
+            of: the kind of the choice, as an index of :data:`KINDS`.
+            options: the number of options.
+            cost: a C array with the walking distance of each option, or a null pointer.
         """
         try:
             kind = KINDS[of] if 0 <= of < len(KINDS) else str(of)
@@ -338,9 +352,10 @@ def threads_now() -> int:
 
 
 def threads_left(before: int) -> int:
-    """The number of threads more than ``before``, after a short wait for those that are ending.
+    """The number of threads of this process beyond ``before`` threads; 0 if there are no more.
 
-    The system lists a joined thread for some microseconds more.
+    The function waits a short time for threads that are ending, because the system still lists a
+    thread for some microseconds after the thread has been joined.
     """
     deadline = time.monotonic() + THREADS_END
     while (more := threads_now() - before) > 0 and time.monotonic() < deadline:

@@ -103,10 +103,12 @@ def explorers_in(module: CodeType) -> list[str]:
 
 
 def no_explorer(name: str, plain: str, known: Sequence[str]) -> str:
-    """The reason why a name without a function names no explorer, and the legal forms.
+    """The message that ``name`` names no explorer, with the reason, and the legal forms of names.
 
-    ``plain`` is the name without its arguments; ``known`` are all names without a colon that do
-    name an explorer.
+    Args:
+        name: the name, without ``:FUNCTION``; it may end with arguments, ``?key=value``.
+        plain: the name without these arguments.
+        known: all names without a colon that do name an explorer.
     """
     if os.path.isdir(plain):  # noqa: PTH112  # takes any text, as below
         return f"{show(plain)} is a directory; an explorer in it is {Path(plain)}/FILE.py:FUNCTION"
@@ -150,7 +152,7 @@ def short_names(names: Sequence[str]) -> list[str]:
 def _ends(name: str) -> Iterator[str]:
     """Yield ends of a name, shorter ones first, and then the name itself.
 
-    For a command the beginning of the command comes first, instead of an end.
+    For a command, the beginning of the name is yielded instead of the ends.
     """
     if is_program(name):
         yield name[:MOST_OF_A_COMMAND]
@@ -185,7 +187,7 @@ class SourceLine(Struct, frozen=True):
         return self.file.is_relative_to(folder) and "site-packages" not in self.file.parts
 
     def named_from(self, folder: Path) -> str:
-        """The path of the file from ``folder`` on, a folder above it; the separator is ``/``."""
+        """The path of the file, relative to a folder above the file; the separator is ``/``."""
         return self.file.relative_to(folder).as_posix()
 
 
@@ -284,6 +286,8 @@ OURS = "built-in"
 
 def content_digest(subject: Subject) -> str:
     """SHA-256 of the explorer's text, or of the digests of its files, in hexadecimal.
+
+    For a built-in explorer the result is :data:`OURS`.
 
     If the explorer runs by a command, its files are the command's program and the files that the
     command names.  An explorer in a wrapper has the digest of the explorer inside, because the

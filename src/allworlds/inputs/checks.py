@@ -35,18 +35,22 @@ class InputError(ValueError):
 
 
 class NotInstalled(InputError):
-    """Raised if a package is missing; the message names its use, and the extra that installs it."""
+    """Raised if a package is missing.
+
+    The message names the use of the package, and the extra that installs the package.
+    """
 
 
 class OutOfTime(BaseException):
     """Raised when the time of a job is up.
 
-    It can be raised inside a user's model, such as a lighthouse, and must not be caught there.
+    This error can be raised inside a user's model, such as a lighthouse, and must not be caught
+    there.
     """
 
 
 class NestedCheck(InputError):
-    """Raised if a check causes another check to begin; that would go on without end."""
+    """Raised if a check causes another check to begin; else checks would begin without end."""
 
 
 INTERRUPTS = [each for each in signal.Signals if each.name in ("SIGINT", "SIGTERM", "SIGHUP")]
@@ -74,7 +78,10 @@ def interrupts_held() -> Iterator[None]:
 
 
 class _Interrupts:
-    """Whether this process leaves interrupts to its owner, the process that has started it."""
+    """The holder of ``of_owner``: whether this process leaves interrupts to its owner.
+
+    The owner is the process that has started this one.
+    """
 
     of_owner = False
 
@@ -141,7 +148,15 @@ def not_one_of(
     more: str = "",
     also: Mapping[str, str] | None = None,
 ) -> InputError:
-    """The error for a value that is none of the known names, with a hint at a similar name."""
+    """The error for a value that is none of the known names, with a hint at a similar name.
+
+    Args:
+        what: the words for the value in the message.
+        given: the value.
+        known: the known names.
+        more: further words in the message, behind the known names.
+        also: other words for known names, see :func:`did_you_mean`.
+    """
     names = [str(each) for each in known]  # of an enumeration, too
     hint = did_you_mean(given, names, also) if isinstance(given, str) else ""
     return InputError(f"{what} {show(given)} is not one of {', '.join(names)}{more}{hint}")
@@ -170,7 +185,7 @@ def an_integer(name: str, value: object) -> int:
     """The value as an ``int``.
 
     Raises:
-        InputError: naming the value, if it is no integer; a boolean is none, too.
+        InputError: naming the value, if it is no integer; a boolean counts as no integer.
     """
     try:
         return integer(value)
@@ -277,14 +292,15 @@ def ensure_installed(package: str, extra: str, what: str) -> None:
     """Raise NotInstalled unless the package can be imported.
 
     Raises:
-        NotInstalled: naming the use of the package, and the extra that installs it.
+        NotInstalled: naming ``what``, which is the use of the package, and the extra that installs
+            the package.
     """
     if lack := lack_of(package, extra):
         raise NotInstalled(f"{what} {lack}")
 
 
 def lack_of(package: str, extra: str) -> str:
-    """The words about a missing package, and the extra that installs it; empty if installed."""
+    """A text that names a missing package and the extra for it; empty if it is installed."""
     return "" if find_spec(package) else f"needs {package}: {INSTALL.format(extra)}"
 
 
@@ -341,7 +357,9 @@ def read_text(path: str) -> str:
 
 
 def integer_of(text: str) -> int:
-    """The integer that a text writes; unlike ``int``, refuse ``1_0`` and digits of other scripts.
+    """The integer in a text such as ``-12``.
+
+    Unlike ``int``, this function refuses ``1_0``, and digits of other scripts.
 
     Raises:
         ValueError: if the text is no integer; the message is fit for users.
@@ -352,7 +370,7 @@ def integer_of(text: str) -> int:
 
 
 def seconds_of(text: str) -> float:
-    """The number of seconds that a text writes.
+    """The number of seconds in a text such as ``1.5`` or ``inf``.
 
     Raises:
         ValueError: if the text is no number; the message is fit for users.
@@ -374,20 +392,31 @@ ENDINGS = {name: getattr(os, name) for name in ("_exit", "execv", "execve")}
 
 
 class _Kept:
-    """The id of the process that refuses the functions in :data:`ENDINGS`; 0 if no process does."""
+    """The holder of ``process``: the id of the process that refuses functions which would end it.
+
+    In this process the functions in :data:`ENDINGS`, such as ``os._exit``, raise SystemExit.  In a
+    forked process, which has another id, they do what they always do.  The id is 0 if no process
+    refuses them.
+    """
 
     process = 0
 
 
 def keep_exit_code() -> None:
-    """Refuse ``os._exit`` and ``os.exec...`` in this process, but not in forked processes."""
+    """Let ``os._exit`` and ``os.exec...`` raise SystemExit in this process from now on.
+
+    In forked processes these functions do what they always do.
+    """
     _Kept.process = os.getpid()
     vars(os).update(_REFUSALS)
 
 
 @contextmanager
 def exit_code_kept() -> Iterator[None]:
-    """A context in which this process refuses the functions in :data:`ENDINGS`."""
+    """A context in which ``os._exit`` and ``os.exec...`` raise SystemExit in this process.
+
+    So a user's function that is called in the context cannot choose the exit code of the process.
+    """
     process, functions = _Kept.process, {name: getattr(os, name) for name in ENDINGS}
     keep_exit_code()
     try:

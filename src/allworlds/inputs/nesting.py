@@ -48,7 +48,10 @@ def ensure_outermost() -> None:
 
 
 def refusal_in(words: str) -> NestedCheck | None:
-    """The refusal of a nested check in the last line that a program has printed; None if absent."""
+    """The refusal of a nested check, if the last line of ``words`` is such a refusal; else None.
+
+    ``words`` are the lines that a program has printed.
+    """
     last = words.rstrip().rpartition("\n")[2]
     return NestedCheck(last.partition(": ")[2]) if SAID in last else None
 

@@ -40,11 +40,15 @@ Answer = TypeVar("Answer")
 
 SCOPE, RULES, EFFORT, OUTPUT = "What is checked", "How it is judged", "Effort", "Output"
 PANELS = (SCOPE, RULES, EFFORT, OUTPUT)
-"""The panels of the help, in their order."""
+"""The panels of the help, which are groups of options, in their order."""
 
 
 class Rare(str):
-    """A panel of the help for rare options: a long help shows them only by ``--help-all``."""
+    """The name of a panel of the help, as the mark of an option that is rarely needed.
+
+    If a verb has many options, ``--help`` leaves out the options with this mark, and
+    ``--help-all`` shows all options.  Other verbs show all options by ``--help``.
+    """
 
     __slots__ = ()
 
@@ -63,14 +67,14 @@ class Option:
     """The form of a field on the command line.
 
     Attributes:
-        panel: the panel of the help.
+        panel: the panel of the help in which the option is shown.
         metavar: the word for the value in the help; empty for a flag.
         help: the description in a line or two, also for Python.
         name: the name of the option, without dashes; by default the name of the field.
         short: a letter as a second name.
         parse: the function from the text to the value of the field.
-        default: the text that is parsed if the option is missing; if it is empty, the field then
-            has its own default.
+        default: the text that is parsed if the option is not given; if this text is empty, the
+            field has its own default if the option is not given.
         apart: whether results are independent of the option, because it only tells where, how long
             or for whom a job is done.
         repeated: whether the option may be given several times; the field then gets a list.
@@ -138,7 +142,7 @@ class Request:
     """A request, or a part of requests that several verbs share.
 
     Each subclass becomes a frozen dataclass whose fields are given as keywords.  In a subclass with
-    ``kw_only=False`` they may also be given by position.
+    ``kw_only=False`` the fields may also be given by position.
     """
 
     __dataclass_fields__: ClassVar[dict[str, Any]]
@@ -155,7 +159,11 @@ class Request:
 
     @property
     def in_effect(self) -> dict[str, Any]:
-        """Keys of the scope, with values that are computed from the options; empty by default."""
+        """Values for the scope of a report, by key; they replace the options' values there.
+
+        A subclass returns values that took effect but are no option's value, such as the digest of
+        a given file.  By default there are none.
+        """
         return {}
 
 
@@ -221,14 +229,18 @@ def takes_fields(
     several: str = "",
     answered: Callable[[Any], Any] | None = None,
 ) -> Callable[[Callable[P, Answer]], Callable[P, Answer]]:
-    """Give a function a signature and a docstring with the fields of a request.
+    """Give a function that takes the fields of a request a signature and a docstring with them.
+
+    The decorated function takes the fields as keywords.  It is only called with legal keywords and,
+    if the request names explorers, never inside another check.
 
     Args:
         request: the class of the request.
         several: the name of a field whose values the function takes as any number of positional
             arguments; empty if there is no such field.
-        answered: the function that :func:`answer` calls with a request; by default it is the
-            innermost function that the decorated function wraps.
+        answered: the function that gives the same answer, but takes a request; :func:`answer` calls
+            it.  By default it is the function that :func:`answers` has turned into the decorated
+            function.
     """
 
     def made(function: Callable[P, Answer]) -> Callable[P, Answer]:
@@ -274,7 +286,10 @@ def ensure_takes(
 
 
 def answer(function: Callable[..., Answer], request: object) -> Answer:
-    """Call a function that :func:`takes_fields` has made, with a request in place of keywords."""
+    """Answer a request by a function that :func:`takes_fields` has made for its fields.
+
+    The function that takes the request itself is called, see :func:`takes_fields`.
+    """
     answered: Answer = inspect.unwrap(function)(request)
     return answered
 

@@ -15,7 +15,7 @@ from allworlds.world.state import State
 
 
 def trail_to(map_: CombinatorialMap, here: Dart, walk: Walk | Transcript) -> list[Dart]:
-    """The robot's darts in ``map_``, at the start and after each step, if it ends at ``here``.
+    """The robot's darts in ``map_``, at the start and after each step of a walk to ``here``.
 
     Motions are reversible, so the walk is traced back from ``here`` to its beginning.
     """
@@ -43,8 +43,9 @@ def believed_percepts(
 ) -> list[actions.Percept] | None:
     """The percepts that the estimated map predicts, at the start and after each step.
 
-    ``trail`` holds the robot's darts in the estimated map.  There the lighthouse stands where the
-    robot must believe it to be; the result is None if the map has no place for the lighthouse.
+    ``trail`` holds the robot's darts in the estimated map.  The lighthouse is placed in this map as
+    it is placed in the world, but as seen from the first dart of ``trail`` instead of the start
+    (method ``believed`` of lighthouses).  The result is None if the map has no such place.
     """
     world, answered = walk.world, WalkInAnswer(estimate, trail, walk.percepts)
     lighthouse = world.lighthouse.believed(world.map, world.start, answered)
@@ -144,15 +145,17 @@ class BelievedWalk(Struct, frozen=True):
 def believed_walk(walk: Walk, answer: actions.Estimate) -> BelievedWalk:
     """The walk in the answer that agrees for longest with the walk in the world.
 
-    The first candidate is the walk that ends at ``here``.  The further candidates are the walks
-    that begin at a dart of the answer, one for each dart: an explorer may have been right up to its
-    last step, and then have given a wrong ``here``.  Among them the walk is tried first whose
-    degrees equal the sensed degrees for the most steps from the start on; if two are equal in this,
-    the walk from the smaller dart.  Of several candidates that agree equally long, the first one
-    that was tried is taken.
+    The first candidate is the walk that ends at ``here``.  But an explorer may have been right up
+    to its last step, and then have given a wrong ``here``.  So there is a further candidate for
+    each dart of the answer: the walk that begins at this dart, but with ``here`` as its last dart.
+    A further candidate counts only if the walk in the world contradicts it somewhere.
 
-    Cost: the steps times the number of darts of the answer from which the degrees agree for longer
-    than the best walk so far.
+    The candidates are compared in an order: first the walk that ends at ``here``, then the others,
+    by the number of steps from the start on in which the degrees in the answer equal the sensed
+    degrees, the largest number first.  For equal numbers the walk from the smaller dart comes
+    first.  If several candidates agree equally long, the first of them in this order is returned.
+
+    Cost: for each dart of the answer at most linear in the steps and the darts.
     """
     best = _beside(walk, answer.map, trail_to(answer.map, answer.here, walk))
     degrees = [percept.degree for percept in walk.percepts]

@@ -39,8 +39,9 @@ def overruled(outcome: Outcome, first: Log, second: Log, *, choices: bool = Fals
 def _may_be_overruled(violation: Violation | None, second: Log) -> bool:
     """Whether a difference of two plays may replace the first play's violation.
 
-    It may if there is no violation, if the machine may be the cause of it, if nondeterminism has
-    precedence over the violated law, or if the second play does not break this law.
+    A difference may do so in four cases: there is no violation; the violated law is ``crash`` or
+    ``timeout``, which a run may break because of the machine; the second play does not end with a
+    fault by the violated law; or the law ``nondeterministic`` has precedence over the violated law.
     """
     if violation is None or violation.law in LOST:
         return True
@@ -51,14 +52,14 @@ def _may_be_overruled(violation: Violation | None, second: Log) -> bool:
 
 
 def difference_of(first: Log, second: Log, *, choices: bool = False) -> Violation | None:
-    """The violation of an explorer whose plays with the same percepts differ; else None.
+    """The violation of the law ``nondeterministic`` if two plays differ; None if they do not.
 
     The texts of faults are not compared, because they may contain an address or a time.
 
     Args:
         first: the play in the world.
         second: the play that got the percepts of the first play.
-        choices: whether the choices are compared, too, because every schedule is tried.
+        choices: whether the choices are compared, too; needed only if every schedule is tried.
     """
     actions, again = [*first.actions], [*second.actions]
     if actions != again:
@@ -121,7 +122,10 @@ def nondeterministic(seen: str) -> Violation:
 
 
 def _meaning(log: Log) -> object:
-    """The part of the ending that must be equal in both plays: the answer or the broken law."""
+    """The part of the ending that must be equal in both plays: the answer or the broken law.
+
+    The result is None if the play ended with a refused action, after which there is no percept.
+    """
     if log.ending[0] in (entries.BEYOND, entries.REFUSED):
         return None  # there is no percept after a refused action
     fault = fault_of(log)

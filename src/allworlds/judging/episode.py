@@ -42,7 +42,7 @@ class Fault(Struct, frozen=True):
 
     Attributes:
         law: ``crash``, ``timeout``, ``illegal-action``, ``no-estimate`` or ``budget``.
-        expected, seen: a sentence about the expectation, and one about the observation.
+        expected, seen: the legal behaviour, and the explorer's behaviour, each in words.
         detail: a traceback, or the tail of a program's stderr; may be empty.
         machine: whether the machine, not the explorer, may be the cause, for example if a signal
             ended the process, after a time-out, or for lack of memory.
@@ -78,10 +78,12 @@ class Episode(Struct, frozen=True):
 
 
 class AroundExplorer:
-    """A world in which an explorer walks; the explorer gets only copies of the percepts.
+    """The surroundings of an explorer in one run: the world, and the robot's walk in it so far.
+
+    The object answers each action with a copy of the percept; this is all that the explorer gets.
 
     Args:
-        world: the world; it is neither changed nor shown.
+        world: the world.  An action adds a step to the walk, and does not change the world.
         over: the function that tells after each step whether the task is done and the run ends;
             None if the task ends no run.
     """
@@ -92,15 +94,19 @@ class AroundExplorer:
 
     @property
     def over(self) -> bool:
-        """Whether the task of the run is done."""
+        """Whether the run ends here, because its task is done."""
         return self._over is not None and self._over(self._walk)
 
     def move(self, k: int) -> actions.Percept:
-        """The percept after a motion."""
+        """Make a motion ``k``, which is below the degree; return the percept after it."""
         return self.act(actions.action_numbered(k))
 
     def act(self, action: actions.Action) -> actions.Percept:
-        """The percept after an action; raises IllegalAction if the action is illegal here."""
+        """Perform an action, and return the percept after it.
+
+        Raises:
+            IllegalAction: if the action is illegal now.
+        """
         return _copy(self._walk.step(action))
 
 
@@ -121,12 +127,13 @@ def play(
     """Play one run of an explorer in a world to its end, in this process.
 
     Args:
-        world: the world; it is neither changed nor shown.
+        world: the world; the run does not change it, and the explorer does not see it.
         player: the explorer.
         choices: the choices, for an explorer that takes choices.
         budget: the largest legal number of traversals; ``budget + 1`` checkpoints are legal.
-        beat: numbers that other processes can read; ``beat[1]`` counts the explorer's turns in the
-            run, and is 0 after the end of the run.
+        beat: two numbers by which another process can notice that the explorer is silent.
+            ``beat[0]``, the number of the run, is not changed here; ``beat[1]`` is the number of
+            the explorer's turn, and is 0 after the end of the run.  None: no process reads them.
         maps: whether the task asks for a map.
         over: the function that tells whether the task is done; None if the task ends no run.
 
@@ -149,7 +156,7 @@ def followed(log: Log, world: World, budget: int, *, maps: bool = True) -> Episo
         maps: whether the task asks for a map.
 
     Raises:
-        IllegalAction: if the log goes on after an action that is illegal here.
+        IllegalAction: if the log goes on after an action that is illegal in this world.
 
     Cost: linear in the steps.
     """

@@ -1,6 +1,6 @@
 """Algorithm 1 for a robot that senses at v0 only a letter, which depends on the bearing.
 
-A letter is the number of marks in a percept; 0 means no letter.  If only one bearing has a letter,
+A letter is the number of marks in a percept at v0.  If only one bearing has a letter other than 0,
 the letter marks a *door*; else the letters of all bearings, clockwise, are a *word*.  In the *scan*
 the robot learns the letters of v0: it leaves by each dart of v0 and comes back.  A test that has
 come to v0 ends with *queries*: the robot goes out and back by darts whose letters prove that it had
@@ -50,7 +50,7 @@ class Scanning(Algorithm1):
     """An exploration by Algorithm 1 in which v0 is recognised by its letters.
 
     Attributes:
-        one_letter: whether only one dart has a letter, so that the scan ends at this dart.
+        one_letter: whether only one dart has a letter other than 0; the scan ends at this dart.
         queries: for each dart of v0 the darts whose letters prove an arrival by this dart.
     """
 
@@ -78,7 +78,7 @@ class Scanning(Algorithm1):
     def scan(self) -> Stage[None]:
         """Read the letters of v0, clockwise from the dart faced at the start.
 
-        If only one dart has a letter, the scan ends at this dart.
+        If ``one_letter`` is true, the scan ends at the first letter other than 0.
         """
         first = self.s.expected[0]
         degree = first.degree

@@ -176,7 +176,7 @@ def _say_left(story: Story) -> list[str]:
 
 
 def _tell_first_wrong(story: Story) -> list[str]:
-    """Say which checkpoint is the first with a wrong S; no sentence if there is none."""
+    """Say which checkpoint is the first wrong one, and why; no sentence if none is wrong."""
     if story.checkpoint is None:
         return []
     what = story.finding.wrong_checkpoint or "its S is not the explored part"
@@ -531,5 +531,5 @@ TELLERS: dict[str, Teller] = {
 
 
 def teller_of(law: str) -> Teller:
-    """The function that explains a violation of a law; for an unknown law it only says the name."""
+    """The function that explains a violation of a law; it only says the name of an unknown law."""
     return TELLERS.get(law) or ending(f"The law '{law}' is broken.")

@@ -78,13 +78,14 @@ def tell_round(story: Story) -> list[str]:
 
 
 def tell_way_back(story: Story) -> list[str]:
-    """Say where a robot confuses two doors after a way back; no sentence if it does not.
+    """Say where the explorer confuses two doors after a way back; no sentence if it does not.
 
     A robot that comes back to a vertex faces the door by which it had left.  Some explorers count
-    doors from another door instead: the one by which the robot had first come.  There is a sentence
-    if the walk looks like this mistake, which two tests decide.  Take the same motions, but count
-    doors in this wrong way.  Then some motion that in truth led along a walked edge leads along a
-    new one, and no motion that in truth led along a new edge leads along a walked one.
+    doors from another door instead: the one by which the robot had first come.  For each motion of
+    the walk, this function compares the door by which the robot left with the door that the
+    explorer means if it makes this mistake.  There is a sentence if two conditions are met: once,
+    after a way back, the robot left along a walked edge when the meant door led along a new edge;
+    and the robot never left along a new edge when the meant door led along a walked edge.
     """
     map_, darts = story.map, story.walk.darts
     came, left, walked, remarks = dict[int, Dart](), dict[int, Dart](), set[Dart](), list[str]()
@@ -127,7 +128,12 @@ FRAME = re.compile(r'^  File "(.*)", line ([0-9]+) in (.*)$', re.MULTILINE)
 
 
 def stack_of(finding: Finding) -> list[tuple[str, str]]:
-    """The user's lines in the stack of a silent run, innermost first, each with its function."""
+    """The user's lines in the stack of a run that breaks the law ``timeout``, innermost first.
+
+    The result holds pairs: a line as ``FILE:LINE``, and the name of the function.  An explorer in
+    Python that is silent for too long prints its stack, if the prints of the run are recorded.  If
+    it has printed none, or for another law, the result is empty.
+    """
     if finding.law != "timeout":
         return []
     here = f"{os.getcwd()}{os.sep}"  # noqa: PTH109  # a text, as the files are
@@ -139,6 +145,6 @@ def stack_of(finding: Finding) -> list[tuple[str, str]]:
 
 
 def tell_stack(finding: Finding) -> list[str]:
-    """Name the user's lines in the stack of a silent run; no sentence if no stack was printed."""
+    """Name the lines of :func:`stack_of`, where the explorer was silent; if none, no sentence."""
     frames = [f"{function} ({line})" for line, function in stack_of(finding)[:SHOWN]]
     return [f"It was then in the function {', called by '.join(frames)}."] if frames else []

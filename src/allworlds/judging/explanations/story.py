@@ -85,8 +85,8 @@ class Story(Walked):
 
     Attributes:
         finding: the finding that is explained.
-        checkpoint: the number of steps before the checkpoint that breaks the law; None if no
-            checkpoint breaks it.
+        checkpoint: the number of steps before the checkpoint that breaks the law, or, in a run
+            without an answer, before the first wrong checkpoint; None without such a checkpoint.
 
     Raises:
         InputError: if the transcript is impossible in the world, or ends before that checkpoint.
@@ -133,7 +133,7 @@ class Belief:
 
     @property
     def step(self) -> int | None:
-        """The first step at which the walks in the answer and the world diverge; None: no step."""
+        """The first step at which the walks in the answer and the world diverge; None if never."""
         parting = self.walk.parting
         return parting.step if parting else None
 
@@ -171,10 +171,10 @@ class Slip(Struct, frozen=True):
     Attributes:
         name: the name of the slip, in a word or two.
         sentence: a description with the darts of the world.
-        mended: the answer's map without the slip; None if the slip is in the reading of percepts.
-        truth: the map that equals the mended map.  It is the world's map; but if the answer lacks
-            or misplaces an edge of the world, it is the world's map without this edge.
-        here: the robot's dart in the mended map; None if the answer's ``here`` is also wrong, or if
+        mended, truth: two equal maps, which prove the slip: the answer's map after the correction
+            of the slip, and the world's map.  If the answer lacks or misplaces one edge, both maps
+            are without this edge.  If the slip is in the reading of percepts, ``mended`` is None.
+        here: the robot's dart in ``mended``; None if the answer's ``here`` is also wrong, or if
             the dart is unknown.
     """
 
@@ -194,7 +194,7 @@ Recogniser: TypeAlias = Callable[[Belief], Slip | None]
 def the_slip(belief: Belief) -> Slip | None:
     """The first slip that alone explains how the answer differs from the world.
 
-    Return None if no slip does, or if a map has more than :data:`LARGEST` edges.
+    Return None if no single slip explains it, or if a map has more than :data:`LARGEST` edges.
     """
     if max(belief.answer.map.edge_count, belief.story.map.edge_count) > LARGEST:
         return None
@@ -223,8 +223,8 @@ def bearings_anticlockwise(belief: Belief) -> Slip | None:
 
     The walk that ends at ``here`` is followed in the answer.  Only the percepts at the start and
     after the first walk along each edge must fit, because a robot on its way back need not look.
-    If the map is right, all percepts must fit, because then a wrong ``here`` alone is the likelier
-    slip.
+    But if the answer's map equals the world's map, only ``here`` is wrong.  Usually that is a
+    mistake of its own, so bearings are blamed only if all percepts of the walk fit.
     """
     map_, walk = belief.answer.map, belief.story.walk
     trail = trail_to(map_, belief.answer.here, walk)

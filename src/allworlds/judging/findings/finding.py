@@ -29,7 +29,13 @@ REPLAY = "allworlds replay FILE  # with this finding, as JSON, in FILE"
 
 
 def _value(name: str, given: Any) -> Value:
-    """The recorded value of the key ``name``, which is an expectation or an observation."""
+    """The estimate in ``given``, the JSON value of the key ``expected`` or ``seen`` of a finding.
+
+    Integers and texts are values of these keys as they are, and are not read by this function.
+
+    Raises:
+        InputError: naming the key ``name``, if ``given`` is no estimate.
+    """
     if isinstance(given, Mapping):
         try:
             return actions.Estimate.from_json(given)
@@ -211,7 +217,11 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @cached_property
     def key(self) -> tuple[int, int, Code, int, tuple[int, ...]]:
-        """The key by which findings are sorted: edges, vertices, canonical code, place, choices."""
+        """The run as a tuple by which runs are ordered, those in small worlds first.
+
+        The tuple holds the numbers of edges and vertices, the canonical code, the place, and the
+        choices.  All findings of one run have the same tuple.
+        """
         map_ = self.world.map
         code = rooted_code(map_.sigma, map_.alpha, self.world.start)
         return (map_.edge_count, map_.vertex_count, code, self.place, self.choices)
@@ -223,10 +233,10 @@ class Finding(doc.Document, Paged, forbid_unknown_fields=False, kw_only=True):
 
     @property
     def rank(self) -> tuple[Any, ...]:
-        """The key by which all findings are sorted, also several findings of one run.
+        """The tuple by which the findings of a check are sorted; it begins with :attr:`key`.
 
-        Among the findings of one run, those that name earlier runs come first, then those that need
-        a hash seed.
+        Of several findings of one run, those that name earlier runs (``after``) come first, then
+        those of runs that depend on the hash seed, then all others.
         """
         return self.key, not self.after, self.hash_seed is None, self.hash_seed or 0
 
@@ -327,9 +337,9 @@ def canonical_world(world: World) -> World:
 
 
 def labelled(world: World, given: Iterable[World]) -> World:
-    """The canonical world, with labels if it equals a given world.
+    """The world, with the labels of the first given world that equals it, if there is one.
 
-    The labels are those of the first given world that equals it.
+    ``world`` is in canonical numbering; the given worlds may have any numbering.
     """
     sized = (one for one in given if one.map.edge_count == world.map.edge_count)
     return next((one for one in map(canonical_world, sized) if one == world), world)

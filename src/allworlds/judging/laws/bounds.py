@@ -16,7 +16,7 @@ _NAMES = (*VARIABLES, "paper")
 
 
 def default_step_budget(bound: int) -> int:
-    """The default step budget of a run: 8 times the paper's bound, plus 100."""
+    """The default step budget of a run: 8 times ``bound``, the paper's bound, plus 100."""
     return 8 * bound + 100
 
 
@@ -35,7 +35,8 @@ def paper_bound(vertices: int, edges: int) -> int:
 def paper_terms(vertices: int, edges: int) -> tuple[int, int]:
     """The values of the formulas (1) and (2) of Section VI of the paper.
 
-    The upper limit of (2) is printed as 'n-n+1'; the text above it says m-n+1.
+    The paper prints the upper limit of the sum (2) as 'n-n+1', but the text above the formula says
+    m-n+1.  This function uses m-n+1.
     """
     n, m = vertices, edges
     growing = sum(s + 2 * (s - 1) * (2 * m - 2 * (s - 1)) for s in range(1, n))
@@ -77,7 +78,7 @@ class Bound:
         return bound_named, (self.name,)
 
     def of(self, map_: CombinatorialMap, start: Dart) -> int | None:
-        """The largest legal number of traversals in this map from this start; None: no bound."""
+        """The largest legal number of traversals in a map from a start; None without a bound."""
         # Most bounds do not depend on these two variables, which take longer than all others.
         diameter = map_.diameter if "d" in self.variables else 0
         genus = map_.genus if "g" in self.variables else 0

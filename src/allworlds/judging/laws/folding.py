@@ -1,9 +1,10 @@
 """The folded log: everything that a directional log proves, without trust in any explorer.
 
-A *node* stands for one visit of a vertex; at first every arrival makes a new node.  A robot that
-arrives at v0 knows its vertex and its dart, so the node of this arrival is merged with v0, dart
-with dart as the bearing says.  If a dart then leads to two nodes, these are merged, too.  The
-result is a part of every world that agrees with the log; if it has no open dart, it *is* the world.
+A *node* is a copy of a vertex; at first every arrival through an open dart makes a new node.  A
+robot that arrives at v0 knows its vertex and its dart, so the node of this arrival is merged with
+v0; the bearing says which dart is merged with which.  If a dart then leads to two nodes, these are
+merged, too.  The result is a part of every world that agrees with the log; if it has no open dart,
+it *is* the world.
 """
 
 from msgspec import Struct
@@ -36,7 +37,7 @@ class Folded(Struct, frozen=True):
 
 
 def fold(transcript: Transcript) -> Folded:
-    """Fold the log: return everything that it proves.
+    """Fold the log: return the part of the map that the log proves.
 
     Raises:
         Contradiction: if no world has this log.
@@ -75,9 +76,12 @@ class _Folding:
         self._add(first.degree)
 
     def walk(self, dart: int, k: int, percept: Percept) -> int:
-        """Leave by ``sigma^k(dart)``; return the dart of arrival.
+        """Note a motion: the robot leaves by ``sigma^k(dart)``, and senses ``percept``.
 
-        ``dart`` and the dart of arrival are darts of root nodes.
+        Return the dart of arrival.  Like ``dart``, it is a dart of a root node.
+
+        Raises:
+            Contradiction: if no world agrees with the log so far and with this percept.
         """
         _check(percept)
         v = self.node[dart]
@@ -132,7 +136,7 @@ class _Folding:
         return start
 
     def _root(self, dart: int) -> int:
-        """The dart of the root node that stands for this dart."""
+        """The dart of a root node with which this dart was merged; a root's dart itself."""
         v = self.node[dart]
         while self.parent[v] != v:
             w = self.parent[v]

@@ -1,7 +1,9 @@
 """**The** table of the laws of finished runs, and each law as a function.
 
 A new law needs a function of a :class:`Case` (a run together with the truth), and an entry in
-``LAWS``.  A law that ends a run early, such as ``timeout``, has only an entry in ``ASKED``.
+``LAWS``.  ``ASKED`` holds for every law a sentence about what an explorer must do; it takes the
+sentences of ``LAWS`` over from there.  A law that ends a run early, such as ``timeout``, is not in
+``LAWS``, and has its entry in ``ASKED``.
 
 The laws about checkpoints embed the S of a checkpoint into the true map: they map the checkpoint's
 ``here`` to the robot's true dart; the images of all other darts follow along sigma and the explored
