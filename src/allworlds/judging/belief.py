@@ -43,9 +43,10 @@ def believed_percepts(
 ) -> list[actions.Percept] | None:
     """The percepts that the estimated map predicts, at the start and after each step.
 
-    ``trail`` holds the robot's darts in the estimated map.  The lighthouse is placed in this map as
-    it is placed in the world, but as seen from the first dart of ``trail`` instead of the start
-    (method ``believed`` of lighthouses).  The result is None if the map has no such place.
+    ``trail`` holds the robot's darts in the estimated map.  The method ``believed`` of the world's
+    lighthouse gives the place of the lighthouse in this map: usually the place that it has in the
+    world, but seen from the first dart of ``trail`` instead of the start.  The result is None if
+    the map has no such place.
     """
     world, answered = walk.world, WalkInAnswer(estimate, trail, walk.percepts)
     lighthouse = world.lighthouse.believed(world.map, world.start, answered)
