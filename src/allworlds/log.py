@@ -1,4 +1,4 @@
-"""The log of a run, which is all that a player makes.  Only this module writes and reads logs.
+"""The log of a run: the bytes that a player makes.  Only this module writes and reads logs.
 
 The module imports nothing, so that a player starts fast.  A log is a sequence of entries.  Each
 entry begins with a byte, which tells its kind; most kinds have a name:
@@ -56,7 +56,7 @@ DROPPED, PICKED, WROTE = -1, -2, -3
 
 
 def motion(k: int) -> bytes:
-    """The entry of a motion by ``k`` >= 0 darts."""
+    """The entry of the motion ``Move(k)`` with ``k`` >= 0."""
     return bytes((k,)) if k <= LARGEST_MOTION else bytes((FAR,)) + _number(k)
 
 
@@ -107,9 +107,10 @@ def fault(law: str, expected: str, seen: str, detail: str = "", *, machine: bool
 
 
 def _short(code: int, sigma: Sequence[int], alpha: Sequence[int], here: int) -> bytes:
-    """An entry in which each number is one byte.
+    """An entry of the kind ``code`` in which each number is one byte.
 
-    The result is empty if a number is no byte, or if there are more than :data:`MOST_DARTS` darts.
+    The result is empty if such an entry is impossible: if a number is no byte, if sigma and alpha
+    have different lengths, or if there is no dart, or more than :data:`MOST_DARTS` darts.
     """
     darts = len(sigma)
     if not (darts == len(alpha) and 1 <= darts <= MOST_DARTS):
@@ -141,7 +142,8 @@ class Log:
     """The content of a log.
 
     Attributes:
-        actions: the numbers of the actions.
+        actions: for each action its number: k for a motion ``Move(k)``; for another action
+            ``DROPPED``, ``PICKED`` or, for ``Write(k)``, ``WROTE - k``.
         checkpoints: for each checkpoint the number of actions before it, sigma, alpha, here.
         choices: for each choice the index of the option.
         widths: for each choice the number of options (0: unknown).
@@ -201,7 +203,8 @@ class Log:
     def _long(self, log: bytes, at: int, code: int) -> int:
         """Read an entry with numbers of any length or with texts.
 
-        Return the index after the entry, or -1 if the entry ends the log.
+        ``code`` is the first byte of the entry, and ``at`` the index after this byte.  Return the
+        index after the entry, or -1 if the entry ends the log.
         """
         if code == FAR:
             at, number = _number_at(log, at)
@@ -278,7 +281,10 @@ def _text_at(log: bytes, at: int) -> tuple[int, str]:
 
 
 def _size_at(log: bytes, at: int) -> int:
-    """The length that stands at index ``at``; raise IndexError unless so many bytes follow."""
+    """The number of bytes of a number or a text, which stands in 4 bytes from index ``at`` on.
+
+    Raise IndexError if fewer bytes follow.
+    """
     size = int.from_bytes(log[at : at + 4], "little")
     if len(log) < at + 4 + size:
         raise IndexError

@@ -28,13 +28,13 @@ LOST = ("crash", "timeout")
 
 
 class Outcome(Struct, frozen=True):
-    """One judged episode.
+    """One judged run.
 
     Attributes:
-        episode: the episode.
+        episode: the walk of the run, its checkpoints and its ending.
         violation: the first broken law, or None.
-        detail: a traceback, or a program's stderr; may be empty.
-        choices: the index taken at each choice.
+        detail: more about a fault: a traceback, or a program's stderr; may be empty.
+        choices: for each choice of the explorer the index of the option that was taken.
         bound: the largest legal number of traversals; None if there is no bound.
         hash_seed: the players' ``PYTHONHASHSEED``, if the outcome depends on it; else None.
         output: the explorer's prints, if they were recorded.
@@ -65,7 +65,10 @@ class Referee:
         self._checks = [LAWS[law].check for law in rules.applying]
 
     def outcome(self, world: World, episode: Episode, choices: tuple[int, ...]) -> Outcome:
-        """Judge an episode in its world; ``choices`` holds the index taken at each choice."""
+        """Judge the episode of a run in ``world``.
+
+        ``choices`` holds for each choice of the explorer the index of the option that was taken.
+        """
         bound = self.rules.the_bound.of(world.map, world.start)
         violation = self.verdict(episode, bound)
         ending = episode.ending
@@ -99,9 +102,10 @@ class Referee:
         return first_broken(Case(walk, episode.checkpoints, estimate, bound), self._checks)
 
     def finding(self, world: World, place: int, outcome: Outcome) -> Finding:
-        """The finding of an outcome that breaks a law, in canonical numbering.
+        """The finding about an outcome that breaks a law.
 
-        ``place`` is the number of the lighthouse's place in the world.
+        The darts of the finding's world are numbered canonically.  ``place`` is the number of the
+        lighthouse's place in the world.
         """
         assert outcome.violation is not None
         violation, ending = outcome.violation, outcome.episode.ending
@@ -145,11 +149,11 @@ DARTS = range(1 << 63)
 
 
 def _believed(episode: Episode, step: int | None) -> tuple[Believed | None, str]:
-    """The first wrong checkpoint, and its fault in words.
+    """The first checkpoint that breaks the law invariant-1 or invariant-2, and its fault in words.
 
     If ``step`` is given, only the checkpoints after exactly this number of steps are examined, else
-    all.  If no examined checkpoint is wrong, the last one is returned with an empty fault.  If
-    there is no checkpoint to examine, None is returned with an empty fault.
+    all.  If no examined checkpoint breaks these laws, the last one is returned with an empty fault.
+    If there is no checkpoint to examine, None is returned with an empty fault.
     """
     at = [i for i, (steps, _) in enumerate(episode.checkpoints) if step in (None, steps)]
     given = tuple([episode.checkpoints[i] for i in at])
@@ -173,7 +177,7 @@ class Examiner(Referee):
         self._player = subject.player()
 
     def examine(self, world: World, choices: choices.Choices) -> Outcome:
-        """Play one episode, and judge it."""
+        """Play one run in ``world``, and judge it; ``choices`` makes the explorer's choices."""
         rules, task = self.rules, self.rules.task
         budget = rules.budget(world.map)
         episode = play(world, self._player, choices, budget, maps=task.is_map, over=task.over)
@@ -181,9 +185,10 @@ class Examiner(Referee):
 
 
 def name_run(rules: Rules, world: World) -> str:
-    """The name of a run, from which a random policy draws its choices; empty under other policies.
+    """The name of a run, which seeds the choices of a random policy; empty under other policies.
 
-    The name depends on the world, but not on the order in which runs are played.
+    The name depends on the world and its lighthouse's place, but not on the order in which runs are
+    played.
     """
     if not rules.policy.startswith("random"):
         return ""

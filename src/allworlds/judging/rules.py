@@ -1,4 +1,4 @@
-"""The rules by which a run is played and judged; ``check``, ``fuzz`` and ``run`` take them all."""
+"""The rules by which a run is played and judged: options of ``check``, ``fuzz`` and ``run``."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import KW_ONLY, replace
@@ -54,7 +54,7 @@ from allworlds.world.lighthouses import base, kinds, marked
 from allworlds.world.world import World
 
 SIZE = {"n", "m"}
-"""The variables of a bound that depends on the size alone."""
+"""The variables of a bound that depends only on the size: the numbers of vertices and edges."""
 
 
 def law_names(text: str) -> tuple[str, ...]:
@@ -183,9 +183,10 @@ class RuleOptions(Request):
         promised: bool = False,
         among: "Among | None" = None,
     ) -> "Rules":
-        """The rules under a lighthouse, with the explorer's own bound and its own step budget.
+        """The rules for the explorer ``subject`` under a lighthouse.
 
-        ``promised`` and ``among`` are the fields of :class:`Rules`.
+        The rules hold the explorer's own bound; and, if the request has no step budget, the
+        explorer's own step budget.  ``promised`` and ``among`` are fields of :class:`Rules`.
 
         Raises:
             InputError: naming the offending option and what would be legal.
@@ -218,7 +219,7 @@ class Among(NamedTuple):
 
     @classmethod
     def of(cls, where: classes.Condition | None) -> "Among | None":
-        """The condition of a request; None if the request has none."""
+        """The condition ``where`` of a request, as an :class:`Among`; None if ``where`` is None."""
         if where is None:
             return None
         digests = [code.digest for code in getattr(where, "codes", ())]
@@ -228,7 +229,8 @@ class Among(NamedTuple):
 class Rules(RuleOptions, kw_only=False):
     """The rules by which a run is played and judged, in any world.
 
-    If the bound equals its default, the field ``bound`` is None here; likewise the field ``laws``.
+    The field ``bound`` is None if the bound is the default one; the field ``laws`` is None if the
+    laws are the default ones.
 
     Attributes:
         lighthouse: the kind of lighthouse.
@@ -267,7 +269,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def kind(self) -> type[base.Lighthouse]:
-        """The class of the lighthouses of this kind."""
+        """The Python class of the lighthouses of the kind :attr:`lighthouse`."""
         return self.lighthouse.as_class
 
     @property
@@ -283,7 +285,11 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def default_bound(self) -> Bound:
-        """The bound if the user names none; the known bounds are for the task ``map`` only."""
+        """The bound if the user names none.
+
+        For the task ``map`` this is the explorer's own bound, or else the lighthouse's default
+        bound.  For any other task it is :data:`NO_BOUND`.
+        """
         if not self.task.is_map:
             return NO_BOUND
         return self.own_bound or bound_named(self.kind.default_bound)
@@ -294,7 +300,12 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def _met(self) -> set[str]:
-        """The conditions of laws (``maps``, ``folds``, ``bounded``) that these rules meet."""
+        """The conditions of laws that these rules meet: some of ``maps``, ``folds``, ``bounded``.
+
+        ``maps``: the task is ``map``.  ``folds``: moreover the log of a correct explorer determines
+        the map under this lighthouse, and the worlds have no promised property.  ``bounded``: there
+        is a bound on the traversals.
+        """
         met = {MAPS} if self.task.is_map else set[str]()
         met |= {FOLDS} if met and self.kind.folds and not self.promised else set()
         return met | ({BOUNDED} if self._named_bound != NO_BOUND else set())
@@ -305,14 +316,17 @@ class Rules(RuleOptions, kw_only=False):
 
     @cached_property
     def applying(self) -> tuple[str, ...]:
-        """The laws that are checked, in the order of precedence."""
+        """The names of those laws in :data:`LAWS` that are checked, in the order of precedence.
+
+        The law ``task`` is not in :data:`LAWS`; see :attr:`judged`.
+        """
         return self._usual_laws if self.laws is None else self.laws
 
     @property
     def judged(self) -> tuple[str, ...]:
-        """The laws that are checked.
+        """The names of the laws that are checked, the law ``task`` included.
 
-        For a task other than ``map`` the first of them is the law ``task``.
+        These are the laws :attr:`applying`; before them stands ``task`` unless the task is ``map``.
         """
         return self.applying if self.task.is_map else (TASK, *self.applying)
 
@@ -323,9 +337,9 @@ class Rules(RuleOptions, kw_only=False):
     def budget_by_size(self, vertices: int, edges: int) -> int:
         """The largest legal number of traversals in a world of this size.
 
-        If the user gives no budget, it is the default step budget, or the explorer's own bound if
-        this is larger; but it is never above the budget of :meth:`budget_of_bound`.  A bound that
-        depends on more than the size is ignored.
+        This is the field ``step_budget``.  If the field is None, the result is the default step
+        budget, or the explorer's own bound if this is larger; but the result is never larger than
+        that of :meth:`budget_of_bound`.  A bound that depends on more than the size is ignored.
         """
         if self.step_budget is not None:
             return self.step_budget
@@ -340,7 +354,8 @@ class Rules(RuleOptions, kw_only=False):
         """A hundred times the checked bound, plus 100, in a world of this size.
 
         Return None if there is no bound, or if the bound depends on more than the size, or has no
-        value for it.  A longer run breaks the law ``bound`` in any case, so it is stopped.
+        value for this size.  A run with more traversals than the result breaks the law ``bound`` in
+        any case, so it is stopped.
         """
         if not self.the_bound.variables <= SIZE:
             return None
@@ -351,15 +366,16 @@ class Rules(RuleOptions, kw_only=False):
         return None if bound is None else far_beyond(bound)
 
     def choices(self, name: str, script: Sequence[int] = ()) -> Choices:
-        """New choices for the run of this name; a random policy draws anew for each name.
+        """A new maker of choices for the run called ``name``, which seeds a random policy.
 
-        ``script`` holds the indices of the first choices.
+        ``script`` holds the indices of the options to take at the first choices.
         """
         return Choices(policy_named(self.policy, name), script)
 
     def arguments(self, script: Sequence[int] = ()) -> list[str]:
-        """The options of the command ``run`` for these rules, and for these first choices.
+        """The options of the command ``run`` for these rules, as words of the command line.
 
+        ``script`` holds the indices of the options to take at the first choices of the explorer.
         The command ``run`` has no option for a promised property of the worlds.  So if there is
         such a property, the options name the laws that are checked.
         """
@@ -376,7 +392,7 @@ class Rules(RuleOptions, kw_only=False):
 
     @property
     def in_effect(self) -> dict[str, Any]:
-        """The values of all options that take effect, by the options' keys in documents."""
+        """For each option that takes effect its value, under the option's key in documents."""
         effective = {
             "task": None if self.task.is_map else self.task,
             "bound": self.the_bound,

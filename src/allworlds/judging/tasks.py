@@ -1,8 +1,10 @@
 """Tasks, which define when a run has done its work.  **The** table of the tasks of this program.
 
-Each task has a *complaint*: a function that returns the fault of a run, or None.  Its arguments are
-the world, the transcript and the answer.  A user's task is a function of this kind.  The task
-``map`` has no complaint: the laws ``map`` and ``pose`` find its faults.
+Each task has a *complaint*: a function that returns the fault of a finished run in words, or None.
+Its arguments are the world, the walk and the answer.  A user's task is a complaint.  If this
+function has an attribute ``over``, the task can end a run: ``over`` is a function of the world and
+the walk, which returns True when the task is done.  The task ``map`` has no complaint: the laws
+``map`` and ``pose`` find its faults.
 """
 
 from collections.abc import Callable
@@ -18,11 +20,7 @@ from allworlds.protocol.user_code import Role, UserCode
 from allworlds.world.world import World
 
 Complaint: TypeAlias = Callable[[World, Walk, Any], str | None]
-"""A function that returns the fault of a finished run, or None.
-
-A user's function that ends runs has an attribute ``over``: a function that returns whether the task
-is done.  Its arguments are the world and the walk.
-"""
+"""A function from the world, the walk and the answer to the fault of a run in words, or None."""
 
 MAP = "map"
 
@@ -157,15 +155,18 @@ class Task(Struct, frozen=True):
 
     @property
     def over(self) -> Callable[[Walk], bool] | None:
-        """The function that tells after each step whether the run ends; None if no step ends it."""
+        """The function from the walk so far to whether the run ends; None if the task ends no run.
+
+        The function is called after each step.
+        """
         return self.is_over if self.ends_runs else None
 
     def is_over(self, walk: Walk) -> bool:
-        """Whether the task is done after this walk, so that it ends the run.
+        """Whether the task ends the run after this walk, because the task is done.
 
         Raises:
-            InputError: if the user's function raises, returns no boolean, or returns different
-                values for the same run.
+            InputError: if the function ``over`` of a user's task raises, returns no boolean, or
+                returns different values for the same walk.
         """
         if not self.ends_runs:
             return False
@@ -180,8 +181,8 @@ class Task(Struct, frozen=True):
         """The fault of a finished run; None if there is none.
 
         Raises:
-            InputError: if the user's function raises, returns neither a text nor None, or returns
-                different values for the same run.
+            InputError: if the complaint of a user's task raises, returns neither a text nor None,
+                or returns different values for the same run.
         """
         answer = ending.answer if isinstance(ending, Answered) else None
         wrong = self._asked("", self._complaint, walk.world, walk, answer)
@@ -190,12 +191,19 @@ class Task(Struct, frozen=True):
         return wrong
 
     def _asked(self, part: str, function: Callable[..., Any], world: World, *run: Any) -> Any:
-        """The value of a function for a run.
+        """The value of ``function(world, *run)``.
 
-        A user's function is called twice, so that a function with varying values is found.
+        A user's function is called twice, to find a function whose values vary.
+
+        Args:
+            part: the first words of error messages: "over of " if the function is the attribute
+                ``over`` of the task; empty if the function is the complaint.
+            function: the complaint of the task, or its attribute ``over``.
+            world: the world of the run.
+            run: the other arguments of the function: the walk; for a complaint also the answer.
 
         Raises:
-            InputError: if the user's function raises, or returns two different values.
+            InputError: if a user's function raises, or returns two different values.
         """
         if self.code is None:
             return function(world, *run)
@@ -210,7 +218,7 @@ class Task(Struct, frozen=True):
 
 
 def task_named(given: object) -> Task:
-    """The task of a name, or of a function in Python.
+    """The task ``given`` by its name, by a user's function in Python, or as a :class:`Task`.
 
     Raises:
         InputError: naming the legal tasks.

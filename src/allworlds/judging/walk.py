@@ -1,6 +1,7 @@
-"""The walk of a run in its world, which laws, tasks, findings and stories read.
+"""The walk of a run in its world: laws, tasks, findings, and explanations in words depend on it.
 
-Only :meth:`~allworlds.world.world.World.step` knows how a robot moves; every walk is made by it.
+Only the method :meth:`~allworlds.world.world.World.step` knows how a robot moves; it makes the
+steps of every walk.
 """
 
 from collections.abc import Iterable, Iterator
@@ -60,10 +61,11 @@ class Walk(Struct):
 
     @classmethod
     def recorded(cls, world: World, transcript: Transcript) -> Self:
-        """Return the walk of a given transcript, which may be impossible in the world.
+        """Return the walk of a finding's transcript, after a check that the world allows this walk.
 
         Raises:
-            InputError: naming the first step that does not fit.
+            InputError: naming the first illegal action, or the first percept that differs from the
+                percept in the world.
         """
         try:
             walk = cls.of(world, transcript.actions)
@@ -79,7 +81,7 @@ class Walk(Struct):
         return walk
 
     def step(self, action: Action) -> Percept:
-        """Go one step further; return the percept after it.
+        """Add the step of this action to the walk; return the percept after the step.
 
         Raises:
             IllegalAction: if the action is illegal here; the walk is then not changed.

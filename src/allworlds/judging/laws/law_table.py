@@ -50,7 +50,7 @@ class Case(Struct, frozen=True, dict=True):
 
     @property
     def map(self) -> CombinatorialMap:
-        """The true map."""
+        """The map of the world."""
         return self.walk.world.map
 
     @property
@@ -60,11 +60,11 @@ class Case(Struct, frozen=True, dict=True):
 
     @cached_property
     def answer(self) -> Literal["right", "pose", "map", "open"]:
-        """The judgement of the estimate: ``right``, or what is wrong.
+        """The judgement of the answer's map and ``here``: ``right``, or what is wrong.
 
-        ``pose``: the map is the same, but no isomorphism takes ``here`` to the robot's dart.
-        ``map``: the map is another one.
-        ``open``: there is no answer with a map.
+        ``pose``: the map is the world's, but no isomorphism takes ``here`` to the robot's dart.
+        ``map``: the map is not the world's map.
+        ``open``: the answer has no map; it is a rooted quotient, or None.
         """
         if not isinstance(self.estimate, Estimate):
             return "open"
@@ -82,7 +82,10 @@ class Case(Struct, frozen=True, dict=True):
 
 
 Value: TypeAlias = Estimate | int | str
-"""An expectation or an observation: estimates for map and pose, integers for bound, or texts."""
+"""The expectation of a law, or the observation in a run.
+
+An estimate for the laws ``map`` and ``pose``, an integer for ``bound``, a text for all others.
+"""
 
 
 class Violation(Struct, frozen=True):
@@ -126,10 +129,11 @@ def _wrong_answer(case: Case, law: str) -> Violation:
 
 
 def ambiguity_law(case: Case) -> Violation | None:
-    """Require that an answer without a map is the rooted quotient of a world that has lookalikes.
+    """Require that an answer without a map is the world's quotient, rooted at the robot's dart.
 
-    Under this law a robot senses the degree, and one mark at the vertex of the start.  Lookalikes
-    are all other worlds, with maps of any class, in which every walk has the same percepts.
+    The world must also have lookalikes: other worlds, with maps of any class, in which every walk
+    has the same percepts.  An answer without a map is legal only under the lighthouse ``position``,
+    perhaps with n and m told: the robot senses the degree, and one mark at the vertex of the start.
     Cost: O(m log m).
     """
     answer = case.estimate
@@ -154,7 +158,7 @@ def ambiguity_law(case: Case) -> Violation | None:
 
 
 def _canonical(answer: Ambiguous) -> Ambiguous:
-    """The quotient with its darts numbered from ``here``."""
+    """The quotient ``answer`` with its darts renumbered canonically: ``here`` becomes dart 0."""
     order = numbering(answer.sigma, answer.alpha, answer.here)
     number = {q: i for i, q in enumerate(order)}
     return Ambiguous(
@@ -167,7 +171,7 @@ def _canonical(answer: Ambiguous) -> Ambiguous:
 
 
 def _words(answer: Ambiguous) -> str:
-    """The rooted quotient in words."""
+    """The rooted quotient ``answer`` in words."""
     names = ("sigma", "alpha", "degree", "marks")
     parts = (f"{name} {list(getattr(answer, name))}" for name in names)
     return f"the quotient rooted at 0 with {', '.join(parts)}"
@@ -177,7 +181,7 @@ def _words(answer: Ambiguous) -> str:
 
 
 def bound_law(case: Case) -> Violation | None:
-    """Require at most ``bound`` edge traversals, retracing included (Section VI)."""
+    """Require at most ``case.bound`` edge traversals, retracing included (Section VI)."""
     cost = case.walk.cost
     if case.bound is None or cost <= case.bound:
         return None
@@ -207,8 +211,9 @@ def folding_law(case: Case) -> Violation | None:
 def invariant_1(case: Case) -> Violation | None:
     """Require I-1: S is the explored subgraph of the world, in the same cyclic orders.
 
-    That is: the embedding exists and is injective, it maps whole vertices to whole vertices, and
-    every edge of S has been walked.
+    That is: :func:`embed` finds an injective function from the darts of S to darts of the world;
+    the images of the darts of a vertex are all darts of a vertex; and every edge of S has been
+    walked along.
     """
     for steps, checkpoint in case.checkpoints:
         if broken := _wrong_s(case, steps, checkpoint):
@@ -217,9 +222,9 @@ def invariant_1(case: Case) -> Violation | None:
 
 
 def _wrong_s(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
-    """The reason why the S of a checkpoint is wrong; None if S is right.
+    """The reason why the S of a checkpoint breaks I-1; None if I-1 holds.
 
-    ``steps`` is the number of steps before the checkpoint.  If S would be right with another
+    ``steps`` is the number of steps before the checkpoint.  If I-1 would hold with another
     ``here``, the reason says so.
     """
     broken = _wrong_part(case, steps, checkpoint)
@@ -247,7 +252,8 @@ def _wrong_part(case: Case, steps: int, checkpoint: Checkpoint) -> str | None:
 def invariant_2(case: Case) -> Violation | None:
     """Require I-2: U is the set of unexplored darts at the explored vertices.
 
-    By I-1 all darts of S's vertices exist, so it is enough that no dart in U is on an edge of S.
+    If I-1 holds, S has every dart of each explored vertex.  So only this is checked: no dart in U
+    is alpha(d) of an explored dart d.
     """
     for steps, checkpoint in case.checkpoints:
         if broken := _half_entered(checkpoint):
@@ -269,7 +275,7 @@ def _half_entered(checkpoint: Checkpoint) -> str | None:
 
 
 def variant(case: Case) -> Violation | None:
-    """Require that the variant t decreases at every checkpoint, and is 0 at the last checkpoint.
+    """Require that the variant t falls from each checkpoint to the next, and is 0 at the last one.
 
     t = |E_G| - |E_S| is the number of edges of the world that are not in S.
     """
@@ -291,11 +297,12 @@ def variant(case: Case) -> Violation | None:
 
 
 def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Dart] | str:
-    """The dart of the world for each dart of S, or the reason why S cannot be embedded.
+    """The images of the darts of S, which are darts of the world; or the reason why there are none.
 
-    ``dart`` is the robot's dart in the world, the image of ``here``.  In an S that breaks I-2, a
-    dart u in U may be the other end of an explored dart d; then the image of u is the other end of
-    the image of d.
+    The image of ``here`` is ``dart``, the robot's dart in the world.  The other images follow:
+    image(sigma(d)) = sigma(image(d)), and, unless d is open, image(alpha(d)) = alpha(image(d)).
+    Different darts must have different images.  In an S that breaks I-2, alpha(d) can be an open
+    dart u; then d is also taken as alpha(u).
 
     Cost: O(|S|).
     """
@@ -326,9 +333,9 @@ def embed(map_: CombinatorialMap, dart: Dart, checkpoint: Checkpoint) -> list[Da
 
 
 def first_wrong(case: Case) -> tuple[int, str] | None:
-    """The number of the first checkpoint that breaks an invariant, with its fault in words.
+    """The index of the first checkpoint that breaks I-1 or I-2, and its fault in words.
 
-    Return None if no checkpoint breaks an invariant.
+    Return None if no checkpoint breaks I-1 or I-2.
     """
     for number, (steps, checkpoint) in enumerate(case.checkpoints):
         if broken := _half_entered(checkpoint) or _wrong_s(case, steps, checkpoint):
@@ -358,7 +365,10 @@ IDLE = {
     "elsewhere a promise can make an explorer right that breaks this law",
     BOUNDED: "has no effect where the bound is none; name a bound too",
 }
-"""For each condition, the reason why a law that needs it is not checked if it is not met."""
+"""For each condition the end of a message about a law that needs the condition.
+
+The message says why the law is not checked when the condition is not met.
+"""
 
 
 class Law(Struct, frozen=True):
@@ -367,7 +377,7 @@ class Law(Struct, frozen=True):
     Attributes:
         asks: the requirement on an explorer, in a sentence.
         check: the function that tells whether a run breaks the law.
-        needs: the condition under which the law applies.
+        needs: the condition under which the law applies: ``maps``, ``folds`` or ``bounded``.
     """
 
     asks: str
@@ -405,7 +415,7 @@ ASKED = {
     "task": "The answer and the walk must be what the task asks for.",
     **{name: law.asks for name, law in LAWS.items()},
 }
-"""The requirement of each law on an explorer; only the laws in ``LAWS`` can be left out."""
+"""The requirement of each law on an explorer.  A user can leave out only laws in ``LAWS``."""
 
 PRECEDENCE = (*ASKED,)
 """The names of all laws; if a run breaks several laws, the first one is reported."""
