@@ -43,11 +43,11 @@ Modules
 ``enumeration``, ``counting``
     all maps of a class, glued together; the number of these maps, computed without making a map;
 ``count_source``
-    the source with which the enumeration of an extent (a class of bounded size, under a condition)
-    is compared; the number of maps that an unfinished map can become;
+    the numbers and fingerprints with which the enumerated maps of an extent (a class of bounded
+    size, under a condition) are compared; the number of maps that an unfinished map can become;
 ``build``, ``families``
-    maps made by hand and by name, small changes to a map, and the shortest walk along all edges;
-    large maps that a text and a seed determine;
+    maps made by hand and by name, and small changes to a map; large maps that a text and a seed
+    determine;
 ``networks``
     maps to networkx and back, and every embedding of a graph;
 ``quotient``

@@ -1,11 +1,11 @@
-"""Maps made by hand, by name and by recipe.
+"""Maps made by hand, by name and from sizes; and small changes to maps.
 
 There are two notations.  A *rotation* lists the neighbours of each vertex clockwise, with keys for
 parallel edges.  *Cycles* list the names of the edges round each vertex clockwise.  Each notation
-can express all maps, also maps with loops and parallel edges.  The other functions that make maps
-use one of these notations.
+can express all maps, also maps with loops and parallel edges.  Maps with a name, or of given sizes,
+are made from one of these notations.
 
-The module also makes maps with one edge less, and the shortest walk along all edges of a map.
+The changes remove or contract edges, move a dart, or complete an explored part.
 """
 
 import random
@@ -77,7 +77,10 @@ def from_rotation(
 
 
 def _neighbour(vertex: object, entry: object) -> tuple[Any, ...]:
-    """The neighbour in an entry of a vertex's list, and the key of the edge if there is one."""
+    """The neighbour in ``entry``, and the key of the edge if there is one.
+
+    ``entry`` stands in the list of ``vertex``, which error messages name.
+    """
     if isinstance(entry, list) and len(entry) != 2:
         legal = "a neighbour, or [neighbour, key]"
         raise InvalidMap(f"vertex {show(vertex)} lists {show(entry)}; legal is {legal}")
@@ -213,10 +216,13 @@ def dense(vertices: int, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
 def _with_holes(rotation: dict[int, list[int]], holes: float, seed: int) -> dict[int, list[int]]:
     """The rotation without ``round(holes * m)`` random edges; the rest of the graph is connected.
 
-    The edges get a random order.  In this order each edge is removed, unless its removal would
-    disconnect the rest.  The edges that would remain at the end are a minimum spanning tree, if
-    earlier edges have larger weights.  So this tree is computed once, and the first edges outside
-    it are removed.
+    The function shuffles the edges, computes the minimum spanning tree for weights that fall in
+    this order, and removes the first ``round(holes * m)`` edges that are not in the tree.  The
+    result is as if the edges were tried in this order, and each edge was removed if the rest stayed
+    connected.
+
+    Raises:
+        ValueError: if ``holes`` is not in 0..1, or if fewer edges are outside the tree.
     """
     if not 0 <= holes <= 1:
         raise ValueError(f"holes = {holes} is not a fraction in 0..1")
@@ -333,7 +339,7 @@ def deleted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
 def contracted(map_: CombinatorialMap, dart: Dart) -> CombinatorialMap | None:
     """The map in which both ends of the edge of ``dart`` are one vertex; None for a loop.
 
-    In the rotation of the first end, the rotation of the second end replaces the edge.
+    In the rotation of the end with ``dart``, the other darts of the other end replace ``dart``.
     """
     ends = [map_.vertex_of[d] for d in (dart, map_.alpha[dart])]
     if ends[0] == ends[1]:
@@ -389,7 +395,10 @@ def without(map_: CombinatorialMap, gone: set[Dart]) -> CombinatorialMap | None:
 
 
 def moved(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
-    """Yield the maps that arise if one dart is moved to another position in a rotation."""
+    """Yield the maps that arise if one dart of ``map_`` is moved to another position.
+
+    The new position is between two darts of the same vertex or of another vertex.
+    """
     for dart in map_.darts:
         without = [[d for d in vertex if d != dart] for vertex in map_.vertices]
         for v, vertex in enumerate(without):

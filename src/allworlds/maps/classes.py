@@ -94,7 +94,7 @@ class Condition(Protocol):
 
     @property
     def name(self) -> str:
-        """The name that ``--where`` takes."""
+        """The name of the property, as the option ``--where`` takes it."""
 
     def holds(self, map_: CombinatorialMap) -> bool:
         """Whether the map has the property."""
@@ -122,7 +122,10 @@ class NamedCondition(Struct, frozen=True):
         return self._kind.dual
 
     def may_begin(self, gluing: Gluing) -> bool:
-        """Whether an unfinished map can become a map with the property, or the dual of one."""
+        """Whether an unfinished map can become a map with the property.
+
+        If :attr:`dual` is true: whether it can become the dual of a map with the property.
+        """
         return self._kind.begins(gluing, self.number)
 
     @property
@@ -150,7 +153,7 @@ class AllOf(Struct, frozen=True):
 
     @property
     def name(self) -> str:
-        """The names of the parts."""
+        """The names of the parts, joined by :data:`AND`."""
         return AND.join(part.name for part in self.parts)
 
     @property
@@ -167,10 +170,11 @@ class AllOf(Struct, frozen=True):
 
 
 def narrowing(where: Condition | None) -> tuple[NamedCondition, ...]:
-    """The named conditions that the enumeration tests on unfinished maps, to give them up early.
+    """The conditions for which the enumeration gives up unfinished maps that cannot meet them.
 
-    The enumeration glues together either the maps themselves or their duals.  So the result holds
-    only the conditions that are tested on maps; if there are none, those tested on duals.
+    These are the conditions with a name in ``where``.  But the enumeration glues together either
+    maps or duals of maps.  So if some of these conditions are tested on maps, the result does not
+    hold those that are tested on duals.
     """
     parts = where.parts if isinstance(where, AllOf) else (where,)
     found = [part for part in parts if isinstance(part, NamedCondition)]
@@ -303,10 +307,10 @@ def _shortest_round(
 
 
 def genus_exactly(gluing: Gluing, genus: int) -> bool:
-    """Whether the genus of the edges so far is at most ``genus``, and can still become ``genus``.
+    """Whether the genus of the part that is glued so far can still become ``genus``.
 
-    When further edges are glued, the genus never falls.  A finished map with n vertices has at
-    least one face, so ``2g <= m - n + 1``.
+    When further edges are glued, the genus never falls; so now it must be at most ``genus``.  A
+    finished map with n vertices has at least one face, so ``2 * genus <= m - n + 1``.
     """
     vertices = len(gluing.degrees)
     most = (gluing.edges - vertices - (gluing.owed > 0) + 1) // 2
@@ -364,7 +368,10 @@ class MapSource(Protocol):
     gate: str
 
     def like(self, world: Any) -> Iterable[Any]:
-        """The given worlds that equal ``world`` up to the numbering of darts, in their order."""
+        """The given worlds that equal ``world`` up to the numbering of darts.
+
+        The worlds come in the order in which they were given.
+        """
 
 
 class Extent(Struct, frozen=True):

@@ -82,9 +82,9 @@ class CombinatorialMap(Pictured, WrittenByFields):
 
     @classmethod
     def trusted(cls, sigma: Sequence[Dart], alpha: Sequence[Dart]) -> CombinatorialMap:
-        """A map from permutations that a proven construction has made.
+        """The map of two permutations, without the check that they are a map.
 
-        The law is not checked.  This method is for enumerators and builders, not for users.
+        This method is for functions whose construction always makes maps; it is not for users.
         """
         self = object.__new__(cls)
         object.__setattr__(self, "sigma", tuple(sigma))
@@ -145,7 +145,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
 
     @cached_property
     def diameter(self) -> int:
-        """The largest number of edges that a shortest walk between two vertices has.
+        """The largest distance of two vertices; a distance is the length of a shortest walk.
 
         Cost: O(m) for each vertex.
         """
@@ -189,7 +189,7 @@ class CombinatorialMap(Pictured, WrittenByFields):
         return vertex[(self._places[1][dart] + offset) % len(vertex)]
 
     def move(self, dart: Dart, offset: int) -> Dart:
-        """``alpha(sigma^offset(dart))``: the dart of arrival of a motion."""
+        """``alpha(sigma^offset(dart))``: the dart of arrival of ``Move(offset)`` from ``dart``."""
         return self.alpha[self.turn(dart, offset)]
 
     def offset(self, start: Dart, end: Dart) -> int:
@@ -270,7 +270,10 @@ def cycles(permutation: Sequence[int]) -> tuple[tuple[int, ...], ...]:
 
 
 def places(cycles: Sequence[Sequence[int]]) -> tuple[tuple[int, ...], tuple[int, ...]]:
-    """For each element of a permutation: the number of its cycle, and its position in the cycle."""
+    """For each element the number of its cycle; and for each element its position in the cycle.
+
+    ``cycles`` are the cycles of a permutation; a cycle's number is its index in ``cycles``.
+    """
     size = sum(map(len, cycles))
     owner, positions = [0] * size, [0] * size
     for index, cycle in enumerate(cycles):
@@ -448,7 +451,7 @@ def carries(
 
 
 def isomorphism(a: CombinatorialMap, b: CombinatorialMap) -> tuple[Dart, ...] | None:
-    """A bijection ``w`` of darts with ``w . sigma = sigma . w`` and ``w . alpha = alpha . w``.
+    """A bijection ``w`` from the darts of ``a`` to those of ``b`` that keeps sigma and alpha.
 
     Shape: ``w[d]`` is the dart of ``b`` for dart ``d`` of ``a``.  Among all such bijections, ``w``
     has the smallest image of dart 0.  The result is None if the maps are different.

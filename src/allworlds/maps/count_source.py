@@ -1,7 +1,11 @@
-"""The independent source with which an enumeration is compared, and the completions of a gluing.
+"""The values with which an enumeration is compared, and the number of completions of a gluing.
+
+The count gate compares the numbers of the enumerated maps with numbers from a *source*: a formula
+or recurrence of the module ``counting`` that makes no map (:func:`source_of`).  The gate compares
+the fingerprints of the maps with those of a plainer enumeration (:func:`listed`).
 
 A *gluing* is an unfinished map; the module ``enumeration`` explains how maps are glued together.  A
-*completion* is a rooted map that a gluing can become.  Only the number of completions is computed.
+*completion* is a rooted map that a gluing can become.
 """
 
 from collections import Counter
@@ -23,7 +27,7 @@ NOTHING: Mapping[NewParts, int] = MappingProxyType({(0, 0): 1})
 def completions(gluing: Gluing) -> int:
     """The number of rooted maps that this gluing can become; in simple classes an upper bound.
 
-    The gluing has at least its first vertex.  Cost: microseconds; polynomial in the edges.
+    The gluing must have at least one vertex.  Cost: microseconds; polynomial in the edges.
     """
     left = gluing.limit - len(gluing.degrees)
     if not gluing.planar:
@@ -54,10 +58,11 @@ def _anywhere(open_: int, owed: int, vertices: int) -> int:
 
 @cache
 def _fillings(open_: int, most: int) -> Mapping[NewParts, int]:
-    """The numbers of ways to close a face of ``open_`` open darts with at most ``most`` new darts.
+    """The numbers of ways to finish a face of a planar gluing with at most ``most`` new darts.
 
-    The result has an entry for each pair: the number of new darts, and that of new vertices.  The
-    oldest open dart is glued to another dart, which divides the face, or to a new vertex.
+    The face has ``open_`` open darts, and is finished when none is open.  For each pair of a number
+    of new darts and a number of new vertices, the result has the number of ways.  In each way, the
+    oldest open dart is glued to another one, which divides the face, or to a new vertex.
     """
     if open_ == 0:
         return NOTHING
@@ -80,7 +85,7 @@ def _product(a: Mapping[NewParts, int], b: Mapping[NewParts, int]) -> Mapping[Ne
 
 
 def source_of(extent: Extent) -> CountSource | None:
-    """The source of the numbers of maps in an extent; None for an extent without a source."""
+    """The source in ``counting`` of the numbers of maps in an extent; None if there is none."""
     where = extent.where
     if extent.given is not None:
         return None
@@ -95,9 +100,9 @@ def source_of(extent: Extent) -> CountSource | None:
 def listed(extent: Extent, edges: int) -> Mapping[int, int]:
     """For each number of vertices, the sum of the fingerprints of the extent's maps of this size.
 
-    The maps have ``edges`` edges; see :func:`fingerprint`.  The maps are enumerated in the plainest
-    way: all rooted maps with ``edges`` edges are made, and then those of the extent are selected.
-    The work is not divided, and no unfinished map is given up early.
+    The maps have ``edges`` edges; the sums are taken modulo :data:`FINGERPRINTS`.  The maps are
+    enumerated in the plainest way: all rooted maps with ``edges`` edges are made, and then those of
+    the extent are selected.  The work is not divided, and no unfinished map is given up early.
     Cost: up to 5 edges 0.3 s; 0.03 ms for each map of any class.
     """
     sums: Counter[int] = Counter()

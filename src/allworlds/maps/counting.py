@@ -4,8 +4,9 @@ An enumeration is exhaustive if its counts equal counts from an independent sour
 in this module are generating functions, recurrences and sums from the literature.  They share no
 code with the enumeration of maps, or with the maps themselves.
 
-All functions return exact integers by number of vertices (or genus) for a single number of edges
-``m >= 1``.  A connected map with m edges has ``1..m+1`` vertices; these numbers are the keys.
+Each source is a function that takes a number of edges ``m >= 1``, and returns the exact numbers of
+rooted maps by number of vertices: ``{vertices: rooted maps}``.  A connected map with m edges has
+``1..m+1`` vertices; these numbers are the keys.
 
 ============================  ===========================================================
 all maps                      the logarithm of the series of all pairs of permutations
@@ -58,7 +59,10 @@ def vertex_counts(edges: int) -> range:
 
 
 def cells(edges: int, polynomial: Polynomial) -> Cells:
-    """The coefficients of a polynomial in x, by the number of vertices."""
+    """For each number n of vertices the coefficient of x^n in ``polynomial``.
+
+    n goes through the numbers of vertices that connected maps with ``edges`` edges have.
+    """
     return {n: coefficient(polynomial, n) for n in vertex_counts(edges)}
 
 
@@ -204,7 +208,8 @@ def rooted_of_genus(edges: int, genus: int) -> Cells:
 def carrell_chapuy(n: int, genus: int) -> Polynomial:
     """The polynomial Q_g^n(x): the coefficient of x^v counts rooted maps with v vertices, n edges.
 
-    It is computed with the recurrence of Carrell and Chapuy, multiplied by 12.
+    The recurrence of Carrell and Chapuy is used with both sides multiplied by 12, so that all its
+    coefficients are integers.
     """
     if genus < 0 or 2 * genus > n:
         return ()
@@ -287,11 +292,16 @@ def _dotted_pairs(a: int, b: int, rest: tuple[int, ...], genus: int) -> int:
 def rooted_planar_simple_by_substitution(edges: int) -> Cells:
     """``{vertices: rooted simple planar maps}`` with that many edges.
 
-    Two substitutions lead from simple to all planar maps.  A planar map arises from a map without
-    loops: each of its 2k corners gets a sequence of loops, each with a map inside; the root's
-    corner has two sides, and so two sequences.  A map without loops arises from a simple map: each
-    edge is kept, or opened to a 2-gon that holds a map without loops whose root edge has been
-    opened.  Each substitution is solved for the series of the maps from which the others arise.
+    The series of all planar maps is known.  A first equation determines from it the series of the
+    maps without loops, and a second one then the series of the simple maps.
+
+    The first: each planar map arises from one map without loops, with k edges, say.  Each of its 2k
+    corners gets a sequence of loops, with a planar map inside each loop; the root's corner gets two
+    sequences, one on each side of the root.
+
+    The second: each map without loops arises from one simple map.  Each edge of the simple map is
+    kept, or replaced by a map without loops whose root edge is doubled: the two copies become
+    parallel edges, with the rest of this map between them.
     Source: the compositions of W. T. Tutte, A census of planar maps, Canad. J. Math. 15 (1963).
     """
     vertices = vertex_counts(edges)
@@ -419,8 +429,9 @@ def rooted_with_faces(edges: int, length: int, genera: Iterable[int]) -> Cells:
 
 
 def rooted_simple_triangulations(edges: int) -> Cells:
-    """``{vertices: rooted simple planar triangulations}``, with k + 2 vertices and 3k edges.
+    """``{vertices: rooted simple planar triangulations}`` with that many edges.
 
+    Such a triangulation has k + 2 vertices and 3k edges; there are none with other numbers.
     Source: W. T. Tutte, A census of planar triangulations, Canad. J. Math. 14 (1962):
     ``2 (4k-3)! / (k! (3k-1)!)``.
     """

@@ -14,7 +14,10 @@ In simple classes all open darts of a vertex must lead to different vertices tha
 neighbours.  A decision is refused if there are too few such vertices.  This test does not find all
 dead ends, so a few histories end without a map.  Under a condition on maps, histories can also end
 without a map.  For a condition on the faces of a map the dual is glued together instead of the map,
-because it is a condition on the vertices of the dual.
+because the condition is one on the vertices of the dual.
+
+An unfinished map is called a *gluing*.  Its *faces* are those of the edges so far, each with the
+open darts that stand in the face.
 """
 
 from collections.abc import Iterator, Sequence
@@ -29,7 +32,7 @@ Decision: TypeAlias = int
 
 
 class Gluing:
-    """A partial map that grows by decisions.
+    """An unfinished map that grows by decisions.
 
     Attributes:
         edges: m, the number of edges of the finished map.
@@ -37,8 +40,8 @@ class Gluing:
         alpha: for each dart so far the dart to which it is glued; OPEN for an open dart.
         vertex: for each dart its vertex.
         degrees: the degree of each vertex.
-        faces: the open darts round each face of the boundary, in their order; in classes that are
-            not planar a single face holds all of them.
+        faces: for each face with open darts, these open darts in their order round the face; in
+            classes that are not planar, a single list of all open darts.
         newest: a dart of the edge that was glued last; OPEN if there is no edge.
     """
 
@@ -75,11 +78,11 @@ class Gluing:
         return bool(self.degrees) and not self.faces
 
     def successors(self) -> "Iterator[tuple[Decision, Gluing]]":
-        """Yield the legal decisions about the oldest open dart, with the gluings after them.
+        """Yield the legal decisions about the oldest open dart, each with the gluing after it.
 
-        The order is fixed: ascending partners, then ascending degrees of a new vertex.  Each of
-        the gluings can be finished; but in simple classes, or under a condition on maps, a few
-        cannot.
+        The order is fixed: first the decisions that glue the dart to an open dart, ascending; then
+        those that make a new vertex, by ascending degrees.  Each of the gluings can be finished;
+        but in simple classes, or under a condition on maps, a few cannot.
 
         Cost: O(m) for each gluing.
         """
@@ -98,7 +101,10 @@ class Gluing:
                 yield decision, after
 
     def apply(self, decision: Decision) -> None:
-        """Take a decision about the oldest open dart.  Cost: O(m)."""
+        """Glue the oldest open dart as the decision says, or make the first vertex.
+
+        Cost: O(m).
+        """
         if not self.degrees:
             self._new_vertex(-decision)
             self.faces = [list(range(-decision))]
@@ -119,7 +125,7 @@ class Gluing:
         self.faces = rest + [part for part in parts if part]
 
     def _oldest(self) -> tuple[Dart, list[Dart]]:
-        """The oldest open dart, and its face."""
+        """The oldest open dart, and the member of :attr:`faces` that holds this dart."""
         face = min(self.faces, key=min)
         return min(face), face
 
@@ -198,14 +204,15 @@ def rooted_maps(
     prefix: Sequence[Decision] = (),
     where: Condition | None = None,
 ) -> Iterator[CombinatorialMap]:
-    """Every map of the class with exactly ``edges`` edges, rooted at dart 0, once each.
+    """Yield every map of the class with exactly ``edges`` edges, rooted at dart 0, once each.
 
     Args:
         edges: m >= 1.
         map_class: the class.
         vertices: the largest number of vertices, or None.
-        prefix: only the maps whose history begins with these decisions (:func:`prefixes`).
-        where: only the maps that meet this condition.
+        prefix: the first decisions of a history (:func:`prefixes`); only maps whose history begins
+            with these decisions are yielded.
+        where: a condition; only maps that meet the condition are yielded.
 
     The maps come in a fixed order.  Cost: constant memory.
     """
@@ -225,9 +232,10 @@ def rooted_maps(
 def _grown(
     gluing: Gluing, history: tuple[Decision, ...], depth: int | None = None
 ) -> Iterator[tuple[tuple[Decision, ...], Gluing]]:
-    """The gluings to which ``gluing`` grows, each with its history.
+    """Yield the gluings to which ``gluing`` grows, each with its history.
 
     A gluing is yielded as soon as it is finished or has a history of ``depth`` decisions.
+    ``history`` holds the decisions that have led to ``gluing``.
     """
     if gluing.finished or len(history) == depth:
         yield history, gluing
@@ -282,9 +290,10 @@ def prefixes(
     depth: int = 2,
     where: Condition | None = None,
 ) -> Iterator[tuple[Decision, ...]]:
-    """The histories cut after ``depth`` decisions; each map extends exactly one of them.
+    """Yield the histories of all maps of the class, cut after ``depth`` decisions, once each.
 
-    A history may be left out if no map that meets the condition extends it.
+    The history of each map begins with exactly one of the results.  A result may be missing if it
+    begins the history of no map that meets the condition ``where``.
     """
     for history, _ in _grown(Gluing(edges, map_class, vertices, where), (), depth):
         yield history

@@ -1,4 +1,12 @@
-"""Named families of maps, small and large."""
+"""Named families of maps, small and large.
+
+The name of a member holds numbers: ``regular:3x8`` is a member of ``regular:DxN``.  In the
+docstrings capital letters stand for these numbers, in the order of the arguments; m is the number
+of edges.  Vertex 0 is the vertex of dart 0, the root.
+
+The hubs of a :func:`corridor` stand in a row: first N *near* hubs, then F *far* hubs.  A hub has
+one of q *types*, which tells the darts that lead to the next hub.
+"""
 
 import re
 from collections.abc import Callable, Iterator
@@ -59,9 +67,10 @@ def sparse(vertices: int, edges: int, random: Random) -> CombinatorialMap:
 def planar(edges: int, random: Random) -> CombinatorialMap:
     """A rooted map of genus 0 with that many edges, uniform among all of them, without rejection.
 
-    In a plane tree the labels change by -1, 0 or 1 along each edge.  Each corner is joined to the
-    next corner with a smaller label, or to an additional vertex.  The result is a quadrangulation,
-    and its diagonals between the vertices of one colour form the map.
+    The vertices of a random plane tree get labels, which change by -1, 0 or 1 along each edge.
+    Each corner of the tree is joined to the next corner with a smaller label; if there is none, to
+    an additional vertex.  The new edges are a quadrangulation, whose vertices have two colours; its
+    diagonals between the vertices of one colour form the map.
 
     Source: G. Schaeffer, Conjugaison d'arbres et cartes combinatoires aleatoires, 1998; with a
     random plane tree by the cycle lemma.  Cost: O(m).
@@ -122,9 +131,9 @@ def _diagonals(previous: dict[int, int], root: int) -> CombinatorialMap:
 
 
 def bouquet(loops: int, random: Random) -> CombinatorialMap:
-    """A vertex with c loops, and a vertex of degree 1 that is joined to it; m = c + 1.
+    """A vertex with C loops, joined to vertex 0, which has degree 1; m = C + 1.
 
-    Vertex 0 is the vertex of degree 1.  The order of the loops' ends round their vertex is random.
+    The order of the loops' ends round their vertex is random.
     """
     names = [loop for loop in range(loops) for _ in range(2)]
     random.shuffle(names)
@@ -134,9 +143,9 @@ def bouquet(loops: int, random: Random) -> CombinatorialMap:
 def lollipop(degree: int, length: int, random: Random) -> CombinatorialMap:
     """A path that leads from vertex 0, of degree 1, to a knot: a random part.
 
-    The path has ``length`` inner vertices; loops raise their degree to D.  The knot also has
-    ``length`` vertices of degree D, so that it looks like the path; only its last vertex has the
-    degree D + 1.  The edges in the knot are random.
+    The path has L inner vertices; loops raise their degree to D.  The knot has L vertices of degree
+    D, so that the knot looks like the path; only its last vertex has the degree D + 1.  The edges
+    in the knot are random.
     """
     if degree < 4 or degree % 2 or length < 1:
         raise ValueError("D is even and at least 4, L at least 1")
@@ -150,9 +159,9 @@ def lollipop(degree: int, length: int, random: Random) -> CombinatorialMap:
 
 
 def thick(degree: int, length: int, random: Random) -> CombinatorialMap:
-    """A path of ``length`` edges; its first vertex is an end of the path.
+    """A path of L edges from vertex 0 on, with loops at its vertices.
 
-    Loops raise the degrees to D, and to D - 1 at both ends of the path.
+    The loops raise the degree of each inner vertex to D, and that of both ends to D - 1.
     """
     if degree < 2 or degree % 2 or length < 1:
         raise ValueError("D is even and at least 2, L at least 1")
@@ -164,9 +173,10 @@ def thick(degree: int, length: int, random: Random) -> CombinatorialMap:
 
 
 def switched_prism(length: int, random: Random) -> CombinatorialMap:
-    """Two rings of N vertices, joined by N rungs; two neighbouring rungs cross; m = 3N.
+    """Two rings of N vertices, joined by N edges, the rungs; m = 3N.
 
-    The map is cubic and nearly symmetric.
+    Two neighbouring rungs have exchanged their ends in one ring, so that the graph is only nearly
+    symmetric.  The order of the edges round each vertex is random.
     """
     if length < 3:
         raise ValueError("N is at least 3")
@@ -181,9 +191,9 @@ BASE_VERTICES, BASE_EDGES = 3, 5
 
 
 def cover(sheets: int, random: Random) -> CombinatorialMap:
-    """A connected k-fold cover of a random map with 3 vertices and 5 edges; m = 5k.
+    """A connected cover, with K sheets, of a random map with 3 vertices and 5 edges; m = 5K.
 
-    Only the lighthouse distinguishes its sheets.
+    A robot can distinguish the sheets only by the lighthouse.
     """
     if sheets < 1:
         raise ValueError("K is at least 1")
@@ -204,7 +214,7 @@ def cover(sheets: int, random: Random) -> CombinatorialMap:
 
 
 def _matched(darts: list[int], random: Random) -> EdgeEnds:
-    """Random pairs of the elements of a list: of darts, or of the vertices of darts."""
+    """Random pairs of the elements of ``darts``: darts, or for each dart its vertex number."""
     shuffled = darts[:]
     random.shuffle(shuffled)
     return list(zip(shuffled[::2], shuffled[1::2], strict=True))
@@ -243,9 +253,11 @@ def usual_degree(far: int) -> int:
 
 
 def out_darts(kind: int) -> tuple[int, int]:
-    """The two darts by which a hub of the type ``kind`` leads to the next hub, modulo the degree.
+    """The positions of the two darts by which a hub of the type ``kind`` leads to the next hub.
 
-    Hubs of different types use different darts.  Hubs are vertices of a :func:`corridor`.
+    A position is a number of darts clockwise from the hub's first dart, one of the two that lead to
+    the previous vertex.  The returned positions are negative: the caller takes them modulo the
+    degree.  Hubs of different types have different positions.
     """
     return -4 * kind, -4 * kind - 2
 
@@ -276,7 +288,10 @@ class CorridorShape(Struct, frozen=True):
 
     @property
     def window(self) -> int:
-        """The number g: the types of g consecutive near hubs determine their place in the row."""
+        """The number g: the types of g consecutive near hubs determine their place in the row.
+
+        g is the least number with ``q^g >= N = (g + 1)F``.
+        """
         window = 1
         while self.types**window < (window + 1) * self.far:
             window += 1
@@ -299,12 +314,12 @@ class CorridorShape(Struct, frozen=True):
 
 
 def corridor(far: int, degree: int, seed: int) -> CombinatorialMap:
-    """A corridor: vertex v0, then near hubs, then F far hubs in a row, all hubs of degree R.
+    """A corridor: a row of vertex 0, N near hubs, then F far hubs; all hubs have degree R.
 
-    Two edges lead from each hub to the next hub; the *type* of the hub determines their darts (see
-    :func:`out_darts`).  The remaining darts of a near hub are joined randomly to loops; the
-    remaining darts of all far hubs are joined randomly to edges.  Vertex 0 has the darts 0 and 1;
-    hub l has the R darts from 2 + (l - 1)R on.
+    Two edges lead from each vertex of the row to the next; the *type* of a hub determines their
+    darts at this hub (see :func:`out_darts`).  The remaining darts of a near hub are joined
+    randomly to loops; the remaining darts of all far hubs are joined randomly to edges.  Vertex 0
+    has the darts 0 and 1; hub l has the R darts from 2 + (l - 1)R on.
     """
     shape = CorridorShape(far, degree)
     numbers = f"{far}" if degree == usual_degree(far) else f"{far}x{degree}"
@@ -330,15 +345,18 @@ def corridor(far: int, degree: int, seed: int) -> CombinatorialMap:
 
 
 def hub_types(shape: CorridorShape) -> Iterator[int]:
-    """The type of each hub, from 1 to q.
+    """The types of the hubs of a :func:`corridor`, hub by hub; each is an integer from 1 to q.
 
-    Any two different groups of g consecutive near hubs have different sequences of types.
+    q is ``shape.types``, and g is ``shape.window``.  Any two different groups of g consecutive near
+    hubs have different sequences of types.
     """
     return islice(repeated(_de_bruijn(shape.types, shape.window)), shape.hubs)
 
 
 def _de_bruijn(letters: int, length: int) -> Iterator[int]:
-    """The least cyclic word over 1..letters that contains each word of length ``length`` once.
+    """The letters of the least cyclic word in which each word of length ``length`` stands once.
+
+    The letters are the integers 1..letters.
 
     Source: H. Fredricksen, J. Maiorana, Necklaces of beads in k colors and k-ary de Bruijn
     sequences, Discrete Math. 23 (1978): the ascending Lyndon words whose lengths divide ``length``.
@@ -355,7 +373,7 @@ def _de_bruijn(letters: int, length: int) -> Iterator[int]:
 
 
 def corridor_edges(far: int, degree: int) -> int:
-    """The number of edges m of a :func:`corridor`; 0 if these two numbers are illegal."""
+    """The number of edges m of a :func:`corridor` with F and R; 0 if F or R is illegal."""
     try:
         return CorridorShape(far, degree).edges
     except ValueError:
@@ -386,14 +404,14 @@ class Family(Struct, frozen=True):
 
 
 def family(text: str, *, holes: float = 0.0, seed: int = 0) -> CombinatorialMap:
-    """The map of a family.
+    """The member of a family of maps that a name and a seed determine.
 
     Args:
         text: the name of a family's member, such as ``lattice:5x6`` (5 x 6 vertices in the plane),
             ``dense:7`` (a complete graph) or ``random:9`` (see :func:`random_map`).
         holes: the fraction of edges that are removed at random; lattice, strip and dense only.
-        seed: the seed of all random choices.  In a lattice or a strip it draws the holes; without
-            holes any seed but 0 draws dart 0, where a robot starts.
+        seed: the seed of all random choices.  In a lattice or a strip the seed draws the holes;
+            without holes any seed but 0 draws dart 0, where a robot starts.
 
     Raises:
         InputError: naming the text, or the holes, and what would be legal.
@@ -422,10 +440,10 @@ def edges_of(text: str) -> int:
 
 
 def rootings(text: str, map_: CombinatorialMap, holes: float | str | None = None) -> int | None:
-    """The number of different rooted maps that the seeds draw for one member of a family.
+    """The number of different rooted maps that the seeds draw for the name ``text``.
 
-    All of them have the same probability.  The result is None if a seed draws more than the dart
-    at which a robot starts.  ``map_`` is the map for any one of the seeds.  Cost: O(m^2).
+    All these maps have the same probability.  The result is None if a seed draws more than the
+    dart where a robot starts.  ``map_`` is the map for any one of the seeds.  Cost: O(m^2).
     """
     kind, _ = _parsed(text)
     if not kind.one_map or holes:
@@ -445,8 +463,8 @@ def _parsed(text: str) -> tuple[Family, tuple[int, ...]]:
 def random_map(edges: int, random: Random) -> CombinatorialMap:
     """A rooted map with that many edges, uniform among all of them; its root is dart 0.
 
-    A uniform permutation sigma is drawn, with a fixed alpha, until the map is connected.  Each
-    rooted map has the same number of labellings with this root and this alpha.
+    A uniform permutation sigma is drawn, with a fixed alpha, until the map is connected.  This is
+    uniform, because each rooted map has the same number of labellings with this root and alpha.
 
     Cost: O(m), and fewer than two draws on average for m >= 2.
     """
@@ -476,9 +494,10 @@ def _random(edges: int, _holes: float, seed: int) -> CombinatorialMap:
 
 
 def _from_seed(draw: Callable[..., CombinatorialMap]) -> Callable[..., CombinatorialMap]:
-    """The function that builds the members of a family with ``draw`` from a random generator.
+    """The field ``build`` of a :class:`Family`: a function that makes a member with ``draw``.
 
-    The generator depends on the sizes and the seed, so members of different sizes are independent.
+    The function gives ``draw`` the sizes and a random generator.  The generator depends on the
+    sizes and the seed, so members of different sizes are independent.
     """
 
     def build(*numbers: Any) -> CombinatorialMap:

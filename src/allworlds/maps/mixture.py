@@ -2,6 +2,9 @@
 
 Each distribution makes a map with a random root and with about the requested number of edges, but
 never more.
+
+Two edges, one with the darts a and b, one with c and d, are *crossed* if an edge with a and d, and
+one with c and b replace them.  The order of the darts round each vertex stays.
 """
 
 from collections.abc import Callable, Iterable
@@ -24,10 +27,11 @@ DEAD_ENDS = 5
 
 
 def glued(map_class: MapClass, where: Condition | None = None) -> Generator:
-    """The function that draws a map of a class by gluing; each decision is uniformly random.
+    """The function that draws a map of a class by random decisions of a :class:`Gluing`.
 
-    The maps themselves are not uniform.  If the first :data:`DEAD_ENDS` attempts under the
-    condition ``where`` all end without a map, the condition is dropped.
+    Each decision is uniform among the legal ones; the maps themselves are not uniform.  If the
+    first :data:`DEAD_ENDS` attempts under the condition ``where`` all end without a map, the
+    condition is dropped.
     """
 
     def generate(edges: int, random: Random) -> CombinatorialMap:
@@ -52,12 +56,18 @@ def sparse(edges: int, random: Random) -> CombinatorialMap:
 
 
 def dense(edges: int, random: Random) -> CombinatorialMap:
-    """Few vertices with many darts each: at most about the square root of the number of edges."""
+    """A map with few vertices, each with many darts.
+
+    The number of vertices is at most 1 more than the square root of the number of edges.
+    """
     return families.sparse(random.randint(1, 1 + isqrt(edges)), edges, random)
 
 
 def regular(edges: int, random: Random) -> CombinatorialMap:
-    """Every vertex has the same degree, from 3 to 6; half of the maps are cubic."""
+    """A map whose vertices all have the same degree, from 3 to 6; half of the maps are cubic.
+
+    If ``edges`` is too small for the degree, the map is a cycle.
+    """
     degree = random.choice((3, 3, 3, 4, 5, 6))
     vertices = 2 * edges // degree
     vertices -= degree * vertices % 2
@@ -91,28 +101,32 @@ def _with_holes(sides: tuple[int, int], random: Random) -> CombinatorialMap:
 
 
 def bouquet(edges: int, random: Random) -> CombinatorialMap:
-    """Loops at one vertex, matched at random, and a leaf."""
+    """A map of loops at one vertex, in random order, and one edge from this vertex to a leaf."""
     return families.bouquet(edges - 1, random)
 
 
 def thick(edges: int, random: Random) -> CombinatorialMap:
-    """A path with loops; the inner vertices have the same degree, 4, 6 or 8."""
+    """A path with loops at its vertices; all inner vertices have the same degree, 4, 6 or 8."""
     degree = 2 * random.randint(2, 4)
     length = (edges - 2 * ((degree - 1) // 2) + degree // 2 - 1) // (degree // 2)
     return families.thick(degree, length, random) if length > 0 else bouquet(edges, random)
 
 
 def corridor(edges: int, random: Random) -> CombinatorialMap:
-    """A lollipop: a path with loops that leads to a knot of the same degree, 4 or 6."""
+    """A :func:`~allworlds.maps.families.lollipop`: a path with loops that leads to a random part.
+
+    The path and the random part have vertices of the same degree, 4 or 6.
+    """
     degree = random.choice((4, 6))
     length = (edges - 1) // degree
     return families.lollipop(degree, length, random) if length else bouquet(edges, random)
 
 
 def cover(edges: int, random: Random) -> CombinatorialMap:
-    """A connected covering of a small map; random permutations of the sheets determine its edges.
+    """A connected covering of a small map, in which edges lead from sheet to sheet at random.
 
-    Then one edge may be removed, contracted, or crossed with another edge.
+    For an edge of the small map a random permutation tells to which sheet its copy in each sheet
+    leads.  At the end one edge may be removed, contracted, or crossed with another edge.
     """
 
     def voltages(sheets: int, free: int) -> list[list[int]]:
@@ -128,7 +142,7 @@ def cover(edges: int, random: Random) -> CombinatorialMap:
 def ring(edges: int, random: Random) -> CombinatorialMap:
     """A connected covering of a small map, with the sheets in a ring.
 
-    An edge leads to the same sheet or to a neighbouring sheet.  Then one edge may be removed,
+    An edge leads to the same sheet or to a neighbouring sheet.  At the end one edge may be removed,
     contracted, or crossed with another edge.
     """
 
@@ -148,14 +162,14 @@ def _lifted(
 ) -> CombinatorialMap:
     """A covering of a small random map, with the largest possible number of sheets.
 
-    If there is room for it, half of the small maps are cubic.
+    If ``edges`` is at least 3, half of the small maps are cubic.
 
     Args:
         edges: the largest number of edges of the covering.
         random: the source of all choices.
-        voltages: the function from two numbers to permutations of the sheets.  The numbers are
-            those of the sheets, and of the edges of the small map outside a spanning tree; each
-            of these edges gets one permutation.  An edge of the tree stays within a sheet.
+        voltages: the function that returns a permutation of the sheets for each edge of the small
+            map outside a spanning tree; edges of the tree stay within a sheet.  The function takes
+            the number of sheets, and the number of permutations.
     """
     size = random.randint(1, min(LARGEST_BASE, edges))
     base = families.sparse(random.randint(1, size), size, random)
@@ -177,7 +191,7 @@ def _lifted(
 
 
 def _spanning(base: CombinatorialMap) -> tuple[list[int], list[int]]:
-    """One dart of each edge in a spanning tree, and one dart of each edge outside the tree."""
+    """One dart of each edge in a spanning tree; and one dart of each edge outside the tree."""
     met, tree, owner = {0}, list[int](), base.vertex_of
     for d in (queue := list(base.vertices[0])):
         end = owner[base.alpha[d]]
@@ -192,7 +206,7 @@ def _spanning(base: CombinatorialMap) -> tuple[list[int], list[int]]:
 def _spoiled(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
     """The map after one random change: an edge is removed or contracted, or two edges are crossed.
 
-    The map may also stay unchanged.
+    The result is ``map_`` itself with probability 1/4, or if the change would yield no map.
     """
     a, c = random.choice(map_.darts), random.choice(map_.darts)
     b, d = map_.alpha[a], map_.alpha[c]
@@ -209,8 +223,8 @@ def _spoiled(map_: CombinatorialMap, random: Random) -> CombinatorialMap:
 def mutated(map_: CombinatorialMap, most: int, random: Random) -> CombinatorialMap:
     """The map after one, two or four random changes.
 
-    A change removes, contracts, crosses or adds an edge, or chooses another root.  A new edge is
-    added to the map or to its dual; an edge added to the dual splits a vertex of the map.
+    A change removes, contracts or adds an edge, crosses two edges, or chooses another root.  An
+    edge is added to the map or to its dual; an edge added to the dual splits a vertex of the map.
 
     Args:
         map_: the map.
@@ -265,7 +279,7 @@ MIXES: dict[MapClass, tuple[str, ...]] = {
 
 
 def default_mix(extent: Extent) -> tuple[str, ...]:
-    """The names of the parts of the mixture for an extent.
+    """The names of the parts of the default mixture for an extent.
 
     Under a named condition there is one part: :data:`HISTORIES`, the maps that :func:`glued` draws.
     """
@@ -273,7 +287,10 @@ def default_mix(extent: Extent) -> tuple[str, ...]:
 
 
 def generator(part: str, extent: Extent) -> Generator:
-    """The function that draws maps of this part; some of the maps may be outside the extent."""
+    """The function that draws maps of the part ``part`` of a mixture.
+
+    Some of the maps may be outside the extent.
+    """
     if part == HISTORIES:
         return glued(extent.map_class, extent.where if narrowing(extent.where) else None)
     return PARTS[part]

@@ -27,7 +27,8 @@ def to_networkx(map_: CombinatorialMap) -> nx.MultiGraph:
 
     The nodes of the graph are the vertices ``0..n-1``.  The attribute ``darts`` of a node holds the
     node's darts clockwise.  The edge of darts ``d < e`` has the key ``d`` and the attribute
-    ``darts=(d, e)``; ``d`` is at its first end.  :func:`from_networkx` is the inverse function.
+    ``darts=(d, e)``; it leads from the node of ``d`` to that of ``e``.  :func:`from_networkx` is
+    the inverse function.
     """
     import networkx as nx  # 'import allworlds' stays fast
 
@@ -172,13 +173,13 @@ def from_directions(
     """The map of a graph; the directions in which edges leave a node give their clockwise order.
 
     Args:
-        graph: an undirected graph.  The nodes in their order become the vertices; the edges of the
-            graph are compared with the edges of the map.
-        passages: both ends of each edge, each with the direction in which the edge leaves it: a
-            number as :func:`turn` returns it.
+        graph: an undirected graph.  The nodes in their order become the vertices.
+        passages: for each edge of the graph its two ends; an end is a pair of the node and the
+            direction in which the edge leaves the node, a number as :func:`turn` returns it.
 
     Raises:
-        InvalidMap: naming two edges that leave a node in one direction.
+        InvalidMap: naming two edges that leave a node in one direction; or if ``passages`` are not
+            the edges of the graph.
     """
     around: dict[Any, list[tuple[Fraction, int, Any]]] = {v: [] for v in graph}
     for edge, (one, other) in enumerate(passages):
@@ -206,7 +207,14 @@ def _point(v: Hashable, position: Any) -> tuple[Fraction, Fraction]:
 
 
 def turn(v: Hashable, w: Hashable, here: Sequence[Fraction], there: Sequence[Fraction]) -> Fraction:
-    """The direction from ``v`` to ``w``, growing clockwise: 0 is up, 1 right, 2 down, 3 left."""
+    """The direction from ``here`` to ``there``: clockwise 0 is up, 1 right, 2 down, 3 left.
+
+    ``here`` and ``there`` are the positions of the nodes ``v`` and ``w``; the names of the nodes
+    are for messages.
+
+    Raises:
+        InvalidMap: if the positions are equal.
+    """
     right, up = (b - a for a, b in zip(here, there, strict=True))
     if not right and not up:
         raise InvalidMap(f"the nodes {show(v)} and {show(w)} are joined, but at one place")
@@ -276,7 +284,9 @@ def _one_of_each_class(maps: Iterable[CombinatorialMap]) -> Iterator[Combinatori
 
 
 def compared(map_: CombinatorialMap, nodes: Sequence[Any], graph: nx.Graph) -> CombinatorialMap:
-    """The map, if its vertices and edges are the nodes and edges of the graph.
+    """The map ``map_`` itself, after a check that it has the nodes and edges of the graph.
+
+    ``nodes`` holds the node of each vertex.
 
     Raises:
         InvalidMap: if the map and the graph have different nodes, or edges with different ends.
@@ -315,7 +325,10 @@ def _from_darts(graph: nx.Graph) -> CombinatorialMap:
 
 
 def _darts(node: str, data: Mapping[str, Any]) -> list[int]:
-    """The integers in the attribute ``darts`` of a node or an edge; at least one."""
+    """The integers in the attribute ``darts`` of a node or an edge; at least one.
+
+    ``node`` names the node or the edge in messages; ``data`` holds its attributes.
+    """
     if "darts" not in data:
         raise InvalidMap(f"{node} has no attribute 'darts'; all nodes and edges have it, or none")
     try:

@@ -1,4 +1,16 @@
-"""The least quotient of a map with coloured darts, and the number of worlds that share it."""
+"""The least quotient of a map with labelled darts, and the number of worlds that share a quotient.
+
+In the quotient, darts that look alike are merged into one *class*.  All classes have the same size
+k, the number of *sheets*.  A class that alpha maps to itself is a *semi-edge*; all other edges of
+the quotient are *ordinary*.  The root of the quotient is a class at the vertex v0.
+
+The lighthouse ``position`` is one mark at v0, without a direction.  Under it finitely many worlds
+share a rooted quotient.  A world is made from k sheets by a *choice* of permutations of the sheets:
+one for each vertex but v0, with all cycles of the length of its cone index; one for each semi-edge,
+with all cycles of length 2; and an arbitrary one for each ordinary edge outside a spanning tree.  A
+walk round v0 permutes the sheets by a fixed cyclic shift c of all k sheets.  Two choices make the
+same world if and only if conjugation by a power of c takes one to the other (docs/ambiguity.md).
+"""
 
 from collections import Counter
 from collections.abc import Hashable, Sequence
@@ -15,7 +27,7 @@ from allworlds.maps import combinatorial
 def coarsest_partition(
     labels: Sequence[Hashable], permutations: Sequence[Sequence[int]]
 ) -> list[int]:
-    """For each element its block in the coarsest partition that the permutations respect.
+    """For each element the number of its block in the coarsest partition with two properties.
 
     Elements of the same block have equal labels, and each permutation maps blocks into blocks.
     Blocks are numbered from 0; the order of the blocks has no meaning, but depends only on the
@@ -55,9 +67,9 @@ class _Partition:
         self.first = [0, *self.past[:-1]]
 
     def split(self, chosen: Sequence[int]) -> list[int]:
-        """Split each block into its chosen and its other elements; return the new blocks.
+        """Split each block into its chosen and its other elements; return the new blocks' numbers.
 
-        The smaller half of a block becomes the new block.  Cost: O(len(chosen)).
+        The smaller part of a block becomes the new block.  Cost: O(len(chosen)).
         """
         elements, position, block, first = self.elements, self.position, self.block, self.first
         border: dict[int, int] = {}  # the chosen elements of a block lie before its border
@@ -119,13 +131,13 @@ class Quotient(Struct, frozen=True, dict=True):
         """For each vertex of the quotient its cone index, which divides k.
 
         The cone index is the degree of a vertex of the map, divided by the number of classes of
-        its darts: so many times these classes repeat round the vertex.
+        its darts: the number of times that these classes repeat round the vertex.
         """
         return tuple(self.degree[vertex[0]] // len(vertex) for vertex in self.vertices)
 
     @cached_property
     def semi_edges(self) -> tuple[int, ...]:
-        """The classes that alpha fixes."""
+        """The classes that alpha maps to themselves, ascending."""
         return tuple(q for q, other in enumerate(self.alpha) if q == other)
 
     @cached_property
@@ -140,7 +152,7 @@ class Quotient(Struct, frozen=True, dict=True):
 
     @cached_property
     def cotree(self) -> tuple[tuple[int, int], ...]:
-        """The edges outside the spanning tree that is found breadth-first from the root."""
+        """The ordinary edges outside the spanning tree of a breadth-first search from the root."""
         reached, tree = {0}, set()
         queue = [0]
         for v in queue:
@@ -175,7 +187,7 @@ Labelled: TypeAlias = tuple[combinatorial.CombinatorialMap, Sequence[Hashable], 
 
 
 def project(labelled: Labelled) -> Projection:
-    """The quotient rooted at the class of the root, and the class of each dart.
+    """The quotient of a labelled map, rooted at the class of the map's root; and each dart's class.
 
     Darts at vertices of different degrees are in different classes, even if their labels are equal.
 
@@ -229,8 +241,8 @@ def classes_of_union(*parts: Labelled) -> tuple[tuple[int, ...], ...]:
 def is_ambiguous(quotient: Quotient) -> bool:
     """Whether two or more worlds with the lighthouse ``position`` have this quotient.
 
-    k is the number of sheets.  True if and only if k >= 2, with two exceptions, both without a
-    cycle (beta1 = 0): k = 2; or there is no semi-edge, and every cone index but that of v0 is 1.
+    If the quotient has a cycle (beta1 > 0), this is so for k >= 2 sheets.  If beta1 = 0, this is so
+    for k >= 3 sheets, unless there is no semi-edge and every cone index but that of v0 is 1.
 
     Cost: O(m).
     """
@@ -241,17 +253,20 @@ def is_ambiguous(quotient: Quotient) -> bool:
 
 
 def pose_count(quotient: Quotient) -> int:
-    """The number of poses (world, dart of v0): P = (k!)^beta1 N(k,2)^s prod N(k,b_v).
+    """The number P of poses: pairs of a world with this quotient and a dart of the robot.
 
-    k is the number of sheets, s that of semi-edges, and b_v the cone index of the vertex v.  N(k,b)
-    is the number of permutations of k things in which all cycles have length b.  The product is
-    over all vertices except v0.
+    The dart is one of the k darts at v0 in the class of the root; isomorphic pairs count once.  P
+    equals the number of choices: P = (k!)^beta1 N(k,2)^s prod N(k,b_v).  s is the number of
+    semi-edges, and b_v the cone index of the vertex v; the product is over all vertices except v0.
+    N(k,b) is the number of permutations of k things in which all cycles have length b.
     """
     return _fixed_by_rotations(quotient, quotient.sheets)
 
 
 def class_size(quotient: Quotient) -> int:
-    """The number of worlds with this quotient, by Burnside's count of orbits.
+    """The number of worlds with the lighthouse ``position`` and this quotient.
+
+    The worlds are the orbits of the choices under the powers of c; Burnside's lemma counts them.
 
     Cost: at most k products of large integers for each vertex, each edge and each divisor of
     k; no world is made.
@@ -263,11 +278,10 @@ def class_size(quotient: Quotient) -> int:
 
 
 def _fixed_by_rotations(quotient: Quotient, cycles: int) -> int:
-    """The number of choices of permutations that all commute with a power of c.
+    """The number of choices whose permutations all commute with a certain power of c.
 
-    c is the cyclic shift of the k sheets round v0; the power has ``cycles`` cycles.  A choice has a
-    permutation of the sheets for each vertex but v0, for each semi-edge, and for each edge outside
-    a spanning tree.
+    This is a power of c with ``cycles`` cycles; all such powers yield the same number.  The
+    module's docstring says what a choice and c are.
     """
     k = quotient.sheets
     lengths = Counter(quotient.cone_indices[1:])
@@ -278,13 +292,14 @@ def _fixed_by_rotations(quotient: Quotient, cycles: int) -> int:
 
 
 def _uniform(k: int, cycles: int, b: int) -> int:
-    """The number of permutations of k things, with all cycles of length b, that commute with c^i.
+    """The number of permutations p of k things, with all cycles of length b, that commute with c^i.
 
     c is a cyclic shift of the k things.  Its power c^i has ``cycles`` cycles of length
-    ``r = k / cycles``.  A commuting permutation
-    permutes these cycles, and also turns each of them.  Suppose that it permutes t of them
-    cyclically, and that their turns add up to an element of order o in Z_r.  On these t cycles
-    it then has cycles of length t o = b; there are ``r^(t-1) phi(o)`` choices of such turns.
+    ``r = k / cycles``; call them rings.  Since p commutes with c^i, p permutes the rings, and turns
+    each ring by a number of steps modulo r.  Suppose that p permutes t rings cyclically, and that
+    the sum of their t turns has the order o modulo r.  Then p has only cycles of length ``t * o``
+    on the things in these t rings; so ``t * o = b``.  There are ``r^(t-1) phi(o)`` such choices of
+    the t turns, where phi is Euler's totient function.
     """
     r = k // cycles
     weight = {
