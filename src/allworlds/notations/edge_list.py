@@ -20,7 +20,7 @@ COLUMNS = ["from", "to", "from_rank", "to_rank"]
 
 
 def read_edge_list(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
-    """Yield the only world of a table of edges."""
+    """Yield the only world of a table of edges, in a pair with the world's number, 0."""
     rows = csv.reader(io.StringIO(text_of(file.read()), newline=""), strict=True)
     ranks = dict[str, dict[float, int]]()
     try:

@@ -60,7 +60,11 @@ class GivenMap(Struct, frozen=True):
     labels: Labelling = PLAIN
 
     def placed(self, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
-        """For each start the map, renumbered canonically from it, and the places that are tried."""
+        """Yield for each start the map, renumbered canonically from this start, and the places.
+
+        The places are those of a lighthouse of the kind ``kind`` that are tried: the only place of
+        the given lighthouse, or else every place.
+        """
         for start in self.starts:
             names = inverse(numbering(self.map.sigma, self.map.alpha, start))
             rooted = self.map.relabelled(names)
@@ -137,13 +141,16 @@ class GivenMaps:
 
     @property
     def described(self) -> dict[str, Any]:
-        """The keys and values by which the scope of a verdict names the given maps."""
+        """The keys, with their values, that name the given maps in the scope of a verdict."""
         digests = {code.plain: code.record for code in self.codes}
         named = {} if self.of else {"worlds": ()}
         return {"sha256": digests or None, "given": self.count, **named}
 
     def weights(self, edges: int) -> list[int]:
-        """The numbers of rooted maps in the pieces of a level; a piece has :data:`PIECE` maps."""
+        """For each piece of the level with ``edges`` edges the number of rooted maps in the piece.
+
+        A piece has :data:`PIECE` maps; the last piece may have fewer.
+        """
         starts = self._at[edges][3::4]
         return [sum(starts[i : i + PIECE]) for i in range(0, len(starts), PIECE)]
 
@@ -153,7 +160,10 @@ class GivenMaps:
         return tuple(map(self._find, keys[::4], keys[1::4], keys[2::4]))
 
     def like(self, world: World) -> Iterator[World]:
-        """The given worlds that equal ``world`` up to the numbering of darts, in their order."""
+        """Yield the given worlds that equal ``world`` up to the numbering of darts.
+
+        The worlds come in the order in which they were given.
+        """
         order = numbering(world.map.sigma, world.map.alpha, world.start)
         edges = world.map.edge_count
         pieces = (self.piece(edges, i) for i in range(len(self.weights(edges))))
@@ -168,7 +178,7 @@ class GivenMaps:
 def held(
     noun: str, of: str, gate: str, maps: Sequence[GivenMap], codes: tuple[Digest, ...] = ()
 ) -> GivenMaps:
-    """Given maps that are kept in memory; see :class:`GivenMaps`."""
+    """The :class:`GivenMaps` of the maps ``maps``, which are kept in memory."""
     found = ((f"worlds[{i}]", (0, i, i), each) for i, each in enumerate(maps))
     return GivenMaps(noun, of, gate, found, lambda _file, _offset, number: maps[number], codes)
 
@@ -191,9 +201,10 @@ def files_of(*names: str) -> tuple[Digest, ...]:
 
 @lru_cache(maxsize=4)
 def worlds_of_files(codes: tuple[Digest, ...], order: Order | None, y: YAxis | None) -> GivenMaps:
-    """All worlds of these files.
+    """All worlds of the files ``codes``.
 
-    The worlds are not kept in memory: each is read now, and again when it is needed.
+    The worlds are not kept in memory: each world is read now, and again when it is needed.
+    ``order`` and ``y`` are the options of :class:`FileOptions`.
 
     Raises:
         InputError: naming the file, the world in it, and what would be legal.
@@ -219,11 +230,17 @@ def worlds_of_files(codes: tuple[Digest, ...], order: Order | None, y: YAxis | N
 def embeddings_of(
     graph: str, codes: tuple[Digest, ...], which: str, order: Order | None, y: YAxis | None
 ) -> GivenMaps:
-    """All embeddings, up to isomorphism, of a graph given by a name or a file.
+    """All embeddings, up to isomorphism, of a graph; or only those of one genus.
+
+    Args:
+        graph: the name of the graph, or of a file that holds it.
+        codes: the digest of the file; empty for the name of a graph.
+        which: ``all``, or ``genus:G`` for the embeddings of genus G.
+        order, y: the options of :class:`FileOptions`.
 
     Raises:
-        InputError: naming the graph, or ``which`` if that is illegal; or if no embedding has the
-            requested genus.
+        InputError: naming an illegal graph, or an illegal ``which``; or if no embedding has the
+            genus G.
     """
     of_genus = re.fullmatch(r"genus:([0-9]{1,5})", which)
     if which != "all" and not of_genus:
@@ -237,10 +254,10 @@ def embeddings_of(
 
 
 def _given(entry: Entry, name: str) -> GivenMap:
-    """The map of an entry of a file, with its lighthouse and its starts.
+    """The map of an entry of a file, with the lighthouse and the starts of the entry.
 
-    If the file names no start, the starts are those for which the lighthouse is legal.  ``name`` is
-    for error messages.
+    If the entry has no start, the starts are all darts for which the entry's lighthouse is legal;
+    if the entry has no lighthouse either, all darts.  ``name`` is for error messages.
     """
     map_, placed = entry.map, None
     starts: Sequence[Dart] = map_.darts if entry.start is None else (entry.start,)

@@ -41,13 +41,16 @@ PLAIN, YED = "{http://graphml.graphdrawing.org/xmlns}", "{http://www.yworks.com/
 Point: TypeAlias = tuple[Fraction, Fraction]
 
 Box: TypeAlias = tuple[Point, Point]
-"""The middle of the box of a node, and half its width and height."""
+"""The middle of the box in which a node is drawn, and half the width and height of the box."""
 
 
 def read_graph(
     make: Callable[[bytes], nx.Graph],
 ) -> Callable[[IO[bytes]], Iterator[tuple[int, Entry]]]:
-    """The function that reads the world in a file; ``make`` makes the graph from the content."""
+    """The function that yields the only world of a file, in a pair with the world's number, 0.
+
+    ``make`` makes the graph from the content of the file.
+    """
 
     def read(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
         yield 0, _entry(named_graph(make, file.read()))
@@ -56,7 +59,9 @@ def read_graph(
 
 
 def named_graph(make: Callable[[bytes], nx.Graph], content: bytes) -> nx.Graph:
-    """The graph of the content of a file; its nodes are the names of the vertices.
+    """The graph that ``make`` makes from ``content``; its nodes are the names of the vertices.
+
+    ``content`` is the content of a file.
 
     Raises:
         InputError: if the content is no graph.
@@ -178,9 +183,9 @@ def _line_in_yed(edge: ET.Element, source: Any, target: Any) -> dict[str, Any]:
 
 
 def _label_in_yed(node: ET.Element) -> str:
-    """The first label of a node that is not blank; empty if there is none.
+    """The first label of ``node`` that is not blank; empty if the node has none.
 
-    The node can have any shape.
+    The node can have any of yEd's shapes.
     """
     texts = (label.text or "" for label in node.iterfind(f"{PLAIN}data//{YED}NodeLabel"))
     return next(filter(None, map(str.strip, texts)), "")
@@ -302,9 +307,10 @@ def _entry(graph: nx.Graph) -> Entry:
 
 
 def _box(name: str, data: dict[str, Any]) -> Box:
-    """The box of a node: its middle, and half its width and height.
+    """The box of a node: the middle, and half the width and height.
 
-    They are read from the attribute ``pos``, from ``x`` and ``y``, or from ``graphics``.
+    The middle is read from the attribute ``pos``, from ``x`` and ``y``, or from ``graphics``.  The
+    width and height are read from ``graphics``, and are 0 without it.
     """
     graphics = data.get("graphics")
     drawn = graphics if isinstance(graphics, dict) else data
@@ -328,7 +334,8 @@ def _point(given: Iterable[Any]) -> Point:
 def _line(ends: str, data: dict[str, Any]) -> list[Point]:
     """The points of the line of an edge, both ends included; empty for a straight line.
 
-    The points are read from ``Line`` of GML, or from ``geometry`` of OSMnx.
+    The points are read from ``Line`` of GML, or from ``geometry`` of OSMnx, in ``data``, the
+    attributes of the edge.  ``ends`` names the edge in messages.
     """
     graphics = data.get("graphics")
     try:
@@ -345,7 +352,10 @@ def _line(ends: str, data: dict[str, Any]) -> list[Point]:
 
 
 def _ends(v: str, w: str, line: list[Point], boxes: Mapping[str, Box]) -> Any:
-    """For both ends of an edge: the vertex, and the direction in which the edge leaves it."""
+    """For each end of the edge from ``v`` to ``w`` the vertex, and the direction of the edge there.
+
+    ``line`` holds the points of the edge's line.  A direction is a number as ``turn`` returns it.
+    """
     if v == w and not line:
         raise InputError(f"the edge from {show(v)} to {show(v)} is a loop that is drawn as a point")
     path = line or [boxes[v][0], boxes[w][0]]
@@ -360,7 +370,7 @@ def _ends(v: str, w: str, line: list[Point], boxes: Mapping[str, Box]) -> Any:
 
 
 def _joins(path: list[Point], one: Box, other: Box, slack: Fraction) -> bool:
-    """Whether a line begins in the first box and ends in the second; ``slack`` is the tolerance."""
+    """Whether a line begins in the box ``one`` and ends in ``other``; ``slack`` is a tolerance."""
     return _inside(path[0], *one, slack) and _inside(path[-1], *other, slack)
 
 
@@ -370,10 +380,16 @@ def _inside(point: Point, middle: Point, half: Point, slack: Fraction) -> bool:
 
 
 def _leaves(path: list[Point], middle: Point, half: Point, slack: Fraction) -> Point:
-    """The point towards which a line leaves a box, seen from the middle of the box.
+    """The point of the drawing that determines the direction in which a line leaves a box.
 
-    In general this is the point where the line crosses the side of the box.  For a line from the
-    middle this is the next point of the line, which is in the same direction.
+    The direction is that from the middle of the box to the point.  In general the point is that
+    where the line crosses the side of the box.  For a line from the middle, or a box without a
+    size, the point is the first point of the line outside the box, or else its last point.
+
+    Args:
+        path: the points of the line, beginning in the box.
+        middle, half: the middle of the box; half its width and height.
+        slack: the tolerance with which a point counts as inside the box.
     """
     before, after = middle, path[-1]
     for point in path:

@@ -10,9 +10,10 @@
 ``..., "faces": ...}``                    suffice
 ========================================  ========================================================
 
-In a face, the dart after d is the dart before alpha(d) round the vertex of alpha(d).  This is the
-convention of ``FatGraph`` in the package surface_dynamics for Sage, whose vertices are
-anticlockwise.
+The darts or neighbours of a vertex are clockwise; if a file has them anticlockwise, the user must
+give the option ``--order anticlockwise``.  In a face of a fat graph, the dart after d is the dart
+before alpha(d) in the cycle of the vertex of alpha(d).  A ``FatGraph`` of the package
+surface_dynamics for Sage has such faces, and its vertices are anticlockwise.
 """
 
 from collections import Counter
