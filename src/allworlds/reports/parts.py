@@ -345,9 +345,12 @@ class View(Struct, frozen=True):
         title: the title of the picture.
         scene: the picture at the end of the walk.
         trail: the robot's dart at the start and after each step.
-        note: a remark, shown where the picture does not move; may be empty.
-        known: the first step of each dart and edge, if the picture grows; else None.
-        still: whether the view is for texts alone, because a moving view shows the same map.
+        note: a remark, which texts show beside the title; may be empty.
+        known: for a picture that grows, because it shows only the part of the map that the explorer
+            knows so far: the step at which each dart and each edge appears.  None for a picture
+            that shows the whole map at every step.
+        still: whether pages leave this view out, because the picture of another view grows to the
+            same map.  Texts show this view, and leave that view out.
     """
 
     name: str
@@ -380,10 +383,13 @@ class ShownWalk(Struct, frozen=True):
         views: the pictures.
         sentences: sentences about the walk.
         elsewhere: the percepts of the same motions in another map; None if nothing is compared.
-        agreement: the number of elements, from the start on, in which the trails of the first two
-            views agree, so that they are drawn alike; None if each view is drawn by itself.
-        parting: the step at which belief and truth diverge; None if they do not.
-        tour: whether the walk only serves to visit every edge, so that its steps mean nothing.
+        agreement: the number of darts, from the start of both trails on, before the walks in the
+            first two views diverge; a page draws the second map like the first one as far as these
+            darts show that the maps agree.  None if each map is drawn by itself.
+        parting: the step at which the explorer is first seen to be wrong, because the walk in its
+            answer contradicts the world, or because its checkpoint is wrong; else None.
+        tour: whether the walk has the only purpose to go along every edge; then a text shows only
+            the maps, without the sentences and the steps.
         lines: the line of the user's code for each step, as ``FILE:LINE``; empty if unknown.
     """
 
@@ -399,7 +405,10 @@ class ShownWalk(Struct, frozen=True):
 
     @property
     def table(self) -> Table:
-        """A row for each step; if all lines of code are in one file, its name is not shown."""
+        """A table with a row for each step.
+
+        If all lines of the user's code are in one file, the table does not show the file's name.
+        """
         walked, elsewhere = self.walked, self.elsewhere
         header = ["step", "motion", "arrives at", "sensed"]
         motions = ["start", *map(str, walked.walk.actions)]
@@ -423,13 +432,13 @@ class RunRow(Struct, frozen=True):
     """An event of a run of several robots.
 
     Attributes:
-        name: the event as it is written in a schedule; empty for the start.
+        name: the event as it is written in a schedule, such as ``0M+1L``; empty for the start.
         robots: a sentence for each robot that is activated.
-        world: a sentence about the rest of the world.
+        world: words about the adversary's choice and about the robots that moved; may be empty.
         darts: the dart of each robot after the event; None for a robot that is gone.
         moved: the darts by which robots have arrived in the event.
-        vertices: texts at vertices after the event.
-        edges: texts at edges, by the smaller dart of each edge.
+        vertices: the texts at vertices after the event, by the number of the vertex.
+        edges: the texts at edges after the event, by the smaller dart of the edge.
         repeats: whether the event is in the part of the run that repeats for ever.
     """
 
@@ -527,17 +536,19 @@ class ReportContent(Struct, frozen=True):
         done: the command, such as ``allworlds check``.
         subject: the subject of the command, for example the explorer's name.
         result: the result of the verb.
-        headline: the answer; None if the sections are everything.
+        headline: the answer in a sentence; None if the content consists of sections alone.
         sections: the sections, in the order of reading.
         whole: further sections, which a terminal shows only under the option ``-v``.
         more: a function that makes sections with walks to step through, for pages alone; it may
             play runs again.
         rows: a function that makes the rows of a CSV file; None: the steps of the first walk.
         cases: a function that makes the cases for test runners; None without cases.
-        command: the words of the command line that make the names of cases unique among reports.
+        command: the arguments of the command line on which the result depends.  The name of each
+            case in a file for test runners begins with them, so that the cases of two reports have
+            different names.
         page: a function that makes the page; None: a page of these sections.
-        apart: the keys of the result's document that sections hold as data records, so that the
-            page need not have them a second time.
+        apart: the keys of the result's JSON document that a page leaves out of its copy of the
+            document, because sections on the page have their values as a :class:`DataRecord`.
         short: facts of one line each, which replace the last section on a terminal.
         laws: the laws that a finding may break, each with its sentence.
     """
@@ -564,11 +575,16 @@ def fact(name: str, text: str) -> FactList:
 
 
 def so_far(report: Any, headline: Headline | None) -> Headline | None:
-    """The headline of a report with rows; if the job ended early, the headline has the reason.
+    """The headline of a report; if the job ended early, the headline has the reason.
 
     Args:
-        report: the report, with its ending.
-        headline: the headline about the finished levels; None if no level was finished.
+        report: the report; ``report.complete`` says whether the job did all its work, and
+            ``report.ending`` has the reason why it did not.
+        headline: the headline about the finished part of the job; None if no part was finished.
+
+    Returns:
+        ``headline`` itself, also if it is None, for a complete job; else a new headline.  Its
+        verdict is that of ``headline`` if this is ``refuted`` or ``error``, else INCONCLUSIVE.
     """
     if report.complete:
         return headline
@@ -612,7 +628,10 @@ def rows_of_walk(walk: ShownWalk) -> CsvRows:
 
 
 def rows_of(content: ReportContent) -> CsvRows:
-    """The rows of a CSV file, by default the steps of the first walk; no columns without a walk."""
+    """The rows of a CSV file: those of ``content.rows``, or else the steps of the first walk.
+
+    If the content has no walk either, the file has no columns.
+    """
     if content.rows:
         return content.rows()
     blocks = (block for section in content.sections for block in section.blocks)

@@ -17,9 +17,11 @@ The first number is for all lines, the second for those about the findings after
 """
 
 LONGEST_WALK, LONGEST_REFUTING = 60, 16
-"""In steps: the longest walk that is shown whole; and the part that is shown of a longer walk.
+"""The numbers of steps that are shown of a walk with more than ``LONGEST_WALK`` steps.
 
-The second number is for walks that break a law: half of these steps are shown at each end.
+The first number is for a walk that breaks no law, the second for a walk that breaks a law.  Half of
+the shown steps are at the start of the walk, half at its end.  But if a walk has a step ``parting``
+(:class:`allworlds.reports.parts.ShownWalk`), the last ``LONGEST_WALK`` steps up to it are shown.
 """
 
 GAP = 2
@@ -33,7 +35,10 @@ INDENT = 11
 
 
 def finding_in_words(finding: Any, width: int, number: int = 1) -> str:
-    """A finding with its picture, as in the text of ``check``."""
+    """The text about a finding, with its picture, as ``check -v`` shows it.
+
+    The title has the number ``number``; sentences are wrapped to ``width`` characters.
+    """
     from allworlds.reports.content.single_run import finding_section
 
     return harmless(text_of([finding_section(finding, number)], width))
@@ -47,10 +52,17 @@ def content_text(content: parts.ReportContent, width: int) -> str:
 
 
 def on_terminal(content: parts.ReportContent, width: int, *, whole: bool) -> str:
-    """The text of a content for a terminal; ``whole`` is True under the option ``-v``.
+    """The text of a content for a terminal.
 
-    If the content has short facts, the verdict is the last line, and unless ``whole`` is True the
-    text has at most :data:`MOST` lines.
+    If the content has a headline and short facts, the headline is the last line, and the text is
+    shortened to at most :data:`MOST` lines, unless ``whole`` is True.  The text of any other
+    content begins with its headline, and is never shortened.
+
+    Args:
+        content: the content.
+        width: the number of characters of a line.
+        whole: whether the text is as long as under the option ``-v``: nothing is shortened, and for
+            a content without short facts the sections ``content.whole`` are at the end.
     """
     if not content.short or content.headline is None:
         text, more = content_text(content, width), text_of(content.whole, width)
@@ -74,9 +86,10 @@ def _cut(lines: Sequence[str]) -> str:
 
 
 def _found(section: parts.Section, width: int, room: int) -> list[str]:
-    """The lines of a finding without its walk; with the picture of its world, if there is room.
+    """The lines about a finding, without the steps of its walk.
 
-    ``room`` is the largest number of lines.
+    They are at most ``room`` lines, and a last line, which names the option ``-v``.  The picture of
+    the finding's world is among them if there is room for it.
     """
     lines = wrap(section.title, width, break_long_words=False)
     picture, command = "", list[str]()
@@ -100,7 +113,10 @@ def _found(section: parts.Section, width: int, room: int) -> list[str]:
 
 
 def _shortened(lines: Sequence[str], most: int) -> str:
-    """The lines as a text; of more than ``most`` lines only the first and the last ones."""
+    """The lines as one text; of more than ``most`` lines it has only the first and the last ones.
+
+    In place of the lines that are left out stands the line ``...``.
+    """
     if len(lines) > most:
         after = most // 3
         lines = [*lines[: most - 1 - after], "...", *lines[-after:]]

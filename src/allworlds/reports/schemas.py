@@ -49,7 +49,8 @@ WRITTEN_AS = {
 class OwnLighthouse(Struct):
     """Lighthouse of the user's own.
 
-    The fields that say where it stands are further keys of the same object.
+    The JSON object has further keys: the fields of the user's class that are no options, for
+    example the dart at which the lighthouse stands.
     """
 
     kind: Annotated[doc.Text, doc.about("the name by which it is found")]
@@ -58,7 +59,7 @@ class OwnLighthouse(Struct):
 
 
 READ = {"finding", "world", "transcript", "manifest"}
-"""The documents that this program also reads; their schemas have everything that it accepts."""
+"""The documents that this program also reads; their schemas allow all that the program accepts."""
 
 NAMES: dict[str, tuple[str, Iterable[Any]]] = {
     "law": ("Law", PRECEDENCE),
@@ -83,7 +84,7 @@ def reports() -> dict[str, Any]:
 
 
 def reports_of(verb: verbs.Verb) -> list[Any]:
-    """The types of a verb's reports."""
+    """The types of the reports that a verb may return."""
     function = unwrap(resolve_name(verb.path))
     return [*members(get_type_hints(function)["return"])]
 
@@ -109,8 +110,10 @@ class Shapes:
     """The types in the schema of one document, as msgspec can describe them.
 
     Attributes:
-        written: True if a key is required because it is always written; False if a key is required
-            only because readers need it.
+        written: True if the schema describes a document that this program writes: all keys that are
+            always written are required, and no other keys are allowed.  False if the schema
+            describes a document that this program reads: only keys without a default are required,
+            and other keys are allowed if the program accepts them.
         also: the definitions of types that msgspec cannot describe, by their names.
     """
 
@@ -120,7 +123,10 @@ class Shapes:
         self._made: dict[Any, Any] = {}
 
     def of(self, tp: Any) -> Any:
-        """A type that msgspec can describe: that of the JSON for a value of type ``tp``."""
+        """The type of the JSON for values of the type ``tp``, as a type that msgspec can describe.
+
+        For example, for ``Path`` the result is the type of a text.
+        """
         if get_origin(tp) is Annotated:
             base, *notes = get_args(tp)
             kind = next((n.extra["kind"] for n in notes if n.extra and "kind" in n.extra), base)
@@ -164,7 +170,7 @@ class Shapes:
         return self._made[kind]
 
     def _keys(self, kind: Any) -> Iterator[tuple[str, Any, bool]]:
-        """The name of each key, its type, and whether it is required."""
+        """Yield for each key of an object of the type ``kind``: name, type, whether required."""
         hints = get_type_hints(kind, include_extras=True)
         if is_dataclass(kind):
             for field in fields_of_dataclass(kind):
@@ -245,7 +251,11 @@ def _reference(struct: Any) -> Schema:
 
 
 def schema_of(tp: Any, *, written: bool = True) -> tuple[Schema, dict[str, Schema]]:
-    """The schema of a type, and the schemas to which it refers, by their names."""
+    """The schema of a type, and the schemas to which it refers, by their names.
+
+    If ``written`` is True, the schema is for documents that this program writes; if False, for
+    documents that it reads, see :class:`Shapes`.
+    """
     shapes = Shapes(written=written)
     root = shapes.of(tp)
     (found, *_), parts = schema_components(
@@ -255,9 +265,9 @@ def schema_of(tp: Any, *, written: bool = True) -> tuple[Schema, dict[str, Schem
 
 
 def page(name: str) -> Schema:
-    """The schema of a document.
+    """The schema of the document with this name.
 
-    If this program also reads the document, the schema has everything that the program accepts.
+    If this program also reads the document, the schema allows all that the program accepts.
     """
     found, parts = schema_of(pages()[name], written=name not in READ)
     if found.keys() == {"$ref"}:
@@ -267,7 +277,11 @@ def page(name: str) -> Schema:
 
 
 def schemas() -> dict[str, Schema]:
-    """The schemas of all documents by their names; the schema ``names`` has the tables of names."""
+    """The schemas of all documents, by their names, and one more schema, ``names``.
+
+    Under the key ``$defs`` the schema ``names`` has the tables :data:`NAMES`, which list the legal
+    names of laws, classes of maps, verdicts and engines.
+    """
     parts: Schema = {}
     for name, (title, table) in NAMES.items():
         entries = [*table]
@@ -310,7 +324,10 @@ SIMPLE = {"integer", "number", "string", "boolean"}
 
 
 def main(directory: Path) -> None:
-    """Write every schema into a directory, and no other file there."""
+    """Write every schema into the file ``NAME.schema.json`` of a directory.
+
+    First delete all files ``*.schema.json`` of this directory; other files stay.
+    """
     directory.mkdir(exist_ok=True)
     for file in directory.glob("*.schema.json"):
         file.unlink()

@@ -8,8 +8,8 @@
 ``play``, ``play.html``, ``play.css``
     the page in which the reader is the robot and draws a map from the percepts;
 ``world.js``, ``robot.js``
-    the robot's motions and percepts, and its conclusions, without a page; tests compare them with
-    the worlds in Python;
+    the robot's motions and percepts, and the robot's conclusions, as functions that need no page;
+    tests compare their results with the worlds in Python;
 ``spots.js``, ``play.js``
     the positions of the vertices in the reader's map; the game and its buttons.
 """

@@ -15,10 +15,10 @@ from allworlds.words import plural
 
 
 def play_content(play: Play) -> parts.ReportContent:
-    """The content for a game: the world, the reader's walk in it, and the costs.
+    """The content for a game: the world, the reader's walk in the world, and the costs.
 
-    If the game is a page, the content is only the path of the page, without any fact about the
-    world.
+    These are the parts of a game that was played in the terminal.  If the reader will play on a
+    page, the content is only the path of this page, and tells nothing about the world.
     """
     if play.path is not None:
         headline = parts.Headline("PAGE", f"{play.path}, to be opened in a web browser")
@@ -67,9 +67,11 @@ def game(play: Play) -> str:
 
 
 def costs_data(play: Play) -> dict[str, Any]:
-    """The costs with which the page's script compares that of the reader.
+    """The costs with which the page's script compares the reader's cost, as JSON data.
 
-    They are the cost of Algorithm 1, if it was run, and the bound on the cost, or None.
+    The key ``others`` has a list of pairs, each a name and a cost: the pair of Algorithm 1, or no
+    pair if Algorithm 1 was not run.  The key ``bound`` has the world's bound on the cost; None if
+    there is no bound.
     """
     world = play.world
     bound = bound_named(world.lighthouse.as_kind.default_bound).of(world.map, world.start)

@@ -413,7 +413,7 @@ def _event(row: RunRow, i: int, name: str) -> ET.Element:
 def world_data(world: World) -> dict[str, Any] | None:
     """The data of a world for the script ``world.js``.
 
-    None for a user's lighthouse under which the robot leaves marks.
+    None for a user's lighthouse under which the robot leaves marks: the script cannot make them.
     """
     map_ = world.map
     marking = next((part for part in kinds.parts_of(world.lighthouse) if part.leaves_marks), None)
