@@ -150,8 +150,8 @@ def motions(max_size: int = 20) -> SearchStrategy[list[int]]:
 def choices(max_size: int = 40) -> SearchStrategy[Choices]:
     """Choices for one run: the first ``max_size`` choices can be any, all later ones are option 0.
 
-    Failing choices shrink towards option 0 everywhere, which is first in, first out.  A run uses up
-    its choices, so draw two of them for two runs.
+    Failing choices shrink towards the first option (option 0) of every choice; for Algorithm 1 this
+    is the policy ``fifo``.  A run uses up its ``Choices``, so draw one for each run.
 
     Example:
         ``@given(worlds(), choices())``

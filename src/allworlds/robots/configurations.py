@@ -1,10 +1,14 @@
 """Every schedule and every choice of the adversary in one world, as a graph of configurations.
 
 A configuration is a state of the world, with one *mind* for each robot.  A mind is all that the
-robot's program remembers, with the action that the robot has still to do.  The search is breadth
+robot's program remembers, with the action that the robot has still to do.  Each configuration has a
+number: its index in the order in which the search finds the configurations.  The search is breadth
 first, so the first run that breaks a law is a shortest such run.  A *layer* holds the new
 configurations that one more step reaches.  Schedules that differ only by the order of independent
 steps lead to one configuration.
+
+The *budget* is the largest number of activations of a robot whose program is a generator.  A run is
+*cut off* if it could go on under a larger budget, or with more events in the given schedule.
 """
 
 from __future__ import annotations
@@ -27,7 +31,7 @@ from allworlds.robots.model import Assumption, ModelInMap, joined
 from allworlds.robots.schedulers import Timing, bits_of
 
 NO_ACTION = Wait, Watch, Ended, ProgramFault
-"""The types of values that a mind may have in place of an action in the world."""
+"""The types of a robot's next action (:attr:`Minds.value`) that the model does not carry out."""
 
 
 class Ends(Struct):
@@ -36,9 +40,10 @@ class Ends(Struct):
     Attributes:
         count: the number of configurations in which a run ends.
         longest: the largest number of activations of a robot in a run that ends.
-        cut_off: the number of configurations in which the budget cuts a run off.
-        shortest: the number of the first configuration in which the budget cuts a run off; -1 if
-            there is no such configuration.
+        cut_off: the number of configurations in which a run is cut off: by the budget, or at the
+            end of the given schedule.
+        shortest: the index of the first configuration in which a run is cut off; -1 if no run is
+            cut off.
     """
 
     count: int = 0
@@ -61,8 +66,8 @@ class Search:
     A configuration is a state of the world, with the minds of all robots.
 
     Args:
-        world: the model in its map.
-        starts: a dart for each robot.
+        world: the model, in one map.
+        starts: the dart of each robot at the start.
         program_of: for each robot the number of its program.
         minds: the minds of these programs, which several searches may share.
         timing: the schedules that are tried.
@@ -98,14 +103,15 @@ class Search:
         self._plans: list[tuple[int, Sequence[int], Sequence[int]]] = []
 
     def begin(self) -> None:
-        """Make the first configurations.
+        """Make the first configurations, and note the broken law if a program fails at the start.
 
-        There is one for each state at the start and each number of rounds by which robot 1 may
-        begin later.
+        There is one configuration for each pair of a state at the start and a delay.  The delay is
+        the number of rounds, from 0 to ``timing.start_delay``, that robot 1 begins later than the
+        other robots.
 
         Raises:
-            InputError: if there are too many robots, or if a bound on activations is given and all
-                programs are automata.
+            InputError: if there are too many robots, or if ``timing.within`` is set and all
+                programs are automata, whose activations are not counted.
         """
         if len(self.program_of) > MOST_ROBOTS:
             most = f"more than {MOST_ROBOTS}, the most of a search"
@@ -144,6 +150,7 @@ class Search:
         """Plan the transitions from the last layer, which holds the newest configurations.
 
         The percepts of the robots in these transitions go into the next messages to the programs.
+        Also note the runs that end or are cut off in this layer, and a state that is bad.
         """
         for number in self._layer:
             state = self.states[self._keys[number][0]]
@@ -184,19 +191,21 @@ class Search:
         self._layers += 1
 
     def configuration(self, number: int) -> tuple[Any, tuple[int, ...], tuple[int, ...]]:
-        """The state of the world, the minds and the scheduler's counts in a configuration.
+        """The state of the world, the minds of the robots, and the scheduler's counts.
 
-        The mind of a robot between Look and Move is given as ``~mind``, which is below 0.  If robot
-        1 may begin later, the first count is the number of rounds before it begins.  If ``lead`` is
-        given, the last counts say by how many activations each robot is ahead of the robot that is
-        furthest behind.
+        The mind of a robot between Look and Move is given as ``~mind``, which is below 0.
+
+        The scheduler's counts are one tuple.  It begins with the number of rounds until robot 1
+        begins, if ``timing.start_delay`` is not 0.  Then, if ``timing.lead`` is not None, it has a
+        number for each robot: by how many activations the robot is ahead of the robot with the
+        fewest activations.
         """
         key = self._keys[number]
         robots = len(self.program_of)
         return self.states[key[0]], key[1 : robots + 1], key[robots + 1 :]
 
     def state_number(self, number: int) -> int:
-        """The number of the state of a configuration."""
+        """The number of a configuration's state of the world: its index in :attr:`states`."""
         return self._keys[number][0]  # type: ignore[no-any-return]
 
     def percept(self, number: int, robot: int) -> Sensed | None:
@@ -211,7 +220,12 @@ class Search:
         return self._sensed[state][robot] if self._sensed[state] else None
 
     def able(self, number: int) -> tuple[list[int], list[int]]:
-        """The robots that can be activated, and the robots that the budget alone stops."""
+        """The robots that can be activated in a configuration, and those at the end of the budget.
+
+        A robot of the second list could be activated under a larger budget.  In no list is a robot
+        that is gone, that has ended, that watches and senses no change, or that the scheduler does
+        not allow yet.
+        """
         key, able, cut = self._keys[number], [], []
         sensed = self._sensed_in(key[0])
         value, watches = self.minds.value, self.minds.watches
@@ -234,9 +248,11 @@ class Search:
         return able, cut
 
     def _allowed(self, able: list[int], minds: Sequence[int], counts: tuple[int, ...]) -> list[int]:
-        """The able robots that the scheduler allows: they have begun, and are not too far ahead.
+        """Those of the robots ``able`` that the scheduler allows.
 
-        A robot between Look and Move may always move, because its activation is counted already.
+        The scheduler allows a robot that has begun, and that, if ``timing.lead`` is given, is fewer
+        than ``timing.lead`` activations ahead of every robot in ``able``.  A robot between Look and
+        Move may always move, because its activation is counted already.
         """
         if self.timing.start_delay:
             able = [robot for robot in able if robot != 1 or not counts[0]]
@@ -249,8 +265,8 @@ class Search:
     def _goes_on(self, number: int) -> bool:
         """Whether a run goes on although no robot can be activated.
 
-        It goes on if robot 1 begins later.  It also goes on if the world makes a step in each
-        round, and not all programs have ended.
+        The run goes on if robot 1 has not begun yet.  The run also goes on if the world makes a
+        step in each round, and not all programs have ended.
         """
         _, _, counts = self.configuration(number)
         if self.timing.start_delay and counts[0]:
@@ -258,14 +274,22 @@ class Search:
         return self.timing.has_rounds and not self._all_ended(number)
 
     def _cut_off(self, able: Sequence[int], cut: Sequence[int], number: int) -> bool:
-        """Whether the budget cuts a run off in a configuration; if it does, note this."""
+        """Whether the budget cuts a run off in a configuration; if so, note the end of the run.
+
+        ``able`` and ``cut`` are the two lists of :meth:`able`.  A robot at the end of the budget
+        cuts the run off if no other robot can be activated; under ``fsync`` always, because there
+        all robots are activated at once.
+        """
         if not cut or (able and self.timing.scheduler != "fsync"):
             return False
         self._unfinished(number)
         return True
 
     def _unfinished(self, number: int) -> None:
-        """Note a run that the budget cuts off in a configuration."""
+        """Note a run that the budget cuts off in a configuration.
+
+        If ``timing.within`` is set, such a run breaks the law ``budget``.
+        """
         self._note_cut_off(number)
         if self.timing.within:
             most = self.timing.budget
@@ -315,10 +339,12 @@ class Search:
         return ((index, following[index]),)
 
     def _looks(self, number: int, able: Iterable[int]) -> list[int]:
-        """The mind of each able robot after its look, or a promise of this mind.
+        """For each able robot its mind after the look, or a promise of this mind.
 
-        :meth:`Minds.look` says what a promise is.  A robot that has looked in an earlier step moves
-        now; for this robot the result is its present mind, which is below 0.
+        A promise is a number below 0, see :meth:`Minds.look`.  A robot that has looked in an
+        earlier step does not look again, but moves; its entry is ``~mind``, as in
+        :meth:`configuration`.  This entry is below 0, too, but is no promise; :meth:`_turns` knows
+        from the configuration which robots move.
         """
         key = self._keys[number]
         sensed, look = self._sensed_in(key[0]), self.minds.look
@@ -328,7 +354,11 @@ class Search:
     def _turns(
         self, number: int, able: Iterable[int], looks: Iterable[int]
     ) -> dict[int, PlannedTurn]:
-        """The turn of each able robot; it does not depend on the turns of the other robots."""
+        """The planned turn of each able robot, by the number of the robot.
+
+        ``looks`` is the result of :meth:`_looks`.  A robot's turn does not depend on the turns of
+        the other robots.
+        """
         key, minds, turns = self._keys[number], self.minds, dict[int, PlannedTurn]()
         for robot, look in zip(able, looks, strict=True):
             moves = key[robot + 1] < 0
@@ -346,9 +376,10 @@ class Search:
         bits: int,
         turns: Mapping[int, PlannedTurn],
     ) -> bool:
-        """Make the transitions from a configuration if just the robots of a group are activated.
+        """Make the transitions from a configuration in which a group of robots is activated.
 
-        Return False if a law is broken.
+        Return False if a law is broken.  ``at`` is the result of :meth:`configuration`, ``bits``
+        the group as a bit set, ``turns`` the result of :meth:`_turns`.
         """
         state, minds, counts = at
         after, acts, due = [*minds], dict[int, Any](), dict[int, Any]()
@@ -378,7 +409,10 @@ class Search:
 
     @staticmethod
     def is_action(value: object) -> bool:
-        """Whether a mind's value is an action in the world."""
+        """Whether a robot's next action (:attr:`Minds.value`) is one that the model carries out.
+
+        Wait, Watch, and the end or the fault of a program are no such actions.
+        """
         return not isinstance(value, NO_ACTION)
 
     def following(
@@ -433,7 +467,11 @@ class Search:
         bits: int,
         adversary: int,
     ) -> int:
-        """The number of a configuration; a new configuration is added first."""
+        """The number of a configuration; if the configuration is new, it is added first.
+
+        ``before``, ``bits`` and ``adversary`` are the parts of the transition that leads to the
+        configuration, see :class:`allworlds.robots.graph.Transition`.
+        """
         state_id = self._state_ids.setdefault(state, len(self.states))
         if state_id == len(self.states):
             self.states.append(state)
@@ -512,12 +550,18 @@ class Search:
             self._unfinished(endless)
 
     def unable(self, number: int) -> int:
-        """The robots that cannot be activated in a configuration under any budget, as a bit set."""
+        """The robots that cannot be activated in a configuration, as a bit set.
+
+        A robot at the end of the budget is not in the set; :meth:`unable_or_cut` includes it.
+        """
         able, cut = self.able(number)
         return bits_of(self._robots) & ~bits_of(able) & ~bits_of(cut)
 
     def unable_or_cut(self, number: int) -> int:
-        """The robots that cannot be activated in a configuration with this budget, as a bit set."""
+        """The robots that cannot be activated in a configuration, as a bit set.
+
+        A robot at the end of the budget is in the set; :meth:`unable` leaves it out.
+        """
         return bits_of(self._robots) & ~bits_of(self.able(number)[0])
 
     # ---------------------------------------------------------------- what was searched

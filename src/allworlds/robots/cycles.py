@@ -37,9 +37,9 @@ Its arguments are the number of the configuration before the transition, and the
 
 
 def broken_for_ever(search: Search) -> Broken | None:
-    """The first condition on infinite runs that a fair cycle breaks, with this cycle.
+    """The law that a fair cycle breaks, with this cycle; None if no fair cycle breaks a law.
 
-    Return None if no fair cycle breaks a condition.
+    The conditions on infinite runs are tried in their order in the model.
     """
     graph = search.graph
     if search.minds.histories and all(map(graph.bits, range(len(graph)))):
@@ -62,9 +62,10 @@ def broken_for_ever(search: Search) -> Broken | None:
 
 
 def cut_for_ever(search: Search) -> int | None:
-    """Find a cycle on which the budget alone stops a robot, while other robots go on for ever.
+    """Find a cycle on which a robot is at the end of the budget, while other robots go on for ever.
 
-    Return the number of a configuration on the cycle; None if there is no such cycle.
+    The budget is the largest number of activations of a robot whose program is a generator.  Return
+    the number of a configuration on the cycle; None if there is no such cycle.
     """
 
     def cut(before: int, _index: int) -> bool:
@@ -86,8 +87,10 @@ def _broken_in_component(
 ) -> Broken | None:
     """The law that a cycle in a strongly connected component breaks; None if no law is broken.
 
-    If the first cycle that is found breaks no law, a second cycle is tried, on which some robot is
-    activated.
+    A run along a cycle that meets ``criteria`` breaks ``condition``.  If a robot is activated on
+    the cycle, the broken law is ``progress``.  If only the world changes on the cycle, all robots
+    stand still for ever, and :meth:`Search.stopped` says which law is broken.  If that is no law, a
+    second cycle is tried, on which a robot is activated.
     """
     cycle = _cycle(search, component, criteria, outgoing)
     if not cycle:

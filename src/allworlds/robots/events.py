@@ -31,7 +31,10 @@ class Turn(NamedTuple):
 
     @property
     def phase(self) -> str:
-        """``L`` for a look whose move comes later, ``M`` for that move, empty for a whole turn."""
+        """The letter of the turn in a schedule; empty for a whole turn.
+
+        ``L`` stands for a look whose move comes later, ``M`` for the move of an earlier look.
+        """
         return "L" if self.later else "M" if self.sensed is None else ""
 
 
@@ -55,7 +58,13 @@ class Event(NamedTuple):
 
     @property
     def written(self) -> str:
-        """The event as it is written in a schedule: ``0L``, ``0M+1L``, ``0+1:2``."""
+        """The event as it is written in a schedule, for example ``0M+1L`` or ``0+1:2``.
+
+        Each activated robot is given by its number, then ``L`` for a look whose move comes later,
+        ``M`` for the move of an earlier look, or no letter for a whole turn.  Between two robots
+        stands ``+``; ``-`` stands for no robot.  Behind a colon is the index of the adversary's
+        choice, if there are several choices.
+        """
         who = "+".join(f"{turn.robot}{turn.phase}" for turn in self.turns) or "-"
         return f"{who}:{self.adversary}" if self.choices > 1 else who
 

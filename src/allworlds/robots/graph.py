@@ -1,6 +1,7 @@
 """The graph of a search: the transitions between its configurations; the run that breaks a law.
 
-A configuration is a state of the world, with the minds of all robots.
+A configuration is a state of the world, with the minds of all robots.  A set of robots is stored as
+a *bit set*, an integer in which bit i stands for robot i.
 """
 
 from __future__ import annotations

@@ -2,8 +2,12 @@
 
 A *mind* is a number.  The mind of a generator stands for its *history*: all its percepts so far.
 The histories are the nodes of a tree, in which each percept leads from a node to a child.  The mind
-of an automaton stands for its memory, with the action that is due.  A search needs three answers:
-the mind after one more percept, the action of a mind, and the mind after that action.
+of an automaton stands for its memory, with the action that is *due*: the robot has still to do it.
+A search needs three answers: the mind after one more percept, the action of a mind, and the mind
+after that action.
+
+By the action ``Watch`` a robot does nothing, and is not activated again until its percept differs
+from the percept at the Watch.
 """
 
 from __future__ import annotations
@@ -69,8 +73,9 @@ class Dialogue(Struct):
             percept.
         turns: all turns so far, in their order.
         replies: the program's reply in each of these turns.
-        waiting: the turns that the next message will hold, each in a pair with the mind after it;
-            for an automaton, which then has no such mind yet, the second value is -1.
+        waiting: the turns that the next message to the program will hold, each in a pair with the
+            mind after the turn.  For a generator this mind is known: it stands for the history with
+            the new percept.  For an automaton it depends on the reply, and the second value is -1.
         automaton: whether the program is an automaton; None if it has not been asked yet.
     """
 
@@ -94,10 +99,10 @@ class Minds:
     Attributes:
         value: for each mind the action that is due, or the end or the fault of its program; None if
             no action is due.
-        sensed: for each mind the last percept, if the mind is a history, or if its action is Watch;
-            else None.
+        sensed: for each mind the last percept, if the mind is a history, or if the due action is
+            Watch, because then the next percepts are compared with this one; else None.
         depth: for each mind the number of activations; 0 for automata.
-        watches: for each mind whether its action is Watch.
+        watches: for each mind whether the due action is Watch.
 
         dialogues: for each program its turns and replies.
     """
@@ -117,7 +122,9 @@ class Minds:
         self._promised: list[Any] = []
 
     def root(self, program: int, told: bytes | None) -> int:
-        """The mind before the first percept of a robot that is told this value.
+        """The mind of a robot before its first percept.
+
+        ``program`` is the index of the robot's program, ``told`` the value that the robot is told.
 
         Raises:
             Lost: if the player of the program is lost.
@@ -217,8 +224,9 @@ class Minds:
     def after(self, mind: int) -> int:
         """The mind that follows the mind ``mind`` once its action is done.
 
-        For a generator it is ``mind`` itself; so it is for an automaton that watches or has ended.
-        For any other automaton it is the mind with the same memory, and without an action.
+        The result is ``mind`` itself for a generator, and for an automaton that has ended or whose
+        action is Watch, since its mind keeps the watched percept.  For any other automaton the
+        result is the mind with the same memory, and without a due action.
         """
         program = self._program_of[mind]
         stays = self.watches[mind] or type(self.value[mind]) is Ended
@@ -256,9 +264,10 @@ class Minds:
 
 
 def value_of(letter: str, words: Any) -> Any:
-    """The action, the end or the fault that a program's reply names.
+    """The action, the end or the fault that a program's reply names; None if no action is due.
 
-    The reply consists of a letter and words.
+    ``letter`` and ``words`` are parts of the reply, see
+    :func:`allworlds.protocol.turns.marshalled`.
     """
     if letter == ACTION:
         return None if words is None else action_of(words)

@@ -108,8 +108,10 @@ class Model:
         Args:
             map_: the map.
             state: the state before.
-            acts: the actions by robot, without robots that wait, watch or have ended.  In ``fsync``
-                and ``ssync`` the world makes a step in each round, even if no robot acts.
+            acts: the actions that are done now, by robot.  A robot is missing if it is not
+                activated, if its program has ended, or if its action is ``Wait`` or ``Watch``,
+                which do nothing in the world.  In ``fsync`` and ``ssync`` the world makes a step in
+                each round; then ``acts`` may be empty.
 
         Returns:
             Pairs of a state and the adversary's choice in words, which may be empty.
@@ -263,7 +265,7 @@ class ModelInMap:
         return self._numbers(value) if type(value) is Percept else self._json("sensed", value)
 
     def step(self, state: Any, acts: Mapping[int, Any]) -> list[tuple[ModelState, str]]:
-        """Each state that can follow, with the adversary's choice in words.
+        """Each state that can follow the actions ``acts``, with the adversary's choice in words.
 
         Raises:
             IllegalAction: if the model refuses an action.

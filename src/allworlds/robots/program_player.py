@@ -1,7 +1,8 @@
 """A program that a player in another process plays turn by turn; the second play of a program.
 
-In place of a lost player a new player is started, which hears all earlier turns again.  If the new
-player is lost in the same turn, the reply in that turn is a fault.
+A player is lost if its process has died or was silent for too long.  In place of a lost player a
+new player is started, which hears all earlier turns again.  If the new player is lost in the same
+turn, the reply in that turn is a fault.
 """
 
 from __future__ import annotations
@@ -98,7 +99,7 @@ class ProgramPlayer:
     def _after(self, lost: Lost, turns: Sequence[NumberedTurn]) -> list[bytes]:
         """The replies in all these turns, after the player was lost in one of them.
 
-        A new player takes this turn again; if it is lost, too, the reply is a fault.
+        A new player takes this turn again; if this player is lost, too, the reply is a fault.
         """
         at = min(max(0, self._player.beat[0]), len(turns) - 1)
         before = turns[:at]
@@ -243,10 +244,11 @@ def _beginning(dialogue: Dialogue, told: Any) -> Iterator[int]:
 
 
 def _alike(first: bytes, second: bytes, numbers: dict[int, int]) -> bool:
-    """Whether two replies are equal, except that a memory may have another number in each play.
+    """Whether two replies are equal, apart from the numbers of an automaton's memories.
 
-    ``numbers`` is a dictionary from the number of each memory in the first play to its number in
-    the second play; a memory that is missing is added.
+    A reply of an automaton holds the number of the memory after the turn.  Each play numbers the
+    memories anew, so one memory may have two numbers.  ``numbers`` is a dictionary from a memory's
+    number in the first play to its number in the second play; a missing number is added.
     """
     if not first or not second:
         return first == second

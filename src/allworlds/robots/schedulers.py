@@ -37,7 +37,12 @@ class ScheduledEvent(NamedTuple):
 
 
 def schedule_of(text: str) -> tuple[ScheduledEvent, ...]:
-    """The events of a text such as ``0L 1L 0M 0+1:2``; ``-`` stands for an event without robots.
+    """The events of a schedule that is given as a text, such as ``0L 1L 0M 0+1:2``.
+
+    Each word is an event.  In an event each robot is given by its number and a letter, with ``+``
+    between two robots: ``L`` means that the robot looks, and moves later; ``M``, that it makes the
+    move of an earlier look; no letter, that it looks and moves at once.  ``-`` stands for no robot.
+    Behind a colon stands the index of the adversary's choice; without a colon it is 0.
 
     Raises:
         InputError: if a word of the text is no event; the error names the word.
@@ -64,7 +69,7 @@ class Timing(Struct, frozen=True):
         budget: the largest number of activations of a robot whose program is a generator.
         lead: the largest number of activations by which a robot may be ahead of another robot that
             can be activated; None for no limit.
-        start_delay: the largest number of rounds by which robot 1 may begin later.
+        start_delay: the largest number of rounds by which robot 1 may begin later than the others.
         within: whether a run that exceeds the budget is a finding.
         configurations: the largest number of configurations of a search.
         schedule: the only schedule that is tried; None if every schedule is tried.

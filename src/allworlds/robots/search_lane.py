@@ -1,9 +1,14 @@
-"""A lane for searches: it takes a unit, searches the worlds of the unit, and asks players.
+"""A lane for searches: it takes a unit, and searches the worlds of the unit with two players.
 
-A player is a process with a program of the team.
+A player is a process with a program of the team; each program has a first and a second player.
+Unlike other lanes, this lane has no judge: the searches themselves find the broken laws.
 
-unit --> searches, all by one layer at a time --> first players, a message a layer --> findings
-                                   second players, at the end of the unit: the same replies?
+Up to :data:`AT_ONCE` searches are run together, layer by layer.  A layer holds the configurations
+that one more step reaches.  For each layer each first player gets one message, with the turns of
+all these searches.  At the end of the unit each second player plays the same turns again.
+
+unit --> searches --> layer --> first players --> next layer --> ... --> findings
+end of the unit --> second players --> a finding if a reply differs
 """
 
 from __future__ import annotations
@@ -40,7 +45,8 @@ class SearchLane:
 
     Args:
         team: the programs.
-        counter: the scope of the searches, which makes the searches of a unit.
+        counter: the team, the model and the schedules of all searches; its methods make the
+            searches of a unit, and an empty tally, in which the results are counted.
         limits: the limits of the time for an answer, and of memory.
         first_lane: whether this is the first of all lanes; this has no effect here.
         deadline: the time, on the monotonic clock, after which the lane waits for no reply; or
@@ -83,7 +89,13 @@ class SearchLane:
         return bool(self._units)
 
     def turn(self, others: Sequence[int] = ()) -> list[PartialResult]:  # noqa: ARG002  # they wait
-        """Do some more searches of the first unit; return a part of the unit's result.
+        """Do the next part of the work on the unit, and return the result of this part.
+
+        A part is up to :data:`AT_ONCE` searches, or the second play of the programs.  The last
+        result of a unit has an empty tally.
+
+        Args:
+            others: not used here; other lanes stop waiting when one of these descriptors is ready.
 
         Raises:
             InputError: if a program cannot be loaded, or the model has an error.
@@ -178,7 +190,7 @@ class SearchLane:
 def _where_sensed(
     search: Search, program: int, found: Difference, minds: Minds
 ) -> tuple[int, tuple[int, ...], int] | None:
-    """Find the first configuration in which a robot can take the turn of ``found``.
+    """Find the first configuration in which a robot can have the turn of ``found`` as its next one.
 
     In this turn two plays of the program ``program`` differ.  Return the number of the
     configuration, a group of robots that can be activated there at once, and the robot, which

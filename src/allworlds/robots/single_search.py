@@ -79,7 +79,7 @@ def search(
             ``budget``.
         lead: the largest number of activations by which a robot may be ahead of another robot; None
             for no limit.
-        start_delay: the largest number of rounds by which robot 1 may begin later.
+        start_delay: the largest number of rounds by which robot 1 may begin later than the others.
         configurations: the largest number of configurations.
 
     Raises:

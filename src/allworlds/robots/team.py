@@ -94,7 +94,8 @@ class TeamRow:
         configurations: the number of configurations of all searches.
         most: the largest number of configurations of a search.
         ends: the number of configurations in which a run ends.
-        cut_off: the number of configurations in which the budget cuts a run off.
+        cut_off: the number of configurations in which a run is cut off: by the budget (see
+            :class:`Timing`), or at the end of the given schedule.
         full: the number of searches that stopped because they reached too many configurations.
         longest: the largest number of activations of a robot in a run that ends.
         schedules: the number of complete runs: those that cannot be continued; None if the number
@@ -214,7 +215,9 @@ class TeamTally:
 
 
 class TeamScope(Struct, frozen=True):
-    """The scope of the searches: it makes the searches of a unit, and an empty tally for them.
+    """The scope of a verdict about a team: which maps, model, programs and schedules are searched.
+
+    Its methods make the searches of a unit, and an empty tally for the results of these searches.
 
     Attributes:
         extent: the class of the maps, with bounds on their size.

@@ -31,7 +31,8 @@ class SnapshotState(NamedTuple):
     """A state of a world whose robots see the whole map.
 
     Attributes:
-        darts: the dart that each robot heads for; without chirality the least dart at its vertex.
+        darts: the heading of each robot, see :class:`Snapshot`; without chirality the least dart at
+            the robot's vertex.
         due: for each robot the dart by which it will leave, if its look has decided the dart; else
             None.
         crossed: whether two robots have just crossed on an edge; always False if crossing is legal.
@@ -59,10 +60,11 @@ class Snapshot(Apart):
     several darts have this view, the adversary chooses one of these darts at each look.
     ``Do("either")`` leaves by any dart that the adversary chooses.
 
-    With chirality each robot heads for a dart of its vertex, and its percept is the clockwise view
-    from this dart; ``Do(k)`` leaves by the k-th dart clockwise from this dart.  After the move the
-    robot heads for the dart that is 1 - k darts clockwise from the dart of arrival.  So on a ring
-    it always heads in the same direction.
+    With chirality each robot has a heading, which is a dart of its vertex; at the start it is the
+    robot's dart.  The percept is the clockwise view from the heading, and ``Do(k)`` leaves by the
+    k-th dart clockwise from the heading.  After the move the heading is the dart that is 1 - k
+    darts clockwise from the dart of arrival.  On a ring ``Do(0)`` leaves by the heading, and
+    ``Do(1)`` by the other dart; after both the heading points in the same direction as before.
 
     Attributes:
         goal: ``gather``: all robots must come to one vertex, and stay there; ``explore``: each
@@ -152,7 +154,10 @@ class Snapshot(Apart):
             yield SnapshotState(darts, due, crossed), "; ".join(filter(None, words))
 
     def _heading(self, map_: CombinatorialMap, before: Dart, leave: Dart) -> Dart:
-        """The dart that a robot heads for after it has left by the dart ``leave``."""
+        """The robot's new dart in :attr:`SnapshotState.darts`, after it has left by ``leave``.
+
+        ``before`` is the robot's dart there before the move.
+        """
         arrival = map_.alpha[leave]
         if not self.chirality:
             return least(map_, arrival)

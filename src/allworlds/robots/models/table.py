@@ -135,7 +135,7 @@ def _wrapped(plain: str, rest: str, name: str) -> tuple[Model, str]:
 
 
 def _own(name: str) -> tuple[user_code.UserCode, str]:
-    """The user's code that the first part of a model's name means, and the text of the options."""
+    """The user's code in a model's name ``FILE.py:Class:key=value,...``, and the options' text."""
     parts = re.fullmatch(r"(.+)[:?]([^:?=]+=.*)", name)
     plain, options = (parts[1], parts[2]) if parts else (name, "")
     return MODEL.find(plain), options
@@ -152,9 +152,15 @@ def _class_of(code: user_code.UserCode) -> type[Model]:
 
 
 def _made(kind: Any, plain: str, text: str, name: str) -> tuple[Model, str]:
-    """A model with the options that ``text`` names, and the name of the model.
+    """A model of the class ``kind``, and its canonical name.
 
-    The name contains those options whose values are not the defaults.
+    The canonical name is ``plain``, with those options whose values are not the defaults.
+
+    Args:
+        kind: the class of the model.
+        plain: the name of the class, without options.
+        text: the options, as ``key=value,...``; may be empty.
+        name: the name with options as the user has given it, for the words of errors.
     """
     legal = options_of(kind)
     given = {}

@@ -84,7 +84,7 @@ class Eyes(NamedTuple):
 
 
 def least(map_: CombinatorialMap, dart: Dart) -> Dart:
-    """The least dart at the vertex of a dart: the dart of a robot that heads for no dart."""
+    """The least dart at the vertex of a dart; it stands for a robot there that has no heading."""
     return map_.vertices[map_.vertex_of[dart]][0]
 
 

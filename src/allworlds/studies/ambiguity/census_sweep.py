@@ -74,8 +74,8 @@ class SizeCounts(Struct):
     Attributes:
         marked_worlds: the number of maps with a lighthouse, up to isomorphism.
         ambiguous_worlds: the number of these worlds that have a twin, whatever the twin's size.
-        classes: the number of ambiguity classes with two or more members, if at least one member
-            has one of these sizes.
+        classes: the number of ambiguity classes with two or more members, of which at least one has
+            one of these sizes.
         largest_class: the number of members of the largest of these classes; 0 if there is none.
     """
 
