@@ -43,7 +43,7 @@ class Skeleton(Report):
 
     @property
     def language(self) -> Language:
-        """The language of the explorer, with the commands that try it."""
+        """The language of the explorer, with the commands that check and test the explorer."""
         return LANGUAGES[self.lang]
 
 

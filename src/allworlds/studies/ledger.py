@@ -55,7 +55,7 @@ class Picture(Struct, frozen=True):
 
 
 class Found(Struct, frozen=True):
-    """The result of checking a sentence; it does not depend on what is expected.
+    """The result of checking a sentence, found without the expected verdict and numbers.
 
     Attributes:
         verdict: whether the sentence holds in the scope.
@@ -105,13 +105,13 @@ def truth(holds: object) -> Truth:
 
 
 def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
-    """The outcome of a claim that an exhaustive check decides.
+    """The result of a claim that an exhaustive check decides.
 
-    The witnesses of the outcome are the numbers of worlds, of runs and of the events that are named
-    in ``events``; ``figures`` are the numbers that the sentence names.
+    The witnesses of the result are the numbers of worlds, of runs, and of those events of the check
+    that are named in ``events``; ``figures`` are the numbers that the sentence names.
 
     Raises:
-        Unfinished: if the check neither holds nor is refuted.
+        Unfinished: if the verdict of the check is neither ``holds`` nor ``refuted``.
     """
     whole = report.uninterrupted()
     if whole.verdict not in (outcome.Verdict.HOLDS, outcome.Verdict.REFUTED):
@@ -133,10 +133,10 @@ def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
 
 
 class ClaimScope(doc.Document, kw_only=True):
-    """The scope of a claim under a budget, and the expected numbers.
+    """The scope of a claim under one budget (``quick`` or ``full``), and the expected numbers.
 
-    ``bounds`` are the keywords for the claim's function; ``witnesses`` and ``figures`` are the
-    numbers that the function must find.
+    ``bounds`` are the keywords for the claim's function.  ``witnesses`` and ``figures`` are the
+    numbers that the function must find: how often each case occurs, and the sentence's numbers.
     """
 
     bounds: dict[str, Any] = doc.key(default_factory=dict)
@@ -188,7 +188,7 @@ def claims_in(file: Path) -> tuple[Claim, ...]:
     """The claims of a ``ledger.toml``, in the order of the file.
 
     Raises:
-        InputError: naming the file, the claim and its error.
+        InputError: if the file is no ledger; the error names the file, the claim, and the fault.
     """
     text = read_text(str(file))
     try:
@@ -228,13 +228,16 @@ LEDGER, CLAIMS = "ledger.toml", "claims.py"
 """The files of a ledger: the claims, and a function for each claim."""
 
 FAULTS = (Unfinished, outcome.Disagreement, tally.EnginesDisagree)
-"""The errors of this program that refute the claim in whose check they are raised."""
+"""The errors that refute the claim in whose check they are raised.
+
+A check of this program has then ended without an answer, or two computations of one value differ.
+"""
 
 
 QUICK = 0.5
 """The most seconds of a check of a claim that is made a second time.
 
-Both outcomes must be equal.
+Verdict, witnesses and figures of both checks must be equal.
 """
 
 
@@ -243,13 +246,15 @@ Returned: TypeAlias = Found | NotChecked | Exception
 
 
 class CheckedClaim(Sentence):
-    """A sentence that can be checked, with the expected outcome and the one found.
+    """A sentence that can be checked, with the expected and the found verdict and numbers.
 
     ``truth`` is the verdict of the claim's function, or None if nothing was checked; ``seconds`` is
     the duration of the check; ``captions`` has a caption for each of the ``worlds``.
-    ``disagreement`` is the text of a disagreement within this program, which refutes the claim,
-    whatever is expected. ``error`` is the text of an error of this program, which leaves the claim
-    open. Both texts are empty if all went well.
+    ``disagreement`` is the text of an error of the kinds :data:`FAULTS`: for example, two
+    computations of one value differ. Such an error refutes the claim, even if the claim is expected
+    to be refuted. ``error`` is the text of any other error in the claim's function. The verdict is
+    then ``error``: the sentence is neither confirmed nor refuted. Each of the two texts is empty if
+    no such error was raised.
     """
 
     witnesses: Annotated[
@@ -270,7 +275,10 @@ class CheckedClaim(Sentence):
 
     @doc.computed
     def verdict(self) -> Seen:
-        """The verdict found; ``vacuous``: a witness is missing; ``error``: this program failed."""
+        """The verdict found; ``vacuous``: a case did not occur; ``error``: the check failed.
+
+        A case is one of those that the sentence is about; :attr:`witnesses` counts the occurrences.
+        """
         if self.error:
             return "error"
         if self.truth is None:
@@ -283,14 +291,18 @@ class CheckedClaim(Sentence):
 
     @doc.computed
     def standing(self) -> ClaimStanding:
-        """Whether verdict, witnesses and figures are as expected."""
+        """The comparison of verdict, witnesses and figures with the expected ones, in a word.
+
+        ``as-expected``: all are equal; ``unexpected``: one differs, or the check raised an error;
+        ``vacuous``, ``not-checked``: the verdict is this word, and nothing is compared.
+        """
         if self.verdict in ("not-checked", "vacuous"):
             return self.verdict
         return "unexpected" if self.differences else "as-expected"
 
     @doc.computed
     def differences(self) -> tuple[str, ...]:
-        """The differences from the expected outcome, in words."""
+        """The differences from the expected verdict and numbers, or the error, in words."""
         if self.error:
             return (f"an error of this program: {self.error}",)
         if self.truth is None:
@@ -315,7 +327,7 @@ class CheckedClaim(Sentence):
 class LedgerReport(RowsReport):
     """Report of 'ledger'.
 
-    The claims of a paper that were checked, each with its expected and its found outcome.
+    The claims of a paper that were checked, each with the expected and the found verdict.
     """
 
     budget: Annotated[Budget, doc.about("the amount of work")]
@@ -354,7 +366,7 @@ class LedgerReport(RowsReport):
 
     @property
     def missed(self) -> list[str]:
-        """The required claims that were not checked."""
+        """The ids of the claims that the option ``require`` names and that were not checked."""
         return [
             one.id
             for one in self.claims
@@ -399,7 +411,7 @@ class LedgerRequest(ListenerOptions, limits.WorkerOptions, kw_only=False):
 
 @answers(LedgerRequest)
 def ledger(request: LedgerRequest) -> LedgerReport:
-    """Check the sentences of a paper, each on its scope, and compare with the expected outcomes.
+    """Check the sentences of a paper, each in its scope, and compare with the expected results.
 
     ``claims.py`` in the folder has a function for each claim of ``ledger.toml``.  Each function
     takes ``Means``, and the bounds of its claim as keywords, and returns a ``Found`` or a
@@ -450,8 +462,8 @@ def entry_of(claim: Claim, check: ClaimFunction, means: Means) -> CheckedClaim:
     If the check takes at most :data:`QUICK` seconds, it is made twice.
 
     Raises:
-        InputError: naming the claim, if its function ends the process, returns no outcome, or
-            returns another outcome the second time.
+        InputError: naming the claim, if its function ends the process, returns neither a Found nor
+            a NotChecked, or returns another result the second time.
     """
     began = time.monotonic()
     entry = entry_with(claim, means.budget, _outcome_of(claim, check, means))
@@ -468,9 +480,9 @@ def entry_of(claim: Claim, check: ClaimFunction, means: Means) -> CheckedClaim:
 
 
 def _outcome_of(claim: Claim, check: ClaimFunction, means: Means) -> Returned:
-    """The outcome of one call of the claim's function.
+    """The result of one call of the claim's function.
 
-    An exception that the function raises is returned as the outcome.
+    An exception that the function raises is returned as the result.
     """
 
     def act() -> Any:
@@ -493,7 +505,7 @@ def _outcome_of(claim: Claim, check: ClaimFunction, means: Means) -> Returned:
 
 
 def entry_with(claim: Claim, budget: Budget, found: Returned, seconds: float = 0) -> CheckedClaim:
-    """The entry of a claim in the report, with the outcome that its function found."""
+    """The entry of a claim in the report, with the result of the claim's function."""
     scope, disagreement, error = claim.scopes[budget], "", ""
     match found:
         case Found():

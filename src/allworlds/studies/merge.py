@@ -49,10 +49,14 @@ def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
 def shards_of(
     runs: Sequence[str | Path],
 ) -> Iterator[tuple[kept_units.Identity, run_directory.Merged]]:
-    """Open the run directories of a job's shards; yield the job's identity and all finished units.
+    """Open the run directories of a job, one for each shard, as long as a ``with`` block runs.
+
+    The ``with`` statement gets one pair: the identity of the job, which is the verb and all that
+    the job's report depends on; and the finished units of all directories together.
 
     Raises:
-        InputError: if the directories are not of one job, or overlap.
+        InputError: if there is no directory, if the directories are not of one job, or if two of
+            them are of the same shard.
         Gap: if a shard is missing.
     """
     if not runs:
@@ -105,12 +109,15 @@ def merge(*runs: str | Path, by: str | None = None, listener: Listener | None = 
     As in a job without shards, counts are compared with an independent source, and witnesses are
     required.
     No explorer is needed or run: each shard has confirmed its own findings.
+    ``by`` is for jobs of ``compare`` alone: one row of the report's CSV file is about one ``size``,
+    one ``world`` or one ``run``; None keeps the default, ``size``.
 
     Returns:
         The report that the job's verb, such as ``check``, would have given without shards.
 
     Raises:
-        InputError: if the directories are not of one job, overlap, or are damaged.
+        InputError: if the directories are not of one job, are of another version of this program,
+            or are damaged; if two of them have the same shard or unit; or if ``by`` has no effect.
         Gap: if a shard or a unit is missing.
     """
     return _merged(MergeRequest(runs=runs, by=by, listener=listener))
@@ -120,7 +127,7 @@ JobState: TypeAlias = Literal["running", "finished", "unfinished"]
 
 
 class DoneOf(doc.Document):
-    """How many units or worlds are finished, and how many there are in all."""
+    """The number of finished units or worlds, and the number of all units or worlds."""
 
     done: Annotated[doc.Natural, doc.about("are finished")]
     all: Annotated[doc.Natural, doc.about("are to be done")]

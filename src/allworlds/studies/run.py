@@ -1,7 +1,9 @@
 """One run: ``run`` plays it in one world, ``replay`` plays the run of a finding again.
 
 A replayed finding may come from a corpus, which is a collection of findings.  In ``play`` the user
-is the robot: a page compares the user's cost with that of Algorithm 1.
+is the robot: a page compares the user's cost with that of Algorithm 1.  In Python a function of the
+user chooses the actions; here this function is called the *player*, a word that means in other
+modules a process that runs an explorer.
 """
 
 import os
@@ -110,7 +112,12 @@ def run(request: RunRequest) -> single.SingleRun:
 
 
 def _located(run: single.SingleRun, subject: Any, limits: limits.Limits) -> single.SingleRun:
-    """The run; if the run has a finding, lines of the explorer's code are added to the finding."""
+    """The run; its finding, if there is one, then names the lines of the explorer's code that ran.
+
+    For this the explorer ``subject`` is run once more, within the ``limits`` of time and memory.
+    The finding names the line at which each action was chosen.  The finding stays as it is if the
+    explorer is not a user's Python code, or does not repeat the run.
+    """
     found = run.finding and hints.located(run.finding, subject, limits)
     return doc.replace(run, finding=found)
 
@@ -182,7 +189,11 @@ class Replay(Report):
 
     @doc.computed
     def outcome(self) -> Literal["reproduced", "fixed", "not-reproduced"]:
-        """``reproduced``: a law is broken; ``fixed``: none is; ``not-reproduced``: undecided."""
+        """``reproduced``: a law is broken; ``fixed``: none is; ``not-reproduced``: undecided.
+
+        The outcome is undecided if the recorded finding is that a user's explorer is
+        nondeterministic, and no run breaks a law now: the next run might break one.
+        """
         if self.again.finding:
             return "reproduced"
         open_ = self.users and self.recorded.law == "nondeterministic"
@@ -197,17 +208,19 @@ class Replay(Report):
 
 @answers(ReplayRequest)
 def replay(request: ReplayRequest) -> Replay | TeamReplay:
-    """Run an explorer again in a finding's world, under its rules; by default its own explorer.
+    """Run an explorer again in the world of a finding, under the rules of the finding.
 
-    The recorded explorer gets the recorded choices as far as they fit; its code may have changed.
-    Any other explorer, named by ``explore``, gets choices by the recorded policy.  For a finding of
-    the law ``nondeterministic`` the run is made up to :data:`TRIES` times.  For a finding of a team
-    of robots, its world is searched again.
+    Without ``explore`` this is the recorded explorer, whose code may have changed.  The recorded
+    explorer gets the recorded choices as far as they fit; any other explorer gets choices by the
+    recorded policy.  For a finding of the law ``nondeterministic`` the run is made up to
+    :data:`TRIES` times.  For a finding of a team of robots, its world is searched again.
+
+    If the recorded explorer took choices, but takes none any more, it cannot repeat the run: this
+    is an error, unless ``explore`` names this explorer; then it runs without choices.
 
     Raises:
         InputError: if the explorer cannot be found; if the finding's transcript is no walk in its
-            world; or if the finding has choices, but its explorer takes none any more.  The last
-            is no error if ``explore`` names this explorer.
+            world; or if the recorded explorer takes no choices any more, as said above.
     """
     finding, explore = request.finding, request.explore
     if isinstance(finding, TeamFinding):
@@ -258,7 +271,8 @@ VARIANTS = {
 def _cost_of_algorithm1(world: World) -> int | None:
     """The cost of Algorithm 1 in the world; None if Algorithm 1 is not run there.
 
-    It is run in worlds with at most :data:`LARGEST` edges whose lighthouse is in :data:`VARIANTS`.
+    Algorithm 1 is run in worlds with at most :data:`LARGEST` edges whose lighthouse is in
+    :data:`VARIANTS`.
 
     Cost: seconds at most.
     """
@@ -271,7 +285,7 @@ def _cost_of_algorithm1(world: World) -> int | None:
 
 
 GamePlayer: TypeAlias = Callable[[Percept, str], Action | None]
-"""A function that plays the robot.
+"""A function that plays the robot: in ``play`` such a function is called the player.
 
 Its arguments are the percept, and the reason why the last action was refused; this text is empty if
 the action was legal.  It returns the next action, or None to end the game.
@@ -281,7 +295,7 @@ the action was legal.  It returns the next action, or None to end the game.
 class Play(Report, kw_only=True):
     """Report of 'play'.
 
-    A world, and a player's walk in this world.
+    A world, and the walk in it of the user, or of the user's function, as the robot.
     """
 
     path: Annotated[str | None, about("the page for playing; null: played in the terminal")] = None
@@ -290,12 +304,12 @@ class Play(Report, kw_only=True):
 
     @computed
     def algorithm1(self) -> Natural | None:
-        """The traversals of Algorithm 1 in the same world; null: it is not run there."""
+        """The traversals of Algorithm 1 in the same world; null: Algorithm 1 is not run there."""
         return _cost_of_algorithm1(self.world)
 
 
 class PlayRequest(requests.Request, kw_only=False):
-    """Request of ``play``: a world, and the player that walks in it."""
+    """Request of ``play``: a world, and the function ``player`` that plays the robot in it."""
 
     world: Annotated[World | str, WORLD]
     _: KW_ONLY
@@ -319,7 +333,11 @@ class PlayRequest(requests.Request, kw_only=False):
 
 @requests.answers(PlayRequest)
 def play(request: PlayRequest) -> Play:
-    """Let a player walk in the world, action by action.
+    """Let the function ``player`` play the robot in a world, and report the walk.
+
+    The function is called with each percept, and returns the next action, until it returns None.
+    On the command line the function asks the user in the terminal; if the user plays in a page, the
+    reported walk has only the start.
 
     Raises:
         InputError: if ``world`` is a text that names no world.

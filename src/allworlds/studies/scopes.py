@@ -1,4 +1,8 @@
-"""The function that makes the scope of a report from a request, and a key that many scopes have."""
+"""The function that makes the scope of a report, and the types of keys that many scopes have.
+
+These keys are the places of the lighthouse that were tried, and the number and the files of given
+worlds.
+"""
 
 from typing import Annotated, Any, TypeAlias, TypeVar
 

@@ -88,7 +88,7 @@ class SweptReport(PortionReport, RowsReport):
 
     @doc.computed
     def stopped(self) -> doc.Why:
-        """The reason why rows are missing."""
+        """The reason why rows are missing; None if none is missing, or the user interrupted."""
         return self.ending.stopped
 
     @property

@@ -126,12 +126,15 @@ class Batch(Struct, frozen=True):
             yield map_, [random.choice(places)] if places else []
 
     def _drawn(self, extent: Extent, part: str, random: Random) -> CombinatorialMap:
-        """A random map of the class, drawn in the way of this part of the mixture.
+        """A random map of the class, with at least ``min_edges`` edges, that meets the condition.
 
-        After many rejected maps it is drawn in the way of the part ``histories``.
+        ``part`` names a part of the mixture, which is a way to draw a random map.  A drawn map that
+        is too small, not in the class, or fails the condition is rejected, and another map is
+        drawn.  After :data:`REJECTED_BEFORE_HISTORIES` rejected maps the part ``histories`` draws.
 
         Raises:
-            InputError: if many maps of the part ``histories`` fail the condition, too.
+            InputError: after more than :data:`REJECTED_BEFORE_REFUSAL` rejected maps, if there is a
+                condition.
         """
         generators = generator(part, extent), generator(HISTORIES, extent)
         size = random.randint(self.min_edges, extent.levels[-1])

@@ -1,4 +1,7 @@
-"""Shrinking: the way from a refuting world to smaller and smaller refuting worlds."""
+"""Shrinking: the way from a refuting world to smaller and smaller refuting worlds.
+
+A world is *refuting* if the explorer breaks a law in it.
+"""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import suppress
@@ -32,18 +35,28 @@ CHUNKS_PER_WAVE = 8
 
 
 def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
-    """Yield smaller and smaller refuting worlds, until no neighbour that is tried refutes.
+    """Yield findings in smaller and smaller refuting worlds; the last is the smallest one found.
 
-    First, pieces of the map are removed: half of the map, a quarter and so on, but never the start.
-    Then single edges are deleted or contracted.  If no world with one edge less refutes, worlds
-    with as many edges are tried: a dart moves to another position, or the start or the marker
-    turns; the world must then have fewer vertices or a smaller code.  A world after one such change
-    is called a *neighbour*.  Every neighbour is tried with every root and every place of the
-    lighthouse, and the smallest refuting one is taken, so the result depends on the finding alone.
-    In the end all worlds with few edges are tried.
+    First, pieces of the map are removed: half of the map, a quarter and so on.  The next changes
+    are made only in worlds with at most :data:`EDGES_OF_FINE_STEPS` edges.  A step deletes or
+    contracts one edge.  If no such world refutes, the step keeps the number of edges: it moves one
+    dart to another position, or only chooses another start or another place of the lighthouse.  A
+    world after one such change is called a *neighbour*.  Every neighbour is tried with every root
+    and every place of the lighthouse, as far as the result is smaller than the present world in the
+    order of findings: edges, vertices, code, place.  The smallest refuting neighbour begins the
+    next step, so the result depends on ``finding`` alone.
 
-    Cost: O(m^3) runs for each step in small worlds, but at most ``NEIGHBOURS_PER_STEP``; a large
-    world is not changed if no piece can be removed.
+    If no neighbour refutes, a smaller world may still refute that is no neighbour.  So at last all
+    smaller worlds with at most :data:`EDGES_TRIED_IN_FULL` edges are tried.
+
+    Args:
+        finding: the finding to begin with; it is not yielded itself.
+        scope: the class, the condition and the lighthouse that the smaller worlds must have.
+        refute: the function that runs the explorer in some worlds, and returns the smallest
+            finding there.
+
+    Cost: O(m^3) runs for each step, but at most ``NEIGHBOURS_PER_STEP`` for each number of edges
+    that the step tries.
     """
     for less in _with_pieces_less(finding, scope, refute):
         yield (finding := less)
@@ -87,14 +100,15 @@ LARGE_CHUNKS_PER_WAVE = 2
 
 
 def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
-    """Yield smaller and smaller refuting worlds, by deleting or contracting one piece at a time.
+    """Yield findings in smaller and smaller worlds, by deleting or contracting one piece at a time.
 
     A piece is a set of consecutive edges in breadth-first order from the start; the farthest piece
     comes first.  While the removal of a piece leaves a refuting world, further pieces of its size
     are tried; then pieces of half the size.  The lighthouse keeps the number of its place if the
     smaller map has a place with this number.
 
-    Cost: O(m) runs for each step, but about O(m log m) in all if few edges are needed.
+    Cost: O(m) runs to remove a piece, or to find that no piece of a size can be removed.  If a
+    world with few edges refutes, all removals together take about O(m log m) runs.
     """
     piece = finding.world.map.edge_count // 2
     while piece:
@@ -110,8 +124,8 @@ def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterato
 def _less_by(piece: int, finding: Finding, scope: Scope) -> Iterator[tuple[world.World, int]]:
     """Yield smaller worlds: in each, one piece of the finding's world is deleted or contracted.
 
-    A piece has ``piece`` edges; every piece is tried.  With each world comes the number of its
-    lighthouse's place.
+    A piece has ``piece`` edges; each piece of the world has its turn.  With each world comes the
+    number of its lighthouse's place.
     """
     map_, extent = finding.world.map, scope.extent
     for end in range(map_.edge_count, 0, -piece):
@@ -130,7 +144,8 @@ def _smallest(
 ) -> Finding | None:
     """The smallest finding of the first wave that has a finding; None if no wave has one.
 
-    A wave consists of ``at_once`` chunks.  After a wave with a finding, no further wave is tried.
+    A chunk holds some worlds, and a wave ``at_once`` chunks.  After a wave with a finding, no
+    further wave is tried.
     """
     waves = (refute(chunks[i : i + at_once]) for i in range(0, len(chunks), at_once))
     return next((found for found in waves if found), None)

@@ -1,4 +1,8 @@
-"""Reports about one finding of a team: a new search of its world, and its run in words."""
+"""Reports about one finding of a team: a new search of its world, and its run in words.
+
+The *model* of a finding says how the finding's world changes: what the robots sense, and what can
+follow their actions.  A model is built in, or a user's Python class.
+"""
 
 from __future__ import annotations
 
@@ -39,7 +43,10 @@ class TeamReplay(Report):
 
     @doc.computed
     def outcome(self) -> Literal["reproduced", "fixed", "not-reproduced"]:
-        """``reproduced``: a law is broken; ``fixed``: none is; ``not-reproduced``: left open."""
+        """``reproduced``: a law is broken; ``fixed``: none is; ``not-reproduced``: left open.
+
+        A finding of the law ``budget`` is also reproduced if the budget cuts off a run.
+        """
         if self.again.findings:
             return "reproduced"
         holds = self.again.verdict is Verdict.HOLDS
@@ -54,12 +61,14 @@ class TeamReplay(Report):
 
 
 def replayed(finding: TeamFinding, explore: Any, limits: TimeoutOptions) -> TeamReplay:
-    """Search the world of a finding again.
+    """Search the world of a finding again, and return the report with the new search.
 
     The program ``explore`` replaces the programs of all robots; None keeps the recorded programs.
+    The model of the finding is used again.
 
     Raises:
-        InputError: if a program or the model cannot be found, or the model has changed.
+        InputError: if a program or the model cannot be found, or if the text of the model is not
+            the recorded one.
     """
     programs = (explore,) if explore is not None else finding.team
     request = request_again(finding, programs, limits)
@@ -104,8 +113,8 @@ def sentences_of(finding: TeamFinding) -> Iterator[str]:
 def _stale(finding: TeamFinding) -> Iterator[str]:
     """Yield a sentence for each stale move.
 
-    A robot looks, then another robot moves, and then the first robot moves by what it has seen
-    before.
+    A move is stale if another robot has moved since the look of the robot that moves now: this
+    robot moves by an old percept.
     """
     looked: dict[int, int] = {}
     moved: dict[int, int] = {}

@@ -1,4 +1,8 @@
-"""The request of ``team``: programs, a model, schedules, worlds, and limits."""
+"""The request of ``team``: programs, a model, schedules, worlds, and limits.
+
+A *model* says how a world changes: where the robots can start, what they sense, and what can follow
+their actions.  A model is built in, or a user's Python class.
+"""
 
 from __future__ import annotations
 
@@ -92,7 +96,11 @@ class TeamRequest(
     GivenOptions,
     ExtentOptions,
 ):
-    """Request of ``team``: programs, a model, schedules, worlds, and limits."""
+    """Request of ``team``: the robots' programs, and the searches to make with these programs.
+
+    A search is about one world under one model: it tries every schedule that the scheduler, its
+    bounds and the option ``schedule`` allow.  The maps are those of a class, or given maps.
+    """
 
     explorers: Annotated[
         Sequence[str | Callable[..., Any]],
@@ -336,10 +344,10 @@ class TeamRequest(
 def _one(
     name: str, map_: combinatorial.CombinatorialMap, starts: Sequence[int] | None
 ) -> GivenMaps:
-    """Make given maps of one map alone; ``name`` is what the request calls it.
+    """Make given maps of one map alone; ``name`` is the map's name in the request.
 
     The map is taken with every dart as its root; if an automorphism takes one root to another, only
-    the first of them is used.  If starts are given, the first start is the only root.
+    the first of these roots is used.  If starts are given, the first start is the only root.
     """
     if starts is not None:
         renamed(map_, starts)

@@ -1,4 +1,8 @@
-"""The sweep that searches every schedule of a team in many worlds, and its count gate."""
+"""The sweep that searches every schedule of a team in many worlds, and its count gate.
+
+Each search is under a *model*, which says how a world changes: what the robots sense, and what can
+follow their actions.  A model is built in, or a user's Python class.
+"""
 
 from __future__ import annotations
 
@@ -35,7 +39,7 @@ from allworlds.world.named import world_named
 
 
 def searched(request: TeamRequest) -> TeamReport:
-    """Answer a request of ``team``."""
+    """Do the searches that a request of ``team`` asks for, and return the report."""
     return TeamSweep(request, request.team()).answer(request.run)
 
 
@@ -124,7 +128,8 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
     def begin(self) -> outcome.Ending | None:
         """Try again the findings in the user's corpus, a directory of earlier findings.
 
-        If the job keeps K findings, and K past findings or more are reproduced, the job ends.
+        Return an ending if the reproduced findings are already as many as the option
+        ``max_findings`` asks for: then the job ends before its first level.  Else return None.
         """
         if self.corpus is None:
             return None
@@ -135,14 +140,14 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
         return None
 
     def _again(self, finding: TeamFinding) -> TeamFinding | None:
-        """The new finding in the world of an earlier finding, with the programs as they are now.
+        """Search the world of an earlier finding again, with the programs as they are now.
 
-        None if no law is broken.
+        Return the new finding, or None if no law is broken.
 
         Raises:
-            OtherText: if the finding's model has changed, or the number of programs does not fit
-                the number of robots in the finding.
-            LeftOpen: if a limit ends the search.
+            OtherText: if the text of the finding's model is not the recorded one, or the number of
+                programs does not fit the number of robots in the finding.
+            LeftOpen: if the search ends without an answer, for example at a limit.
         """
         programs = tuple(self.request.explorers)
         if len(programs) not in (1, len(finding.starts)):
@@ -159,7 +164,10 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 
     @override
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
-        """Write new findings into the user's corpus; add a remark for each failure."""
+        """Write the new findings into the user's corpus; return None, which keeps the ending.
+
+        For each file that cannot be written, the report gets a remark, and the listener is told.
+        """
         if self.corpus is not None:
             for lost in self.corpus.write(self._tally.findings):
                 self._tally.remarks[lost] += 1
@@ -238,11 +246,12 @@ def request_again(
 ) -> TeamRequest:
     """The request that searches the world of a finding again, with these programs.
 
-    If the finding's model has the name of the model ``here``, then ``here`` is used: a model may
-    exist in this process alone.  Otherwise the finding's model is looked up by its name.
+    The finding names its model.  If the model ``here`` of the present job has this name, ``here``
+    is used, because a model that the user gave as an object cannot be loaded by its name.
+    Otherwise the model is loaded by its name.
 
     Raises:
-        InputError: if the model cannot be found, or has changed.
+        InputError: if the model cannot be found, or its text is not the recorded one.
     """
     time = finding.time
     known = here is not None and here.name == finding.model
@@ -265,7 +274,11 @@ def request_again(
 
 
 def is_inside(finding: TeamFinding, scope: TeamScope) -> bool:
-    """Whether a search of this scope tries the finding's starts, under its model and schedules."""
+    """Whether the searches of a scope include the search that made a finding.
+
+    This is so if the model, the number of robots and the schedules of the scope are those of the
+    finding, and if the scope tries the finding's map with the robots at the finding's starts.
+    """
     own = scope.model.name, scope.model.digest, len(scope.team.names), TimeDocument.of(scope.timing)
     starts = finding.starts
     if own != (finding.model, finding.model_digest, len(starts), finding.time):
@@ -288,9 +301,10 @@ def _place(map_: CombinatorialMap, starts: Sequence[int]) -> Any:
 
 
 def _rooted_like(map_: CombinatorialMap, extent: Extent) -> Iterator[CombinatorialMap]:
-    """Yield those maps of an extent that may be ``map_`` with another root.
+    """Yield maps of an extent; among these maps is ``map_`` with each root that the extent has.
 
-    If ``map_``, with any root, is in the extent, it is among them.
+    Of a class no other maps are yielded.  Of given maps all with as many edges as ``map_`` are
+    yielded, and the caller must compare them with ``map_``.
     """
     if extent.given is not None:
         for unit in units.units_of_level(extent, map_.edge_count, units.WHOLE):

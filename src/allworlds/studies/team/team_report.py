@@ -1,4 +1,7 @@
-"""The report of ``team``: counts by size, findings, and a run that the budget cuts off."""
+"""The report of ``team``: counts by size, findings, and a run that the budget cuts off.
+
+The *budget* is the largest number of activations of each robot in a run.
+"""
 
 from __future__ import annotations
 
@@ -131,7 +134,11 @@ class TeamReport(PortionReport, kw_only=True):
 
     @doc.computed
     def unfinished(self) -> TeamFinding | None:
-        """A shortest run that the budget cuts off, in the smallest world with one; null: none."""
+        """A run that the budget cuts off, with the fewest events; null: no run is cut off.
+
+        The run is in the smallest world with such a run.  An event is a step of one robot or of
+        several robots at once.
+        """
         return next(iter(self.tally.unfinished), None)
 
     @property

@@ -165,8 +165,9 @@ class WorstReport(SweptReport, kw_only=True):
 
     The worst and best costs of Algorithm 1, by size.
 
-    ``disagreement`` names a size of which maps are counted but none was met; empty if there is
-    none. ``subject`` is Algorithm 1, ``rules`` are the rules of the replayed runs.
+    ``disagreement`` names a size (edges and vertices) with at least one map according to the
+    independent source, but without a map in the search; the text is empty if there is no such size.
+    ``subject`` is Algorithm 1, ``rules`` are the rules of the replayed runs.
     """
 
     rows: Annotated[tuple[WorstRow, ...], doc.about("one for each (edges, vertices), ascending")]
@@ -314,7 +315,8 @@ class SchedulesSweep(sweep.Sweep["ScheduleCostsBySize", WorstReport]):
         """Choices that attain the worst cost in a world, and the cost of a run with these choices.
 
         The run is played in the Python engine; the cost is None if the run has no answer or breaks
-        a law.
+        a law.  ``bound`` is the paper's bound on the traversals in this world; a run without an
+        answer is stopped far beyond the bound.
         """
         schedules = EverySchedule(world.map, world.start, self.request.transit)
         planned = Planned(schedules.most_expensive_picks())

@@ -30,7 +30,7 @@ class ScheduleCostsBySize(Struct):
 
 
 def _joined(a: schedules.ScheduleCosts, b: schedules.ScheduleCosts) -> schedules.ScheduleCosts:
-    """The joint result of two parts: sums, maxima, and a world that attains the worst cost.
+    """The joint costs of two parts of the worlds: sums, maxima, and a most expensive world.
 
     Of two worlds with the worst cost, the one with the smaller code is taken.
     """

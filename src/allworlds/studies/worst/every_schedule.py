@@ -166,14 +166,15 @@ class EverySchedule:
         return max((self._onward(explored, robot, p) for p in self._passes(explored)), default=0)
 
     def _onward(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
-        """The largest cost of all passes from this pass on; each pass explores one edge.
+        """The largest sum of the costs of the pass ``chosen`` and of all later passes.
 
-        The way to the dart that this pass explores is included.
+        Before this pass, the darts ``explored`` are explored, and the robot is at the vertex
+        ``robot``.  The way from this vertex to the dart that the pass takes is included.
         """
         return self._most(explored, robot, chosen) + self._worst(chosen.explored, chosen.robot)
 
     def _most(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
-        """The largest cost of a pass, including the way to the dart that the pass takes."""
+        """The largest cost of the pass ``chosen``, with the way to the dart that the pass takes."""
         transit = self._transits(explored, robot, self._owner[chosen.dart])[-1]
         return len(transit) + 1 + sum(test.cost for test in chosen.worst)
 
@@ -279,7 +280,7 @@ class Planned(Choices):
         self._darts = iter(darts)
 
     def pick(self, options: Sequence[T], of: ChoiceKind, cost: Sequence[int] | None = None) -> T:  # noqa: ARG002
-        """Pick the next dart of the plan."""
+        """Return the next of the prepared darts, which must be one of the options."""
         index = list(options).index(next(self._darts))  # type: ignore[arg-type]  # S's darts
         self.record.append(index)
         return options[index]
