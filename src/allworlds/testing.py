@@ -17,8 +17,8 @@ With pytest the mark ``allworlds`` makes one test for each number of edges::
     def test_my_explorer_is_right(explores):
         explores(my_explorer)
 
-This module does not need pytest.  If pytest runs, it keeps the findings in its cache, and the next
-check tries their worlds first.
+This module does not need pytest.  If pytest runs, the findings are kept in pytest's cache, and the
+next check tries the worlds of these findings first.
 """
 
 import inspect
@@ -211,9 +211,9 @@ def conformance(
     ``known-hard-maps``: every start and marker in maps that have refuted explorers before.
     ``edges-1``, ``edges-2``, ...: every world with that many edges, under every law that applies.
     ``every-schedule``: all sequences of choices in worlds with at most 2 edges, for a function that
-    takes ``choices``.  ``drawn-maps``: every start and marker in maps that Hypothesis draws; with a
-    condition ``where``, one start and marker in each of some random maps that meet it.  A refuting
-    map is shrunk.  As tests::
+    takes ``choices``.  ``drawn-maps``: every start and marker in maps that the library Hypothesis
+    draws; with a condition ``where``, one start and marker in each of some random maps that meet
+    the condition.  If a drawn map refutes the explorer, smaller maps are tried.  As tests::
 
         @pytest.mark.parametrize("part", conformance(my_explorer, edges=4), ids=str)
         def test_my_explorer_conforms(part):
@@ -308,7 +308,7 @@ def _drawn(explore: Explorer, count: int, edges: int, options: Mapping[str, Any]
 
 
 def _of_maps(options: Mapping[str, Any]) -> dict[str, Any]:
-    """The part of these options of a check that a check of given maps takes, too."""
+    """Those of a check's options that a :class:`MapsRequest` has, too, by their names."""
     named = {field.name for field in fields(MapsRequest)}
     return {key: options[key] for key in options if key in named}
 
@@ -331,7 +331,10 @@ def _assert_holds(report: CheckReport) -> None:
 
 
 def _checked(explore: Explorer, options: Mapping[str, Any]) -> CheckReport:
-    """The report of a check that tries past findings first; those that are fixed are deleted."""
+    """The report of a check that tries past findings first.
+
+    Past findings in pytest's cache that do not refute any more are deleted there.
+    """
     given = {**options, **_bounds(options)}
     if "corpus" not in given and "run" not in given:
         plugin = sys.modules.get(PLUGIN)

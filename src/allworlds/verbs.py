@@ -30,9 +30,9 @@ class Verb:
         python: the name of the verb's function below ``allworlds``, if it differs from ``name``.
         panel: the heading under which the verb stands in the help; empty for a verb in a group
             (:data:`GROUPS`), which has the heading of the group.
-        example: arguments and options; the help of the verb begins with this example.
-        help: the rest of this help.  If the verb has a function in ``cli``, the example and the
-            help are the docstring of this function.
+        example: the arguments and options of the example with which the help of the verb begins.
+        help: the rest of this help.  If ``help`` is empty, the whole help, with the example, is the
+            docstring of the verb's function in ``cli``, and ``example`` is not used.
     """
 
     name: str
@@ -279,7 +279,15 @@ BY_NAME = {verb.name: verb for verb in VERBS}
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """A group in the help: verbs of two words with the same first word, or all verbs."""
+    """A group of verbs in the help: the verbs of two words with the same first word.
+
+    :data:`ROOT` is the one group of all verbs, for the help of ``allworlds`` itself.
+
+    Attributes:
+        example: the command with which the help of the group begins.
+        summary: the line about the group.
+        panel: the heading under which the group stands in the help; empty for :data:`ROOT`.
+    """
 
     example: str
     summary: str

@@ -70,8 +70,8 @@ def about(value: int) -> str:
 def duration(seconds: float) -> str:
     """A time in words: ``12 s``, ``5 min``, ``3 h 20 min``, ``4 days 3 h``, ``12 years``.
 
-    It is rounded down, and has at most two units.  A number of years has two significant digits; a
-    million million years or more are ``more than 1,000,000,000,000 years``.
+    The time is rounded down, and has at most two units.  A number of years has two significant
+    digits; a million million years or more are ``more than 1,000,000,000,000 years``.
     """
     whole = int(seconds)
     minutes, hours, days = whole // 60, whole // 3600, whole // 86400

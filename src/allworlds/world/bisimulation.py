@@ -10,8 +10,9 @@ from allworlds.world.world import World
 def flaw(worlds: Sequence[World], bisimulation: Sequence[Sequence[int]]) -> str | None:
     """The reason why the classes do not prove the worlds indistinguishable; None if they do.
 
-    The classes prove it if the starts are in one class, and if any two darts of one class agree in
-    three things: they have equal percepts, sigma leads from both into one class, and so does alpha.
+    The classes are a proof if the starts are in one class, and if any two darts of one class agree
+    in three things: their percepts are equal, sigma leads from both into one class, and alpha leads
+    from both into one class.
     Then no motions distinguish the worlds, because each motion consists of sigma and alpha.
 
     Args:

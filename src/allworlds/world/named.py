@@ -238,7 +238,11 @@ def _is_json(text: str) -> bool:
 
 
 class WorldOptions(Request):
-    """The part of a request that names a family, or adds to a WORLD, a text that means a world."""
+    """The part of a request that says more about the world, or names it by a family.
+
+    A request without a WORLD (a text that means a world) names a family here.  The other options
+    fix what a WORLD or a family leaves open: random choices, the lighthouse, and its place.
+    """
 
     family: Annotated[str | None, Option(SCOPE, "F", f"One world of a family: {FORMS}.")] = None
     holes: Annotated[str | None, HOLES] = None
@@ -295,7 +299,14 @@ class WorldOptions(Request):
 def map_of_family(text: str, holes: str | None, seed: int) -> CombinatorialMap:
     """The map of a family's member such as ``lattice:5x6``, or a named map such as ``wheel:4``.
 
-    ``holes`` is a text such as ``10%`` or ``0.1``, or None.
+    Args:
+        text: the name of the member or of the map.
+        holes: the share of the edges that are removed at random, as a text such as ``10%`` or
+            ``0.1``; None removes none.
+        seed: the seed of all random choices.
+
+    Raises:
+        InputError: naming a text that is no family, or holes that are illegal for this family.
     """
     kind, _, number = text.partition(":")
     names = {name.removesuffix("-N") for name in named_maps() if name.endswith("-N")}

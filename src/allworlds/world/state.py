@@ -17,8 +17,8 @@ class State:
         lying: the vertices of the markers that the robot has dropped, ascending; a vertex occurs
             once for each of its markers.
         hand: the number of markers in the robot's hand.
-        written: pairs of a place and the number written there, ascending.  Whether the places are
-            vertices or darts depends on the lighthouse.  Places with the number 0 are left out.
+        written: pairs of a vertex and the number written there, ascending, or, under some
+            lighthouses, pairs of a dart and such a number.  Pairs with the number 0 are left out.
     """
 
     dart: Dart
@@ -27,11 +27,11 @@ class State:
     written: tuple[tuple[int, int], ...] = ()
 
     def number_at(self, where: int) -> int:
-        """The number that is written at the place ``where``; 0 if there is no number."""
+        """The number that is written at the vertex or dart ``where``; 0 if there is no number."""
         return dict(self.written).get(where, 0)
 
     def with_number(self, where: int, number: int) -> State:
-        """The state after ``number`` has been written at the place ``where``."""
+        """The state after ``number`` has been written at the vertex or dart ``where``."""
         written = {**dict(self.written), where: number}
         kept = tuple(sorted((at, each) for at, each in written.items() if each))
         return replace(self, written=kept)

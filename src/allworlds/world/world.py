@@ -231,9 +231,14 @@ class World(Pictured):
             lighthouse: a lighthouse or a kind, like the argument of :class:`World`, for a graph
                 without the attribute ``lighthouse``.
             start: the dart of the start, for a graph without the attribute ``start``.
-            order: the source of the order of edges, for
-                :func:`allworlds.maps.networks.from_networkx`.  Lighthouse and start name darts by
-                numbers; only the graph's attributes ``darts`` fix these numbers.
+            order: the source of the clockwise order of edges round each node: ``positions`` (the
+                attribute ``pos`` of nodes), ``planar`` (an embedding that networkx computes), or
+                None (the attributes ``darts``, or those of a ``PlanarEmbedding``); see
+                :func:`allworlds.maps.networks.from_networkx`.
+
+        The lighthouse and the start name darts by numbers.  With the attributes ``darts`` and the
+        order None these are the numbers in the graph.  Otherwise the darts are numbered node by
+        node, so look at the map of the world before you name a dart.
 
         The labels are the nodes' attributes ``name`` and ``pos``, if they are legal labels; without
         ``name`` the nodes themselves are the names, unless they are 0, 1, ...

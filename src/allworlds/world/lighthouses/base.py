@@ -71,7 +71,7 @@ StandsAt: TypeAlias = Annotated[Dart, about("where it stands")]
 
 
 class WalkInAnswer(NamedTuple):
-    """The walk that a robot has made, as it looks on the map of the robot's answer.
+    """The walk that a robot has made in the world, as a walk in the map of the robot's answer.
 
     Attributes:
         map: the map of the answer.
@@ -94,10 +94,12 @@ class Lighthouse(ABC):
     A user's lighthouse is a frozen dataclass with this base class.  It defines its places in a map
     (:meth:`places`), and the percepts there (:meth:`sensed`).  A field named ``dart`` holds a dart,
     and a field named ``darts`` a tuple of darts; a class with darts in other fields also defines
-    their renaming (:meth:`relabelled`).  An integer, boolean or text in a field with a default is
-    an option.  On the command line the user may give an option called NAME another value.  In
-    :meth:`places` this value is then the default: ``cls.NAME`` and every ``cls(...)`` have it.  The
-    fields of the dataclass keep the default that is written in the class.
+    their renaming (:meth:`relabelled`).
+
+    A field whose default is an integer, a boolean or a text is an option: the user may choose its
+    value on the command line.  In :meth:`places`, read the chosen value of a field ``size`` as
+    ``cls.size``, and make each lighthouse by ``cls(...)``, which sets the field to this value.
+    Only ``dataclasses.fields(cls)`` still has the default that is written in the class.
 
     Attributes:
         kind: the name on the command line and in files.
@@ -246,11 +248,18 @@ class Lighthouse(ABC):
     def believed(
         self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer
     ) -> Lighthouse | None:
-        """The lighthouse at the place in the robot's answer where the robot must believe it.
+        """The lighthouse at its place in the map of the robot's answer.
 
-        By default that is the place with the same number as the lighthouse's place in the world;
-        None if the answer has no place with this number.  ``map_`` and ``start`` are those of the
-        world.
+        The judge asks for this place to find the percepts that the answer predicts, and compares
+        these percepts with those that the robot had.  By default it is the place with the same
+        number as the lighthouse's place in the world; None if the answer's map has no place with
+        this number.
+
+        Args:
+            map_: the map of the world.
+            start: the robot's start in the world.
+            walk: the robot's walk in the answer's map.  Some kinds, such as the compass, find the
+                place by the percepts on this walk.
         """
         places = self.as_kind.places(walk.map, walk.trail[0])
         return next(islice(places, self.number(map_, start), None), None)

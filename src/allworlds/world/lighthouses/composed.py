@@ -69,7 +69,7 @@ class Movable(PlacelessLighthouse):
     """Markers that the robot carries: all are in its hand at the start.
 
     Sensed at a vertex: the number of markers that lie there, and the degree.  The markers point
-    nowhere, and look alike.  The options: ``markers=K``, the number of markers (1);
+    nowhere, and look alike.  The options: ``markers=K``, the number of markers (default: 1);
     ``pick=false``, a dropped marker stays; ``distinct=true``, the robot tells the markers apart:
     marker i counts as 2^i marks, and the marker with the smallest i is dropped or taken up first.
     Source: Section II of the paper (Dudek, Jenkin, Milios, Wilkes 1991: one, with ``pick``).
@@ -130,7 +130,7 @@ class Whiteboard(PlacelessLighthouse):
     """Room for one number at every vertex; the robot writes the number there and reads it there.
 
     Sensed at a vertex: the number that was last written there (0 at first) as marks, and the
-    degree.  The option is ``states=K``: the numbers are 0 to K-1 (2).
+    degree.  The option is ``states=K``, by default K = 2: the numbers are 0 to K - 1.
     """
 
     states: HowMany = LEAST
@@ -139,7 +139,10 @@ class Whiteboard(PlacelessLighthouse):
     leaves_marks: ClassVar[bool] = True
 
     def place_of_number(self, map_: CombinatorialMap, dart: Dart) -> int:
-        """The number of the vertex of ``dart``: a robot at this dart writes and reads there."""
+        """The index of the vertex on which a robot at ``dart`` writes and reads its number.
+
+        In the subclass :class:`Doormarks`, the dart on which the robot writes and reads.
+        """
         return map_.vertex_of[dart]
 
     @override
@@ -164,7 +167,8 @@ class Doormarks(Whiteboard):
     """Room for one number at every dart; the robot writes and reads it when it comes by the dart.
 
     Sensed: the number that was last written on the dart by which the robot has arrived (0 at
-    first) as marks, and the degree.  The option is ``states=K``: the numbers are 0 to K-1 (2).
+    first) as marks, and the degree.  The option is ``states=K``, by default K = 2: the numbers are
+    0 to K - 1.
     """
 
     kind: ClassVar[str] = "doormarks"
@@ -254,9 +258,10 @@ class Composed(Lighthouse):
         )
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: WalkInAnswer) -> Composed | None:
-        """The lighthouse with each part at the place where the robot must believe this part.
+        """The lighthouse with each part at its place in the map of the robot's answer.
 
-        The result is None if the robot's answer has no such place for a part.
+        The method ``believed`` of each part finds the place of this part; if the answer's map has
+        no place for a part, the result is None.
         """
         parts = [part.believed(map_, start, walk) for part in self.parts]
         return None if None in parts else Composed(tuple(part for part in parts if part))

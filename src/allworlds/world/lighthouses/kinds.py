@@ -223,10 +223,11 @@ def _of_parts(name: str, parts: object, map_: CombinatorialMap, start: Dart) -> 
 
 
 def _own_of(document: Mapping[str, Any]) -> type[Lighthouse]:
-    """The user's class that a document names.
+    """The class of a user's lighthouse that the JSON of a world names.
 
-    The document may name a factory instead: a function that makes a class from options.  Only then
-    the options in the document are applied.
+    The document may name a factory instead: a function that makes a class from options.  The
+    factory is called with the options in the document.  If the document names a class, the class is
+    returned without these options; the caller, :func:`lighthouse_from_json`, applies the options.
 
     Raises:
         InputError: if the class is missing, or the digest of its program differs from the digest

@@ -87,9 +87,11 @@ class TowardsNeighbour(MarkedStart):
     def believed(
         self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer
     ) -> base.Lighthouse | None:
-        """The lighthouse in the answer's map, in the same direction from the start as in the world.
+        """The lighthouse at its place in the map of the robot's answer.
 
-        This place may be illegal.
+        The dart of the lighthouse is as many darts clockwise from the start as in the world (under
+        ``start=any``: the place has the same number as in the world).  In a wrong answer this dart
+        may be no legal place, such as a loop; the result is then not None, but an illegal place.
         """
         if self.start == "any":
             return super().believed(map_, start, walk)
@@ -105,7 +107,8 @@ class Position(MarkedStart):
     makes no difference.
     Source: Section III of the paper ('unique position information').
 
-    The dart is not compared: in worlds with one start, two such lighthouses stand at one vertex.
+    Two lighthouses of this class are equal, even if their darts differ: in a given world every such
+    lighthouse stands at the start's vertex.
     """
 
     dart: base.StandsAt = field(compare=False)
@@ -305,8 +308,8 @@ class AtEveryVertex(base.ReferenceLighthouse):
 def _first_sensed(walk: base.WalkInAnswer) -> dict[int, tuple[Dart, int]]:
     """For each vertex of the robot's answer a reference dart and a number of marks.
 
-    They are those that the robot sensed at its first visit of the vertex.  For a vertex that it
-    never visited they are the vertex's first dart and 0.
+    Both are as the robot sensed them at its first visit of the vertex.  A vertex that the robot
+    never visited has its first dart and 0 marks.
     """
     answer = walk.map
     found = {vertex: (darts[0], 0) for vertex, darts in enumerate(answer.vertices)}
@@ -340,7 +343,7 @@ class Compass(AtEveryVertex):
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Compass]:
         """Yield the places: choices of one reference dart at each vertex.
 
-        In maps with up to three edges they are all choices; in larger maps only the first.  The
+        In maps with up to three edges all choices are yielded; in larger maps only the first.  The
         vertices and their darts are in the order of canonical numbering from ``start``.  So if the
         map itself has canonical numbers, the first choice is the smallest dart of each vertex.
         """
@@ -357,7 +360,10 @@ class Compass(AtEveryVertex):
         return dict.fromkeys(self.darts, 0)
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer) -> Compass:  # noqa: ARG002  # sensed
-        """The compass whose reference darts the robot sensed at its first visit of each vertex."""
+        """The compass in the map of the robot's answer.
+
+        Its reference darts are those that the robot sensed at its first visit of each vertex.
+        """
         return Compass(tuple(dart for dart, _ in _first_sensed(walk).values()))
 
     @classmethod
@@ -371,12 +377,13 @@ class Labels(AtEveryVertex):
     """Every vertex has a number of its own, and a reference dart.
 
     Sensed at a vertex: as many marks as its number, the bearing of its reference dart, and the
-    degree.  So the robot tells all vertices apart: compare other lighthouses with this one.
+    degree.  So the robot can tell all vertices apart; this lighthouse is a yardstick for others.
 
     Attributes:
-        darts: the reference dart of each vertex, in the order of their numbers.
-        numbers: the numbers of the vertices in this order; if empty, as in every world, the
-            numbers are 1, 2, 3, ...
+        darts: the reference dart of each vertex, in the order of the vertices' numbers.
+        numbers: the numbers of the vertices in this order; empty stands for 1, 2, 3, ...  In a
+            world the field is always empty; only :meth:`believed`, for the map of a robot's
+            answer, sets other numbers.
     """
 
     darts: Annotated[
@@ -398,9 +405,10 @@ class Labels(AtEveryVertex):
         yield cls(tuple(first_darts(map_, start).values()))
 
     def believed(self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer) -> Labels:  # noqa: ARG002  # sensed
-        """The labels that the robot sensed at its first visit of each vertex of its answer.
+        """The lighthouse in the map of the robot's answer.
 
-        A vertex that the robot never visited has the number 0.
+        Each vertex has the number and the reference dart that the robot sensed at its first visit;
+        a vertex that the robot never visited has the number 0.
         """
         darts, numbers = zip(*_first_sensed(walk).values(), strict=True)
         return Labels(darts, numbers)

@@ -18,14 +18,20 @@ class InvalidWorld(InputError):
 
 
 def refuse_other_keys(what: str, document: Mapping[str, Any], legal: Sequence[str]) -> None:
-    """Raise InvalidWorld unless all keys are legal, since a misspelt key would have no effect."""
+    """Raise InvalidWorld unless all keys are legal, since a misspelt key would have no effect.
+
+    ``what`` is the noun for the document in the error.
+    """
     for key in document:
         if key not in legal:
             raise InvalidWorld(f"{show(key)} is no key of a {what}; legal are {', '.join(legal)}")
 
 
 def the_integer(what: str, value: object) -> int:
-    """The value as an ``int``; raise InvalidWorld, naming the value, if it is no integer."""
+    """The value as an ``int``; raise InvalidWorld if it is no integer.
+
+    ``what`` names the value in the error.
+    """
     try:
         return integer(value)
     except TypeError:
@@ -256,9 +262,10 @@ def with_arguments(name: str, arguments: Mapping[str, Any], mark: str = "?") -> 
 
 @cache
 def place_keys(kind: Any) -> tuple[str, ...]:
-    """The keys of a lighthouse's JSON object besides ``kind``.
+    """The keys at the top of a lighthouse's JSON object that stand for fields of its class.
 
-    For a user's kind, they are the names of all fields that are no options.
+    For a built-in kind these are the fields of the place and the options.  For a user's kind they
+    are the fields of the place alone, because the options stand below the one key ``options``.
     """
     if kind.code is not None:
         return tuple(each.name for each in fields(kind) if each.name not in options_of(kind))

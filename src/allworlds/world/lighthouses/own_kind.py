@@ -22,7 +22,7 @@ SHAPE = "a class with the base allworlds.Lighthouse and a class method places"
 def own_kind(code: user_code.UserCode) -> type[Lighthouse]:
     """The lighthouse class in a user's program, with the options in the program's name.
 
-    It is a subclass that this program can use like a built-in kind.
+    The result is a subclass of the user's class, which this program can use like a built-in kind.
 
     Raises:
         InvalidWorld: if there is no class of this name, or the class has no such options.
@@ -35,9 +35,9 @@ def own_kind(code: user_code.UserCode) -> type[Lighthouse]:
 
 @cache
 def _kind(code: user_code.UserCode) -> type[Lighthouse]:
-    """The subclass for the class in a user's program; a process makes it once.
+    """The subclass for the class in a user's program; a process makes each subclass once.
 
-    If the program names a function that makes a class, there is one for each choice of arguments.
+    If the program names a function that makes a class, each choice of arguments has a subclass.
     """
     made = code.made()
     if not isinstance(made, type) or not issubclass(made, Lighthouse) or inspect.isabstract(made):
