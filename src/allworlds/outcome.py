@@ -79,7 +79,7 @@ class Stopped(Struct, frozen=True):
 
     @property
     def stopped(self) -> str:
-        """The reason for the stop, for reports with rows."""
+        """The reason for the stop: the value of the key ``stopped`` in reports with rows."""
         return self.reason
 
 
@@ -126,7 +126,10 @@ class Facts(NamedTuple):
 
     @property
     def exit(self) -> Exit:
-        """The exit code.  No other part of the program computes exit codes of reports."""
+        """The exit code of the first fact that is true, in the order of :data:`_CODES`; else 0.
+
+        No other part of the program computes exit codes of reports.
+        """
         return next((code for fact, code in zip(self, _CODES, strict=True) if fact), Exit.HOLDS)
 
     @property

@@ -6,8 +6,8 @@
                                           ``positions`` of the vertices
 ``{"hall": ["a", ["b", 0], ...], ...}``   a rotation: the neighbours of each vertex; parallel edges
                                           have keys, which stand at both ends
-``{"vertices": [[0, 1], ...], "edges":``  a fat graph: cycles of darts; two of the three keys
-``..., "faces": ...}``                    suffice
+``{"vertices": [[0, 1], ...], "edges":``  a fat graph: for each vertex, edge and face the cycle of
+``..., "faces": ...}``                    its darts; two of the three keys suffice
 ========================================  ========================================================
 
 The darts or neighbours of a vertex are clockwise; if a file has them anticlockwise, the user must
@@ -35,10 +35,12 @@ FAT = {"vertices", "edges", "faces"}
 
 
 def entry_of(given: object, name: str = "") -> Entry:
-    """The world that an object describes; ``name`` is the name of the world in its file.
+    """The world of a JSON object or Python dictionary in one of the forms of this module.
+
+    ``name`` is the world's name, unless an object with ``sigma`` has a key ``name``.
 
     Raises:
-        InputError: naming the key, the vertex or the dart.
+        InputError: if ``given`` is no world; the message names the wrong key, vertex or dart.
     """
     if not isinstance(given, Mapping) or not given:
         raise InvalidWorld(
@@ -62,14 +64,16 @@ def _end(given: Any) -> Any:
 
 
 def rotation_of(entry: Entry) -> dict[str, list[str | list[str | int]]]:
-    """The rotation of a world: for the name of each vertex its neighbours, clockwise."""
+    """The rotation of a world: the neighbours of :func:`doors_of`, by the names of the vertices."""
     return {entry.labels.vertex(v): ends for v, ends in enumerate(doors_of(entry))}
 
 
 def doors_of(entry: Entry) -> list[list[str | list[str | int]]]:
-    """The names of each vertex's neighbours, clockwise.
+    """For each vertex, in the order of ``map.vertices``, its neighbours, clockwise.
 
-    Parallel edges have keys: an entry is then the pair of the neighbour's name and the key.
+    A neighbour is given by its name.  If several edges join the same two vertices, or if a vertex
+    has several loops, a list ``[name, key]`` replaces the name; the key is the number of the edge
+    in ``map.edges``.
     """
     map_, at_ = entry.map, entry.map.vertex_of
     edge = {dart: number for number, darts in enumerate(map_.edges) for dart in darts}
@@ -84,7 +88,11 @@ def doors_of(entry: Entry) -> list[list[str | list[str | int]]]:
 
 
 def _fat(given: Mapping[str, Any]) -> CombinatorialMap:
-    """The map from two or three of the permutations of a fat graph."""
+    """The map of a fat graph; ``given`` has two or three of the keys :data:`FAT`.
+
+    The value of a key is a permutation of the darts, written as its cycles.  If there are three
+    permutations, they must agree.
+    """
     images = dict[str, list[int]]()
     for key, value in given.items():
         with at(key):
@@ -105,14 +113,14 @@ def _fat(given: Mapping[str, Any]) -> CombinatorialMap:
 
 
 def fat_of(entry: Entry) -> dict[str, list[list[int]]]:
-    """The fat graph of a world."""
+    """The fat graph of a world: the cycles of darts under each of the keys :data:`FAT`."""
     map_, faces = entry.map, entry.map.mirrored().faces
     parts = {"vertices": map_.vertices, "edges": cycles(map_.alpha), "faces": faces}
     return {key: [[*cycle] for cycle in found] for key, found in parts.items()}
 
 
 def own_of(entry: Entry) -> dict[str, Any]:
-    """The object of a world in this program's notation, with ``sigma`` and ``alpha``."""
+    """The object of a world in this program's notation; keys without a value are left out."""
     labels, map_ = entry.labels, entry.map
     fixed = map_.sigma, map_.alpha, entry.start, entry.lighthouse
     values = *fixed, labels.name, labels.vertices, labels.positions

@@ -1,14 +1,18 @@
 """The two binary codes of plantri, which list neighbours or edges clockwise round each vertex.
 
-``planar_code`` has a header, the number of vertices, and for each vertex its neighbours, counted
-from 1, and a 0.  Numbers have one byte, or two bytes after a first byte 0; the header tells whether
-the lower byte comes first (``le``, the default) or the higher byte (``be``).  The code cannot
-express loops and parallel edges.
+A file may begin with a header, such as ``>>planar_code<<``; then the worlds follow, one by one.
 
-``edge_code`` has the number of bytes that follow, and for each vertex the numbers of its edges,
-with a byte 255 between two vertices.  If the first byte is 0, the second byte has two halves.  The
-higher half tells how many bytes the number of following bytes has; the lower half tells how many
-bytes the number of an edge has.  In these numbers the higher byte comes first.
+In ``planar_code`` a world is the number of its vertices, and then for each vertex the neighbours,
+counted from 1, and a 0.  Each number is one byte.  If the first byte of a world is 0, each number
+after this byte has two bytes; the header tells whether the lower byte comes first (``le``, the
+default) or the higher byte (``be``).  The code cannot express loops and parallel edges.
+
+In ``edge_code`` the *body* of a world holds for each vertex the numbers of its edges, with a byte
+255 between two vertices.  The length of the body, in bytes, stands before the body.  Usually the
+length is one byte, and each number of an edge is one byte.  If a world begins with a byte 0, these
+numbers are longer: in the next byte the higher four bits tell how many bytes the length has, the
+lower four bits how many bytes the number of an edge has.  Then the length and the body follow.  In
+longer numbers the higher byte comes first.
 
 Source: the guide of plantri, and its program; the headers are also those of CaGe.
 """
@@ -23,13 +27,15 @@ from allworlds.world.world import Entry
 
 PLANAR, EDGE = b">>planar_code", b">>edge_code"
 MOST = 255
-"""The largest number of vertices, or of bytes, for which numbers have one byte."""
+"""The largest number of vertices, edges or bytes for which numbers have one byte; as a byte of
+``edge_code`` it separates two vertices."""
 
 
 def _begun(file: IO[bytes], code: bytes) -> bytes:
-    """The word after the notation's name in the header of a file; empty if there is none.
+    """The word in the header of a file, ``b" le"`` or ``b" be"``; empty without a word or a header.
 
-    If the position in the file is before the end of the header, it is moved to this end.
+    ``code`` is the beginning of the header.  If the file's position is inside the header, the
+    position is moved to the end of the header.
     """
     here = file.tell()
     file.seek(0)
@@ -45,7 +51,7 @@ def _begun(file: IO[bytes], code: bytes) -> bytes:
 
 
 def _number(file: IO[bytes], size: int, order: Literal["little", "big"] = "big") -> int:
-    """The next number in the file, which has ``size`` bytes."""
+    """The next number in the file, read from ``size`` bytes in the byte order ``order``."""
     read = file.read(size)
     if len(read) < size:
         raise InputError("the file ends in the middle of a world")
@@ -53,7 +59,7 @@ def _number(file: IO[bytes], size: int, order: Literal["little", "big"] = "big")
 
 
 def read_planar_code(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
-    """The worlds of a file in ``planar_code``."""
+    """Yield the worlds of a file in ``planar_code``, each with the offset of its first byte."""
     order: Literal["little", "big"] = "big" if _begun(file, PLANAR) == b" be" else "little"
     offset = file.tell()
     while first := file.read(1):
@@ -75,10 +81,11 @@ def read_planar_code(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
 
 
 def write_planar_code(entry: Entry) -> bytes:
-    """A world in ``planar_code``: simple, in the plane, and without names.
+    """The bytes of a world in ``planar_code``; the names in the world are left out.
 
     Raises:
-        InputError: naming the vertex with a loop or parallel edges, or the genus.
+        InputError: if the map has loops, parallel edges or a genus above 0; the message names the
+            vertex or the genus.
     """
     map_ = entry.map
     if map_.genus:
@@ -91,7 +98,7 @@ def write_planar_code(entry: Entry) -> bytes:
 
 
 def read_edge_code(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
-    """The worlds of a file in ``edge_code``."""
+    """Yield the worlds of a file in ``edge_code``, each with the offset of its first byte."""
     _begun(file, EDGE)
     offset = file.tell()
     while first := file.read(1):
@@ -117,7 +124,7 @@ def read_edge_code(file: IO[bytes]) -> Iterator[tuple[int, Entry]]:
 
 
 def write_edge_code(entry: Entry) -> bytes:
-    """A world in ``edge_code``: without names, of any genus."""
+    """The bytes of a world of any genus in ``edge_code``; the names in the world are left out."""
     map_ = entry.map
     edge = {dart: number for number, pair in enumerate(map_.edges) for dart in pair}
     size = 1 if map_.edge_count <= MOST else 2 if map_.edge_count <= MOST << 8 else 3

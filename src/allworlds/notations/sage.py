@@ -21,7 +21,7 @@ from allworlds.world.world import Entry
 
 
 def opens(line: str) -> int:
-    """The number of opening brackets in a line minus that of closing brackets, outside of texts."""
+    """The number of opening minus that of closing brackets in a line; quoted texts do not count."""
     plain = re.sub(r"'[^']*'|\"[^\"]*\"", "", line)
     return sum((sign in "([{") - (sign in ")]}") for sign in plain)
 
@@ -65,10 +65,10 @@ def literal(text: str) -> Any:
 
 
 def write_sage(entry: Entry) -> bytes:
-    """A line with a world as a dictionary; vertices without names are numbers.
+    """A line with a world as a dictionary; if the vertices have no names, the keys are numbers.
 
     Raises:
-        InputError: naming a vertex with a loop or parallel edges.
+        InputError: if the map has loops or parallel edges; the message names a vertex with them.
     """
     names: tuple[Any, ...] = entry.labels.vertices or tuple(range(entry.map.vertex_count))
     around = [[names[end] for end in ends] for ends in neighbours(entry)]

@@ -58,11 +58,13 @@ class Notation(Struct, frozen=True):
     Attributes:
         name: the usual name.
         suffixes: the suffixes of files in this notation.
-        read: the function that yields the worlds of an open binary file, from the position in the
-            file on.  It takes the order of edges as clockwise and the y axis as upward.  Each
-            world comes with its offset in the file, or with its number if ``streams`` is false.
+        read: the function that yields the worlds of an open binary file, from the file's current
+            position on.  The function takes every order of edges as clockwise, and every y axis as
+            upward.  Each world comes with its offset in the file, or with its number if ``streams``
+            is false.
         write: the function from a world to bytes; None if the notation is not written.
-        keeps: the parts in :data:`EVERY` that the notation can express.
+        keeps: the parts of a world besides its map that the notation can express, such as
+            ``names``; :data:`EVERY` lists all parts.
         mark: bytes near the beginning of files in this notation, which other files lack; or empty.
         streams: whether worlds are read one by one, with a single world in memory.
         y: the usual direction of the y axis if the order of edges follows from positions, else
@@ -85,7 +87,10 @@ class Notation(Struct, frozen=True):
 def _graph(
     name: str, suffixes: tuple[str, ...], graph: Callable[[bytes], Any], y: YAxis, mark: bytes = b""
 ) -> Notation:
-    """A notation of graphs; the order of the edges follows from the positions of the nodes."""
+    """The notation of files with a graph; ``graph`` makes the graph from the content of a file.
+
+    The order of the edges round a node follows from the positions of the nodes.
+    """
     return Notation(name, suffixes, read_graph(graph), mark=mark, y=y, graph=graph)
 
 
@@ -168,10 +173,17 @@ def entries(
 ) -> Iterator[tuple[int, Entry]]:
     """Yield all worlds of a file in any notation, each with its offset in bytes.
 
-    In a notation that does not stream, the number of the world, from 0 on, replaces the offset.
+    If the notation does not stream (see :class:`Notation`), the number of the world, from 0 on,
+    replaces the offset.
+
+    Args:
+        file: the name of the file.
+        order: the order in which the file lists the edges round a vertex; None means clockwise.
+        y: the direction of the y axis in the file; None means the usual one of the notation.
 
     Raises:
-        InputError: naming the file, the place in it and what would be legal.
+        InputError: if the file cannot be read, or an option does not fit its notation; the message
+            names the file, the place in the file, and what would be legal.
 
     Cost: the memory of one entry at a time, if the notation streams.
     """
@@ -194,10 +206,11 @@ def _check(notation: Notation, order: str | None, y: str | None) -> None:
 
 
 def _turned(entry: Entry, notation: Notation, order: Order | None, y: YAxis | None) -> Entry:
-    """The world that its file means, after it was read in one way only.
+    """The world that a file means; ``entry`` is this world or its mirror image.
 
-    ``entry`` was read as if the order of edges were clockwise and the y axis upward; ``order`` and
-    ``y`` tell the order and the axis that the file really has.
+    ``entry`` comes from ``notation.read``, which takes every order of edges as clockwise and every
+    y axis as upward.  ``order`` and ``y`` tell the true order and the true axis, as in
+    :func:`entries`.  If one of them is the opposite, the result is the mirror image of ``entry``.
     """
     labels = entry.labels.checked(entry.map)
     if notation.y:
@@ -218,8 +231,10 @@ def entry_at(
 ) -> Entry:
     """The world of a file at an offset that :func:`entries` has yielded.
 
+    ``order`` and ``y`` are those of :func:`entries`.
+
     Cost: the reading of this world.  If the notation does not stream, the whole file is read once,
-    and kept.
+    and all its worlds are kept.
     """
     with _opened(file) as (stream, notation):
         if notation.streams:
@@ -235,7 +250,10 @@ def entry_at(
 
 @lru_cache(maxsize=4)
 def _whole(file: str, _changed: int, order: Order | None, y: YAxis | None) -> tuple[Entry, ...]:
-    """All worlds of a file; they are kept until the file changes."""
+    """All worlds of a file; the result is kept, and a later call returns it again.
+
+    ``_changed`` is the time of the file's last change, so that a changed file is read anew.
+    """
     return tuple(entry for _, entry in entries(file, order, y))
 
 
@@ -248,9 +266,11 @@ def entry_named(
 ) -> Entry:
     """The world of this name or number (from 1 on) in the file; for ``""`` the file's only world.
 
+    ``order`` and ``y`` are those of :func:`entries`.
+
     Raises:
-        InputError: naming the first worlds, if there is no such world, or if there are several
-            worlds for ``""``.
+        InputError: if there is no such world, or if there are several worlds for ``""``; the
+            message names the first worlds of the file.
     """
     known, numbered = list[str](), None
     for number, (_, entry) in enumerate(entries(file, order, y), 1):
@@ -272,12 +292,14 @@ def entry_named(
 def graph_in(
     file: str | Path, order: Order | None = None, y: YAxis | None = None
 ) -> tuple[Any, Labelling]:
-    """The graph in a file, as networkx has it, and the names of its vertices.
+    """The graph in a file, as networkx has it, and the labels with the names of its vertices.
 
-    Only the edges of the graph count, not their order.
+    ``order`` and ``y`` must be legal for the file, as in :func:`entries`; the vertices and edges of
+    the graph do not depend on them.
 
     Raises:
-        InputError: naming the part that cannot be read.
+        InputError: if the file does not hold one graph or one world; the message names the part
+            that cannot be read.
     """
     with _opened(file) as (stream, notation):
         if notation.graph:
@@ -300,10 +322,11 @@ def to_write(file: str) -> Notation:
 
 
 def written(worlds: Iterable[Entry], notation: Notation) -> Iterator[bytes]:
-    """Yield the bytes of a file in a notation; parts that the notation lacks are left out.
+    """Yield the bytes of a file in a notation; parts that it cannot express are left out.
 
     Raises:
-        InputError: naming a world whose map the notation cannot express.
+        InputError: if the notation cannot express the map of a world, which the message names; or
+            if a file in the notation holds one world, and several are given.
     """
 
     def parts() -> Iterator[bytes]:

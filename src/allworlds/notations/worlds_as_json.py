@@ -41,10 +41,11 @@ def _worlds(document: Any) -> list[tuple[str, Any]]:
 def read_lines(
     parse: Callable[[str], Any], opens: Callable[[str], int] = lambda _line: 0
 ) -> Callable[[IO[bytes]], Objects]:
-    """The function that reads files with a world in each line; ``parse`` reads the text of a world.
+    """The function that yields the worlds of a file of lines, each with its offset in the file.
 
-    ``opens`` takes a line, and returns the number of its opening brackets minus that of its closing
-    brackets.  A world with open brackets goes on in the next line.
+    ``parse`` makes from the text of a world the object that :func:`entry_of` takes.  ``opens``
+    takes a line, and returns the number of its opening brackets minus that of its closing brackets.
+    A world has one line; while brackets are open, it goes on in the next line.
     """
 
     def read(file: IO[bytes]) -> Objects:
@@ -67,14 +68,15 @@ def read_lines(
 
 
 def _entry(parse: Callable[[str], Any], text: str, line: int, start: int) -> Entry:
-    """The world of a text, which begins in the line with the number ``line``.
+    """The world of a text; ``parse`` makes from the text the object that :func:`entry_of` takes.
 
-    Errors name this line; the lines are counted from the byte ``start`` of the file on.
+    Errors name ``line``, the number of the text's first line.  Line 1 begins at the byte ``start``
+    of the file: reading began there.
     """
     with at(f"line {line}" + (f" from byte {start} on" if start else "")):
         return entry_of(parse(text.strip()))
 
 
 def write_json(of: Callable[[Entry], Any]) -> Callable[[Entry], bytes]:
-    """The function from a world to a line of JSON; ``of`` makes the JSON value."""
+    """The function from a world to a line of JSON; ``of`` makes a JSON value from the world."""
     return lambda entry: f"{json.dumps(of(entry), ensure_ascii=False)}\n".encode()
