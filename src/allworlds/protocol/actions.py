@@ -74,7 +74,10 @@ class Move(Struct, frozen=True, gc=False):
 
 
 class Drop(Struct, frozen=True, gc=False):
-    """Lay down one marker here, at no cost.  Legal only if the lighthouse gives markers."""
+    """Lay down one marker at the robot's vertex, at no cost.
+
+    Legal only if the lighthouse gives the robot markers, and one is in the robot's hand.
+    """
 
     def __str__(self) -> str:
         """The action in a word: ``drop``."""
@@ -82,7 +85,10 @@ class Drop(Struct, frozen=True, gc=False):
 
 
 class Pick(Struct, frozen=True, gc=False):
-    """Take up one marker from here, at no cost.  Legal only if the lighthouse gives markers."""
+    """Take up one marker from the robot's vertex, at no cost.
+
+    Legal only if the lighthouse gives the robot markers, and one lies there that may be taken up.
+    """
 
     def __str__(self) -> str:
         """The action in a word: ``pick``."""
@@ -90,7 +96,11 @@ class Pick(Struct, frozen=True, gc=False):
 
 
 class Write(Struct, frozen=True, gc=False):
-    """Write the number ``k`` here, at no cost.  Legal only if the lighthouse takes numbers."""
+    """Write the number ``k`` at the robot's vertex or dart, at no cost.
+
+    Legal only if the lighthouse keeps numbers: ``whiteboard`` keeps one for each vertex,
+    ``doormarks`` one for each dart.
+    """
 
     k: int
 
@@ -108,7 +118,7 @@ class Wait(Struct, frozen=True, gc=False):
 
 
 class Watch(Struct, frozen=True, gc=False):
-    """Do nothing, and be activated again once the percept here has changed.
+    """Do nothing, and be activated again once the robot's percept has changed.
 
     Legal only in worlds with several robots.
     """
@@ -151,9 +161,11 @@ _MOVES = tuple(Move(k) for k in range(64))
 
 
 def action_numbered(number: int) -> Action:
-    """The action that a number stands for: from 0 on a motion, below 0 another action.
+    """The action that a number stands for.
 
-    For a motion below 64 each call returns the same object.
+    A number ``k`` from 0 on stands for ``Move(k)``.  The numbers below 0 are :data:`DROP`,
+    :data:`PICK` and, for ``Write(k)``, ``WRITE - k``.  For a motion below 64 each call returns the
+    same object.
     """
     if 0 <= number < len(_MOVES):
         return _MOVES[number]
@@ -207,8 +219,9 @@ class Estimate:
 class Ambiguous(WrittenByFields):
     """Rooted quotient.
 
-    The most that a robot with position only can know of its world, and of its own place there.
-    This class checks no value; the judge does.
+    The answer under the lighthouse 'position' if other worlds look alike: the quotient that all
+    these worlds share, and the robot's place in the quotient.  This class checks no value; the
+    judge does.
     """
 
     sigma: Annotated[Entries[Dart], about("for each dart the next one clockwise round its vertex")]
@@ -224,9 +237,9 @@ class Ambiguous(WrittenByFields):
 class Checkpoint:
     """The paper's S and U after a pass, shown to the judge.
 
-    It holds the darts known so far: ``alpha[d] == d`` marks an open dart, and U is the set of the
+    S holds the darts known so far: ``alpha[d] == d`` marks an open dart, and U is the set of the
     open darts; ``here`` is the robot's dart.  To yield a checkpoint costs nothing; the reply is
-    None.  A transcript does not contain checkpoints, and they must not influence the walk.
+    None.  A transcript does not contain checkpoints, and checkpoints must not influence the walk.
     """
 
     sigma: Sequence[int]
@@ -273,7 +286,7 @@ class Wrote(Document, forbid_unknown_fields=False):
 
 
 class _Sensed(Document):
-    """A transcript as JSON rows; from a row only the percept is read."""
+    """All rows of a transcript in JSON; of each row only the key ``percept`` is read."""
 
     transcript: Entries[AtStart]
 
@@ -362,13 +375,17 @@ Told: TypeAlias = int | Mapping[str, int] | None
 
 
 class Player(Protocol):
-    """An explorer that is ready to run.
+    """An explorer as a function that begins a run; a process that plays runs calls this function.
 
-    If the explorer's function has further keywords, they have their values already.
+    ``choices`` and ``told`` are passed to the explorer if it has these keywords.  All other
+    keywords of the explorer have their values already.
     """
 
     def __call__(self, first: Percept, choices: Choices, told: Told) -> Generator[Any, Any, Any]:
-        """Return the generator of one run."""
+        """Return the generator of one run.
+
+        ``told`` is the value that the lighthouse tells before the start.
+        """
 
 
 ANSWER_TIMEOUT = 10.0
@@ -382,7 +399,8 @@ FaultLaw: TypeAlias = Literal["crash", "timeout", "illegal-action", "no-estimate
 class ExplorerFault(Exception):
     """Raised if no legal message comes from an explorer outside Python.
 
-    The adapter raises it: the code that speaks with the explorer, for example through a pipe.
+    The adapter raises this error: the code that speaks with the explorer, for example through a
+    pipe.
 
     Attributes:
         law: the broken law.

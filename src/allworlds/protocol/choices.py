@@ -32,7 +32,7 @@ class Policy(Protocol):
 class Fifo:
     """The policy that takes the first option.
 
-    If darts are the options, that is the dart that came into S first; if paths, a shortest path.
+    Of darts, this is the dart that came into the explored part S first; of paths, a shortest path.
     """
 
     def choose(self, kind: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:
@@ -41,7 +41,7 @@ class Fifo:
 
 
 class Lifo:
-    """The policy that takes the dart that came into S last.
+    """The policy that takes the dart that came into the explored part S last.
 
     Only choices of the kind ``edge`` are made so; other choices are made like :class:`Fifo`.
     """

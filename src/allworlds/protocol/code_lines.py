@@ -1,6 +1,6 @@
 """The lines of the user's program that run when a finding is played again.
 
-They are not in the log, and no verdict depends on them.
+These lines are not in the log, and no verdict depends on them.
 """
 
 import json
@@ -43,7 +43,8 @@ def is_users(file: str) -> bool:
 class TracedPlay:
     """A stand-in for an explorer's generator that notes which lines of the user's program run.
 
-    It has the methods of generators that a play needs.
+    The stand-in has the methods of generators that a play needs.  A turn goes from a reply to the
+    explorer's next message.
 
     Attributes:
         turns: for each turn two values: whether the explorer showed a checkpoint, and the line of
@@ -60,7 +61,11 @@ class TracedPlay:
         self._walk: Generator[Any, Any, Any]
 
     def player(self, player: actions.Player) -> Any:
-        """A player for one run: it plays like the given player; this object is its generator."""
+        """The given player for one run, with this object in place of the player's generator.
+
+        The result is a function: it begins a run of ``player``, keeps the generator of this run,
+        and returns this object.
+        """
 
         def play(*told: Any) -> Any:
             self._walk = player(*told)
@@ -69,7 +74,7 @@ class TracedPlay:
         return play
 
     def send(self, reply: Any) -> Any:
-        """Send the reply, and return the next message.
+        """Send the reply to the explorer, and return the explorer's next message.
 
         During the call Python's trace function is replaced; then the earlier one is set again.
         """
@@ -108,8 +113,8 @@ class TracedPlay:
     def _end(self, error: BaseException) -> UserLine:
         """The line of the user's program where the explorer ended.
 
-        After an exception it is the innermost line of the user's program in the traceback; after a
-        return it is the line that returned.
+        After an exception this is the innermost line of the user's program in the traceback; after
+        a return this is the line that returned.
         """
         line, frames = self._left, error.__traceback__
         while frames and not isinstance(error, StopIteration):
@@ -122,9 +127,8 @@ class TracedPlay:
 class LinesPlay(TracedPlay):
     """A :class:`TracedPlay` that only notes which lines run: not how often, nor in which turn.
 
-    It traces a function until all lines of the function have run.  So a play takes some 3 times as
-    long as without tracing; with a :class:`TracedPlay`, some 8 times as long (Algorithm 1, up to 60
-    edges).
+    A function is traced until all its lines have run.  So a play takes some 3 times as long as
+    without tracing; with a :class:`TracedPlay`, some 8 times as long (Algorithm 1, up to 60 edges).
     """
 
     def __init__(self) -> None:

@@ -85,7 +85,7 @@ def module_named(name: str) -> Any:
 
 
 def _look_last(folder: str) -> None:
-    """Append a user's folder to the import path, so that it hides no other module."""
+    """Append a user's folder to the import path, so that its modules hide no other module."""
     if folder not in sys.path:
         sys.path.append(folder)
 
@@ -126,7 +126,7 @@ def module_of_text(where: str, source: SourceText, name: str = "") -> Any:
 
 
 def _as_module(path: str) -> str:
-    """A hint for a user whose file has relative imports: its name as a module of a package."""
+    """A hint for the user of a file with relative imports: its name as a module of its package."""
     from pathlib import Path  # not loaded in players otherwise
 
     file = Path(path)
@@ -180,7 +180,11 @@ def _tried(what: str, act: Callable[[], T], kind: type[InputError]) -> T:
 
 
 def said(error: BaseException) -> str:
-    """The first line of an exception's message, if it can be shown."""
+    """The name of an exception's class, and the first line of the exception's message if any.
+
+    If the exception's own code raises while the message is made, the text says in place of the
+    message that the exception cannot be shown.
+    """
     name = type(error).__name__
     try:
         text = str.__str__(str(error)).split("\n", 1)[0]
@@ -226,7 +230,9 @@ def arguments_of(name: str) -> tuple[str, dict[str, ArgumentValue]]:
 
 
 def pairs_in(name: str, text: str) -> list[tuple[str, str]]:
-    """The pairs of ``key=value,...`` after a name.
+    """The keys and values in a text ``key=value,...``.
+
+    ``name`` is the whole name that contains the text; errors show it.
 
     Raises:
         InputError: if a pair has another form, or a key is named twice.

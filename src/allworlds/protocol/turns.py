@@ -1,13 +1,16 @@
 """Programs of robots: after each percept a program is asked for its next action.
 
 This module knows no worlds and no schedules.  A *history* is the value that a robot is told before
-the start, and the robot's percepts after it.  A *turn* is a tuple ``(number, before, percept)``: it
-adds a percept to the history that ended with the turn of number ``before``.
+the start, and the robot's percepts after it.  A *turn* adds one percept to a history.  A turn is a
+tuple ``(number, before, percept)``: the number of the turn, the number of the turn with which the
+history has ended so far, and the new percept.  In the first turn of a history ``before`` is
+:data:`BEGIN`, and the told value stands in place of a percept.
 
 A program is a generator or an automaton.  A generator is kept alive after a turn, and gets the next
-percept.  If the same history also goes on with another percept, a new generator replays it, since a
-generator cannot be copied.  An automaton makes a step from a memory.  The memory itself is never
-sent to another process; it has a number, and for an automaton ``before`` is this number.
+percept.  If the same history also goes on with another percept, a new generator replays the
+history, since a generator cannot be copied.  An automaton computes its action and its next memory
+from its memory and the percept.  Its memories are never sent to another process, but each has a
+number.  In a turn of an automaton, ``before`` is the number of the memory before the turn.
 """
 
 from __future__ import annotations
@@ -38,7 +41,7 @@ robot is told before the start.
 """
 
 BEGIN = -1
-"""The number before the first turn."""
+"""The value of ``before`` in the first turn of a history."""
 
 ACTION, ENDED, FAULT = "aef"
 """The letters of a program's replies: an action, the program's answer, or a fault."""
@@ -82,10 +85,11 @@ class Turns:
 
     Args:
         explore: the function of the program, or an automaton.
-        player: the same program in the form of a player.
+        player: the same program as a function that begins a run, see :class:`actions.Player`.
         beat: numbers that other processes can read, to notice that the program is silent:
-            ``beat[0]`` is the index of the turn, ``beat[1]`` grows with each percept in this turn,
-            and is 0 at the end.
+            ``beat[0]`` is the index of the turn on which the program works; ``beat[1]`` is above 0
+            while the program works, and grows with each percept that a generator gets, also in a
+            replay.
         keeps: whether several runs are kept alive.  A program outside Python, which is asked
             through a pipe, has one run at a time.
     """
@@ -113,8 +117,11 @@ class Turns:
 
         Args:
             turns: the turns, in their order.
-            known: whether the program has answered these turns before; if so, the turns are only
-                noted, and the replies of a generator are empty.
+            known: whether the program has answered these turns before, in another process.  If so,
+                a generator is not asked: its turns are only stored, for later replays, and its
+                replies are empty.  An automaton is asked again, so that its memories get numbers.
+
+        The reply of a generator to the first turn of a history is empty, too.
         """
         found = []
         for index, turn in enumerate(turns):
@@ -160,7 +167,11 @@ class Turns:
     # ---------------------------------------------------------------- automata
 
     def _step(self, _number: int, memory: int, sensed: Any) -> bytes:
-        """The reply of an automaton in a turn, with the number of its memory after the turn."""
+        """The reply of an automaton in a turn, with the number of its memory after the turn.
+
+        ``memory`` is the number of its memory before the turn; if it is :data:`BEGIN`, ``sensed``
+        is the value that the robot is told.
+        """
         try:
             if memory == BEGIN:
                 after, letter, words = self._explore.begun(told_of(sensed)), ACTION, None

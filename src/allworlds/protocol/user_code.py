@@ -39,9 +39,10 @@ class Role(Struct, frozen=True):
     """A role that a user's program can have, such as a task or a lighthouse.
 
     Attributes:
-        noun: the noun for messages.
+        noun: the name of the role in messages.
         group: the group of entry points in which other packages offer programs for this role.
-        shape: the form of a function of this role, for messages; empty if the role's programs are
+        shape: words that tell users how to write a function of this role, such as
+            ``def predicate(map), which returns True or False``; empty if the role's programs are
             no functions.
         known: the names of the objects for this role that come with this package.
     """
