@@ -1,8 +1,8 @@
 """Results of verbs as texts and as files; the suffix of a file's name determines its format.
 
 The files for CI services are Markdown, JUnit XML, commands of GitHub's runner, and SARIF.  A new
-format is a function and a line of the table.  Slow imports are inside functions, since the command
-line needs this module.
+format is a function and a line of the table ``FORMATS``.  Slow imports are inside functions, since
+the command line needs this module.
 """
 
 import csv
@@ -214,7 +214,10 @@ HELP = (
 
 
 def _rule(law: str, asked: str) -> dict[str, Any]:
-    """A law as a rule of SARIF, with all keys that code scanning needs."""
+    """A law as a rule of SARIF, with all keys that code scanning needs.
+
+    ``asked`` is a sentence: the law's requirement on an explorer.
+    """
     full = f"{asked} A result is the smallest world in which an explorer breaks this law."
     return {
         "id": law,
@@ -229,9 +232,9 @@ def sarif(content: parts.ReportContent) -> str:
     """The report as a SARIF log with one run.
 
     Every law is a rule.  Every finding is a result, whose message has the picture and the walk.
-    Its place is the line that :func:`_at` finds, or, if this is no line of the repository, the line
-    that :func:`_source_of_check` finds.  A verdict that is not good and has no finding is a
-    notification.
+    The place of a result is the line that :func:`_at` finds, or, if this is no line of the
+    repository, the line that :func:`_source_of_check` finds.  A verdict for which :data:`LEVELS`
+    has a level is a notification, and so is each remark of the report.
     """
     report: Any = content.result  # of a check
     head = content.headline
@@ -449,7 +452,7 @@ def lone_picture(content: parts.ReportContent) -> str:
 def sequence_diagram(content: parts.ReportContent) -> str:
     """The run of the smallest finding of a team as a sequence diagram of PlantUML.
 
-    Without a finding it is the run that the budget cuts off, or an empty diagram.
+    Without a finding the diagram shows the run that the budget cuts off; without this, it is empty.
     """
     from allworlds.reports.content.team import sequence_of
 
@@ -477,7 +480,7 @@ def document_text(document: Mapping[str, Any]) -> str:
 
 
 def html(content: parts.ReportContent) -> str:
-    """An HTML document that refers to no other file."""
+    """The report as an HTML document that refers to no other file."""
     if content.page:
         return content.page()
     from allworlds.reports.web.sections import element, framed

@@ -75,7 +75,7 @@ def shown(value: Report | Finding | Transcript) -> str:
 
 
 def _steps(transcript: Transcript) -> Table:
-    """A row for the start and for each step."""
+    """The table of a transcript: a row for the start and for each step."""
     rows = [("start", transcript.first), *transcript.steps]
     steps: list[list[Cell]] = [[i, str(action), str(it)] for i, (action, it) in enumerate(rows)]
     return Table(["step", "action", "sensed"], steps)

@@ -43,14 +43,15 @@ class Scene(Struct, frozen=True):
         robot: the dart where the robot is at the end of its walk; None without a robot.
         marks: the number of markers at each vertex with markers, by the vertex's index in
             ``map.vertices``.
-        pointed: the darts from which bearings are counted.
+        pointed: the pointed darts, to which bearings are counted.
         labels: a short text for each dart, such as its class; None without labels.
         walked: the darts by which the robot has arrived.
         ringed: the dart with a ring round its number; None without a ring.
         darts: the names of the darts; empty if the names are their numbers.
         vertices: the names of the vertices; empty if the names are ``v0``, ``v1``, and so on.
         positions: the positions of the vertices; empty if these are not given.
-        letters: the marks sensed by single darts, if the darts of a vertex have different marks.
+        letters: for single darts the number of marks, not 0, that a robot senses if it arrives by
+            the dart, at vertices where this number depends on the dart.
     """
 
     map: CombinatorialMap
@@ -111,11 +112,12 @@ class Scene(Struct, frozen=True):
         *,
         lasting: bool = False,
     ) -> Scene:
-        """Return the scene of a map from the percepts of a robot that arrives by some darts.
+        """Return the scene of a map from percepts, each with the robot's dart of arrival.
 
-        A bearing gives the pointed dart, and marks give a marked vertex.  If ``lasting`` is True
-        and the marks at a vertex depend on the dart of arrival, the scene has them as letters of
-        these darts.
+        A bearing gives a pointed dart, and marks give a marked vertex.  ``lasting`` is True if no
+        marks change between the percepts: then different marks at one vertex depend on the dart of
+        arrival, and become ``letters`` of the scene.  If ``lasting`` is False, the last percept at
+        a vertex tells the vertex's marks.
         """
         known = list(percepts)
         # What is sensed last holds: markers can be taken away.
@@ -311,7 +313,7 @@ class Curve(Struct, frozen=True):
         title: the title of the values.
         across: the title of the sizes.
         lines: for each line its name and its points: size, value, and the lower and the upper end
-            of the interval.
+            of the value's confidence interval; without an interval both are the value.
     """
 
     title: str
@@ -326,7 +328,7 @@ class MapPictures(Struct, frozen=True):
 
 
 class ShownMap(Struct, frozen=True):
-    """The part of the world that checkpoints show, with the step at which each piece appears.
+    """The part of the world that checkpoints show, with the first step of each dart and edge.
 
     Attributes:
         darts: for each dart in S the first step at which S has the dart.

@@ -1,4 +1,8 @@
-"""Content of reports about worlds that look alike: twins, classes, censuses and searches."""
+"""Content of reports about worlds that look alike: twins, classes, censuses and searches.
+
+An *ambiguity class* holds all worlds with one rooted quotient.  A *class of darts* holds the darts
+of such worlds that no motion tells apart.  A *census* counts the worlds that look like others.
+"""
 
 from collections.abc import Sequence
 from string import ascii_lowercase
@@ -92,7 +96,7 @@ def _answer(comparison: ComparedWorlds) -> parts.Headline:
 
 
 def class_content(found: AmbiguityClass) -> parts.ReportContent:
-    """The content for a class: its size, some of its worlds, and the quotient that they share."""
+    """The content for an ambiguity class: its size, some of its worlds, and their quotient."""
     worlds = found.worlds[:DRAWN]
     names = ["The given world", *(f"World {i}" for i in range(2, len(worlds) + 1))]
     classes = [projection_of(world).classes for world in found.worlds]
@@ -170,9 +174,9 @@ def _walk(
 
 
 def _why_alike(quotients: Sequence[Quotient]) -> str:
-    """The reason why no motion tells worlds apart.
+    """The reason why no motion tells worlds apart, in words.
 
-    Their quotients must be equal, except for the numbers of sheets.
+    The quotients of the worlds must be equal, except for the numbers of sheets.
     """
     sheets = [quotient.sheets for quotient in quotients]
     if len({*sheets}) > 1:
@@ -191,9 +195,9 @@ def _why_alike(quotients: Sequence[Quotient]) -> str:
 def _quotient(quotient: Quotient) -> tuple[parts.Paragraph, parts.Table]:
     """A sentence, and a table with a row for each vertex of the quotient.
 
-    The table has three columns: the vertex's classes of darts, clockwise, each with its class under
-    alpha; the percept at the vertex; and how often one turn round a vertex of the world goes
-    round this vertex.
+    The table has three columns: the classes of darts at the vertex, clockwise, each with the class
+    to which alpha takes it; the percept at the vertex; and the cone index, the number of times that
+    these classes repeat round a vertex of the world.
     """
     rows: list[list[parts.Cell]] = []
     for vertex, cone in zip(quotient.vertices, quotient.cone_indices, strict=True):
@@ -211,7 +215,11 @@ def _quotient(quotient: Quotient) -> tuple[parts.Paragraph, parts.Table]:
 
 
 def census_content(census: census_sweep.AmbiguityCensus) -> parts.ReportContent:
-    """The content for a census: a row for each number of edges, and the source of the counts."""
+    """The content for a census: how many worlds look like others, and the smallest two that do.
+
+    The rows are for each number of edges, and for each number of edges and of vertices.  They count
+    the worlds, the worlds that look like another one, and their ambiguity classes.
+    """
     header = ["marked worlds", "ambiguous", "classes", "largest class"]
     rows = [[row.edges, *_counts(row)] for row in census.rows]
     cells = [[cell.edges, cell.vertices, *_counts(cell)] for cell in census.by_vertices]
@@ -285,7 +293,7 @@ def _counted(census: census_sweep.AmbiguityCensus) -> parts.Headline | None:
 
 
 def search_content(result: twin_search.SearchResult) -> parts.ReportContent:
-    """The content for a search: the answer with the twins, the searched sizes, the certificate."""
+    """The content for a search for twins: the twins if any, the searched sizes, the certificate."""
     pair = []
     if result.pair and result.bisimulation:
         walk = alike("AB", result.pair, result.bisimulation)
@@ -312,7 +320,7 @@ def search_content(result: twin_search.SearchResult) -> parts.ReportContent:
 
 
 def _found(result: twin_search.SearchResult) -> tuple[parts.Headline, list[tuple[str, str]]]:
-    """The answer of a search, and named texts about its proof."""
+    """The answer of a search for twins, and named texts about the proof of the answer."""
     asked = result.question.describes
     if result.status == "unknown":
         return parts.Headline("UNKNOWN", f"{asked}: undecided.", "inconclusive"), []
@@ -353,7 +361,7 @@ def tour(worlds: Sequence[World]) -> list[int]:
 
 
 def _nearest(map_: CombinatorialMap, start: Dart, left: set[Dart]) -> list[int]:
-    """The fewest motions after which a robot from ``start`` is at one of the darts in ``left``."""
+    """A shortest list of motions that lead a robot from ``start`` to one of the darts ``left``."""
     ways: dict[Dart, list[int]] = {start: []}
     queue = [start]
     for dart in queue:

@@ -29,7 +29,7 @@ from allworlds.words import about, counted, duration, listed, number, plural, si
 def check_content(report: CheckReport | time_estimate.TimeEstimate) -> parts.ReportContent:
     """The content for a check: verdict, findings, scope and counts; or its estimated duration.
 
-    The page of a check that holds also has the most expensive runs.
+    The page of a check without findings also has the most expensive run.
     """
     if isinstance(report, time_estimate.TimeEstimate):
         return _estimate(report)
@@ -86,7 +86,7 @@ def _in_short(report: CheckReport) -> list[tuple[str, str]]:
 
 
 def _rows(report: CheckReport) -> parts.CsvRows:
-    """A row for each size: each pair of numbers of edges and of vertices; so for a sample, too."""
+    """A row for each pair of a number of edges and a number of vertices, also for a sample."""
     played = {"worlds": int, "runs": int, "episodes": int}
     costs = {"traversals": int, "traversals_rooted": int, "max_cost": int, "bound": int}
     if report.asked.schedules == "all":
@@ -119,7 +119,7 @@ def size_table(report: CheckReport) -> parts.Table:
 
 
 def covered_table(report: CheckReport) -> parts.Table:
-    """A table with the range of each feature of a sample's worlds."""
+    """A table with the least, the median and the largest value of each feature of the worlds."""
     rows: list[list[parts.Cell]] = [
         [row.feature, row.least, row.median, row.most] for row in report.covered
     ]
@@ -191,7 +191,12 @@ def scope_words(report: CheckReport) -> list[tuple[str, str]]:
 
 
 def _of_sample(report: CheckReport) -> Iterator[tuple[str, str]]:
-    """Facts about a sample: its mixture, worlds made from draws, the chance of a refuting draw."""
+    """Yield facts about a sample of random worlds, called draws; none if all worlds are checked.
+
+    The facts are: the mixture, which is the list of the ways of drawing that take turns; the number
+    of further worlds that were made by changing draws; and, if the whole sample breaks no law, a
+    bound on the probability that one more draw refutes.
+    """
     sample = report.asked.coverage
     if not isinstance(sample, units.Sample):
         return
@@ -295,9 +300,9 @@ def _why_vacuous(report: CheckReport) -> str:
 def _cases(report: CheckReport) -> Iterator[parts.SuiteCase]:
     """Yield test cases: for past findings, for each number of edges, and for the witnesses.
 
-    The case of a number of edges has one of four results.  It is passed; failed, with its findings;
-    an error, if the count gate or two engines disagree; or skipped, with the reason, if this level
-    was not finished.  A sample is one case.
+    The case of a number of edges has one of four results: passed; failed, with its findings; an
+    error, if the count gate disagrees; or skipped, with the reason, if this level was not finished.
+    If two engines disagree, this is a case of its own.  A sample is one case.
     """
     if isinstance(report.asked.coverage, units.Sample):
         yield replace(_sample(report, report.asked.coverage), seconds=sum(report.seconds))

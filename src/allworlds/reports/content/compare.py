@@ -75,7 +75,7 @@ end of the interval."""
 
 
 def _lines_of_levels(report: comparison.Comparison) -> Lines:
-    """The lines of a curve: one for each explorer."""
+    """The lines of mean cost by number of edges: one for each explorer."""
     lines: Lines = {}
     shown = dict(zip(report.names, _short_names(report), strict=True))
     for edges in sorted({row.edges for row in report.rows}):
@@ -88,7 +88,7 @@ def _lines_of_levels(report: comparison.Comparison) -> Lines:
 
 
 def _lines_of_families(report: growth.Growth) -> Lines:
-    """The lines of a curve: one for each explorer and family, and one for each bound."""
+    """The lines of mean cost by number of edges, for each explorer and family; lines of bounds."""
     lines: Lines = {}
     shown = dict(zip(report.names, _short_names(report), strict=True))
     for row in report.rows:
@@ -125,7 +125,10 @@ ENDS = {"low": float, "high": float, "ratio": float, "ratio_low": float, "ratio_
 
 
 def _growth_rows(report: growth.Growth) -> parts.CsvRows:
-    """A row for each family, size and explorer; or for each world or run, if asked for."""
+    """A row for each run; or for each world or each size of a family, if the request asks for it.
+
+    Each row is about one explorer.
+    """
     if report.by != "size":
         return rows_of_worlds(report.in_worlds(), report.names[0], report.by or "run")
     ratios = {(one.family, one.edges, one.explorer): one for one in report.ratios}
@@ -167,7 +170,10 @@ def _ratios(report: growth.Growth) -> parts.Table:
 
 
 def _exponents(report: growth.Growth) -> Iterator[parts.Table]:
-    """A table of exponents; no table if there are too few sizes for every exponent."""
+    """The table of the exponents e if costs grow like (number of edges)^e, by family and explorer.
+
+    No table is yielded if no exponent was found; each row without an exponent has the reason.
+    """
     rows: list[list[parts.Cell]] = [
         [
             *(one.family, one.explorer, one.sizes),
@@ -263,7 +269,7 @@ def _by_size(report: comparison.Comparison, names: Sequence[str]) -> list[list[p
 
 
 def _side_by_side(report: comparison.Comparison) -> parts.Table:
-    """A table with a column of costs for each explorer."""
+    """A table with a row for each size, and a column with mean and worst cost for each explorer."""
     rows: list[list[parts.Cell]] = [
         [
             *(row.edges, row.vertices, row.worlds),
@@ -326,7 +332,11 @@ WORLD |= {"mean": float, "worst": int, "bound": int, "ratio": float}
 
 
 def _names(one: entrants.InWorld) -> list[parts.CellValue]:
-    """The columns :data:`NAMES`: the words by which ``run`` finds the world, and its size."""
+    """The cells of the columns :data:`NAMES`, for the world of ``one``.
+
+    The canonical code, or the family with its holes and its seed, names the world for the command
+    ``allworlds run``.  The last two cells are the numbers of edges and of vertices.
+    """
     member = growth.member_named(one.member) if one.member else None
     words = [member.text, member.holes, member.seed] if member else [None] * 3
     return [code_of(one.map), *words, one.map.edge_count, one.map.vertex_count]

@@ -27,7 +27,7 @@ VERDICTS = {
 def ledger_content(report: LedgerReport) -> parts.ReportContent:
     """The content for a ledger: a row for each claim.
 
-    A single claim has its details, too; a page has the details of all claims.
+    If there is a single claim, its details follow; the details of several claims are on pages only.
     """
     facts = [
         ("DIFFERS", f"{one.id}: {'; '.join(one.differences)}")
@@ -67,7 +67,7 @@ def _rows(report: LedgerReport) -> parts.CsvRows:
 
 
 def _heading(section: str) -> str:
-    """The heading of a section: ``Section IV`` for ``IV``; a text that is no number stays."""
+    """The heading of a section: ``Section IV`` for ``IV``; any text but a number stays as it is."""
     return f"Section {section}" if re.fullmatch(r"[IVXLC]+|[0-9.]+|[A-Z]", section) else section
 
 
@@ -109,7 +109,10 @@ def _section(one: CheckedClaim) -> parts.Section:
 
 
 def _case(one: CheckedClaim, *, required: bool) -> parts.SuiteCase:
-    """A case for a claim: passed as expected, failed otherwise, skipped if not checked."""
+    """The test case for a claim: passed if the result is the expected one, else failed.
+
+    A claim that was not checked is skipped; if the claim is ``required``, its case has failed.
+    """
     name = f"{_heading(one.section)}: {one.id}: {one.statement}"
     details = [parts.Section(one.id, "", [parts.FactList(_details(one))])]
     if one.standing == "as-expected":

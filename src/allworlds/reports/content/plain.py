@@ -101,7 +101,10 @@ def _job(standing: merge.Standing) -> str:
 
 
 def init_content(begun: init.Skeleton | init.LedgerSkeleton | init.Header) -> parts.ReportContent:
-    """The content for ``init``: the header line by line, or written files and the next command."""
+    """The content for ``init``: the written files and the next command, or the text of a C header.
+
+    The header is the one that explorers in C include.
+    """
     if isinstance(begun, init.Header):
         subject, name = "header", "header"
         blocks: list[parts.Block] = [parts.Quote("header", "", begun.header.rstrip("\n"))]

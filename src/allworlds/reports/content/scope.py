@@ -88,13 +88,19 @@ def left_out(worlds: int) -> str:
 
 
 def option_facts(report: OfWorlds, said: Iterable[str]) -> list[tuple[str, str]]:
-    """A fact with the given options, without the fields ``said``, of which other facts tell."""
+    """A fact with the options that were given; no fact if no option is left.
+
+    The options whose fields are named in ``said`` are left out, since other facts describe them.
+    """
     given = given_again(type(report.request), report.request, but=said)
     return [("options", " ".join(given))] if given else []
 
 
 def miscount(edges: int, vertices: int, met: int, source: str, counted: int) -> str:
-    """A sentence about maps of one size: enumeration and source give different numbers."""
+    """A sentence about maps of one size: the enumeration met ``met`` maps, not ``counted``.
+
+    ``counted`` is the number of these maps by the independent source ``source``.
+    """
     maps = f"{words.plural(met, 'map')} with {words.size(edges, vertices)}"
     return f"the enumeration found {maps}, but the independent count ({source}) is {counted}"
 

@@ -1,4 +1,7 @@
-"""Content of reports about sensors: lighthouses side by side, and the weakest lighthouses."""
+"""Content of reports about sensors: lighthouses side by side, and the weakest lighthouses.
+
+A sensor *suffices* if no two different worlds of the scope look alike under it.
+"""
 
 from collections.abc import Iterable, Iterator, Sequence
 from textwrap import wrap
@@ -76,7 +79,7 @@ def _scope(extent: Extent) -> str:
 
 
 def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
-    """A line for each sensor; it stands below the sensors that tell more worlds apart.
+    """Yield a line for each sensor, below the lines of sensors that tell more worlds apart.
 
     Sensors that tell the same worlds apart share a line.
     """
@@ -128,9 +131,9 @@ def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]
 def weakest_content(found: AmbiguityWeakest) -> parts.ReportContent:
     """The content for the weakest sensors: minimal coarsenings, and twins under coarser sensors.
 
-    A coarsening is a sensor that is made from a finer sensor: some of its letters become one
-    letter. A minimal coarsening suffices. If two more of its letters become one, it suffices no
-    longer, as the twins show.
+    A coarsening is a sensor that is made from a finer sensor: some letters of the finer sensor
+    become one letter.  A minimal coarsening suffices; but if two more of its letters become one,
+    the sensor that results does not suffice, as twins under that sensor show.
     """
     rows: list[list[parts.Cell]] = [
         [

@@ -30,9 +30,10 @@ if TYPE_CHECKING:
 
 
 def known(run: SingleRun) -> parts.ShownMap | None:
-    """The part of the world that a run's checkpoints show, with the first step of each piece.
+    """The darts and edges of the world that a run's checkpoints show.
 
-    None if there is no checkpoint, or if the part S of a checkpoint does not fit into the world.
+    Each dart and edge has the step of the first checkpoint that shows it.  None if there is no
+    checkpoint, or if the part S of a checkpoint does not fit into the world.
     """
     episode, world = run.outcome.episode, run.world
     if not episode.checkpoints:
@@ -50,7 +51,7 @@ def known(run: SingleRun) -> parts.ShownMap | None:
 
 
 def run_content(run: SingleRun | WorldNames) -> parts.ReportContent:
-    """The content for one run, with its finding if it breaks a law; or for the list of worlds."""
+    """The content for one run, with its finding if it breaks a law; or for names of worlds."""
     if not isinstance(run, SingleRun):
         named = (("maps", run.maps), ("families", run.families), ("corpus", run.corpus))
         section = parts.Section(
@@ -254,7 +255,8 @@ def wrong_line(finding: Finding, step: int | None) -> str:
 
     Args:
         finding: the finding.
-        step: the step at which belief and truth diverge; None if they do not.
+        step: the first step at which the walk in the answer and the walk in the world diverge; None
+            if they do not.
     """
     code, shown = finding.code, finding.believed
     for where, _ in stack_of(finding):
@@ -371,7 +373,7 @@ def _belief(story: Story) -> list[parts.Block]:
 
 
 def answer_view(walk: Walk, answer: Estimate, trail: Sequence[Dart]) -> parts.View:
-    """The picture of an answer, with the walk in the answer's map."""
+    """The picture of an answer; ``trail`` has the robot's darts on the walk in the answer's map."""
     scene = parts.walk_in_answer(walk, answer)
     note = "R: where the robot stands according to the answer"
     return parts.View("answer", "The answer", scene, trail, note)

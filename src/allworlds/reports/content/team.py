@@ -1,4 +1,7 @@
-"""Content of reports of ``team``: the verdict, a space-time diagram of a shortest run, counts."""
+"""Content of reports of ``team``: the verdict, the counts, and diagrams of runs.
+
+A space-time diagram of a run has a column for each robot and a row for each event.
+"""
 
 from __future__ import annotations
 
@@ -34,7 +37,7 @@ TEAM_SAID = (
 
 
 def team_content(report: TeamReport) -> parts.ReportContent:
-    """The content for a search of a team: the verdict, the findings, the scope and the counts."""
+    """The content for a search of a team's runs: verdict, findings, scope and counts."""
     findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
     if report.unfinished and not findings:
         findings.append(unfinished_section(report.unfinished))
@@ -204,7 +207,7 @@ def finding_section(found: TeamFinding, index: int) -> parts.Section:
 
 
 def unfinished_section(found: TeamFinding) -> parts.Section:
-    """A section for a shortest run that the budget cuts off."""
+    """A section for a run that the budget cuts off, in the smallest world that has such a run."""
     title = f"A run that is cut off, with {size(*found.key[:2])}"
     return parts.Section("unfinished", title, [*_run(found)])
 

@@ -25,9 +25,9 @@ from allworlds.reports.parts import Scene, View
 
 
 def points_of(way: Sequence[complex]) -> list[complex]:
-    """Points of a curve: its ends, the tops of its parabolas, and the points between parabolas.
+    """Points on the curve of an edge: its ends, and the ends and the middle of each parabola.
 
-    ``way`` holds the control points, as in :class:`Layout`.
+    ``way`` holds the control points of the edge; :class:`Layout` tells which parabolas they make.
     """
     points = [way[0], (way[0] + way[1]) / 2]
     for a, b, c in zip(way, way[1:], way[2:], strict=False):
@@ -36,7 +36,11 @@ def points_of(way: Sequence[complex]) -> list[complex]:
 
 
 def bridges_of(way: Sequence[complex]) -> list[tuple[complex, complex]]:
-    """The two ends of the straight piece of a curve at each place where another edge crosses it."""
+    """The two ends of the straight part of an edge at each of its crossings with other edges.
+
+    ``way`` holds the control points of the edge, as in :class:`Layout`.  If the edge has crossings,
+    every fifth control point between its ends is a crossing.
+    """
     # Every fifth point between the ends of the edge is where it crosses another one.
     if len(way) % 5 != 1:
         return []
@@ -48,8 +52,8 @@ SQUAREST = 0.42 * pi
 """The least angle at which two edges cross in a drawing; wider angles stay as they are."""
 
 STRAIGHT = 0.5
-"""The length of the straight piece at a crossing, as a share of the shortest of the four pieces
-that meet there."""
+"""The length of the straight part of an edge at a crossing, as a share of the shortest of the four
+rays from the crossing."""
 
 EVEN = 0.75
 """The least angle between two darts at a vertex, as a share of the average angle there."""
@@ -58,16 +62,19 @@ BEND = pi / 3
 """The largest angle by which a dart is turned to reach the angle :data:`EVEN`."""
 
 REACH = 0.8
-"""The length of the straight beginnings of darts at a vertex, as a share of its shortest dart."""
+"""The distance from a vertex to each point that :func:`spread` returns, as a share of the least
+distance from the vertex to a point in ``round_it``."""
 
 
 def straightened(centre: complex, round_it: Sequence[complex]) -> list[complex]:
-    """The point towards which each of four pieces leaves a crossing; opposite pieces are in line.
+    """For each of the four rays of a crossing, the point towards which the ray leaves the crossing.
+
+    Two edges cross, and each has two rays, which leave in opposite directions.
 
     Args:
         centre: the crossing.
-        round_it: the points from which the four pieces come, clockwise; the first and the third
-            belong to one edge.
+        round_it: a point on each of the four rays before they are straightened, clockwise; the
+            first and the third belong to one edge.
     """
     rays = [point - centre for point in round_it]
     first, second = (_line(rays[k], rays[k + 2]) for k in (0, 1))
@@ -87,11 +94,13 @@ def _line(there: complex, back: complex) -> complex:
 
 
 def spread(centre: complex, round_it: Sequence[complex]) -> list[complex]:
-    """The point towards which each dart leaves a vertex: near its old point, with wider angles.
+    """For each dart of a vertex, the point towards which the dart leaves the vertex.
+
+    Narrow angles between the darts become wider, and each dart keeps about its old direction.
 
     Args:
         centre: the vertex.
-        round_it: the points to which its darts lead, clockwise.
+        round_it: the points to which the darts have led so far, clockwise.
     """
     rays = [point - centre for point in round_it]
     reach, count = REACH * min(map(abs, rays)), len(rays)
@@ -128,10 +137,11 @@ class Layout(Struct, frozen=True):
     Attributes:
         vertices: the centre of each vertex.
         ways: for each dart the control points of its edge, from the dart's vertex to the other end.
-            Between the middles of two successive pieces the edge is a parabola that touches both
-            pieces; the first and the last half piece are straight.  If the edge is cut, each of its
-            darts has only its own half.
-        letters: for each dart of a cut edge the letter at the cut.
+            Straight lines join successive control points.  From the middle of each line to the
+            middle of the next one the edge is a parabola that touches both lines; the first half of
+            the first line, and the last half of the last line, belong to the edge.  An edge of a
+            lattice on a torus may be cut in two: then each of its darts has only its own half.
+        letters: for each dart of a cut edge the letter that stands at the cut, the same for both.
     """
 
     vertices: tuple[complex, ...]
@@ -139,12 +149,12 @@ class Layout(Struct, frozen=True):
     letters: Mapping[Dart, str] = field(default_factory=dict)
 
     def pieces(self, dart: Dart, other: Dart) -> list[tuple[complex, ...]]:
-        """The curves of an edge, from ``dart`` to ``other``: one curve; two if the edge is cut."""
+        """The control points of the edge from ``dart`` to ``other``: one list; two if it is cut."""
         whole = [self.ways[dart]]
         return [*whole, self.ways[other][::-1]] if dart in self.letters else whole
 
     def stub(self, dart: Dart) -> complex:
-        """The end of the straight beginning of the dart."""
+        """The point where the straight beginning of the dart ends."""
         start, towards, *_ = self.ways[dart]
         return (start + towards) / 2
 
@@ -203,7 +213,10 @@ def layout(map_: CombinatorialMap, root: Dart) -> Layout:
 
 @lru_cache(maxsize=256)
 def _ways(map_: CombinatorialMap) -> list[list[complex]]:
-    """For each dart the control points of its edge; empty if there are too many darts."""
+    """For each dart the control points of its edge in a planar drawing with vertices at crossings.
+
+    Empty if this drawing has more than :data:`MOST_DARTS` darts; darts at bends do not count.
+    """
     drawn = planar(map_)
     if drawn.unbent > MOST_DARTS:
         return []
@@ -280,14 +293,15 @@ def drawn_beside(
 ) -> tuple[View, View, Layout]:
     """Both views for pictures side by side, and the layout of the view ``other``.
 
-    In both views the dart of the first difference has a ring.  The darts and vertices of ``other``
-    are named like those of ``first``.
+    A view shows a walk in a map; its trail has the robot's dart at the start and after each step.
+    In both views a ring marks the robot's dart at the first step at which the two walks diverge.
+    The darts and vertices of ``other`` are named like those of ``first``.
 
     Args:
         first: the view of one map.
         other: the view of the other map.
         drawn: the layout of the first map.
-        agreement: the number of elements, from the start on, in which the two views' trails agree.
+        agreement: the number of darts at the beginning of each trail before the walks diverge.
     """
     world, answer = first.scene, other.scene
     ties = _ties(first, other, agreement)
@@ -306,8 +320,8 @@ def drawn_beside(
 def named_like(first: View, other: View, agreement: int) -> View:
     """The view ``other``, with the names that the vertices have in the view ``first``.
 
-    If vertices of ``first`` have no names, ``other`` stays as it is.  The first ``agreement``
-    elements of the two views' trails agree.
+    If vertices of ``first`` have no names, ``other`` stays as it is.  ``agreement`` is the number
+    of darts at the beginning of each view's trail before the two walks diverge.
     """
     if not first.scene.vertices:
         return other
@@ -316,7 +330,11 @@ def named_like(first: View, other: View, agreement: int) -> View:
 
 
 def _ties(first: View, other: View, agreement: int) -> dict[Dart, Dart]:
-    """The partners of darts of ``other`` in the view ``first``, as far as the two views agree."""
+    """For darts of the view ``other`` the darts of the view ``first`` that correspond to them.
+
+    If one map is the mirror image of the other, all darts correspond.  Else the robot's vertices at
+    the first ``agreement`` steps correspond, dart by dart; :func:`extended` finds further darts.
+    """
     world, answer = first.scene.map, other.scene.map
     ties: dict[Dart, Dart] = {}
     for robot, belief in zip(first.trail[:agreement], other.trail[:agreement], strict=True):
@@ -328,13 +346,15 @@ def _ties(first: View, other: View, agreement: int) -> dict[Dart, Dart]:
 def extended(
     tied: Mapping[Dart, Dart], map_: CombinatorialMap, other: CombinatorialMap
 ) -> dict[Dart, Dart]:
-    """Match darts of two maps by following sigma and alpha from the tied pairs.
+    """The pairs of darts in ``tied``, and the pairs that follow from them by sigma and alpha.
 
-    In a conflict a dart keeps its first partner; no dart of the map ``other`` is used twice.
+    The other ends of two paired darts are paired, and with them all darts of their two vertices,
+    clockwise.  The two vertices stay unpaired if their degrees differ, or if one of their darts is
+    in another pair already.
 
     Args:
-        tied: the pairs of darts to begin with.  If one dart of a vertex is in a pair, all its darts
-            are, and their partners are all darts of a vertex of equal degree.
+        tied: the pairs of darts to begin with.  They pair whole vertices: for each vertex with a
+            dart in a pair, all its darts are paired with all darts of one vertex of equal degree.
         map_: the map whose darts are the keys.
         other: the map whose darts are the values.
 

@@ -31,7 +31,10 @@ class PlanarMap(Struct, frozen=True):
     unbent: int
 
     def way(self, dart: Dart) -> list[Dart]:
-        """The darts along one edge of the drawn map, from ``dart`` on, two for each piece."""
+        """The darts along one edge of the drawn map, from ``dart`` on.
+
+        There are two darts for each part of the edge between crossings or bends.
+        """
         way = [dart, self.alpha[dart]]
         while way[-1] >= self.own:
             after = self.sigma[way[-1]]
@@ -198,17 +201,17 @@ RING = 0.05
 class Mesh(Struct, frozen=True):
     """The triangulation of a planar drawing.
 
-    Its points are, in this order: a point for each dart; a point for each dart after it at its
-    vertex; one before it at its vertex; one to the left of its edge; a point for each vertex, in
-    the order of sigma's cycles; a point for each face but the outer one; and the points of the ring
-    round the drawing.
+    The points are numbered, and come in seven groups.  Each of the first four groups has a point
+    for each dart: on the dart; just clockwise of the dart at its vertex; just anticlockwise of it;
+    and to the left of the dart's edge.  The other groups are: a point for each vertex, in the order
+    of sigma's cycles; a point for each face but the outer one; and the ring round the drawing.
 
     Attributes:
         links: the neighbours of each point inside the ring, clockwise.
         rooms: for each point inside the ring and each of its neighbours: twice the wanted area of
             the triangle of the point, this neighbour and the neighbour before it.
-        first_vertex: the point of the first vertex.
-        ring: the points of the ring, clockwise.
+        first_vertex: the number of the first vertex's point.
+        ring: the numbers of the points of the ring, clockwise.
     """
 
     links: list[list[int]]
@@ -297,10 +300,11 @@ def _move(i: int, net: Mesh, points: list[complex]) -> None:
 
 
 def _strain(centre: complex, i: int, net: Mesh, points: Sequence[complex]) -> tuple[float, complex]:
-    """The strain of the triangles around point i at ``centre``, and the step that should lower it.
+    """The strain of the triangles around point i if it is at ``centre``, and a step of this point.
 
-    The strain of a triangle is S/A + R/A + A/R, where A/2 is its area, S the sum of the squares of
-    its sides, and R/2 the wanted area; it is infinite for a triangle that is turned over.
+    The step should lower the strain.  The strain of a triangle is S/A + R/A + A/R, where A/2 is its
+    area, S the sum of the squares of its sides, and R/2 the wanted area; the strain is infinite for
+    a triangle that is turned over.
     """
     link, ring = net.links[i], net.ring.start
     strain, slope, bend = 0.0, 0j, 0.0

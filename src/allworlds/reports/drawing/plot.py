@@ -65,7 +65,7 @@ def _scale(values: Sequence[float], begin: float, end: float) -> Callable[[float
 
 
 def _ticks(values: Sequence[float]) -> list[float]:
-    """The values, if there are at most 6; else round values between the least and the largest."""
+    """The numbers to show at an axis: the values if there are at most 6, else round numbers."""
     found = sorted({*values})
     for steps in ((1, 2, 5), (1, 3), (1,)):
         if len(found) > 6:

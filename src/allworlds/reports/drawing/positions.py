@@ -1,6 +1,7 @@
 """Layouts at given positions of the vertices.
 
-Edges are straight, if they then leave each vertex in the map's order.
+Edges are straight; only loops and parallel edges are bent.  If the edges then leave a vertex in
+another order than the map's, the positions are ignored, and the map is drawn by ``layout``.
 """
 
 from cmath import phase, rect
@@ -73,7 +74,7 @@ def at_positions(map_: CombinatorialMap, positions: Sequence[PlanePoint]) -> Lay
 
 
 def _distance(point: complex, start: complex, end: complex) -> float:
-    """The distance of a point from the straight line between ``start`` and ``end``."""
+    """The distance of a point from the nearest point of the line from ``start`` to ``end``."""
     along = (point - start) / (end - start)
     return abs(along - min(max(along.real, 0), 1)) * abs(end - start)
 
@@ -81,7 +82,7 @@ def _distance(point: complex, start: complex, end: complex) -> float:
 def _angles(
     map_: CombinatorialMap, around: Sequence[Dart], centres: Sequence[complex]
 ) -> Iterator[tuple[Dart, float]]:
-    """Yield the darts of a vertex with their angles.
+    """Yield the darts of a vertex, each with the angle at which the dart leaves the vertex.
 
     Nothing is yielded if the angles are in another order than the darts of the map.  Parallel edges
     leave side by side, and loops next to the edge before them.

@@ -45,11 +45,14 @@ def wheel(map_: CombinatorialMap) -> Ways:
 def lattice(map_: CombinatorialMap, root: Dart) -> tuple[Ways, dict[Dart, str]]:
     """The upright drawing of a lattice, in the plane or on a torus; empty for other maps.
 
-    The direction of a dart follows from the other end of its edge, and from the next dart if a
-    square is between them, or if the vertex has four darts.  If nothing else decides, two darts at
-    a vertex are opposite; so paths are drawn, too, and some lattices with holes.  A lattice on a
-    torus, where all vertices and faces have degree 4, is cut into rows: each dart of a cut edge has
-    its own half of the edge, and a letter.
+    Each dart has one of four directions.  The two darts of an edge have opposite directions.  Two
+    neighbouring darts of a vertex are a quarter turn apart if the face between them is a square, or
+    if the vertex has four darts.  These rules come first; if they leave a vertex with two darts
+    open, these two darts are opposite: so paths are drawn, too, and some lattices with holes.
+
+    A lattice on a torus, where all vertices and faces have degree 4, is drawn in rows, and the
+    edges from one side of the drawing to the other are cut.  Each dart of a cut edge has its own
+    half of the edge, and a letter, which the second part of the result holds.
 
     Cost: O(m log m).
     """

@@ -193,7 +193,7 @@ def in_words(scene: Scene) -> str:
 def _edge(scene: Scene, drawn: Layout, dart: Dart) -> Iterator[ET.Element]:
     """The elements of an edge.
 
-    Where the edge crosses edges below it, elements that make gaps in these edges come first.
+    Where the edge crosses edges that are drawn before, elements that make gaps in them come first.
     """
     other = scene.map.alpha[dart]
     walked = dart in scene.walked or other in scene.walked
@@ -256,7 +256,10 @@ def _beside(along: Sequence[complex]) -> float:
 
 
 def _flag(along: complex, far: float) -> ET.Element:
-    """The arrow of a marker, behind the number of the dart along which it points."""
+    """The arrow of a marker, from the vertex along a dart; its head is beyond the dart's number.
+
+    ``along`` is the direction of the dart, ``far`` the distance from the vertex to the number.
+    """
     base, wing = (far + CHIP) * along, along * 1j * FLAG * 0.55
     head = f"M{at(base + FLAG * along)} L{at(base + wing)} L{at(base - wing)} Z"
     return tag(
@@ -267,7 +270,7 @@ def _flag(along: complex, far: float) -> ET.Element:
 
 
 def _number(scene: Scene, dart: Dart, point: complex) -> ET.Element:
-    """The dart's number: in a box at the start, on a disc at the robot."""
+    """The dart's number around ``point``: in a box at the start, on a disc at the robot."""
     text: list[Child] = [scene.dart_names[dart]]
     colour = ""
     if scene.labels is not None:
@@ -353,7 +356,7 @@ class Drawing(Struct, frozen=True):
         return self.text
 
     def _repr_svg_(self) -> str:
-        """The picture that notebooks show."""
+        """The SVG document, which notebooks show as a picture."""
         return self.svg
 
 

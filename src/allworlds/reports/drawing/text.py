@@ -5,6 +5,9 @@ notation: each pair of brackets is a vertex with its darts clockwise.  Each edge
 above the row that joins its two darts.  So the map, the names of its darts and the start can
 be read back from the picture.  A crossing of two arcs says nothing about the surface.
 
+Below the row *signs* stand under some darts, such as ``S`` under the start.  A legend tells what
+each sign in the picture means.
+
 The order of vertices and darts is fixed by the map rooted at the start: vertices breadth
 first, each from the dart by which it is found.  If the darts are renamed, only the printed numbers
 change.
@@ -41,8 +44,8 @@ def draw(scene: Scene, width: int = 80) -> str:
     """The scene as an arc diagram, or as :func:`rotation_table` if it is wider than ``width``.
 
     The diagram begins at the start.  Vertex ``v`` is named by its index in ``map.vertices``.  Below
-    the darts are their labels, the names of the vertices with their markers, and the signs of
-    single darts.  Lines do not end with a space, the text does not end with a newline.
+    the darts are their labels, the names of the vertices with their markers, and signs, which
+    :func:`_signed` lists.  Lines do not end with a space, the text does not end with a newline.
 
     Cost: O(m), and O(m^2) for a diagram, which has less than ``width`` darts.
     """
@@ -107,7 +110,11 @@ def rotation_table(scene: Scene, width: int = 80) -> str:
 
 
 def _signed(scene: Scene) -> dict[str, Sequence[Dart]]:
-    """The signs of single darts, each with the darts that have the sign."""
+    """For each sign that a dart can have, the darts that have this sign.
+
+    The signs are ``●k`` (the robot senses k marks if it arrives by this dart), ``▲`` (pointed),
+    ``S`` (start) and ``R`` (robot).
+    """
     start, robot = (() if d is None else (d,) for d in (scene.start, scene.robot))
     marked: dict[str, Sequence[Dart]] = {
         f"●{marks}": [dart for dart, its in scene.letters.items() if its == marks]
@@ -117,10 +124,11 @@ def _signed(scene: Scene) -> dict[str, Sequence[Dart]]:
 
 
 def _groups(map_: CombinatorialMap, root: Dart) -> list[list[Dart]]:
-    """The vertices breadth first from the root, each clockwise from the dart by which it is found.
+    """The darts of each vertex, clockwise from the dart by which the vertex is found.
 
-    A vertex finds its neighbours from its last dart to its first: so the nearer neighbour hangs at
-    the dart further right, and the arcs to the neighbours nest instead of crossing.
+    The vertices are found breadth first from the root.  From each vertex the last dart is tried
+    first: so of the vertices that are found there, the one that stands first in the row is found by
+    the rightmost dart, and the arcs to these vertices are nested instead of crossing.
     """
     found = {map_.vertex_of[root]}
     groups = [_turned(map_, root)]
@@ -194,7 +202,11 @@ def _row(texts: Mapping[int, str]) -> str:
 
 
 def _legend(signs: set[str], scene: Scene, width: int) -> str:
-    """The meanings of these signs, and of the scene's own signs."""
+    """The legend of a picture: the meaning of each sign in it, and cut names of vertices in full.
+
+    ``signs`` are the brackets, arcs or arrows of the picture.  Signs for markers, for labels and
+    for single darts are added if the scene has them.
+    """
     signs |= {"●"} if any(scene.marks.values()) else set()
     signs |= {"a"} if scene.labels is not None else set()
     signs |= {sign for sign, darts in _signed(scene).items() if darts}
