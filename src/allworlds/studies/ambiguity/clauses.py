@@ -16,7 +16,7 @@ Clause: TypeAlias = tuple[Literal, ...]
 
 
 class Atoms(Struct, frozen=True):
-    """Consecutive variables of a formula, one for each index, or for each pair of indices.
+    """A block: consecutive variables of a formula, one for each index, or each pair of indices.
 
     Attributes:
         name: the name of the block, for example ``sigma1``.
@@ -32,7 +32,7 @@ class Atoms(Struct, frozen=True):
     meaning: str
 
     def __getitem__(self, index: int | tuple[int, int]) -> int:
-        """The variable of an index."""
+        """The variable of an index, or of a pair of indices."""
         if isinstance(index, int):
             return self.first + index
         return self.first + index[0] * self.shape[1] + index[1]
@@ -49,7 +49,7 @@ class Atoms(Struct, frozen=True):
 
 
 class Formula:
-    """Clauses over blocks of variables.
+    """Clauses, and their variables, which are made in blocks (:class:`Atoms`).
 
     Attributes:
         title: the statement of the formula, line by line.
@@ -116,13 +116,13 @@ class Formula:
 
 
 def dimacs(variables: int, clauses: Sequence[Clause]) -> list[str]:
-    """The lines of a DIMACS file without comments."""
+    """The lines, without comments, of the DIMACS file of these clauses and this many variables."""
     lines = [" ".join(map(str, clause)) + " 0" for clause in clauses]
     return [f"p cnf {variables} {len(clauses)}", *lines]
 
 
 def read_dimacs(path: Path, leave_out: str = "") -> tuple[int, list[Clause]]:
-    """Read a DIMACS file that :class:`Formula` wrote: its number of variables and its clauses.
+    """The number of variables and the clauses in a DIMACS file that :class:`Formula` wrote.
 
     Args:
         path: the path of the file.

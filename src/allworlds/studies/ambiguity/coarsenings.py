@@ -1,8 +1,9 @@
 """The weakest sensors: the coarsenings of a finest sensor that suffice and are minimal.
 
-A coarsening is a sensor that tells no more percepts apart than the finest sensor.  A coarsening
-suffices if no two worlds with different rooted maps look alike under it.  It is minimal if no
-coarser one suffices.
+At each dart the finest sensor shows the degree and one *feature*; a percept has the number of the
+feature as its marks.  A coarsening is a sensor that shows one letter for several features.  A
+coarsening suffices if no two worlds with different rooted maps look alike under it.  A coarsening
+is minimal if no coarser one suffices.
 """
 
 from collections.abc import Iterator, Sequence
@@ -40,7 +41,8 @@ Letters are the numbers 0, 1, ... in the order of their first occurrence.
 class WeakestRequest(ManyWorldsOptions, kw_only=False):
     """Request of ``ambiguity weakest``: a sensor whose coarsenings are compared, and the worlds.
 
-    A coarsening gives one letter to several percepts of this finest sensor, so it senses less.
+    The sensor in the request is the finest one.  A coarsening shows one letter for several of its
+    features.
     """
 
     finest: Annotated[kinds.GivenLighthouse, requests.Argument("", "FILE.py:Finest", f"{SHAPE}.")]
@@ -146,10 +148,10 @@ class FinestLevel(NamedTuple):
     roots: list[int]
 
     def looks(self, letters: Letters, indices: Sequence[int]) -> Iterator[bytes]:
-        """Yield a code of what a robot can find out in each world with one of these indices.
+        """Yield a code for each of the worlds with these indices.
 
-        The robot senses by a coarsening, which is given by its letters.  Two worlds have equal
-        codes if and only if they look alike.
+        Two worlds have equal codes if and only if they look alike to a robot that senses by the
+        coarsening with these letters.
         """
         import numpy as np
 
@@ -183,9 +185,10 @@ def lower(letters: Letters) -> list[Letters]:
 
 
 class Refuter:
-    """A search for two worlds that look alike under a coarsening.
+    """A search for two worlds with different rooted maps that look alike under a coarsening.
 
-    The worlds that refuted earlier coarsenings are tried first, then all worlds.
+    Such worlds refute a coarsening: it does not suffice.  The worlds that refuted earlier
+    coarsenings are tried first, then all worlds.
     """
 
     def __init__(self, levels: Sequence[FinestLevel]) -> None:
@@ -293,11 +296,16 @@ def _features(kind: kinds.LighthouseKind) -> tuple[str, ...]:
 def _levels(
     request: WeakestRequest, kind: kinds.LighthouseKind, count: int
 ) -> Iterator[FinestLevel]:
-    """Yield each level that has worlds, with all its worlds.
+    """Yield the worlds of each level under the finest sensor; a level without worlds is left out.
+
+    Args:
+        request: the request, which names the worlds.
+        kind: the kind of lighthouse of the finest sensor.
+        count: the number of features of this sensor.
 
     Raises:
-        InputError: if the sensor shows anything but the degree and the number of a feature, or if a
-            robot is told a value before the start.
+        InputError: if a percept has a bearing, or marks that are not the number of a feature; or if
+            the lighthouse tells the robot a value before the start (:meth:`Lighthouse.told`).
     """
     import numpy as np
 

@@ -45,10 +45,11 @@ class PairVariables(Struct, frozen=True):
     letters: tuple[Atoms, ...] = ()
 
     def signs(self, x: int, y: int) -> list[tuple[Literal, Literal]]:
-        """Two literals for each kind of mark.
+        """A pair of literals for each mark that a robot can sense at single darts.
 
-        The first says that dart x of the first world has the mark, the second that dart y of the
-        second world has it.
+        Such a mark is the bearing 0, which only reference darts have, or one of the letters of v0.
+        The first literal says that dart x of the first world has the mark, the second literal that
+        dart y of the second world has it.  The list is empty if the lighthouse has neither.
         """
         if self.letters:
             one, two = self.letters
@@ -87,7 +88,7 @@ def pair_formula(question: Question, sizes: Sizes) -> tuple[Formula, PairVariabl
 
 
 def world_formula(question: Question, sizes: Sizes) -> Formula:
-    """The formula 'in one world of the second size, the robot senses the percepts of the walk'.
+    """The formula 'in one world of size ``sizes.two``, the robot senses the percepts of the walk'.
 
     The walk and its percepts are those that the user asked for.
     """
@@ -102,9 +103,10 @@ def _title(question: Question, sizes: Sizes) -> list[str]:
 
 
 def _reference_darts(formula: Formula, name: str, where: Where, world: OneWorld) -> Atoms:
-    """Require exactly one reference dart at every vertex, or one at v0 alone.
+    """Require exactly one reference dart at each vertex at which the robot senses a bearing.
 
-    The variable x of the returned block says whether dart x is a reference dart.
+    ``where`` names these vertices: v0 alone (``AT_V0``), otherwise all vertices.  The variable x of
+    the returned block says whether dart x is a reference dart.
     """
     darts, most = world.size.darts, world.size.most
     pointed = formula.block(f"pointed{name}", (darts,), "x is a reference dart")
@@ -131,8 +133,9 @@ def _letters(
     """Require the letters of v0's word at the darts of v0, and no letters elsewhere.
 
     A letter is a mark at a dart of v0.  ``words`` has a word for each degree that v0 can have: the
-    letters at the bearings 0, 1 and so on.  The start is at bearing 0.  The variable ``[x, l]`` of
-    the returned block says whether dart x has the l-th letter.
+    letters at the bearings 0, 1 and so on.  The start has bearing 0.  The variable ``[x, l]`` of
+    the returned block says whether dart x has the l-th of all letters but 0; the letter 0 is no
+    mark.
     """
     found, (darts, degrees) = sorted({*chain(*words.values())} - {0}), world.degree.shape
     meaning = f"x has one of {','.join(map(str, found))}"
@@ -185,7 +188,8 @@ def _sense_the_same(formula: Formula, pair: PairVariables, related: int, x: int,
 def _smaller_code(formula: Formula, pair: PairVariables) -> None:
     """Require the first world's code to be smaller, at the first step in which the codes differ.
 
-    No pair is lost: if two worlds look alike, they also look alike in the other order.
+    No pair of worlds is lost: if the second code is smaller, the formula has the same two worlds in
+    the other order.
     """
     one, two, darts = pair.one, pair.two, pair.one.size.darts
     steps = 2 * darts
@@ -215,10 +219,14 @@ def _smaller_code(formula: Formula, pair: PairVariables) -> None:
 def forbid_other_start(formula: Formula, pair: PairVariables, start: int) -> None:
     """Require that the second world, if it is entered at dart ``start``, is not the first world.
 
-    If a vertex is marked, this is required only if ``start`` is a dart of v0.  Let F number the
-    second map's darts from ``start`` on, in the order that the first map's numbering prescribes.
-    Then F must fail to carry the first map's sigma, alpha, reference darts or letters to those of
-    the second map.  For dart 0 nothing need be required, since the codes differ.
+    Only one function F can be an isomorphism from the first map to the second map that takes dart 0
+    to ``start``.  If a dart of the first map got its number as sigma(x), F takes this dart to
+    sigma(F(x)) in the second map; the same holds for alpha.  The clauses require that F fails at
+    some dart: that F does not keep sigma, alpha, the reference darts or the letters.
+
+    If a marker shows v0 and ``start`` is a dart of another vertex, F fails already, because F moves
+    the marker; then the clauses require nothing.  ``start`` is never 0: the two codes differ
+    already.
     """
     one, two, darts = pair.one, pair.two, range(pair.one.size.darts)
     shape = (len(darts), len(darts))
@@ -246,7 +254,7 @@ def forbid_other_start(formula: Formula, pair: PairVariables, start: int) -> Non
 
 
 def _walk(formula: Formula, question: Question, world: OneWorld) -> None:
-    """Require that a robot on the walk that the user asked for senses the given percepts."""
+    """Require that in this world a robot senses the user's percepts on the user's walk."""
     if not question.walk:
         return
     darts = range(world.size.darts)

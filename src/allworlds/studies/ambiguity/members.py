@@ -91,18 +91,24 @@ class ComparedWorlds(Report):
 
     @doc.computed
     def distinguishable(self) -> bool:
-        """Whether motions, or the values told before the start, tell the two worlds apart."""
+        """Whether a robot can tell the worlds apart, by motions or by a value told at the start.
+
+        Some lighthouses tell the robot a value before the start, for example the degree of v1.
+        """
         return self.bisimulation is UNSET
 
     @doc.computed
     def twins(self) -> bool:
-        """Whether the two worlds are different, and nothing tells them apart."""
+        """Whether the two worlds are different, and a robot cannot tell them apart."""
         return self.relation == "different" and not self.distinguishable
 
 
 @answers(TwinsRequest)
 def twins(request: TwinsRequest) -> ComparedWorlds:
-    """Decide whether any motion can tell two worlds apart, and return a checked proof.
+    """Decide whether a robot can tell two worlds apart, and return a checked proof.
+
+    The robot can if the percepts after some motions differ, or if its lighthouse tells it different
+    values before the start.
 
     Raises:
         InputError: if the lighthouses are of different kinds, whose percepts are not comparable.
@@ -137,9 +143,13 @@ def twins(request: TwinsRequest) -> ComparedWorlds:
 
 
 def separation(a: World, b: World) -> tuple[int, ...]:
-    """The first motions, by length and then in ascending order, that tell the worlds apart.
+    """The shortest sequence of motions after which the percepts in the two worlds differ.
 
-    Such motions must exist.  They are found breadth-first over pairs of darts.
+    Of several shortest sequences it is the first in lexicographic order.  The search is
+    breadth-first over pairs of darts, one dart of each world.
+
+    Raises:
+        Disagreement: if there is no such sequence; the caller must know that there is one.
     """
     seen = {(a.start, b.start)}
     # Two darts, and the motion that led there from the darts of an earlier entry.
@@ -160,10 +170,10 @@ def separation(a: World, b: World) -> tuple[int, ...]:
 
 
 def replayed(a: World, b: World, motions: Sequence[int]) -> str | None:
-    """Play motions in two worlds; return what is wrong with them as a proof, or None.
+    """The reason why these motions do not prove that two worlds can be told apart; None if they do.
 
-    The motions prove that the worlds can be told apart if the percepts after the last motion
-    differ.  All percepts before must be equal; otherwise fewer motions are enough.
+    The motions are played in both worlds.  The percepts after the last motion must differ, and all
+    percepts before must be equal; otherwise fewer motions would be enough.
     """
     one, other = sensed(a, motions), sensed(b, motions)
     if one[-1] == other[-1]:
@@ -216,9 +226,9 @@ def least_rooting(map_: CombinatorialMap, darts: Sequence[Dart]) -> LeastRooting
     """The least code of a map with one marked vertex, rooted at one of ``darts``.
 
     ``darts`` are all darts of the marked vertex, or a class of darts there that look alike to a
-    robot.  An isomorphism of marked maps takes such a set to such a set, so isomorphic marked maps
-    have equal codes.  The field ``times`` of the result is the number of automorphisms that fix the
-    marked vertex.
+    robot.  An isomorphism of marked maps takes the set ``darts`` of one map to that of the other,
+    so isomorphic marked maps have the same least code.  The field ``times`` of the result is the
+    number of automorphisms that fix the marked vertex.
 
     Cost: O(m) for each dart.
     """
@@ -231,16 +241,23 @@ SheetPermutation: TypeAlias = tuple[int, ...]
 """A permutation of the sheets ``0..k-1``."""
 
 _Kind: TypeAlias = Callable[[Sequence[SheetPermutation]], Iterator[SheetPermutation]]
-"""A function for one kind of choice: it makes the options from those chosen for earlier kinds."""
+"""One of several choices that are made in turn: a function that returns the options of its choice.
+
+The argument of the function has the options that were chosen in the earlier choices.
+"""
 
 
 def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
-    """Yield the maps with this quotient, one for each way to permute the sheets.
+    """Yield the maps with this quotient, one for each way to connect the k sheets.
 
-    The quotient merges k darts into each class.  Dart ``q * k + i`` of a map lies over class q, in
-    sheet i.  Sigma changes the sheet only at the last class of a vertex of the quotient, alpha only
-    at edges outside a spanning tree.  The same marked map comes up to k times: once for each orbit
-    of its automorphisms on the darts over class 0.
+    The quotient merges k darts of a map into each class; dart ``q * k + i`` of a map is the dart of
+    class q in sheet i.  To connect the sheets means to choose a permutation of the sheets at each
+    place where sigma or alpha can lead to another sheet.  Sigma can do so only at the last class of
+    a vertex of the quotient, alpha only at semi-edges and at edges outside a spanning tree.  At the
+    first vertex, v0, the permutation is always the same cycle.
+
+    Several of these maps can be isomorphic, with v0 taken to v0.  A map whose v0 is fixed by ``a``
+    automorphisms is yielded k / ``a`` times.
 
     Cost: O(m) a map, and O(m) memory.
     """
@@ -287,7 +304,7 @@ def _permute(map_: list[Dart], k: int, q: int, to: int, moved: Sequence[int]) ->
 
 
 def uniform_permutations(k: int, b: int) -> Iterator[SheetPermutation]:
-    """The permutations of ``0..k-1`` whose cycles all have length b; none if b does not divide k.
+    """Yield the permutations of ``0..k-1`` with cycles of length b only; none if b is no divisor.
 
     Cost: O(k) for each permutation at most.
     """
@@ -313,8 +330,8 @@ def uniform_permutations(k: int, b: int) -> Iterator[SheetPermutation]:
 def _choices(kinds: Sequence[_Kind]) -> Iterator[tuple[tuple[int, ...], ...]]:
     """Yield every combination with one option of each kind, in lexicographic order.
 
-    A kind is a function: it gets the options chosen for the earlier kinds, and returns its own
-    options.
+    A kind stands for one choice: it is a function that gets the options chosen for the earlier
+    kinds, and returns its own options.
 
     ``itertools.product`` would store all options, and a recursion could not go through thousands of
     kinds; this function can, and stores no options.
@@ -365,7 +382,8 @@ class AmbiguityClass(Report):
 
     All worlds that no motion tells from a given world. The given world comes first, the other ones
     are sorted by their codes. All are in canonical numbering, and each starts at a dart that looks
-    like the start of the given world. Poses that an automorphism takes to each other count once.
+    like the start of the given world. A pose is a world of the class with a dart where the robot
+    can be; two darts count as one pose if an automorphism of the world takes one to the other.
     """
 
     world: Annotated[World, doc.about("as it was understood")]
@@ -384,7 +402,7 @@ class AmbiguityClass(Report):
 
     @doc.computed
     def ambiguous(self) -> bool:
-        """Whether another world looks the same to a robot."""
+        """Whether the ambiguity class has another world than the given one."""
         return self.size > 1
 
     @doc.computed
@@ -418,15 +436,16 @@ def projection_of(world: World) -> Projection:
 
 @answers(ClassRequest)
 def class_of(request: ClassRequest) -> AmbiguityClass:
-    """Find the complete ambiguity class of a world with a position or a directional lighthouse.
+    """Find the complete ambiguity class of a world: all worlds that no motion tells from it.
 
-    Under a directional lighthouse the world is the only member.  Only members that belong to the
-    class of maps count.
+    The lighthouse must be ``position`` or ``directional``; under ``directional`` the world is the
+    only member.  Only members whose maps belong to the class of maps in the request count.
 
     Raises:
-        InputError: for another lighthouse, under which a class can be infinite; for a world outside
-            the class of maps; for a limit below 1.  Also for a limit that is smaller than the
-            ambiguity class, if the class of maps is not ``maps``: then all members must be made.
+        InputError: for another lighthouse, under which an ambiguity class can be infinite; for a
+            world whose map is outside the class of maps; for a limit below 1.  Also if there are
+            more members than the limit, and the class of maps is not ``maps``: to find out which
+            members belong to such a class, all members must be made.
 
     Cost: O(k m) for each of at most k * ``limit`` maps with the quotient; k is the number of
     sheets.
@@ -518,8 +537,8 @@ def _check_complete(quotient: Quotient, found: dict[Code, LeastRooting], own: Le
 def _poses(quotient: Quotient, found: dict[Code, LeastRooting]) -> int:
     """The number of poses: pairs of a world of the class and a dart in it, up to isomorphism.
 
-    It is the sum of k / |Aut(world, v0)| over the worlds of the class (the mass formula); k is the
-    number of sheets, and Aut(world, v0) are the automorphisms that fix v0.
+    This number is the sum of k / |Aut(world, v0)| over the worlds of the class (the mass formula);
+    k is the number of sheets, and Aut(world, v0) are the automorphisms that fix v0.
     """
     return sum(quotient.sheets // rooting.times for rooting in found.values())
 

@@ -1,11 +1,16 @@
 """Checkers of the proofs, written by a solver, that a formula has no model.
 
-They share no code with the modules that make or solve formulas.  :func:`check_lrat` checks LRAT;
-:func:`lrat_of_drat` is a forward checker of DRAT by unit propagation, which returns LRAT.
-Every added clause must have the property RUP: if its literals are assumed false, unit
-propagation over the clauses so far ends in a conflict.  The clauses of this propagation become
-the hints of an LRAT line, so that the result can be checked again without any search.  Lines
-that need the property RAT are refused; the solver of this package writes no such lines.
+They share no code with the modules that make or solve formulas.  A proof adds clauses that follow
+from the formula, line by line, until it adds the empty clause.  DRAT and LRAT are two formats of
+proofs.  :func:`check_lrat` checks LRAT; :func:`lrat_of_drat` is a forward checker of DRAT by unit
+propagation, which returns LRAT.
+
+*Unit propagation*: as long as all literals of a clause but one are false, and this one is open, the
+open literal becomes true.  A *conflict* is a clause whose literals are all false.  Every added
+clause must have the property RUP: if its literals are assumed false, unit propagation over the
+clauses so far ends in a conflict.  The clauses of this propagation become the *hints* of an LRAT
+line, so that the result can be checked again without any search.  Lines that need the property RAT
+are refused; the solver of this package writes no such lines.
 """
 
 from collections.abc import Iterable, Sequence
@@ -87,12 +92,16 @@ def _derive(known: dict[int, Clause], number: int, clause: Clause, hints: list[i
 
 
 class RupChecker:
-    """A checker by unit propagation.
+    """A checker of the clauses that a DRAT proof adds and deletes, by unit propagation.
 
-    It holds the given and the derived clauses; two literals of each clause are watched.
+    The checker holds the clauses of the formula and the derived clauses, which it numbers.  The
+    *trail* is the list of the literals that are true, in the order in which they became true.  Two
+    literals of each clause are *watched*: propagation looks at a clause only when a watched literal
+    of the clause becomes false, so most clauses are skipped.
 
     Attributes:
-        lemmas: the literals and hints of each derived clause, by its number.
+        lemmas: the literals and hints of each derived clause, by its number.  Hints are the numbers
+            of the clauses that a propagation uses.
         empty: the number of the empty clause once it has been derived, else None.
     """
 
@@ -157,7 +166,10 @@ class RupChecker:
             self._watched[literal].append(number)
 
     def _settle(self, number: int) -> None:
-        """Derive, by unit propagation, the unit clauses that follow from clause ``number``."""
+        """Derive, by unit propagation, the unit clauses that follow from clause ``number``.
+
+        If propagation finds a conflict, the empty clause is derived.
+        """
         free = [literal for literal in self._clauses[number] if self._value[literal] >= 0]
         if len(free) > 1 or (free and self._value[free[0]] > 0):
             return
@@ -182,7 +194,7 @@ class RupChecker:
     def _hints(self, clause: Clause) -> list[int]:
         """The numbers of the clauses by which unit propagation refutes the negation of ``clause``.
 
-        They are in the order of the propagation.
+        The numbers are in the order in which the propagation uses the clauses.
 
         Raises:
             ProofRefused: if propagation finds no conflict.
@@ -235,9 +247,10 @@ class RupChecker:
         del self._trail[length:]
 
     def _propagate(self, head: int) -> int:
-        """Propagate the literals of the trail from index ``head`` on, and extend the trail.
+        """Make all literals true that follow by unit propagation; append them to the trail.
 
-        Return the number of a clause that has become false, or 0.
+        Before index ``head`` of the trail the consequences of every literal are known already.
+        Return the number of a clause that is a conflict, or 0 if propagation ends without one.
         """
         value, watched, clauses = self._value, self._watched, self._clauses
         trail, reason = self._trail, self._reason

@@ -105,7 +105,7 @@ SEARCHED: Mapping[str, Callable[[Sequence[combinatorial.Dart]], base.Lighthouse]
 
 For these kinds the formulas say which darts are reference darts.  For all other kinds the formulas
 say which letters are at the darts of v0; a letter is a mark that depends on the bearing.  There the
-start has bearing 0, since turning is free.
+start has bearing 0, since turning is free: the robot may as well start at any dart of v0.
 """
 
 LETTERS = (marked.Door.kind, marked.Word.kind)
@@ -175,7 +175,11 @@ class Question(Struct, frozen=True, dict=True):
 
     @property
     def sensing(self) -> base.Sensing:
-        """The vertices at which a marker is sensed, and whether the bearing is sensed, too."""
+        """The vertices at which a robot senses more than the degree, and whether bearings, too.
+
+        Letters are sensed at v0.  But if for some degree of v0 all letters are 0, v0 may look like
+        another vertex; then the result names no vertex.
+        """
         kind, shown = self.kind, all(map(any, self.words.values()))  # else v0 may look like others
         if shown and issubclass(kind, base.ReferenceLighthouse):
             return kind.sensing
@@ -188,11 +192,17 @@ class Question(Struct, frozen=True, dict=True):
 
     @cached_property
     def words(self) -> Mapping[int, tuple[int, ...]]:
-        """The letters of v0, for each degree of v0; empty for the kinds in :data:`SEARCHED`.
+        """The word of v0, by the degree of v0: the letters at the bearings 0, 1 and so on.
 
-        Letters are the marks that a robot senses at v0 at the bearings 0, 1 and so on.  They are
-        read from a star: a map in which every edge leads from the hub, here v0, to a vertex of
-        degree 1.  The lighthouse is at its first place.
+        A letter is the number of marks that a robot senses at a dart of v0.  There are no words for
+        the kinds in :data:`SEARCHED`, such as ``position``: their formulas speak of markers and
+        reference darts.
+
+        The word for degree d is read from a star: a map in which d edges lead from the hub, here
+        v0, to vertices of degree 1.  The lighthouse is at its first place in the star.  One place
+        in one map is enough: the letters depend on degree and bearing alone, so every other place
+        only turns the word.  For a user's lighthouse :func:`question_of` tries this out in small
+        maps.  A degree is missing if the lighthouse has no place in its star.
         """
         if self.lighthouse in SEARCHED:
             return {}
@@ -203,10 +213,13 @@ class Question(Struct, frozen=True, dict=True):
     def sizes(self) -> Iterator[Sizes]:
         """Yield the pairs of sizes to search, the smallest first.
 
-        If a vertex is marked, worlds that look alike have equally many edges, since all classes of
-        darts have the same size; then both sizes of a pair are equal.  Otherwise the pairs are
-        ordered by the larger number of edges, then by the smaller number.  Sizes that no world can
-        have, by simple counting, are left out.
+        If a marker shows v0, both sizes of a pair are equal, because two worlds that look alike
+        have equally many darts.  For they have the same quotient, and in each world all classes of
+        darts have the same size k.  All darts in the class of the start are at v0, so k is the
+        degree of v0 divided by the number of classes at v0: the same number for both worlds.
+
+        Otherwise the pairs are ordered by the larger number of edges, then by the smaller number.
+        Sizes that no world can have, by simple counting, are left out.
         """
         sizes = []
         for m in range(1, self.edges + 1):
@@ -252,16 +265,20 @@ class Question(Struct, frozen=True, dict=True):
 
 
 def letters_at(placed: base.Lighthouse, map_: combinatorial.CombinatorialMap) -> tuple[int, ...]:
-    """The marks that a robot senses at the darts of v0, anticlockwise from dart 0 on."""
+    """The marks that a robot senses at the darts of v0, at the bearings 0, 1 and so on.
+
+    Here the bearing of a dart is the number of darts clockwise from this dart to dart 0, which is a
+    dart of v0.  So the letters are those of dart 0, then of the dart before it, and so on.
+    """
     seen = placed.percepts(map_)
     return tuple(seen[map_.turn(0, -bearing)].marks for bearing in range(map_.degree_at[0]))
 
 
 def _ensure_at_v0(question: Question) -> None:
-    """Raise InputError if a robot senses more than degrees and the letters at v0.
+    """Raise InputError if a robot knows more than degrees and the letters at v0.
 
-    This is tried out: with every place of the lighthouse in all maps of at most ``TRIED_EDGES``
-    edges.
+    More would be marks elsewhere, a bearing, or a value that is told before the start.  The
+    lighthouse is tried at each of its places, in all maps with at most ``TRIED_EDGES`` edges.
     """
     most = min(question.edges, TRIED_EDGES)
     for map_ in (map_ for edges in range(1, most + 1) for map_ in rooted_maps(edges)):
@@ -323,7 +340,11 @@ def question_of(request: SearchRequest) -> Question:
 
 
 def _walk(request: SearchRequest) -> Iterator[Step]:
-    """The steps of the walk of a request."""
+    """Yield the steps of the walk that a request asks for: a motion, and the percept after it.
+
+    Raises:
+        InputError: naming the value that is no motion or no percept.
+    """
     motions, percepts = request.motions, request.percepts
     for name, values in (("motions", motions), ("percepts", percepts)):
         if not isinstance(values, Sequence) or isinstance(values, str):

@@ -1,6 +1,7 @@
 """Arrays for many worlds with equally many darts, and names of worlds that show which look alike.
 
-The first index of a matrix is a world, the second a dart.  Every world starts at dart 0.
+The first index of a matrix is a world, the second a dart.  Every world starts at dart 0.  Some
+lighthouses *tell* the robot a value before the start: ``natural``, for example, the degree of v1.
 """
 
 import json
@@ -40,9 +41,10 @@ class SensedWorlds(NamedTuple):
     """Worlds with equally many darts.
 
     Attributes:
-        sigma, alpha: the permutations.
-        sensed: for each dart the number of the percept there, which includes the degree.
-        told: for each world the value that the robot is told before the start, or None.
+        sigma, alpha: for each dart the dart to which sigma or alpha leads.
+        sensed: for each dart the number that stands for the percept there; see :func:`matrices`.
+        told: for each world the value that its lighthouse tells the robot before the start; None
+            for most lighthouses, which tell nothing.
         vertices: for each world the number of its vertices.
     """
 
@@ -58,7 +60,13 @@ class SensedWorlds(NamedTuple):
 
 
 def matrices(worlds: Sequence[LitMap]) -> SensedWorlds:
-    """The worlds as arrays, in which a percept is a number, the same in all worlds.
+    """The worlds as arrays, in which a number stands for each percept.
+
+    The number is made of the degree, the bearing and the marks.  So equal percepts have equal
+    numbers, also in different worlds, and different percepts have different numbers.
+
+    Args:
+        worlds: maps with equally many darts, each with a lighthouse at a place.
 
     Raises:
         InputError: for a percept with more marks than fit into its number.
@@ -84,9 +92,15 @@ def matrices(worlds: Sequence[LitMap]) -> SensedWorlds:
 
 
 def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
-    """The name by which compiled code knows a lighthouse; empty if Python makes the worlds.
+    """The name of the lighthouse with which compiled code makes the worlds of an extent.
 
-    All lighthouses that show letters at v0 have the name of the lighthouse ``Door``.
+    The name is empty if Python must make the worlds: if the compiled code does not know the
+    lighthouse, if the extent has a condition or given maps, if the largest maps have too few edges
+    to pay for compiling or more than the code can hold, or if the compiler is missing.
+
+    For some lighthouses compiled code makes the worlds of another one, whose name is returned, and
+    :func:`laid_out` changes the percepts: ``door`` stands for all lighthouses that show letters at
+    v0, and ``none`` for ``labels``.
     """
     name = Door.kind if issubclass(kind, SensedByBearing) else kind_of(kind)
     name = Nothing.kind if kind is Labels else name
@@ -97,10 +111,11 @@ def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
 
 @lru_cache(16)
 def _room(edges: int, thread: int) -> tuple[Any, ...]:  # noqa: ARG001  # each has its own
-    """Four arrays for the compiled code that makes worlds; each thread has its own arrays.
+    """The memory in which compiled code makes worlds: four arrays; each thread has its own.
 
-    They are for a job; for a robot, which does not move; for the worlds, with an entry for each
-    world; and for the darts, with an entry for each dart of each world.
+    The first array holds the state of the unit that is being done.  The second one holds the state
+    of an explorer, which the compiled code asks for, although no explorer runs here.  The third one
+    has an entry for each world, the fourth one an entry for each dart of each world.
     """
     from allworlds.engines.kernel import arrays
 
@@ -111,10 +126,10 @@ def _room(edges: int, thread: int) -> tuple[Any, ...]:  # noqa: ARG001  # each h
 def laid_out(
     unit: LevelUnit, extent: Extent, kind: type[Lighthouse]
 ) -> Iterator[tuple[int, SensedWorlds]]:
-    """Yield the worlds of a unit in batches; compiled code makes them.
+    """Yield the worlds of a unit, made by compiled code, in batches: (number of maps, worlds).
 
-    With each batch comes the number of its rooted maps.  Maps in which the lighthouse has no place
-    are counted, too.
+    The number is that of the batch's rooted maps.  Maps in which the lighthouse has no place are
+    counted, too.
     """
     import numpy as np
 
@@ -149,9 +164,11 @@ def laid_out(
 
 
 def _labelled(worlds: SensedWorlds, first: Matrix) -> SensedWorlds:
-    """The worlds with a label at each vertex: the vertex's number in canonical order.
+    """The worlds with the percepts of the lighthouse ``labels`` in place of the degrees alone.
 
-    ``first`` has for each dart the least dart of its vertex.
+    At each vertex the marks are the vertex's number in canonical order, from 1 on, and the bearing
+    is that of the vertex's first dart in canonical order.  ``first`` has for each dart the least
+    dart of its vertex.
     """
     import numpy as np
 
@@ -237,6 +254,7 @@ def rooted_codes(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> Iterator[by
 
     For each class, in the order of :func:`numbered`, the code has the numbers of the classes to
     which sigma and alpha lead, and the percept.  So equal codes mean isomorphic rooted quotients.
+    ``of`` has the class of each dart, ``roots`` the root of each world.
     """
     import numpy as np
 
@@ -249,7 +267,7 @@ def rooted_codes(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> Iterator[by
 
 
 def digest(code: bytes, told: Told = None) -> str:
-    """A digest of a code together with the value that the robot is told before the start."""
+    """A digest of a world's code and of the value that the robot is told before the start."""
     value = "" if told is None else told
     text = str(value) if isinstance(value, int | str) else json.dumps(value, sort_keys=True)
     return blake2b(text.encode() + b"\0" + code, digest_size=16).hexdigest()

@@ -159,9 +159,10 @@ class Sensor(Struct):
         worlds: the rooted maps, each with every place of the lighthouse.
         roots: for each world the number of its rooted map.
         places: for each world the number of its rooted map, and the place of the lighthouse.
-        looks: for each world a code of all that a robot can find out from its start.
+        looks: for each world a text; two texts are equal if and only if the worlds look alike.
         names: for each world a text that is equal for isomorphic worlds.
-        sensed: for each dart of each world the percept there, and the value that the robot is told.
+        sensed: for each dart of each world the percept there; if the lighthouse tells the robot a
+            value before the start, also this value.
     """
 
     kind: kinds.LighthouseKind
@@ -176,7 +177,7 @@ class Sensor(Struct):
         """Add worlds that are no smaller than the earlier ones.
 
         ``number`` has the number of each rooted map that was met so far under any of the sensors;
-        the new maps of these worlds are added to it.
+        new maps of these worlds are added to ``number``.
         """
         arrays = matrices(worlds)
         in_order = zip(worlds, named(arrays), arrays.sensed.tolist(), strict=True)
@@ -190,12 +191,14 @@ class Sensor(Struct):
             self.sensed += sensed if told is None else ((each, str(told)) for each in sensed)
 
     def row(self, edges: int, places: int) -> SensorRow:
-        """The row of the sensor.
+        """The row of the sensor in the table of the report.
 
         Args:
             edges: the number of edges of the largest maps.
-            places: the index, from 0 on, of the first sensor of the table whose lighthouse can
-                stand in the same places as the lighthouse of this sensor.
+            places: the value of the row's key ``places``.  Sensors with equal values have the same
+                places, and only such sensors are compared with each other.  The value is the index,
+                from 0 on, of the first row of the table whose lighthouse can stand at exactly the
+                places at which this lighthouse can stand.
         """
         first: dict[str, int] = {}
         fails, alike, roots = None, list[tuple[int, int]](), set[int]()
@@ -280,7 +283,8 @@ def sensors(*lighthouses: kinds.GivenLighthouse, **asked: Any) -> AmbiguitySenso
     Raises:
         InputError: naming the offending option and what would be legal.
 
-    Cost: that of a census for each sensor, and 300 bytes of memory for each world of a sensor.
+    Cost: that of :func:`allworlds.studies.ambiguity.census` for each sensor, and 300 bytes of
+    memory for each world of a sensor.
     """
     return compared(SensorsRequest(lighthouses=lighthouses, **asked))
 

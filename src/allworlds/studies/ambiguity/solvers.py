@@ -20,15 +20,16 @@ from allworlds.studies.ambiguity.clauses import dimacs, read_dimacs
 from allworlds.studies.ambiguity.formulas import ALIKE, DIFFERENT
 
 REQUIREMENTS = (DIFFERENT, ALIKE)
-"""Two sections of the formula of a search; only both together rule out a pair of worlds.
+"""Two sections of the formula of a search: the two worlds differ; the two worlds look alike.
 
-So a sound formula has a model if one of these sections is left out.
+A formula without a model says something about worlds only if both requirements are needed: there
+should be a model as soon as one of these sections is left out.
 """
 
 Status: TypeAlias = Literal["sat", "unsat", "unknown"]
 
 OLDEST = 2
-"""The first major version of CaDiCaL that writes LRAT."""
+"""The first major version of CaDiCaL that writes proofs as LRAT."""
 
 LONGEST_WAIT = 10**6
 """The most seconds of waiting for a solver.
@@ -99,9 +100,11 @@ def solve_with_python_sat(formula: Path, proof: Path, deadline: float | None) ->
 
 
 def solve_here(formula: str, proof: str) -> None:
-    """Solve the formula in a DIMACS file by python-sat; print the verdict in the format of solvers.
+    """Solve the formula in a DIMACS file by python-sat; print the answer as SAT solvers print it.
 
-    If the formula has no model, a DRAT proof is written to the file ``proof``.
+    The printed line is ``s SATISFIABLE``, followed by a line ``v ...`` with the literals that are
+    true in a model; or it is ``s UNSATISFIABLE``.  If the formula has no model, a DRAT proof is
+    written to the file ``proof``.
     """
     from pysat.formula import CNF
     from pysat.solvers import Cadical153
@@ -116,7 +119,7 @@ def solve_here(formula: str, proof: str) -> None:
 
 
 class ExternalSolver(Struct, frozen=True):
-    """A CaDiCaL of version 2 or later, which writes LRAT.
+    """A program that the user names: CaDiCaL, version 2 or later, which writes proofs as LRAT.
 
     Raises:
         InputError: if the file cannot be run, is another program, or an older version.
@@ -151,10 +154,12 @@ class ExternalSolver(Struct, frozen=True):
 def _solve_with_process(
     command: Sequence[str], formula: Path, proof: Path, deadline: float | None
 ) -> SolverAnswer:
-    """The verdict and the model that a solver prints; ``unknown`` after the deadline.
+    """The answer that a solver prints, with the model if there is one.
+
+    The answer is ``unknown`` after the deadline.
 
     Raises:
-        RuntimeError: if the solver prints no verdict.
+        RuntimeError: if the solver prints no answer.
     """
     left = _seconds_left(deadline)
     if left == 0:

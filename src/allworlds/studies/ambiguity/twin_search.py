@@ -217,7 +217,7 @@ def _only(darts: list[Dart]) -> Dart:
 def _fits(world: World, question: Question) -> bool:
     """Whether the world has the properties that the question of the search asks for.
 
-    These are class, size, degrees, and percepts on the walk.
+    These properties are class, size, degrees, and percepts on the walk.
     """
     map_, home = world.map, world.map.vertex_of[world.start]
     seen = sensed(world, [step.motion for step in question.walk])[1:]
@@ -336,10 +336,11 @@ class _TwinsSearch(Struct):
         return self._result("unsat", certificate=self.directory if complete else None)
 
     def _decide(self, sizes: Sizes) -> Searched:
-        """Solve the formula of two sizes.
+        """Solve the formula of two sizes; return the formula with the solver's answer.
 
-        If the two worlds of a solution are one map with two starts, this start is forbidden, and
-        the formula is solved again.
+        The two worlds of a solution may be one map with two starts: the second world is the first
+        one entered at another dart.  Such worlds are no twins.  Then clauses that forbid this dart
+        (:func:`formulas.forbid_other_start`) are added, and the formula is solved again.
         """
         began = monotonic()
         formula, pair = formulas.pair_formula(self.question, sizes)
@@ -386,7 +387,10 @@ class _TwinsSearch(Struct):
         return True
 
     def _fewer_vertices(self, sizes: Sizes, twins: Twins) -> Twins:
-        """Twins with the fewest vertices, among all twins that have as many edges as ``twins``."""
+        """Twins with the fewest vertices, among all twins that have as many edges as ``twins``.
+
+        If the time is over before, the twins with the fewest vertices so far.
+        """
         counts = [world.map.vertex_count for world in twins.pair]
         one, two = (doc.replace(size, most=n) for size, n in zip(sizes, counts, strict=True))
         less, less_too = (doc.replace(size, most=size.most - 1) for size in (one, two))
@@ -404,7 +408,7 @@ class _TwinsSearch(Struct):
         return twins
 
     def _found(self, twins: Twins, ending: Ending = COMPLETED) -> SearchResult:
-        """The result with a found pair; the pair and its bisimulation are written to a file."""
+        """The result ``sat`` with these twins, which are also written to the file ``pair.json``."""
         file = self.directory / "pair.json"
         file.write_text(json.dumps(twins.to_json()) + "\n", encoding="ascii")
         found = {"pair": twins.pair, "bisimulation": twins.bisimulation}
@@ -422,7 +426,10 @@ class _TwinsSearch(Struct):
         )
 
     def _some_world_exists(self) -> bool:
-        """Whether a world fits the bounds and the walk, decided by z3 on small formulas."""
+        """Whether a world fits the bounds and the walk, decided by z3 on small formulas.
+
+        The answer is also yes if z3 reaches the deadline without an answer.
+        """
         path = self.directory / "one-world.cnf"
         for sizes in self.question.sizes():
             if sizes.one == sizes.two:
@@ -451,9 +458,9 @@ class _TwinsSearch(Struct):
         return not missing
 
     def _write_proof(self, formula: Path) -> str:
-        """Write a checked LRAT proof for a formula.
+        """Write a checked LRAT proof for the formula in a file.
 
-        Return an empty text, or the reason why there is no proof.
+        Return the reason why there is no proof; an empty text if there is one.
         """
         if not python_sat_is_installed():
             return f"{INSTALL.format('proofs')}, or name a CaDiCaL 2 with --solver"
