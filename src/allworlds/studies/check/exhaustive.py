@@ -105,7 +105,11 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
 
     @override
     def levels(self) -> Iterable[units.SweptLevel]:
-        """The levels; small levels have further units, which test if one run affects another."""
+        """Yield the levels, with all their units.
+
+        For a user's explorer, a small level has one more unit, which tests whether one run of the
+        explorer changes a later run.
+        """
         for level in super().levels():
             across = units.across_level(self.scope.extent, level.edges, self.portion)
             subject = self.job.subject

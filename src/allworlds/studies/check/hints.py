@@ -1,7 +1,8 @@
 """Hints for a finding from more plays of its explorer.
 
-A hint is an option with which the explorer breaks no law, or the lines of the explorer's code that
-ran in the finding alone.
+There are two kinds of hints: options with which the explorer breaks no law; and lines of the
+explorer's code, those that ran at each step of the finding, and those that ran in the finding alone
+and in no *right* run, a run that breaks no law.
 
 Hints do not change the verdict.  An option is named only after runs in which it was tried.
 """
@@ -51,7 +52,10 @@ RIGHT = 200
 
 
 def hinted(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> Finding:
-    """The confirmed finding with hints: options with which no law is broken, and lines of code."""
+    """The confirmed finding with both kinds of hints.
+
+    For the lines of code, runs in the worlds of the scope with at most as many edges are compared.
+    """
     levels = (edges for edges in scope.extent.levels if edges <= finding.world.map.edge_count)
     others = (run for edges in levels for run in _runs(scope, edges))
     tried = tried_options(finding, subject, limits, scope)
@@ -112,7 +116,7 @@ def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Sco
 def _runs(scope: Scope, edges: int) -> Iterator[WorldAtPlace]:
     """Yield all worlds with this number of edges, each with the number of its lighthouse's place.
 
-    If the check is a shard, it has tried only a part of these worlds itself.
+    All worlds are yielded even if the check runs in a shard, a part of the worlds, alone.
     """
     for unit in units_of_level(scope.extent, edges):
         for run in numbered_runs(unit, scope.extent, scope.rules.kind):
@@ -130,17 +134,21 @@ Trace: TypeAlias = list[tuple[bool, UserLine]]
 def located(
     finding: Finding, subject: Subject, limits: Limits, others: Iterable[WorldAtPlace] = ()
 ) -> Finding:
-    """The finding with lines of its explorer's code.
+    """The finding, with its field ``code``: lines of the explorer's code.
 
-    The finding stays as it is if the explorer is not in Python, or does not repeat the run.
+    These are the line at each action and checkpoint; the lines that ran in the finding and in no
+    right run; and, in a run that exceeds the step budget, the lines that ran most at the end.
+
+    The finding stays as it is if the explorer is built in or not in Python, if it does not repeat
+    the run, and under the laws ``timeout`` and ``nondeterministic``.
 
     Args:
         finding: the finding.
         subject: the explorer.
         limits: the limits of the time for an answer, and of memory.
         others: further worlds, each with the number of its lighthouse's place.  The explorer is
-            also run in these worlds.  A line that also ran there, in a run that breaks no law, is
-            not named as a line that ran in this finding alone.
+            also run in the first :data:`RIGHT` of these worlds.  If such a run breaks no law, it is
+            a right run: the lines that ran in it did not run in the finding alone.
 
     Cost: that of the runs, each some ten times slower than a run whose lines are not traced.
     """

@@ -1,7 +1,9 @@
 """The request and the report of a check.
 
-A request can name files with an explorer and with code that judges.  The report has the verdict
-with its scope, the count gate, the witnesses, and the most expensive runs.
+A request can name files with an explorer and with code that judges.  *Rules* say how runs are
+played and judged: the lighthouse, the task, the laws, the bound, the policy of choices, the step
+budget.  *Limits* are those of time, memory and workers.  The report has the verdict with its scope,
+the count gate, the witnesses, and the most expensive runs.
 """
 
 from collections.abc import Iterator, Mapping
@@ -55,10 +57,13 @@ def shared_file(explorer: str, rules: Rules, where: Condition | None) -> str:
 
 
 class ManyWorlds(ListenerOptions, Limits, RuleOptions, selection.LighthouseOptions, ClassOptions):
-    """The part of a request that names a class of worlds, a lighthouse, rules and limits."""
+    """The part of a request that names a class of maps, a lighthouse, the rules and the limits."""
 
     def rules(self, subject: loading.Subject) -> Rules:
-        """The rules for the explorer, with its own lighthouse if the request names none.
+        """The rules by which the explorer's runs are played and judged.
+
+        The lighthouse is that of given worlds, or the one that the request names; if there is
+        neither, it is the explorer's default lighthouse.
 
         Raises:
             InputError: naming the offending option and what would be legal.
@@ -83,7 +88,7 @@ class CheckRequest(
     GivenOptions,
     ExtentOptions,
 ):
-    """Request of ``check``: an explorer, worlds, rules and limits."""
+    """Request of ``check``: an explorer, worlds, the rules of the runs, and limits of the job."""
 
     edges: Annotated[
         int | None,
@@ -319,7 +324,7 @@ class CheckReport(PortionReport):
 
     @doc.computed
     def verdict(self) -> Verdict:
-        """The verdict, which is about this scope alone."""
+        """The verdict, which is about the scope of this report alone."""
         return self.judged
 
     @doc.computed

@@ -66,8 +66,9 @@ class Confirmation(Struct, frozen=True):
     def settle(self, tally: tally.Tally, known: Callable[[Finding], bool] | None = None) -> bool:
         """Confirm the findings of a tally; return whether remarks have replaced some of them.
 
-        A crash or a time-out that a fresh process does not repeat refutes nothing: it becomes a
-        remark.  A finding for which ``known`` is true stays as it is.
+        A fresh process may not repeat a crash or a time-out.  If the machine may have caused it,
+        the finding becomes a remark, which refutes nothing; otherwise the finding becomes one of
+        the law ``nondeterministic``.  A finding for which ``known`` is true stays as it is.
         """
         kept, remarks = list[Finding](), list[str]()
         for found in tally.findings:
@@ -88,8 +89,11 @@ class Confirmation(Struct, frozen=True):
         """The finding that the function ``by`` makes from the finding ``found``.
 
         The new finding is recorded in the run directory under ``name``.  If it is recorded there
-        already, ``by`` is not called again.  The old finding ``found`` is returned in two cases: a
-        remark is recorded in place of a finding; or nothing is recorded, and the deadline is past.
+        already, the recorded finding is returned, and ``by`` is not called.
+
+        If the deadline is past and nothing is recorded, ``found`` itself is returned.  The same
+        holds if :meth:`settle` has recorded a remark for ``found``, since then there is no new
+        finding.
         """
         settled = self._recorded(name, found, by)
         return found if isinstance(settled, str) else settled
@@ -220,6 +224,9 @@ def rules_known(request: Any, record: Mapping[str, Any]) -> Rules:
 def record_of(subject: loading.Subject) -> dict[str, Any]:
     """The name, the keywords and the digest of an explorer, which identify it in run directories.
 
+    Keywords are those of ``choices``, ``told`` and ``notice`` that the explorer's function takes.
+    The digest is made from the explorer's code.
+
     Raises:
         InputError: if the explorer has no content that identifies it.
     """
@@ -231,9 +238,10 @@ def record_of(subject: loading.Subject) -> dict[str, Any]:
 
 
 def subject_of_record(record: Mapping[str, Any]) -> loading.Subject:
-    """An explorer that has a name and keywords, from a record, but no code.
+    """An explorer with the name and the keywords in a record, but without code, so it cannot run.
 
-    It is for jobs whose runs are all done.
+    A job whose runs are all done, such as a merge of shards, only names the explorer in its report.
+    ``record`` is made by :func:`record_of`.
     """
     return loading.Subject(record["name"], frozenset(record["keywords"]))
 
@@ -274,8 +282,9 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
     def retry_past(self, total: tally.Tally) -> outcome.Ending | None:
         """Try the user's earlier findings again; put those that are reproduced into ``total``.
 
-        At most as many are put there as the job keeps.  If there are that many, return the ending
-        of the job, else None.
+        ``total`` gets at most ``job.keep`` findings, the largest number that the job keeps.  If it
+        gets so many, return an ending, with which the job ends before it tries any world; otherwise
+        return None.
         """
         job = self.job
         if self.corpus is not None:
@@ -318,6 +327,6 @@ class TallySweep(sweep.Sweep[tally.Tally, Answer]):
 
     @property
     def confirmation(self) -> Confirmation:
-        """The confirmation of this sweep's findings."""
+        """The object that confirms this sweep's findings."""
         job = self.job
         return Confirmation(job.subject, job.limits, self.scope, self.deadline, self.kept)
