@@ -39,9 +39,9 @@ class CountRow(doc.Document, kw_only=True):
     """The numbers of maps with one number of edges.
 
     ``counted`` holds the numbers of rooted maps by vertices according to the independent source;
-    None without a source. ``cells`` has, for each number of vertices and genus, these two numbers
-    and then the numbers of rooted and of unrooted maps; the last is None if it is not known.
-    ``whole`` is false in a shard.
+    None without a source. An entry of ``cells`` is a number of vertices, a genus, and for these the
+    number of rooted maps and that of unrooted maps, or None if the latter is not known. ``whole``
+    is false in a shard.
     """
 
     edges: doc.Edges

@@ -3,8 +3,8 @@
 *One world*: a model is the code of the world (:mod:`allworlds.studies.ambiguity.one_world`).
 
 *Bisimulation*: a relation between the darts of two worlds that relates the two starts, is preserved
-by sigma and alpha, and relates only darts with equal percepts.  It exists exactly if no motion
-tells the worlds apart, because every motion is a product of sigmas and one alpha.
+by sigma and alpha, and relates only darts with equal percepts.  Such a relation exists exactly if
+no motion tells the worlds apart, because every motion is a product of sigmas and one alpha.
 
 *Different*: the canonical codes differ.  Two different codes may still be one map entered at two
 darts that look alike; :func:`forbid_other_start` excludes, dart by dart, that the second world is

@@ -107,8 +107,8 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
     def levels(self) -> Iterable[units.SweptLevel]:
         """Yield the levels, with all their units.
 
-        For a user's explorer, a small level has one more unit, which tests whether one run of the
-        explorer changes a later run.
+        For a user's explorer, small levels have one more unit (:func:`units.across_level`), which
+        tests whether one run of the explorer changes a later run.
         """
         for level in super().levels():
             across = units.across_level(self.scope.extent, level.edges, self.portion)

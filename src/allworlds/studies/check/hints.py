@@ -36,7 +36,10 @@ from allworlds.world.lighthouses.options import InvalidWorld
 from allworlds.world.world import World
 
 MOST = 4000
-"""The most runs of a trial; a level with which the trial would have more runs is not tried."""
+"""The most runs of a trial, the runs in which an option is tried.
+
+A level with which the trial would have more runs is not tried.
+"""
 
 SECONDS = 5.0
 """The most seconds of a trial; an option whose trial would take longer is not named."""
@@ -116,7 +119,7 @@ def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Sco
 def _runs(scope: Scope, edges: int) -> Iterator[WorldAtPlace]:
     """Yield all worlds with this number of edges, each with the number of its lighthouse's place.
 
-    All worlds are yielded even if the check runs in a shard, a part of the worlds, alone.
+    If the check is a shard, it tries only a part of the worlds; here all worlds are yielded.
     """
     for unit in units_of_level(scope.extent, edges):
         for run in numbered_runs(unit, scope.extent, scope.rules.kind):

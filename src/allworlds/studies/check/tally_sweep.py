@@ -66,9 +66,10 @@ class Confirmation(Struct, frozen=True):
     def settle(self, tally: tally.Tally, known: Callable[[Finding], bool] | None = None) -> bool:
         """Confirm the findings of a tally; return whether remarks have replaced some of them.
 
-        A fresh process may not repeat a crash or a time-out.  If the machine may have caused it,
-        the finding becomes a remark, which refutes nothing; otherwise the finding becomes one of
-        the law ``nondeterministic``.  A finding for which ``known`` is true stays as it is.
+        If a fresh process does not repeat a crash or a time-out, and the machine may be its cause,
+        the finding becomes a remark, which refutes nothing.  If the machine cannot be the cause,
+        the finding becomes one of the law ``nondeterministic``.  A finding for which ``known`` is
+        true stays as it is.
         """
         kept, remarks = list[Finding](), list[str]()
         for found in tally.findings:

@@ -292,8 +292,8 @@ def row_of(
         edges: the number of edges.
         vertices: the number of vertices.
         names: the names of the explorers.
-        maps: a list for each rooted map.  For each explorer it has the costs in this map, by the
-            number of the place of the explorer's lighthouse.
+        maps: a list for each rooted map.  This list has, for each explorer, the costs in the map by
+            the number of the place of the explorer's lighthouse.
     """
     by_explorer = dict(zip(names, zip(*maps, strict=True), strict=True))
     means = {name: [_mean(costs) for costs in found] for name, found in by_explorer.items()}

@@ -48,8 +48,8 @@ def _families(given: object) -> tuple[str, ...] | None:
 class ContestWorldsOptions(selection.WhereOptions, GivenOptions, classes.ExtentOptions):
     """The part of a request that names the worlds in which explorers are compared.
 
-    With ``to`` these are some worlds of each size of growing families; otherwise all worlds of a
-    class, or given worlds, or one world of a family.
+    With ``to`` the worlds are some of each size of growing families; otherwise they are all worlds
+    of a class, or given worlds, or one world of a family.
     """
 
     family: Annotated[

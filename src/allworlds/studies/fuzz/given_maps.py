@@ -1,4 +1,8 @@
-"""Runs in given maps, and the smallest finding that the shrinker reaches from them."""
+"""Runs in given maps, and the smallest finding that shrinking reaches from these maps.
+
+*Shrinking* replaces the world of a finding by smaller worlds in which the explorer breaks a law,
+too (:mod:`allworlds.studies.fuzz.shrinking`).
+"""
 
 from collections.abc import Iterable
 
