@@ -78,7 +78,10 @@ else:
 
 @_shown.register
 def _writers() -> _shown.Writers:
-    """The functions that write reports and pictures; they are loaded when the first is shown."""
+    """Load and return the functions that write reports and pictures.
+
+    This function is called only when the first report or picture is shown.
+    """
     from allworlds.reports.notebook import WRITERS
 
     return WRITERS

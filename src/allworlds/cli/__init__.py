@@ -1,4 +1,7 @@
-"""The command line: it reads options, and prints text or JSON; other packages decide."""
+"""The command line, which reads options and prints text or JSON.
+
+Other packages compute the results.
+"""
 
 import atexit
 import gc
@@ -14,7 +17,8 @@ __all__ = ["main"]
 def main() -> NoReturn:
     """Run a verb and end the process with its exit code.
 
-    All other modules are loaded here, so that even an early interrupt is answered in one line.
+    All other modules are loaded inside this function.  So the user who interrupts the command while
+    modules are loaded also sees one line, and no traceback.
     """
     gc.set_threshold(10_000)  # much is made that stays, and nearly nothing in circles
     try:
@@ -34,7 +38,10 @@ def main() -> NoReturn:
 
 
 def _interrupt(*_: object) -> NoReturn:
-    """Interrupt the command."""
+    """Raise KeyboardInterrupt, after dropping further output to terminals that were closed.
+
+    This function is the handler of the signals that interrupt the command.
+    """
     drop_closed_terminals()
     raise KeyboardInterrupt
 
@@ -49,9 +56,13 @@ def drop_closed_terminals() -> None:
 
 
 def _interrupt_again(dropped: Any) -> None:
-    """Interrupt the command again, soon, if Python has dropped an interrupt.
+    """Handle an exception that Python has dropped because it was raised in a finalizer.
 
-    Python drops an exception that is raised in a finalizer.
+    If the exception is an interrupt, the command is interrupted again after 0.01 seconds; any other
+    exception is printed, as Python does by default.
+
+    Args:
+        dropped: the data that Python gives to ``sys.unraisablehook``.
     """
     if issubclass(dropped.exc_type, KeyboardInterrupt):
         signal.signal(signal.SIGALRM, _interrupt)

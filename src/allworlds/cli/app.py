@@ -67,17 +67,18 @@ class _Group(_Verb, click.RichGroup):  # type: ignore[misc]  # as rich-click's o
         super().__init__(name, group, help=help_, **settings)
 
     def list_commands(self, ctx: click.Context) -> list[str]:  # noqa: ARG002  # they are always all
-        """The names of the verbs, in the order of their table."""
+        """The names of the verbs, in the order in which they were added, not alphabetically."""
         return [*self.commands]
 
 
 @cache
 def command_line(first: str | None = None) -> click.RichGroup:
-    """The command, of the library click, that holds all verbs, such as ``check``.
+    """The command ``allworlds``, an object of the library click that holds all verbs.
 
     Args:
-        first: the first word after ``allworlds``.  Only the verb or the group with this name gets
-            its options, since making options takes long.  None: every verb gets its options.
+        first: the first word after ``allworlds``.  Only the verb with this name, or the verbs of
+            the group with this name, get their options, since making options takes long.  None:
+            every verb gets its options.
     """
     version = printing(["--version"], "Print the version and exit.", lambda _: __version__)
     root = _Group("allworlds", ROOT, params=[version])
@@ -92,15 +93,20 @@ def command_line(first: str | None = None) -> click.RichGroup:
 
 
 def _listed(verb: Verb, **settings: Any) -> _Verb:
-    """The command of click for a verb; ``settings`` may have its options."""
+    """The click command of a verb.
+
+    ``settings`` are further arguments of the click command, such as its options.  Without them the
+    command has no options; its name and summary are enough for a list of all verbs.
+    """
     return _Verb(verb.name.rpartition(" ")[2], verb, **settings)
 
 
 def _command(verb: Verb) -> _Verb:
-    """The command of click for a verb, with an option for each field of the verb's requests.
+    """The click command of a verb, with all its options and the function that runs the verb.
 
-    Each parameter of the verb's function is a part of the request.  For the parameter ``output``,
-    the class :class:`OutputGroup` is replaced by the subclass for this verb.
+    Each parameter of that function takes one part of the verb's request, and each field of a part
+    is an option or an argument.  The class of the part ``output`` is the subclass of
+    :class:`OutputGroup` for this verb.
     """
     function, parts, help_ = _function_of(verb)
     parts["output"] = output_of(verb.name)
@@ -117,10 +123,11 @@ def _command(verb: Verb) -> _Verb:
 
 
 def _function_of(verb: Verb) -> tuple[Callable[..., int], dict[str, Any], str]:
-    """The function of a verb on the command line, the parts of its request, and its help.
+    """The function that runs a verb, the classes of its parameters by their names, and its help.
 
-    Most verbs only answer a request and write the answer: these verbs share one function.  A verb
-    that does more has its own function.
+    The class of a parameter is a part of the verb's request.  Most verbs only answer a request and
+    write the answer; for these verbs the function is :func:`respond`.  A verb that does more has a
+    function of its own in this package, whose docstring is the help.
     """
     if verb.help:
         answers = resolve_name(verb.path)
@@ -154,8 +161,11 @@ def main() -> NoReturn:
 def call(arguments: list[str]) -> int:
     """Run a verb in this process and return its exit code; no exception leaves this function.
 
-    The verb notes facts about its command, such as the options that a file sets.  These notes are
-    dropped when the verb ends.
+    While the verb runs, facts about its command are kept in context variables, such as the options
+    that a file sets.  These facts are dropped when the verb ends.
+
+    Args:
+        arguments: the words of the command, without the program's name.
     """
     return copy_context().run(_called, arguments)
 

@@ -10,7 +10,7 @@ from allworlds.studies.check.report import CheckRequest
 
 
 class CheckWords(Request):
-    """Words that the command line has alone."""
+    """The options of ``check`` on the command line that :func:`allworlds.check` does not have."""
 
     estimate: Annotated[
         bool, Option(EFFORT, "", "Only estimate the duration, from a sample of some seconds.")

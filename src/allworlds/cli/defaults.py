@@ -1,7 +1,8 @@
-"""Defaults of options from a user's file, and the origin of a document.
+"""Defaults of options from a user's file, and the key ``made_by`` of documents.
 
 The file is ``allworlds.toml``, or the table ``[tool.allworlds]`` in a project's ``pyproject.toml``.
-The origin has all that may differ between two documents of one command: version, host, time, speed.
+The key ``made_by`` of a document has all that may differ if the same command is given again:
+version, host, time, speed.
 """
 
 import tomllib
@@ -40,14 +41,19 @@ class Defaults:
     used: dict[str, Any] = field(default_factory=dict)
 
     def map_for(self, root: Any, words: list[str]) -> dict[str, Any]:
-        """The defaults of the verb that the words name, in the form that click expects.
+        """The defaults of the verb that the words name, as click's ``default_map``.
+
+        The result is empty if the file gives no defaults.
 
         Args:
-            root: the command line.  If there are defaults, every verb in it has its options.
-            words: the words of the command.
+            root: the click command ``allworlds``, made by ``command_line``.  If the file gives any
+                defaults, ``root`` must have the options of all verbs, because the keys of the file
+                are compared with these options.
+            words: the words of the command, without the program's name.
 
         Raises:
-            InputError: naming a key that is no option of a verb, or an illegal value.
+            InputError: naming a key that is no option of a verb, an unknown verb, or an illegal
+                value.
         """
         if not self.options:
             return {}
@@ -83,10 +89,11 @@ class Defaults:
 def defaults_here() -> Defaults:
     """The defaults of the nearest file: in the current directory, or else in one above it.
 
-    In each directory ``allworlds.toml`` is tried before ``pyproject.toml``.
+    In each directory ``allworlds.toml`` is tried before ``pyproject.toml``.  If no directory has
+    such a file, the result has no defaults.
 
     Raises:
-        InputError: naming a file that is no TOML.
+        InputError: naming a file that is not TOML.
     """
     try:
         here = Path.cwd()
@@ -106,6 +113,14 @@ def _table(file: str, text: str, name: str) -> dict[str, Any] | None:
     """The entries of the table ``name`` in a TOML text; None if the text has no such table.
 
     An entry that has a verb's name is a table with the defaults for this verb alone.
+
+    Args:
+        file: the name of the file, for the error.
+        text: the text of the file.
+        name: the name of the table, such as ``tool.allworlds``; empty for the whole text.
+
+    Raises:
+        InputError: if the text is not TOML.
     """
     try:
         found: Any = tomllib.loads(text)
@@ -132,14 +147,17 @@ def _flat(table: Mapping[str, Any], group: str = "") -> Iterator[tuple[str, Any]
 
 
 def _command(root: Any, name: str) -> Any:
-    """The command of a verb; its name may have two words."""
+    """The click command of the verb ``name``, such as ``check`` or ``ambiguity twins``.
+
+    ``root`` is the click command ``allworlds``, which holds all verbs.
+    """
     return reduce(lambda home, word: home.commands[word], name.split(), root)
 
 
 def _options(command: Any) -> dict[str, Any]:
-    """The parameters of a command, by the names that a file uses.
+    """The options and arguments of a click command, by the names that a user's file has for them.
 
-    These are the names of the options, without dashes.
+    Such a name is the longest name of the option, in small letters and without dashes before it.
     """
     return {
         max(param.opts, key=len).lstrip("-").lower(): param
@@ -181,7 +199,7 @@ def _text(key: str, value: object) -> str:
 
 @dataclass(frozen=True, slots=True)
 class _BegunCommand:
-    """A command line, its defaults, and the time when it was started."""
+    """The words of a command, its defaults, and the time of its start, as a date and on a clock."""
 
     command: tuple[str, ...]
     defaults: Defaults
@@ -207,17 +225,23 @@ def words_of_command() -> tuple[str, ...]:
 
 
 def defaults_used() -> dict[str, dict[str, Any]]:
-    """The options that a file gave to the command, by the file's path; empty without options."""
+    """A dictionary from the path of the user's file to the defaults that the command took from it.
+
+    The dictionary is empty if the command took no defaults from a file.
+    """
     begun = _COMMAND.get(None)
     used = begun.defaults if begun else None
     return {used.file: used.used} if used and used.used else {}
 
 
 def made_by(report: Report, workers: int | None = None) -> MadeBy:
-    """The origin of the document that is written now for a report; it has measured times.
+    """The value of the key ``made_by`` in the document of a report.
+
+    The value names the version, the command and the machine.  It also has the seconds from the
+    beginning of the command until now, and those of the parts of the job.
 
     Args:
-        report: the report; it may know the durations of its parts.
+        report: the report, which knows the seconds of the parts.
         workers: the number of processes or threads; None for a verb without workers.
     """
     parts: dict[str, Any] = {

@@ -32,7 +32,8 @@ Answer = TypeVar("Answer", bound=outcome.Result)
 NARROWEST = 40
 
 LONGEST, KEPT_END, CUT = 300, 120, " [...] "
-"""For a line on stderr: its most characters, those kept of its end, and the sign for the rest."""
+"""The largest number of characters of a line on stderr.  If the line is longer: the number of
+characters that are kept at its end, and the text in place of the characters that are left out."""
 
 
 @dataclass(frozen=True)
@@ -65,13 +66,16 @@ class OutputGroup:
 
     @cached_property
     def named(self) -> list[tuple[str, str]]:
-        """For each file that the user named, its format and its path."""
+        """A list with the format and the path of each file that the user has named by ``-o``."""
         return [formats.form_and_path(self.verb, name) for name in self.files or ()]
 
 
 @cache
 def output_of(verb: str) -> type[OutputGroup]:
-    """The class of the options for a verb's output; their help names the files it can write."""
+    """The subclass of :class:`OutputGroup` for a verb.
+
+    The help of its option ``-o`` names the kinds of files that the verb can write.
+    """
     help_ = f"Also write this file; its ending says what: {formats.legal_files(verb)}. Repeatable."
     asked = Annotated[list[str] | None, Option(OUTPUT, "FILE", help_, short="o", repeated=True)]
     options: list[tuple[str, Any, Any]] = [("files", asked, field(default=None))]
@@ -104,9 +108,16 @@ def _files_in(word: str) -> set[str]:
 
 
 def _write_files(result: Report, output: OutputGroup, document: Callable[[], str]) -> None:
-    """Write the result into each file that the user named, and where a CI service expects it.
+    """Write the result into each file that the user has named.
 
-    If a file cannot be written, a line on stderr says so; the verdict is not lost.
+    A result with findings is also written in the forms that a CI service reads, if environment
+    variables say that the service does so.  If a file cannot be written, a line on stderr says so;
+    the verdict is not lost.
+
+    Args:
+        result: the result.
+        output: the options for the output, which name the files.
+        document: the function that returns the text of the result's JSON document.
     """
     for form, path in output.named:
         made = document() if form == "json" else formats.file_of(form, result)
@@ -125,7 +136,7 @@ def _write_files(result: Report, output: OutputGroup, document: Callable[[], str
 
 
 def write_file(path: str, content: bytes) -> None:
-    """Write a file; before the work began, a test found that it can be written.
+    """Write a file that :func:`ensure_writable` has found to be writable before the work began.
 
     If the file cannot be written any more, for example on a full disk, a line on stderr says so;
     the report and its verdict are not lost.
@@ -241,7 +252,14 @@ def emit(result: Report, output: OutputGroup, workers: int | None = None) -> int
 
 
 def say(text: Callable[[], str]) -> None:
-    """Print a text on which no verdict depends; a reader may close the pipe before the end."""
+    """Print a text on which no verdict depends, such as a help.
+
+    If the reader of stdout has gone (as in ``allworlds --help | head -1``), or if stdout is closed,
+    the rest of the text is dropped without an error.
+
+    Args:
+        text: the function that returns the text.
+    """
     try:
         print(text(), flush=True)
     except OSError as error:
@@ -251,7 +269,15 @@ def say(text: Callable[[], str]) -> None:
 
 
 def answered(function: Callable[..., Answer], request: Any, output: OutputGroup) -> Answer:
-    """Answer a request by a function of the package; show progress if the request names a listener.
+    """Call a function of the package with a request, and return the result of the function.
+
+    If the request has an option for a listener, a progress bar is shown on stderr, and prints of
+    the user's code go to stderr.
+
+    Args:
+        function: a function such as :func:`allworlds.check`.
+        request: the values of the function's arguments, as one object.
+        output: the options for the output.
 
     Raises:
         InputError: naming the option ``by``, if it is given and no file of CSV or Parquet is
@@ -269,7 +295,9 @@ def answered(function: Callable[..., Answer], request: Any, output: OutputGroup)
 
 
 def respond(function: Callable[..., Any], request: Any, output: OutputGroup) -> int:
-    """Answer a request by a function of the package, write the answer, and return the exit code.
+    """Call a function of the package with a request, write its result, and return the exit code.
+
+    The arguments are those of :func:`answered`.
 
     Raises:
         InputError: naming a corpus that cannot be written, or for the reason of :func:`answered`.
@@ -285,9 +313,9 @@ def respond(function: Callable[..., Any], request: Any, output: OutputGroup) -> 
 
 @contextmanager
 def stdout_on_stderr() -> Iterator[None]:
-    """Send to stderr all that the user's code prints to stdout.
+    """A context in which all that the user's code prints to stdout goes to stderr.
 
-    If the user's code starts programs, their output to stdout is sent to stderr, too.
+    The output of programs that the user's code starts goes to stderr, too.
     """
     printed, stdout = sys.stdout, os.dup(1)
     os.dup2(2, 1)
@@ -348,10 +376,16 @@ SILENCE = 10.0
 
 
 class Progress(Listener):
-    """A progress bar on stderr, with the exact total and the time left; only on a terminal.
+    """A listener that shows the progress of a job on stderr.
 
-    If no world is finished for long, a line on stderr tells of the run in progress.  The time until
-    the next such line is doubled each time.
+    On a terminal there is a bar for each stage of the job, with the exact total and the time left.
+    A *stage* is a level of worlds, or another part of a job that is counted by items, such as the
+    claims of a ledger.  If no item is finished for :data:`SILENCE` seconds, a line tells of the run
+    in progress; the time until the next such line is doubled each time.
+
+    Args:
+        quiet: whether neither the bar nor any line is shown.
+        clock: the function that returns the present time in seconds.
     """
 
     def __init__(self, *, quiet: bool, clock: Callable[[], float] = time.monotonic) -> None:
@@ -372,17 +406,26 @@ class Progress(Listener):
             self._bar.stop()
 
     def level(self, edges: int, worlds: int) -> None:
-        """Begin the bar of a level: of all worlds with ``edges`` edges."""
+        """Begin the bar of a level, which is all worlds with ``edges`` edges.
+
+        ``worlds`` is the number of these worlds; for a shard it is an estimate of its part of them.
+        """
         self.stage(f"edges {edges}", worlds, "worlds")
 
     def stage(self, name: str, total: int, of: str) -> None:
-        """Begin a stage, which has its own line and bar."""
+        """Begin the bar of a stage of the job, on a line of its own.
+
+        Args:
+            name: the text before the bar.
+            total: the number of items of the stage.
+            of: the word for these items, such as ``worlds`` or ``claims``.
+        """
         self._name, self._done, self._total, self._of = name, 0, total, of
         if self._bar:
             self._task = self._bar.add_task(name, total=total, of=of)
 
     def progress(self, count: int) -> None:
-        """Move the bar forward by ``count``."""
+        """Move the bar forward by ``count`` items that are done; back if ``count`` is negative."""
         self._done += count
         if count > 0:
             self._silent_since = self._clock()
@@ -390,7 +433,12 @@ class Progress(Listener):
             self._bar.advance(self._task, count)
 
     def walk(self, turns: int, budget: int) -> None:
-        """Print a line about the run in progress, if no world was finished for long."""
+        """Print a line about the run in progress, if no item of the stage was finished for long.
+
+        Args:
+            turns: the number of the explorer's turns in this run so far.
+            budget: the step budget of this run, in traversals.
+        """
         now = self._clock()
         if now - self._silent_since < self._patience:
             return
@@ -402,7 +450,7 @@ class Progress(Listener):
         )
 
     def notice(self, text: str) -> None:
-        """Print the message as a line on stderr."""
+        """Print the message as a line on stderr, unless the user has asked for ``--quiet``."""
         if not self._quiet:
             complain(text)
 
@@ -429,7 +477,10 @@ def _bar() -> Any:
 
 
 def ensure_directory(name: str | Path | None) -> None:
-    """Make the directory if it is missing.
+    """Make the directory of the user's corpus if it is missing.
+
+    Args:
+        name: the path of the directory; if it is None, there is no corpus, and nothing is done.
 
     Raises:
         InputError: if no file can be written in the directory.

@@ -66,7 +66,13 @@ def request_of(part: type, given: Mapping[str, Any]) -> Any:
 
 
 def _parameter(field: Field, *, rare: bool) -> click.Parameter:
-    """The option or the argument for a field; if ``rare`` is true, the help may hide the option."""
+    """The click option or argument for a field of a request.
+
+    Args:
+        field: the field.
+        rare: whether the verb has so many options that ``--help`` hides the rare ones, which are
+            the options with a panel of the class :class:`Rare`.
+    """
     asked: Any = field.asked
     names, help_ = [field.name], asked.help
     default = asked.default or field.default
@@ -93,24 +99,29 @@ def _parameter(field: Field, *, rare: bool) -> click.Parameter:
 
 
 def _complete(_context: object, _parameter: object, begun: str) -> list[CompletionItem]:
-    """Let a shell complete paths, since most values are files or free texts."""
+    """The reply to a shell that completes the word ``begun``: complete this word as a path.
+
+    Most values of options are paths or free texts.
+    """
     return [CompletionItem(begun, type="file")]
 
 
 @dataclass(frozen=True, slots=True)
 class Reader:
-    """A function that reads the texts that the command line gives for a field.
+    """A function that turns the texts given on the command line for a field into its value.
 
     Attributes:
-        asked: the form of the field on the command line.
+        asked: the description of the field's option, which says how a text is parsed, and whether
+            the option may be repeated.
     """
 
     asked: Option
 
     def __call__(self, _context: click.Context, parameter: click.Parameter, given: Any) -> Any:
-        """The value of the text that the command line gives.
+        """The value of the field; click calls this function with the given texts.
 
-        For an option that may be repeated it is a list of values; without a text it is None.
+        For an option that may be repeated the result is a list with the value of each text.  If no
+        text is given, the result is None.
 
         Raises:
             InputError: naming a text that is no legal value, or an option that is given twice.
@@ -133,7 +144,13 @@ def _read_one(asked: Option, name: str, text: str) -> Any:
 
 
 def printing(names: list[str], help_: str, text: Callable[[click.Context], str]) -> click.Option:
-    """An option for which a command only prints a text, and ends."""
+    """A click option such as ``--help``: if it is given, the command prints a text and ends.
+
+    Args:
+        names: the names of the option, with dashes.
+        help_: the description of the option in the help.
+        text: the function that returns the text for the context of a command.
+    """
 
     def act(context: click.Context, _option: click.Parameter, wanted: bool) -> None:
         if wanted and not context.resilient_parsing:

@@ -26,7 +26,11 @@ from allworlds.world.named import names_of_worlds, world_named
 
 
 class RunWords(ProgramWords):
-    """The explorer and its world, as the command line names them."""
+    """The part of the request of ``run`` that only the command line has.
+
+    These words name the explorer and its world, or are options for which the function
+    :func:`allworlds.run` has no argument.
+    """
 
     arguments: Annotated[
         list[str] | None,
@@ -68,8 +72,11 @@ class RunWords(ProgramWords):
     def request(self, asked: RunOptions) -> RunRequest:
         """The request for one run of the explorer in the world that the words name.
 
+        ``asked`` holds the other options of the run.
+
         Raises:
-            InputError: naming the words that have no meaning.
+            InputError: if the words do not name an explorer and a world, if pdb cannot stop in the
+                explorer, or if ``--step`` is given without ``--pdb``.
         """
         explorer, world = explorer_and_world(
             list(self.arguments or []),
@@ -132,15 +139,21 @@ def ensure_step(run: SingleRun, step: int) -> None:
 
 
 class _Stopping:
-    """A generator in which the debugger stops after ``left`` more percepts."""
+    """An explorer's generator with a debugger that stops in it.
+
+    Args:
+        walk: the generator of the explorer.
+        left: the number of percepts after which the debugger stops; 0 for a stop at the beginning.
+    """
 
     def __init__(self, walk: Generator[Any, Any, Any], left: int) -> None:
         self._walk, self._left, self.close = walk, left, walk.close
 
     def send(self, reply: Any) -> Any:
-        """Send a reply to the explorer, and return its next message.
+        """Send a reply to the explorer, and return the explorer's next message.
 
-        If the time has come, the debugger stops in the explorer.
+        The reply is a percept; it is None at the beginning, and after a checkpoint.  With the last
+        of the ``left`` percepts the debugger stops in the explorer.
         """
         self._left -= reply is not None
         if not self._left:
@@ -156,9 +169,10 @@ class _Stopping:
         return self._walk.send(reply)
 
     def _waiting(self) -> Iterator[FrameType]:
-        """Yield the user's generators that wait.
+        """Yield the frames of the user's generators that wait for the reply.
 
-        The first is the explorer; ``yield from`` leads from each of them to the next one.
+        The first frame is that of the explorer; each further one is that of the generator to which
+        the generator before has passed control by ``yield from``.
         """
         walk: Any = self._walk
         while frame := getattr(walk, "gi_frame", None):
@@ -197,7 +211,15 @@ def explorer_and_world(
 ) -> tuple[str | None, str | None]:
     """The EXPLORER and the WORLD among the words of ``run``; None for one that is not given.
 
-    With a family there is no WORLD.
+    Args:
+        words: the words of the command that are no options.
+        family: whether ``--family`` names the world; then the words must not name a WORLD.
+        program: whether ``--exec`` or ``--native`` names the explorer; then the words must not name
+            an EXPLORER.
+
+    Raises:
+        InputError: if there are too few or too many words, or if an explorer stands in the place of
+            the WORLD.
     """
     wanted = 0 if family else 1
     if not wanted <= len(words) <= wanted + (not program):
@@ -219,9 +241,10 @@ def explorer_and_world(
 def replay(request: ReplayRequest, *, output: OutputGroup) -> int:
     """Example: allworlds replay finding.json --explorer mended.py:explore
 
-    Run a recorded finding again.  Exit code 0: reproduced, 5: fixed, 3: a nondeterministic
-    explorer did the same each time.  The recorded explorer repeats the recorded choices as far as
-    they fit.
+    Run a recorded finding again.  Exit code 0: reproduced (a law is broken again), 5: fixed, 3: not
+    decided, because the explorer was recorded as nondeterministic, but was not so in any new run.
+    The recorded explorer takes the recorded choices again; where such a choice is no longer
+    possible, the policy chooses.
     """
     replayed = answer(allworlds.replay, request)
     if replayed.notice:
@@ -248,7 +271,16 @@ LEGAL = "a number, drop, pick, write K with a number K, or an empty line to end"
 
 
 def _asked(labels: bool, percept: Percept, refused: str) -> Drop | Move | Pick | Write | None:
-    """Read the next action from stdin; prompts go to stderr."""
+    """Ask the user for the robot's next action; return None if the user ends the walk.
+
+    The question goes to stderr, and the answer is read from stdin.  An empty line, or the end of
+    stdin, ends the walk.  The question is repeated until the answer is legal.
+
+    Args:
+        labels: whether the marks of a percept are the label of a room, and not markers.
+        percept: the percept at the robot's place.
+        refused: the reason why the last action was illegal; empty if it was legal.
+    """
     sensed = f"you sense: {percept.in_words(labels=labels)}"
     _say(f"that cannot be done: {refused}\n" if refused else f"{sensed}\n")
     while True:

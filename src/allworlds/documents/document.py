@@ -5,12 +5,12 @@ each field is annotated with its type and, by :func:`about`, with one line of me
 class yields the JSON (:meth:`Document.to_json`), the strict reading (``reading.parse``), the JSON
 Schemas and the reference of keys.
 
-With ``@with_options(Request)`` a class also has a key for each option of a request; the option
-defines the key's type and meaning.  A method with ``@computed`` is a key whose value follows from
-the fields.  This key comes after the fields; the method's annotation is the key's type, and the
-method's docstring is the key's meaning.
+With ``@with_options(Request)`` a class also has a key for each option of a request that says what
+is checked or how it is judged; the option defines the key's type and meaning.  A method with
+``@computed`` is a key whose value follows from the fields.  This key comes after the fields; the
+method's annotation is the key's type, and the first line of its docstring is the key's meaning.
 
-A type has three variants:
+The annotation of a field with a value of type T has three other forms:
 
 ``key: T | UnsetType = UNSET``
     the key may be missing in the object;
@@ -78,7 +78,9 @@ class ReadBy(NamedTuple):
 
 
 def read_by(kind: Any, read: Callable[[Any], Any] | None = None) -> Meta:
-    """The annotation for a field whose type msgspec cannot read; msgspec then sees the type Any.
+    """The annotation for a field with a type that msgspec cannot read.
+
+    The type of the field is then ``Annotated[Any, read_by(kind, read)]``, so msgspec sees Any.
 
     Args:
         kind: the field's true type.
@@ -90,11 +92,14 @@ def read_by(kind: Any, read: Callable[[Any], Any] | None = None) -> Meta:
 
 if TYPE_CHECKING:
     FromJson: TypeAlias = Annotated[T, "read by its from_json"]
-    """A field whose value is read from JSON by ``from_json`` of the field's class."""
+    """The type ``FromJson[T]`` of a field; ``T.from_json`` reads its value from JSON."""
 else:
 
     class FromJson:
-        """The annotation of a field that ``from_json`` of its class reads; msgspec sees Any."""
+        """The type ``FromJson[T]`` of a field whose value has the class T.
+
+        The function ``T.from_json`` reads the value from JSON; msgspec sees the type Any.
+        """
 
         def __class_getitem__(cls, kind: Any) -> Any:
             return Annotated[Any, read_by(kind, kind.from_json)]
@@ -142,7 +147,10 @@ WhichShard = Annotated[ShardText, about("`K/N`; `0/1` is the whole")]
 
 
 __all__ = ["key"]
-"""The name that this module exports again: msgspec's ``field``, which can set a name in JSON."""
+"""A name from msgspec that this module exports: the function ``field``, here named ``key``.
+
+A field that is made by ``key(name=...)`` has another name in JSON than in Python.
+"""
 
 NOTHING = (None, "", ())
 
@@ -158,9 +166,14 @@ class computed(cached_property[T]):  # noqa: N801  # as cached_property
 
 
 def with_options(*parts: type[Any]) -> Callable[[type[T]], type[T]]:
-    """Give a document a key for each option of these requests that belongs to the scope.
+    """Return a decorator that gives a class of documents a key for each option of the scope.
 
-    If the document itself defines a key of the same name, that key stays.
+    An option belongs to the scope if results depend on the option, and if the help shows the option
+    under "What is checked" or "How it is judged".  If the class itself defines a key of the same
+    name, that key stays.
+
+    Args:
+        parts: the requests that have the options.
     """
     from allworlds.inputs.requests import in_scope  # which players do not need
 
@@ -185,9 +198,9 @@ def with_options(*parts: type[Any]) -> Callable[[type[T]], type[T]]:
 
 
 def _default_of_key(one: Field) -> Any:
-    """The value that a key for an option has if a document lacks the key.
+    """The default value of the key for an option, for documents without this key.
 
-    The result is NODEFAULT if the key is required.
+    The result is NODEFAULT if documents must have the key.
     """
     if IF_ANY in getattr(_type_of_key(one), "__metadata__", ()):
         return None
@@ -195,7 +208,7 @@ def _default_of_key(one: Field) -> Any:
 
 
 def _type_of_key(one: Field) -> Any:
-    """The type of the key for an option in documents, annotated with the key's meaning."""
+    """The type of the key that documents have for an option, annotated with the key's meaning."""
     from allworlds.inputs.requests import Option  # which players do not need
 
     assert isinstance(one.asked, Option)
@@ -212,7 +225,7 @@ def _type_of_key(one: Field) -> Any:
 # Type checkers see every field given by its name; subclasses take over that they are frozen.
 @dataclass_transform(frozen_default=True, kw_only_default=True, field_specifiers=(key,))
 class Document(Struct, frozen=True, dict=True, forbid_unknown_fields=True):
-    """A JSON object that is written, or a part of one."""
+    """A result, or a part of a result, that is written as a JSON object."""
 
     def __post_init__(self) -> None:
         for name, kind in _read_by_itself(type(self)):
@@ -231,7 +244,7 @@ class Document(Struct, frozen=True, dict=True, forbid_unknown_fields=True):
 
 
 class WrittenByFields:
-    """A dataclass or struct whose fields are the keys of its JSON object."""
+    """The base of a dataclass or struct whose fields are the keys of its JSON object."""
 
     __slots__ = ()
 
@@ -309,7 +322,11 @@ def keys_of(kind: type[Document]) -> tuple[Key, ...]:
 
 
 def plain(value: Any) -> Any:
-    """The JSON value for a Python value; a value of an unknown class must have ``to_json``."""
+    """The JSON value for a Python value.
+
+    Enums, paths, mappings, sequences and integers are converted; a value of any other class must
+    have a method ``to_json``.
+    """
     if type(value) in _AS_IT_IS:  # nearly always
         return value
     match value:

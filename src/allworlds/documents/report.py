@@ -35,7 +35,8 @@ class Host(Document):
 class MadeBy(Document, kw_only=True):
     """Made by.
 
-    Who made a document, where, when and how fast: nothing else in it depends on that.
+    The program, the command and the machine that made a document, with the date and the seconds.
+    All other keys of the document are independent of the machine and of the time.
     """
 
     version: Annotated[Text, about("of this program")]
@@ -85,9 +86,17 @@ class Report(Paged, Document, kw_only=True):
 
     @property
     def seconds_by_part(self) -> dict[str, list[float]]:
-        """The seconds of each part of the job, by its key in ``made_by``; empty by default."""
+        """The seconds that each part of the job took, by the key of :class:`MadeBy` for them.
+
+        In a report of levels the key is ``level_seconds``, with a number for each level; in a
+        report of claims it is ``claim_seconds``, with a number for each claim.  By default the
+        dictionary is empty.
+        """
         return {}
 
     def records(self) -> list[dict[str, Any]]:
-        """The rows of ``-o FILE.csv`` as dictionaries by column, for ``pandas.DataFrame``."""
+        """The rows of the file that ``-o FILE.csv`` writes, each as a dictionary by column.
+
+        ``pandas.DataFrame`` takes such a list.
+        """
         return writers().records(self)

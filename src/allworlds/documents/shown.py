@@ -32,14 +32,17 @@ _registered = list[Callable[[], Writers]]()
 
 
 def register(load: Callable[[], Writers]) -> Callable[[], Writers]:
-    """Register the function that loads the writers; it replaces a function registered before."""
+    """Register the function that loads the writers, in place of an earlier one.
+
+    Return the same function, so that ``register`` can be used as a decorator.
+    """
     _registered.append(load)
     return load
 
 
 @cache
 def writers() -> Writers:
-    """The writers; the registered function loads them at the first call."""
+    """The writers, which the function registered last has loaded at the first call."""
     return _registered[-1]()
 
 
