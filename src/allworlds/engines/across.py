@@ -35,7 +35,8 @@ MOST_EARLIER = 4
 """The largest number of earlier runs that a finding names."""
 
 FEW = 3
-"""The largest number of runs with different logs for which a cause is searched: earlier runs."""
+"""The largest number of runs for which :meth:`Across.settle` searches earlier runs that change the
+run's log."""
 
 AtPlace: TypeAlias = tuple[CombinatorialMap, int]
 """A map, and the number of the lighthouse's place."""
@@ -56,7 +57,11 @@ class FirstLog(NamedTuple):
 
 
 def remember(batch: RunBatch, known: dict[AtPlace, FirstLog]) -> None:
-    """Add the logs of a batch to ``known``, in the order of the plays, if its worlds are small."""
+    """Add the runs of a batch to ``known``, with the logs of their first plays.
+
+    The runs are added in the order of the plays.  They are added only if their worlds have at most
+    :data:`ACROSS` edges, and if Python plays the runs, and not compiled code.
+    """
     unit, logs, broken = batch.work.unit, batch.logs[FIRST], {*batch.broken}
     small = isinstance(unit, LevelUnit | GivenUnit) and unit.edges <= ACROSS
     if small and batch.plain:  # a library draws the order
@@ -92,7 +97,7 @@ class Across:
     """The two plays, in opposite orders, of all runs in small worlds; see the text of this module.
 
     Args:
-        setup: the explorer.
+        setup: the explorer, with the limits of its players.
         judge: the judge of the explorer's runs.
         work: the unit (an :class:`AcrossUnit`), with the state of the work on it.
         seeds: the hash seeds of the two processes.
@@ -118,12 +123,12 @@ class Across:
         self.odd: list[tuple[int, Log]] = []
 
     def begin(self, known: Mapping[AtPlace, FirstLog]) -> None:
-        """Begin the plays, once the units that count these runs are done.
+        """Begin the plays of the runs of this unit, once the units that count these runs are done.
 
         Args:
-            known: logs by the map and the place of the run, in the order of the plays.  One process
-                has played these runs, and nothing else.  If they are all runs of this unit, their
-                logs serve as the first play.
+            known: logs of small runs, by the map and the place of the run, in the order in which
+                one process has played these runs, and no others.  If every run of this unit is
+                among them, their logs serve as the first play; else a new process makes it.
         """
         assert isinstance(self.work.unit, AcrossUnit)
         self.begun = True
@@ -162,7 +167,7 @@ class Across:
         return [play.player for play in self._plays if play.player]
 
     def hear(self, note: Callable[[Work, Lost], None]) -> bool:
-        """Hear the players; return whether all plays have ended.
+        """Read what the players have sent; return whether all plays have ended.
 
         Args:
             note: the function that is called for a loss that no fresh player repeats; after such a
@@ -184,7 +189,7 @@ class Across:
         return not self.players
 
     def close(self) -> None:
-        """End the players; if a play is not finished, no run is compared."""
+        """End the players; if a play is not finished, :meth:`settle` then compares no run."""
         for play in self._plays:
             play.end()
 
@@ -237,11 +242,13 @@ class Across:
     # ---------------------------------------------------------------- differences
 
     def settle(self) -> None:
-        """Find the smallest run whose log changes if other runs came before in the same process.
+        """Find the smallest run that shows a fault, and put its outcome into :attr:`found`.
 
-        A smaller run that breaks a law when it is played alone is also found.
-
-        The outcome of the run is put into :attr:`found`.
+        A run shows a fault in two cases: earlier runs in the same process change its log; or it
+        breaks a law, and has the same log if it is played alone.  The runs whose logs depend on the
+        order of the play, and those that break a law in the first play, are tried in ascending
+        order, at most :data:`FEW` of them.  If none of these runs shows a fault, :attr:`found`
+        stays empty.  If earlier runs are the cause, the outcome names them.
         """
         first, second = self._plays
         if not (first.logs and second.logs):

@@ -35,9 +35,14 @@ LogsByIndex: TypeAlias = dict[int, bytes] | Sequence[bytes]
 
 
 class Due(NamedTuple):
-    """A run to be played: its number in the unit, its place, its world, and its first choices.
+    """A run to be played.
 
-    The other choices follow from the policy, or from the schedules that are tried.
+    Attributes:
+        number: the number of the run in its unit.
+        place: the number of the lighthouse's place.
+        world: the world.
+        script: the index of the option to be taken at each of the first choices.  At later choices
+            the policy decides; if every schedule is tried, the first option is taken.
     """
 
     number: int
@@ -52,7 +57,7 @@ class Recorded(NamedTuple):
     Attributes:
         percepts: the percept at the start and after each action.
         world: the world; the player gets only some data of it, such as what its lighthouse tells.
-        script: the first choices.
+        script: the index of the option to be taken at each of the first choices.
         over: whether the task ended the run, because the robot had done all that the task demands.
     """
 
@@ -74,8 +79,8 @@ class Judged(NamedTuple):
     Attributes:
         log: the log of the run.
         outcome: the outcome of the run.
-        fits: whether the run made the choices of its script, and then always the first choice; True
-            unless every schedule is tried.
+        fits: whether the run took the options of its script, and the first option at each later
+            choice; always True unless every schedule is tried.
     """
 
     log: Log
@@ -144,7 +149,13 @@ class RunBatch:
         return len(self.runs)
 
     def take(self, which: int, indices: Indices, logs: Sequence[bytes]) -> None:
-        """Store the logs of these runs, which the player ``which`` has made."""
+        """Store logs that a player has made.
+
+        Args:
+            which: the number of the player, :data:`FIRST` or :data:`SECOND`.
+            indices: the indices of the runs in the batch.
+            logs: the log of each of these runs.
+        """
         if isinstance(logs, Logs) and len(logs) == len(self):
             self.logs[which] = logs
             return
@@ -154,7 +165,7 @@ class RunBatch:
         known.update(zip(indices, logs, strict=True))
 
     def unplayed(self, which: int, indices: Indices) -> list[int]:
-        """Those of the indices whose runs have no log of the player ``which`` yet."""
+        """Those of the given indices whose runs have no log yet of the player number ``which``."""
         known = self.logs[which]
         return [index for index in indices if index not in known] if isinstance(known, dict) else []
 
@@ -169,9 +180,10 @@ class RunBatch:
         return Recorded.of(self.due(index), self.outcome(index).outcome.episode)
 
     def follow_ups(self) -> list[Due]:
-        """The runs that have a further schedule, each with its next schedule.
+        """The runs to be played again, each with the script of its next schedule.
 
-        The list is empty unless every schedule is tried.
+        A run whose last schedule has been played is left out.  The list is empty unless every
+        schedule is tried.
         """
         if not self.by.every:
             return []
@@ -184,7 +196,8 @@ class Judge(Protocol):
     """A judge arranges the runs of a unit in batches, writes messages to players, and judges logs.
 
     Attributes:
-        counter: the counter of the runs, which also holds the scope.
+        counter: the object that lists the runs of a unit, and adds runs and their outcomes to a
+            tally; it also holds the scope.
         every: whether every schedule of each run is tried.
     """
 
@@ -194,7 +207,7 @@ class Judge(Protocol):
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[RunBatch]:
         """Yield the runs of a unit in batches.
 
-        ``size`` is a function that returns how many runs the next batch shall have, about.
+        ``size`` is a function that returns about how many runs the next batch shall have.
         """
 
     def judge(self, batch: RunBatch) -> bool:
@@ -204,10 +217,14 @@ class Judge(Protocol):
         """
 
     def judged(self, due: Due, log: bytes) -> Judged:
-        """Let the judge in Python judge one run by this log."""
+        """Return the judgement of one run by this log, which the judge in Python makes."""
 
     def worlds(self, batch: RunBatch, indices: Indices) -> Message:
         """The message that tells a player to play these runs in their worlds."""
 
     def percepts(self, batch: RunBatch, indices: Indices, order: Indices = ()) -> Message:
-        """The message that tells a player to play these runs by their percepts, without a world."""
+        """The message that tells a player to play these runs by their percepts, without a world.
+
+        ``order`` is the order of the play, as positions in ``indices``; if it is empty, the runs
+        are played in the order of ``indices``.
+        """

@@ -41,7 +41,14 @@ UNBOUNDED = 1 << 40
 
 @cache
 def level_of(explorer: str, rules: Rules, extent: classes.Extent, edges: int) -> arrays.Level:
-    """The data by which the kernel plays and judges a level: bounds, rules, step budgets."""
+    """The request to the kernel for a level: its size, the explorer, the rules, bounds and budgets.
+
+    Args:
+        explorer: the explorer's name; for a user's explorer the kernel only judges logs.
+        rules: the rules of the runs.
+        extent: the class of maps, and the bound on the vertices.
+        edges: the number of edges of the level.
+    """
     return arrays.Level(
         edges,
         extent.vertex_limit(edges),
@@ -78,9 +85,12 @@ def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
 
 
 def tally_of(sums: arrays.Sums, unit: LevelUnit, scope: Scope, tally: Tally) -> Tally:
-    """Add the kernel's counts to the empty tally, and return it.
+    """Add the kernel's counts of a unit to the empty tally, and return the tally.
 
-    The only events that are added are loops and parallel edges.  Findings are not added.
+    Of the events only loops and parallel edges are added.  Findings are not added.
+
+    Raises:
+        InputError: if the bound has no value in a world of the unit.
     """
     most_expensive = {
         n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in sums.most_expensive
@@ -186,7 +196,14 @@ def played_tally(scope: Scope, subject: Subject, unit: UnitOfRuns) -> Tally:
 
 
 def compare(kernels: Tally, sums: arrays.Sums, pythons: Tally, unit: LevelUnit) -> None:
-    """Raise EnginesDisagree unless both engines have equal counts in a unit."""
+    """Raise EnginesDisagree unless the kernel and the Python engine have equal counts in a unit.
+
+    Args:
+        kernels: the counts of the kernel.
+        sums: the results from which ``kernels`` was made; the error shows their broken runs.
+        pythons: the counts of the Python engine.
+        unit: the unit.
+    """
     if _counts_of(kernels) != _counts_of(pythons):
         raise EnginesDisagree(
             f"the kernel and the python engine count differently in the unit {unit.key}: "
@@ -195,7 +212,7 @@ def compare(kernels: Tally, sums: arrays.Sums, pythons: Tally, unit: LevelUnit) 
 
 
 def _counts_of(tally: Tally) -> object:
-    """All counts of a tally that must be equal in both engines."""
+    """The counts of a tally that must be equal in both engines, as a value to be compared."""
     sizes = sorted(tally.rows.items())
     most = [(size, row.most_expensive and row.most_expensive[:3]) for size, row in sizes]
     return [row for _, row in sizes], most, tally.left_out, tally.checkpoints, +tally.witnesses
@@ -209,14 +226,18 @@ def compared_to(scope: Scope) -> int:
 
 
 AGREED: set[object] = set()
-"""The comparisons that have already succeeded in this process.
+"""The comparisons of both engines that have already succeeded in this process.
 
-Each is named by the explorer, the rules, the extent, and whether maps are also walked once.
+An element of this set is a comparison: the explorer, the rules, the extent, and whether the kernel
+has also walked each map once for all bearings.
 """
 
 
 BATCH = 8
-"""The number of units that a thread gets at a time; with fewer, the transport takes more time."""
+"""The number of units that a thread gets at a time.
+
+The smaller this number is, the more time the exchange with the threads takes.
+"""
 
 SYMMETRY = (
     f"from m = {WALKED_FROM} on each rooted map is walked once, at bearing 0, and counted for "
@@ -226,7 +247,10 @@ SYMMETRY = (
 
 
 class CompiledEngine(Struct, frozen=True):
-    """The engine in which the kernel plays and judges every run of a unit, or walks each map once.
+    """The engine in which the kernel plays and judges every run of a unit of a built-in explorer.
+
+    In a level for which :func:`walks` is true, the kernel instead walks each map once, and counts
+    the walk for every bearing.
 
     Attributes:
         scope, subject, keep: the scope, the explorer, and the number of findings to be kept.
@@ -275,9 +299,13 @@ class CompiledEngine(Struct, frozen=True):
         yield tally
 
     def _blame(self, broken: arrays.BrokenRun, tally: Tally) -> None:
-        """Add the Python engine's findings of runs in which the kernel finds a broken law.
+        """Let the Python engine play again what the kernel has found to break a law.
 
-        ``broken`` is one run, or all runs of a map.
+        The findings of the Python engine are added to the tally.
+
+        Args:
+            broken: one run, or all runs of a map if its place is None.
+            tally: the tally of the unit.
 
         Raises:
             EnginesDisagree: if the Python engine finds that another law is broken, or that none is.

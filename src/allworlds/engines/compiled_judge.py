@@ -32,7 +32,7 @@ class CompiledBatch(RunBatch):
     The method :meth:`due` returns one of these runs as a Python object.
 
     Attributes:
-        laid: the number of the runs in the batch, and the numbers of these runs in the unit.
+        laid: a description of the batch: how many runs it has, and which runs of the unit they are.
         heads: for each run some numbers, such as its number, its place and its step budget.
         tables: for each run the table of its world, with a row of numbers for each dart.
     """
@@ -81,7 +81,7 @@ class CompiledJudge:
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[CompiledBatch]:
         """Yield the runs of a unit in batches.
 
-        ``size`` is a function that returns how many runs the next batch shall have, about.  If the
+        ``size`` is a function that returns about how many runs the next batch shall have.  If the
         explorer is a shared library, the batch is larger by the factor :data:`LIBRARIES`.
         """
         unit = work.unit
@@ -249,9 +249,12 @@ class CompiledJudge:
 def _entries(
     batch: CompiledBatch, indices: Indices, around: Iterable[bytes]
 ) -> list[tuple[Any, ...]]:
-    """The entries of a message, one for each run: its world or percepts, and its other data.
+    """The entries of a message to a player, one for each run, as in the Python judge's messages.
 
-    ``around`` holds the world or the percepts of each run, as bytes.
+    Args:
+        batch: the batch.
+        indices: the indices of the runs in the batch.
+        around: for each run its world or its percepts, as bytes.
     """
     said = batch.heads[[*indices]][:, [arrays.RUN_BUDGET, arrays.RUN_TOLD]].tolist()
     return [

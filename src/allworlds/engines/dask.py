@@ -145,7 +145,8 @@ class Dask:
     async def _watch(self) -> NoReturn:
         """Count the threads of the workers, and give up workers that are silent for too long.
 
-        A worker that hangs keeps its connection; so its silence is seen by its latest heartbeat.
+        A worker that hangs keeps its connection.  So a worker counts as silent if the scheduler has
+        received no heartbeat of it for :data:`SILENCE` seconds.
 
         Raises:
             ClusterLost: if the scheduler or all workers are silent for too long, or if the
@@ -186,9 +187,14 @@ class Dask:
 
 @lru_cache(8)
 def _unpacked(job: str, version: str, packed: bytes) -> tuple[Any, Any]:  # noqa: ARG001  # each its own
-    """The function that makes lanes on this worker, and the engine, both unpacked from bytes.
+    """A pair: the function that makes lanes on this worker, and the engine.
 
     All tasks of a level have the same bytes; so the pair is cached.
+
+    Args:
+        job: the name of the job, so that each job has a pair of its own.
+        version: the version of allworlds that has sent the task.
+        packed: the pair as bytes, with the function that says whether this worker can do the job.
 
     Raises:
         InputError: if the worker has another version, or cannot do the job.
@@ -224,6 +230,12 @@ _JOBS: dict[str, _Job] = {}
 
 def done(job: str, version: str, packed: bytes, batch: list[Any]) -> tuple[list[Any], float]:
     """Do some units on a worker; return their results, and the seconds that the work took.
+
+    Args:
+        job: the name of the job.
+        version: the version of allworlds that has sent the task.
+        packed: the function that makes lanes, and the engine, as bytes.
+        batch: the units.
 
     Raises:
         InputError: if this worker cannot do the job.
@@ -267,11 +279,10 @@ def end_job(job: str) -> None:
 
 @contextmanager
 def local_cluster(workers: int) -> Iterator[str]:
-    """A context with the address of a new cluster on this machine.
+    """A context with the address of a new cluster on this machine, with this number of workers.
 
-    At the end of the context the processes of the cluster are killed.
-
-    All processes of the cluster have one parent, so that they can be killed without asking them.
+    All processes of the cluster descend from one process.  So at the end of the context they are
+    found and killed, even if they no longer answer.
     """
     start = f"import sys; sys.path[:] = {sys.path}; from {__name__} import serve; serve({workers})"
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
@@ -299,7 +310,10 @@ def local_cluster(workers: int) -> Iterator[str]:
 
 
 def serve(workers: int) -> None:
-    """Print the address of a new cluster with these workers; end the cluster when stdin ends."""
+    """Start a cluster with this number of workers, and print its address; end it when stdin ends.
+
+    This is the program of the process that :func:`local_cluster` starts.
+    """
     from distributed import LocalCluster
 
     stdout = os.dup(1)

@@ -28,7 +28,7 @@ from allworlds.world.lighthouses import base, marked
 
 
 def _parts(engine: UnitEngine, unit: Any) -> Iterator[PartialResult]:
-    """The parts of a unit's result; the last part has ``last`` set."""
+    """Yield the parts of a unit's result; only the last part has ``last`` set."""
     parts = iter(engine.parts(unit))
     result = next(parts)
     for following in parts:
@@ -180,7 +180,7 @@ class Job(Struct, frozen=True):
 
 
 class ReadyEngine(Struct, frozen=True):
-    """An engine that is ready, and the transport that brings it the units of a study."""
+    """An engine that is ready for a job, and the transport that brings the job's units to it."""
 
     transport: Transport
     engine: Any  # of the kind that the transport takes; None if every unit is kept
@@ -285,9 +285,10 @@ class Compiled(EngineKind):
         return SYMMETRY
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:
-        """Return a clause about an option that this engine does not know, or a missing package.
+        """Return the reason why this engine cannot do a check; empty if the engine can do it.
 
-        The clause is empty if this engine can do the check.
+        The reason is a clause, about an option that the engine does not know, or about a missing
+        package.
         """
         if subject.from_user and not subject.importable and subject.native is None:
             return f"judges no explorer that lives in this process alone, as {show(subject.name)}"
@@ -363,9 +364,10 @@ def why_not_compiled(scope: Scope, subject: Subject, memory: int | None = None) 
 
 
 def _is_kept_out(subject: Subject, memory: int | None) -> bool:
-    """Whether a limit of memory forbids compiled code, which needs hundreds of MB of address space.
+    """Whether compiled code must not judge this explorer, because the user has limited the memory.
 
-    ``memory`` is this limit in MB; None without a limit.
+    Compiled code needs hundreds of MB of address space.  The result is true only for a user's
+    explorer in Python or behind a pipe.  ``memory`` is the limit in MB; None without a limit.
     """
     return memory is not None and subject.from_user and not subject.compiled
 

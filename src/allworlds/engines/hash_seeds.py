@@ -78,9 +78,14 @@ def explain(
 
 
 def by_seed(seeds: Seeds, first: Outcome, second: Outcome) -> Outcome | None:
-    """Of a run's outcomes under two hash seeds, the first that breaks a law, with its seed.
+    """The first of a run's two outcomes that breaks a law, with its hash seed added.
 
     Return None if neither outcome breaks a law.
+
+    Args:
+        seeds: the hash seeds of the two plays.
+        first: the outcome under the first of these seeds.
+        second: the outcome under the second of these seeds.
     """
     for seed, outcome in zip(seeds, (first, second), strict=True):
         if outcome.violation is not None:

@@ -1,8 +1,8 @@
 """The judge in Python, which knows every law, lighthouse and task.
 
-It puts the runs of a unit into batches, and walks each log anew in the true map.  The second player
-gets the percepts of this walk.  The judge imports lighthouses and tasks of users, but never an
-explorer.
+The judge puts the runs of a unit into batches, and walks each log anew in the true map.  The second
+player gets the percepts of this walk.  The judge imports lighthouses and tasks of users, but never
+an explorer.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -27,9 +27,11 @@ class PythonJudge:
     """The judge in Python, for the runs of one scope.
 
     Args:
-        counter: the counter of the runs, which also holds the scope.
+        counter: the object that lists the runs of a unit, and adds runs and their outcomes to a
+            tally; it also holds the scope.
         explorer: the explorer's name.
-        given: the choices of each run; None if the scope determines the choices.
+        given: for a single run, the index of the option to be taken at each of the first choices.
+            None for the runs of a check: the policy makes all choices, or every schedule is tried.
     """
 
     name = "python"
@@ -144,7 +146,16 @@ class PythonJudge:
         return self.message("record", content, order)
 
     def _entry(self, run: Due | Recorded, around: Any, *, over: bool = False) -> tuple[Any, ...]:
-        """The entry of a run in a message: its world or percepts, and its other data."""
+        """The entry of a run in a message to a player, a tuple of six values.
+
+        The values are ``around``; the value that the lighthouse tells before the start; ``over``;
+        the step budget; the name of the run, for a random policy; and the script.
+
+        Args:
+            run: the run.
+            around: the world or the percepts of the run, in the form that its player takes.
+            over: whether the task has ended the run, so that the player must end it, too.
+        """
         rules, world = self.rules, run.world
         told: Any = world.told
         if not (told is None or type(told) is int):  # marshal writes no other mapping
@@ -152,10 +163,14 @@ class PythonJudge:
         return around, told, over, rules.budget(world.map), name_run(rules, world), run.script
 
     def message(self, kind: str, content: Any, order: Sequence[int] = ()) -> Message:
-        """A message to a player, whose content has an entry for each run.
+        """A message to a player, which asks for plays of some runs.
 
-        ``order`` holds the positions of the entries in the order in which the runs are played; if
-        it is empty, the runs are played in the order of the entries.
+        Args:
+            kind: the form of the runs' surroundings: ``table`` for worlds as tables of numbers,
+                ``model`` for worlds as pickled objects, ``record`` for percepts.
+            content: the entries, one for each run.
+            order: the positions of the entries in the order in which the runs are played; if it is
+                empty, the runs are played in the order of the entries.
         """
         return {
             "kind": kind,
@@ -197,9 +212,10 @@ BACK = actions.Move(0)
 
 @lru_cache(1)
 def _vertex_by_vertex(map_: CombinatorialMap, start: Dart) -> dict[Dart, int]:
-    """All darts, vertex by vertex, each with the position of the first dart of its vertex.
+    """A dictionary from each dart to the position of the first dart of its vertex.
 
-    The first dart is ``start``.  The darts of each vertex are consecutive, and clockwise.
+    The order of the dictionary begins with the dart ``start``; in it the darts of each vertex are
+    consecutive, and clockwise.  A position is an index in this order.
     """
     first: dict[Dart, int] = {}
     for dart in (start, *map_.darts):

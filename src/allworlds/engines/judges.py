@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from allworlds.engines.compiled_judge import CompiledJudge
 
 SMALL = 3
-"""The largest m of the worlds of which both judges judge every log."""
+"""The largest number of edges of the worlds in which both judges judge every log."""
 
 
 class Judges:
@@ -20,7 +20,7 @@ class Judges:
 
     Args:
         python: the judge in Python.
-        random: the generator of seeds.
+        random: the generator of the seeds that :class:`CompiledJudge` needs.
         native: whether the explorer is a shared library.
         compiles: whether this is the one lane that starts the compiler.
     """
@@ -37,7 +37,11 @@ class Judges:
     def of(self, unit: units.UnitOfRuns) -> Judge:
         """The judge for a unit: the compiled judge, or the judge in Python.
 
-        The compiled judge is for levels with many worlds, once its code has been compiled.
+        The compiled judge judges units of levels with many worlds, once its code has been compiled.
+        Before the first such unit both judges are compared.
+
+        Raises:
+            EnginesDisagree: if the two judges count differently.
         """
         counter = self.python.counter
         least = counter.compiled_from
@@ -56,7 +60,10 @@ class Judges:
         return self._compiled or self.python
 
     def _is_compiled(self) -> bool:
-        """Whether the compiled code is kept on disk; if not, let another process compile it."""
+        """Whether the code of the compiled judge is kept on disk, and so can be loaded quickly.
+
+        If it is not, the lane that may start the compiler lets another process compile it.
+        """
         from allworlds.engines.compiled_engine import compile_apart, is_kept
 
         kept = is_kept()

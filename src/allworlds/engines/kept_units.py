@@ -1,9 +1,9 @@
 """The contents of a run directory: which job it belongs to, and results of units as JSON.
 
-The form of a result follows from the types of its fields.  A struct or a dataclass is kept by its
-fields.  A counter, or a dictionary whose keys are not texts, is kept as a list of pairs.  A type
-with a function ``from_json`` is kept in the form that this function reads.  msgspec determines the
-form of any other type.
+The JSON of a result follows from the types of its fields.  A struct or a dataclass becomes an
+object with its fields as keys.  A counter, or a dictionary whose keys are not texts, becomes a list
+of pairs.  A type with a function ``from_json`` is kept in the form that this function reads.
+msgspec determines the form of any other type.
 """
 
 import hashlib

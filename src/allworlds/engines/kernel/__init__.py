@@ -4,11 +4,11 @@ Each engine has a twin: readable Python code that gives the same answers, but is
 two share no code; their answers are compared.  An engine holds the interpreter's lock only at its
 start and its end, so that threads share the work.
 
-``engine``: the functions that Python calls, with plain numbers; also for users' explorers.
+``engine``: the functions that Python calls, for built-in and for users' explorers.
 ``runs``, ``laws``, ``code``: every run of a unit, played or read from its log, judged and counted.
 ``worlds``: lists maps with the places of their lighthouses, and counts maps.
-``algorithm1``: the built-in explorers, behind the C interface of all explorers.
-``library_player``: runs of users' explorers, played by a library.
+``algorithm1``: the built-in explorers; their functions are called as those of an explorer in C.
+``library_player``: the player of explorers that users have compiled into shared libraries.
 ``demand_driven``: a check of Algorithm 1 in worlds that are made while the robot walks.
 ``schedules``: the worst and the best cost of a world over all schedules.
 ``capabilities``: the names and the limits of the kernel, without compiled code.

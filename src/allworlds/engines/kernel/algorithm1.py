@@ -1,11 +1,26 @@
-"""Algorithm 1, compiled: an explorer behind the C interface, one call for each percept.
+"""Algorithm 1, compiled: an explorer whose functions are called as those of an explorer in C.
 
-If the lighthouse has a direction, a test that matches to its end proves its hypothesis.  Without
-a direction the robot can recognise only v0 and one neighbour v1.  So before its first pass it
-searches for the dart of v0 that leads to v1.  After a test that has come to v0 it makes the
-*query*: it leaves by the dart that should be this dart, and comes back.  Hypotheses are tried in
-the order in which their darts came into S; each test walks to v0 on the first of the shortest
-paths.
+The first percept goes to ``start``, each later one to ``step``; each of these calls writes the
+robot's next action to ``action``.  ``robot`` is the explorer's state, an array ``ROBOT``.
+
+S is the explored part of the world, and U holds its open darts.  In each pass the robot explores a
+dart e of U.  The docstrings name the lines of the paper's Algorithm 1:
+
+    1      let S be v0, and U its darts
+    2-5    while U is not empty: take a dart e from U, walk through S to e, and cross e
+    6      find the hypotheses: other darts of U by which a robot arrives with the same percept
+    7-9    take the next hypothesis, and a path in S from its vertex to v0
+    10-13  test it: walk along this path, as long as each percept is the expected one
+    15     after a test that fails, before the end of its path (case 1) or there (case 2): walk back
+    18-19  after a test that succeeded (case 3): e and the dart of the hypothesis become an edge
+    20-21  if every test has failed: add a new vertex to S, at the other end of e
+    22     answer S
+
+If the lighthouse has a direction, a test that succeeds proves its hypothesis.  Without a direction
+the robot can recognise only v0 and one neighbour v1.  So before its first pass it searches for the
+dart of v0 that leads to v1.  After a test that has come to v0 it makes the *query*: it leaves by
+the dart that should be this dart, and comes back.  Hypotheses are tried in the order in which their
+darts came into S; each test walks to v0 on the first of the shortest paths.
 
 The twin, Python code with the same results: :mod:`allworlds.explorers.builtin.algorithm1`.
 
@@ -23,17 +38,20 @@ from allworlds.engines.kernel.compiling import RECORD, address_of, callback, inl
 
 PASSING, FOLLOWING, CROSSING, TESTING, RETRACING, MATCHED = range(6)
 """The phases of a robot: between two passes; on the way through S; on the dart e; on a path that
-tests a hypothesis; on the way back; at v0 after a test that has matched."""
+tests a hypothesis; on the way back; at v0, where all percepts of a test were the expected ones."""
 
 
 def start(robot, percept, _told, action):  # pragma: no cover  # compiled
-    """Do line 1 of Algorithm 1, and write the first action."""
+    """Begin a run with the first percept (line 1), and write the robot's first action.
+
+    ``_told`` is not used, because a directional lighthouse tells no value before the start.
+    """
     begin(robot, int64(percept.degree), percept.marks, percept.bearing)
     next_pass(robot, action)
 
 
 def step(robot, percept, action):  # pragma: no cover  # compiled
-    """Write the explorer's next action, after this percept."""
+    """Write the robot's next action; ``percept`` is the percept after its last action."""
     if robot.phase == PASSING:
         next_pass(robot, action)
     else:
@@ -43,14 +61,20 @@ def step(robot, percept, action):  # pragma: no cover  # compiled
 
 
 def answer(robot, published):  # pragma: no cover  # compiled
-    """Write S, and the robot's dart in S, as an answer or as a checkpoint."""
+    """Write S, and the robot's dart in S, to ``published``, which is an array ``ANSWER``.
+
+    The caller takes them as an answer or as a checkpoint, as the robot's last action says.
+    """
     published.sigma, published.alpha = address_of(robot.sigma), address_of(robot.alpha)
     published.darts, published.here = robot.darts, robot.here
 
 
 @cache
 def explorer_addresses(explorer: str) -> tuple[int, int, int]:
-    """The addresses of the functions start, step and answer of an explorer of ``EXPLORERS``."""
+    """The addresses of the compiled functions start, step and answer of an explorer.
+
+    ``explorer`` is a name in :data:`allworlds.engines.kernel.capabilities.EXPLORERS`.
+    """
     robot, percept, action = RECORD(ROBOT), RECORD(PERCEPT), RECORD(ACTION)
     directed = explorer == "algorithm1"
     begins, goes_on = (start, step) if directed else (start_undirected, step_undirected)
@@ -63,7 +87,10 @@ def explorer_addresses(explorer: str) -> tuple[int, int, int]:
 
 @inner
 def begin(robot, degree, marks, bearing):
-    """Begin a run: S is v0 alone, and this percept is the first one."""
+    """Begin a run (line 1): let S be v0 alone; the three numbers are the first percept.
+
+    If this percept has a bearing, the bearings that are expected at the darts of v0 follow from it.
+    """
     robot.darts = robot.vertices = robot.known = robot.here = robot.turned = 0
     _add_vertex(robot, degree, marks, bearing)
     if bearing != NONE:
@@ -73,7 +100,10 @@ def begin(robot, degree, marks, bearing):
 
 @inner
 def next_pass(robot, action):
-    """Do lines 2-4: choose the dart e, and take the first step towards e; if U is empty, answer."""
+    """Begin a pass (lines 2-4): choose the dart e from U, and take the first step towards e.
+
+    If U is empty, announce the answer instead.
+    """
     if robot.known == 0:
         action.kind = names.ANSWER_READY
         return
@@ -95,7 +125,13 @@ def next_pass(robot, action):
 
 @inner
 def sense(robot, degree, marks, bearing, action):
-    """Go on with lines 5-16 and 20-21 after this percept, up to the next action."""
+    """Go on with a pass after this percept, up to the next action (lines 5-16 and 20-21).
+
+    The phase of the robot says what is done: on the way to e, take the next step; beyond e, find
+    the hypotheses, and begin the first test; in a test, compare the percept with the expected one,
+    and go on or give up; on the way back, take the next step.  If a test has come to v0 with the
+    expected percepts only, the phase becomes MATCHED, and no action is written.
+    """
     if robot.phase == FOLLOWING:
         _follow(robot, action)
     elif robot.phase == CROSSING:
@@ -119,7 +155,7 @@ def sense(robot, degree, marks, bearing, action):
 
 @inner
 def _follow(robot, action):
-    """Do lines 4-5: take one step through S towards the dart e, or cross e."""
+    """Take the next step through S towards the dart e, or cross e (lines 4-5)."""
     dart = robot.goal
     robot.phase = CROSSING
     if robot.done < robot.steps:
@@ -151,7 +187,7 @@ def _expected(robot, dart, degree, marks, bearing):
 
 @inner
 def next_hypothesis(robot, action):
-    """Do lines 7-9: begin the next test, or add a new vertex if all tests have failed."""
+    """Begin the test of the next hypothesis (lines 7-9); if none is left, add a new vertex to S."""
     if robot.tried == robot.alike:
         _augment_by_vertex(robot, action)
         return
@@ -165,7 +201,10 @@ def next_hypothesis(robot, action):
 
 @inner
 def _test(robot, action):
-    """Do lines 10-13: take the next step of a test, or note at v0 that the test has matched."""
+    """Take the next step of a test (lines 10-13).
+
+    If the path of the test has ended at v0, set the phase to MATCHED instead.
+    """
     v = robot.owner[robot.here]
     if v == 0:
         robot.phase = MATCHED
@@ -182,7 +221,10 @@ def _test(robot, action):
 
 @inner
 def reject(robot, action):
-    """Note that a test fails: count its case, (1) or (2), and take the first step of line 15."""
+    """Give up a test that has failed, and take the first step of the way back (line 15).
+
+    Case 1 is counted if the path of the test goes on; case 2 if it has ended at v0.
+    """
     robot.events[names.CASE_2 if robot.owner[robot.here] == 0 else names.CASE_1] += 1
     robot.turned = -robot.turned
     retrace(robot, action)
@@ -190,10 +232,14 @@ def reject(robot, action):
 
 @inner
 def retrace(robot, action):
-    """Do line 15: undo the last motion of the test that is not undone yet, or begin the next test.
+    """Take the next step of the way back after a failed test (line 15).
 
-    While the robot goes back, ``robot.turned`` is its next motion; afterwards it is again the
-    number of darts from the dart of entry to the robot's dart.
+    The step undoes the last motion of the test that is not undone yet.  If all motions are undone,
+    begin the next test.
+
+    On the way back ``robot.turned`` holds the next motion.  Before and after, since the robot has
+    crossed e, it holds the number of darts, clockwise, from the dart by which the robot has entered
+    its vertex to the dart at which it stands.
     """
     if robot.done == 0:
         robot.turned = -robot.turned
@@ -207,9 +253,10 @@ def retrace(robot, action):
 
 @inner
 def confirm(robot, here, action):
-    """Do case (3), lines 18-19: make an edge of S from the dart e and the tested dart.
+    """End a pass after a test that succeeded (case 3, lines 18-19), and show a checkpoint.
 
-    ``here`` is the robot's dart in S; it is a dart of v0.
+    The dart e and the dart of the hypothesis become an edge of S.  ``here`` is the robot's dart in
+    S; it is a dart of v0.
     """
     robot.events[names.CASE_3] += 1
     robot.events[names.LOOP] += 1
@@ -224,7 +271,11 @@ def confirm(robot, here, action):
 
 @inlined
 def _augment_by_vertex(robot, action):
-    """Do lines 20-21: add the vertex v_u to S; its first dart is the dart of entry."""
+    """End a pass in which every test has failed (lines 20-21), and show a checkpoint.
+
+    The other end of the dart e becomes a new vertex of S; the first dart of this vertex is the dart
+    by which the robot has entered it.
+    """
     robot.events[names.NON_LOOP] += 1
     v, entry = robot.vertices, robot.darts
     degree = robot.seen_degree
@@ -240,7 +291,8 @@ def _augment_by_vertex(robot, action):
 def _add_vertex(robot, degree, marks, bearing):
     """Add a vertex to S, and its darts to U.
 
-    A robot that arrives by one of these darts should get this percept.
+    ``degree``, ``marks`` and ``bearing`` are the percept that a robot is expected to get when it
+    arrives by one of these darts.
     """
     entry, v = robot.darts, robot.vertices
     for dart in range(entry, entry + degree):
@@ -270,7 +322,10 @@ def _explore(robot, dart, partner):
 
 @inner
 def _measure(robot, goal):
-    """Find for each vertex of S the length of a shortest walk to the vertex ``goal``."""
+    """Write to ``robot.length``, for each vertex of S, the length of a shortest walk to ``goal``.
+
+    ``goal`` is a vertex of S; the walks lie in S.
+    """
     for v in range(robot.vertices):
         robot.length[v] = NONE
     robot.length[goal] = 0
@@ -319,7 +374,10 @@ def _nearer(robot, v):
 
 @inner
 def _ways_home(robot):
-    """Find for each vertex of S but v0 the first dart that leads nearer to v0."""
+    """Write to ``robot.home`` the way to v0 from each other vertex of S.
+
+    The way from a vertex is given by the first dart of the vertex that leads nearer to v0.
+    """
     _measure(robot, robot.owner[0])
     for v in range(1, robot.vertices):
         robot.home[v] = _nearer(robot, v)
@@ -333,7 +391,10 @@ query, at the other end of the dart to v1, and then back at v0."""
 
 
 def start_undirected(robot, percept, told, action):  # pragma: no cover  # compiled
-    """Begin a run: S is v0 alone; take the first step of the search for v1."""
+    """Begin a run without a direction: let S be v0 alone, and take the first step to search v1.
+
+    ``told`` is the degree of v1 under a natural lighthouse; under a cluster it is not used.
+    """
     robot.degree_of_v0, robot.degree_of_v1 = percept.degree, told
     marks = _is(robot, percept.degree, percept.marks, percept.degree, 1)
     begin(robot, int64(percept.degree), marks, NONE)
@@ -341,7 +402,7 @@ def start_undirected(robot, percept, told, action):  # pragma: no cover  # compi
 
 
 def step_undirected(robot, percept, action):  # pragma: no cover  # compiled
-    """Write the explorer's next action, after this percept."""
+    """Write the next action of a robot without a direction, after this percept."""
     degree, marks = percept.degree, percept.marks
     if robot.phase == SEARCHING or robot.phase == ASKING:
         robot.matched = _is(robot, degree, marks, robot.degree_of_v1, 2)
@@ -380,7 +441,7 @@ def _is(robot, degree, marks, own_degree, own_marks):
 
 @inner
 def _search(robot, dart, action):
-    """Leave v0 by this dart, in search of v1."""
+    """Leave v0 by this dart, to find out whether it leads to v1."""
     robot.phase, robot.pointed = SEARCHING, dart
     action.kind, action.motion = names.MOVE, dart - robot.here
 

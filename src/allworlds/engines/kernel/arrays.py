@@ -21,10 +21,12 @@ if TYPE_CHECKING:
 
 
 class Level(Struct, frozen=True, eq=False):
-    """A task that Python gives the kernel in a level; it is the same for all units of the level.
+    """The request to the kernel for the units of a level: sizes, explorer, lighthouse and rules.
 
-    A level is all worlds with one number of edges.  A map is made by decisions, its *gluing*; a
-    unit is the maps of a level whose gluing begins with one list of decisions.
+    All units of the level have the same request.  The kernel makes each map by a list of decisions,
+    its *gluing*.  The first decision is the degree of the root's vertex; each later one joins the
+    oldest open dart to another open dart, or to a new vertex.  A unit is all maps whose gluing
+    begins with certain decisions; these are no part of the request, but given beside it.
 
     Attributes:
         edges: m, at most MOST_EDGES.
@@ -61,9 +63,10 @@ class Counts(Struct, frozen=True):
         worlds: the number of rooted maps.
         runs: the number of pairs of a world and a place.
         traversals: the traversals, summed over the runs.
-        traversals_rooted: the traversals, summed over the first place of each rooted map only.
+        traversals_rooted: the traversals, summed over one run of each rooted map: the run with the
+            first place of the lighthouse.
         largest: the largest cost of a run.
-        checkpoints: the number of checkpoints that explorers have shown.
+        checkpoints: the number of checkpoints that the explorer has shown.
         left_out: the number of worlds without a place for the lighthouse.
         loops, parallels: the number of worlds with a loop, and of worlds with parallel edges.
         fingerprint: the sum of the worlds' fingerprints modulo 2^62.
@@ -118,13 +121,13 @@ class Sums(Struct, frozen=True):
 
     Attributes:
         counts: the counts for each number of vertices that occurs.
-        events: the number of occurrences of each event of Algorithm 1.
+        events: the number of occurrences of each event of Algorithm 1, such as ``case-1``.
         met: the triples (n, d0, D) that occur: the number of vertices, the degree of v0 and the
             largest degree, with 0 for a degree that the bound does not use.
         most_expensive: for each number of vertices the run with the largest cost; of several such
             runs the run with the least canonical code.
-        broken: runs that break a law, ascending by vertices, code, place and law; of many such runs
-            only the first ones.
+        broken: runs that break a law, ascending by vertices, code, place and law; if there are more
+            such runs than are kept, only the first ones in this order.
     """
 
     counts: tuple[Counts, ...]
@@ -135,15 +138,22 @@ class Sums(Struct, frozen=True):
 
 
 DARTS = 32
-"""The length of arrays with an item for each dart or each vertex of a world; no world has more."""
+"""The length of arrays with an item for each dart or each vertex of a world.
+
+No world of the kernel has more darts, or more vertices.
+"""
 
 DEPTHS = 16
-"""The largest number of decisions of a gluing: one for each edge, and the root's degree."""
+"""A number that is larger than the number of decisions by which a map is made.
+
+There is a decision for each edge, and one for the degree of the root's vertex.
+"""
 
 FOLDED = LONG // 16
-"""The largest number of nodes of a log before it is folded.
+"""The largest number of nodes that a log can have before it is folded.
 
-This number is larger than the number of traversals that any budget allows.
+A log has a node for the start, and at most one for each traversal.  The constant is larger than the
+number of traversals that any budget allows.
 """
 
 NONE = -1
@@ -171,7 +181,10 @@ GLUING = _record(
     # For the rule, by vertices: the set of neighbours, and the number of open darts.
     (int64, "neighbours unmatched", DARTS),
 )
-"""The state of the enumeration: a partial map.  Decisions add to the map, and are undone again."""
+"""The state of the enumeration: a partial map, which grows by decisions.
+
+To go on to the next map, the latest decisions are undone, and other decisions are taken.
+"""
 
 WORLD = _record(
     # The lighthouse: the number of its place, its dart at v0, what it tells.
@@ -203,7 +216,7 @@ EXPLORER = _record(
     (PERCEPT, "percept"),
     (ACTION, "action"),
 )
-"""An explorer behind its C interface."""
+"""An explorer with functions that are called as those of an explorer in C: start, step, answer."""
 
 ROBOT = _record(
     # The policy of choices; whether v0 and v1 are distinguished by their degrees.
@@ -276,7 +289,7 @@ JOB = _record(
     (JUDGED, "judged"),
     (FOLD, "fold"),
 )
-"""The state of a unit that is being done."""
+"""The state of the work on a unit, from run to run."""
 
 LIBRARY = _record(
     # The addresses of its functions, its state, the exchanged values, the function for choices.
@@ -295,7 +308,7 @@ READER = _record(
     # Room for an answer, or the S of a checkpoint.
     (int32, "sigma alpha", 256),
 )
-"""A reader of logs, which stands in for an explorer."""
+"""A reader of the logs of a batch, which the judge follows instead of calling an explorer."""
 
 WALKED = 80
 """The length of arrays with an item for each dart, vertex or degree, in the demand-driven check.
@@ -369,10 +382,11 @@ SCHEDULES = _record(
 
 
 class Kept(NamedTuple):
-    """The most expensive runs, and the least runs that break a law, each as a row of numbers.
+    """The most expensive runs, and the first runs that break a law, each as a row of numbers.
 
     A row holds n, the canonical code of the rooted map, the place, the law's number, and the code
-    of the map without a root.  The last code is the least of the map's codes from all roots.
+    of the map without a root.  The last code is the least of the map's codes from all roots.  Runs
+    are ordered by their rows.
     """
 
     # By n, the least of the most expensive runs, without unrooted codes.
@@ -415,7 +429,7 @@ LOG_BYTES = 1 << 20
 
 
 class Stretch(NamedTuple):
-    """Memory for a batch of runs: for their worlds, percepts and logs."""
+    """Arrays with room for a batch of runs: for their worlds, percepts and logs."""
 
     # The head of each run.
     heads: Any
@@ -430,16 +444,16 @@ class Stretch(NamedTuple):
 
     @classmethod
     def of(cls, edges: int) -> Stretch:
-        """Memory for a batch of runs in worlds with this number of edges."""
+        """New arrays for a batch of runs in worlds with this number of edges."""
         heads, worlds = zeros((MOST_RUNS, HEAD), int32), zeros((MOST_RUNS, WIDE * 2 * edges), uint8)
         percepts, logs = (zeros(LOG_BYTES, uint8) for _ in range(2))
         starts, begins = (zeros(MOST_RUNS + 1, int32) for _ in range(2))
         return cls(heads, worlds, percepts, starts, logs, begins)
 
     def put(self, logs: Logs) -> int:
-        """Write logs, one behind the other, to memory; return their size in bytes.
+        """Write logs, one behind the other, to the array of logs; return their size in bytes.
 
-        If there is no room for them, write nothing, and return -1.
+        If the array has no room for the logs, write nothing, and return -1.
         """
         runs, begin = len(logs), logs.starts[0]
         size = len(logs.message) - begin

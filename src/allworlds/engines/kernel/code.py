@@ -1,4 +1,9 @@
-"""Canonical codes and fingerprints of rooted maps; arrays that keep the least of many runs."""
+"""Canonical codes and fingerprints of rooted maps; arrays that keep the first of many runs.
+
+``world`` is an array ``WORLD``, or another one with the same fields.  A canonical order of the
+darts begins with the root, and depends on the map alone, not on the numbers of the darts.  The
+canonical code of a rooted map is its sigma and alpha, renumbered in this order.
+"""
 
 from allworlds.engines.kernel.arrays import NONE
 from allworlds.engines.kernel.compiling import inlined, inner
@@ -9,14 +14,16 @@ FACTOR, LESS = 0x1E3779B97F4A7C15, (1 << 62) - 1
 
 @inlined
 def mixed(code, decision):
-    """The fingerprint of a partial map after a decision; ``code`` is its fingerprint before."""
+    """The fingerprint of a partial map after a decision; ``code`` is the fingerprint before it."""
     code = (code ^ decision) * FACTOR & LESS
     return code ^ code >> 31
 
 
 @inner
 def fingerprint(world, alpha):
-    """The fingerprint of the rooted map, if the darts of each vertex are consecutive.
+    """The fingerprint of the rooted map, in which the darts of each vertex must be consecutive.
+
+    ``alpha`` is the array that holds for each dart the other dart of its edge.
 
     The twin, Python code with the same results: :func:`allworlds.maps.enumeration.fingerprint`.
     """
@@ -92,9 +99,9 @@ def _encode_unrooted(world, row, start):
 
 @inner
 def note(world, law, row):
-    """Write the numbers of a run to ``row``.
+    """Write a run to ``row``: n, the canonical code of the map, the place, and the law's number.
 
-    The last part of the row is left as it is (the code of the map without a root).
+    The last part of the row, the code of the map without a root, is not written.
     """
     row[0] = world.vertices
     encode(world, 0, row, 1)
@@ -104,11 +111,11 @@ def note(world, law, row):
 
 @inner
 def blame(world, law, least, row):
-    """Keep a run that breaks this law, if there is room, or if it is less than a kept run.
+    """Keep the present run, which breaks this law, if it is among the first of such runs.
 
     The kept runs are the rows of ``least``, sorted by number of vertices, code, place and law.  Of
-    all runs that break one law in one map, with any root, only the least is kept.  ``row`` is room
-    for the run.
+    all runs that break the same law in the same map, with any root, only the first is kept.  The
+    present run is written to ``row``, a further row, before it is compared.
     """
     note(world, law, row)
     if not _before(row, least, least.shape[0] - 1):
@@ -129,8 +136,8 @@ def blame(world, law, least, row):
 def is_less(world, kept, spot):
     """Whether the world's canonical code is less than the code in row ``spot`` of ``kept``.
 
-    If that row is empty, the result is True.  The code is compared while it is computed, because in
-    most cases an early difference decides.
+    If that row is empty, the result is True.  Each number of the code is compared as soon as it is
+    computed, because in most cases one of the first numbers differs.
     """
     if kept[spot, 0] == 0:
         return True

@@ -3,13 +3,14 @@
 numba keeps compiled code beside the sources (or in the user's cache), but checks only the source
 file of the outermost function.  This module checks all source files of the kernel.
 
-No compiled function makes an array or counts references, and only functions that Python calls are
-wrapped for Python, which saves a third of the time of compiling.
+No compiled function makes an array or counts references, and only a function that Python calls gets
+a wrapper for Python.  So compiling takes a third less time.
 
 The instructions call functions by address, read and write memory, and compute with sets of small
 numbers, which are bit masks.  The arguments of a C function are 32-bit integers and pointers; a
 pointer is given as a structured array, or as an address in a 64-bit integer.  A C function returns
-nothing or a 32-bit integer.  So all platforms call these functions in the same way.
+nothing or a 32-bit integer.  With such arguments the call of a C function is the same on all
+platforms.
 """
 
 import gc
@@ -29,7 +30,7 @@ _njit = partial(njit, nogil=True, error_model="numpy", no_cfunc_wrapper=True, _n
 
 
 def inlined(function: Callable[..., Any]) -> Any:
-    """Compile a function into its caller; only one place of the code may call the function."""
+    """Compile a function as a part of its caller; only one place of the code may call it."""
     return _njit(no_cpython_wrapper=True, inline="always")(function)
 
 
@@ -63,7 +64,7 @@ def callback(function: Callable[..., Any], signature: Any) -> int:
 
 @contextmanager
 def uncollected() -> Iterator[None]:
-    """Switch off the garbage collector inside of a ``with`` block.
+    """A context in which the garbage collector is switched off.
 
     The garbage collector would take a tenth of the time of compiling.
     """
@@ -94,7 +95,7 @@ _ALIVE: list[CFunc] = []
 
 
 def _stamped(function: Any) -> Any:
-    """Return the function, after making its kept code valid for the present sources only."""
+    """Return the function; from now on, its kept code is valid for the present sources only."""
     file = _file_of(function)
     if file is not None:
         file._source_stamp = _stamp()  # noqa: SLF001  # there is no public way
@@ -215,7 +216,7 @@ def neighbours(graph, front):
 
 
 def _at(builder: Any, address: Any, index: Any, kind: Any) -> Any:
-    """The pointer to entry ``index`` of the array at the address; the entries are of this type."""
+    """The pointer to entry ``index`` of the array at the address, with entries of type ``kind``."""
     return builder.gep(builder.inttoptr(address, kind.as_pointer()), [index])
 
 

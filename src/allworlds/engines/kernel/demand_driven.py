@@ -9,14 +9,19 @@ one finished walk.
 
 In each pass of Algorithm 1 two conditions are checked.  First: if a vertex is added to S, no other
 vertex of S stands for the same vertex of W.  Second: if two darts of U are joined in S, the darts
-of W for which they stand are joined in W.  From these conditions the laws invariant-1, invariant-2
-and variant follow.  The robot joins two darts of U only on an arrival at v0 by the last dart of the
-tested path.  That arrival also merges the robot's vertex in the folded log with v0, so the folded
-log holds every edge of S.  At the end S must be all of W.
+of W for which they stand are joined in W.  At the end of the walk a third one is checked: S is all
+of W.  A walk *fails* if a condition is not met, or if it costs more than the largest budget.
+
+The first two conditions imply the laws invariant-1, invariant-2 and variant.  The law folding, that
+the folded log is the whole map, is met, too: the robot joins two darts of U only when it has walked
+along the tested path and arrived at v0.  This arrival merges, in the folded log, the vertices along
+the path with vertices of S.  So the folded log has every edge of S, and at the end S, which is the
+answer, is all of W.
 
 ``w`` is the state of the check, an array ``WALK``.  ``s`` is the part of ``w`` that is copied at
-each decision, so that the walk can go back to the decision.  Numbers of lines, e, H and the cases
-(1) to (3) are those of Algorithm 1 in the paper.
+each decision, so that the walk can go back to the decision.  The docstrings name the lines and the
+cases of the paper's Algorithm 1, which :mod:`allworlds.engines.kernel.algorithm1` lists; e is the
+dart of U that the present pass explores.
 
 Source: Algorithm 1, Sections IV and V.
 """
@@ -40,9 +45,9 @@ ONE_CASE_1, ONE_CASE_2, ONE_AT_V0, ONE_EMPTY_H = (1 << bit for bit in (20, 28, 3
 ONE_LOOP, ONE_PARALLEL = 1 << 52, 1 << 53
 
 EDGE, PATH, PICK, NEXT, ENDED, FAILED = range(6)
-"""The phases of a walk: before crossing the dart e; before a step of a path; before the choice of
-e; before the choice of a hypothesis; ended; failed.  A walk that has failed counts as failed in
-every world in which it begins in this way."""
+"""The phases of a walk: before crossing the dart e; before a step of a test; before the choice of
+e; before the choice of a hypothesis; ended; failed.  A walk can fail while darts of W are open; it
+then counts as failed in every world that W can become."""
 
 # The columns of the tally, by vertices: worlds, the cost summed and the largest, events summed,
 # worlds with a loop and with parallel edges, their fingerprints, and walks that failed.
@@ -53,10 +58,11 @@ _FEW = 0xFF
 
 @entry
 def explore(w, prefix, kept, halt):
-    """Walk once in every world whose first decisions are ``prefix``, and count the world.
+    """Walk once in every world whose first decisions are ``prefix``, and count each world.
 
-    If a law is broken in a world, a run with place 0 and law 0 is kept.  This run stands for all
-    places in the world, and for all laws.  The work is given up once ``halt[0]`` is not 0.
+    If a walk has failed, or costs more than the bound, a run with place 0 and law 0 is added to
+    ``kept``.  This run stands for all places in the world, and for all laws.  The work is given up
+    once ``halt[0]`` is not 0.
     """
     s = w.now
     _begin(w, s, prefix)
@@ -89,7 +95,7 @@ def explore(w, prefix, kept, halt):
 
 @inlined
 def _begin(w, s, prefix):
-    """Take the first decisions of W; let S be v0, with the robot at dart 0 of W and of S."""
+    """Take the decisions ``prefix`` of W; let S be v0, with the robot at dart 0 of W and of S."""
     s.open = s.darts = s.vertices = 0
     _add_vertex(w, s, -prefix[0])
     for i in range(1, len(prefix)):
@@ -116,7 +122,7 @@ def _begin(w, s, prefix):
 
 @inner
 def _add_vertex(w, s, degree):
-    """Add a vertex with open darts to W."""
+    """Add a vertex of this degree to W; all its darts are open."""
     v, first = s.vertices, s.darts
     for dart in range(first, first + degree):
         w.owner[dart], w.end[dart], w.degree[dart] = v, first + degree, degree
@@ -134,9 +140,9 @@ def _glue(w, s, z):
 
 @inlined
 def _choose(w, s):
-    """Take the next decision for the dart ``s.y``, and return True.
+    """Take the next decision for the open dart ``s.y`` of W, and return True.
 
-    If no decision is left for this dart, remove it from the list of choices, and return False.
+    If no decision is left for this dart, remove the dart from ``w.choices``, and return False.
     """
     choice = w.choices[w.depth - 1]
     if choice.untried:
@@ -163,7 +169,10 @@ def _choose(w, s):
 
 @inlined
 def _tally(w, s, kept):
-    """Add one world, and the walk in that world, to the tally."""
+    """Add the world W, in which the walk has ended or failed, to the counts ``w.counts``.
+
+    The run is also written to ``kept`` if it is the most expensive one so far, or breaks a law.
+    """
     n, cost = s.vertices, s.total & COST
     w.counts[n, WORLDS] += 1
     w.counts[n, FINGERPRINT] = (w.counts[n, FINGERPRINT] + _fingerprint(w, s)) & LESS
@@ -187,7 +196,7 @@ def _tally(w, s, kept):
 
 @inlined
 def _fingerprint(w, s):
-    """The fingerprint of W.
+    """The fingerprint of W, in which no dart is open.
 
     Under the policy fifo the walk has computed the fingerprint already, unless the walk has failed.
     """
@@ -209,14 +218,14 @@ def _settle(w, s):
 
 @inner
 def _blame(w, s, kept):
-    """Keep W, in which a law is broken, if it is among the least of such worlds."""
+    """Keep W, in which a law is broken, in ``kept`` if it is among the first of such worlds."""
     _settle(w, s)
     blame(w.world, 0, kept.least, kept.row)
 
 
 @inlined
 def _go_back(w, s):
-    """Restore S and the walk as they were at the latest choice."""
+    """Restore W, S and the walk as they were before the last dart of ``w.choices`` was decided."""
     now = w.choices[w.depth - 1].now
     while s.passes > now.passes:
         s.passes -= 1
@@ -233,7 +242,11 @@ def _go_back(w, s):
 
 @inlined
 def _walk(w, s):
-    """Walk until a dart must be decided, or the walk has ended or failed."""
+    """Walk on until the walk has ended or failed, or until it needs a decision.
+
+    ``s.stage`` is then ENDED or FAILED; otherwise the robot is about to cross the open dart ``s.y``
+    of W, which must be decided.
+    """
     while True:
         if s.stage == PICK:
             _pick(w, s)
@@ -249,7 +262,12 @@ def _walk(w, s):
 
 @inlined
 def _pick(w, s):
-    """Do lines 2-5: choose the dart e, and add the way to e to the cost; or end the walk."""
+    """Choose the dart e, and add the cost of the way to e and across e (lines 2-5).
+
+    Then ``s.stage`` is EDGE.  If U is empty, no dart is chosen: the walk ends (ENDED) if S is all
+    of W, and fails (FAILED) if not.  The walk also fails if it has cost more than the largest
+    budget.
+    """
     if s.total & COST > w.fuel:
         s.stage = FAILED
         return
@@ -280,7 +298,11 @@ def _pick(w, s):
 
 @inlined
 def _arrive(w, s):
-    """Do line 6: the robot has crossed the dart e; collect the hypotheses about its other end."""
+    """Collect the hypotheses about the other end of e, which the robot has crossed (line 6).
+
+    If the robot has come to v0, the bearing tells the dart of v0, so the edge is added to S at once
+    (lines 18-19).
+    """
     z = w.partner[s.y]
     if z < w.end[0]:
         # The direction tells the dart of v0, so this test needs no step.
@@ -297,10 +319,12 @@ def _arrive(w, s):
 
 @inlined
 def _test_all(w, s):
-    """Do lines 7-17 and 20-21 of the paper's Algorithm 1; return whether this pass is done.
+    """Test the hypotheses one after the other, and add the new edge to S (lines 7-21).
 
-    A pass explores one new edge.  It is not done if the walk has failed, or if a dart of W, the
-    part of the world that is decided so far, must be decided first.
+    The new edge leads to the dart of the hypothesis whose test succeeds, or to a new vertex if
+    every test fails.  Return True if the edge was added.  Return False if the walk has failed
+    (``s.stage`` is FAILED), or if a test is about to cross the open dart ``s.y`` of W; after a
+    decision about this dart, the next call continues the test.
     """
     while s.stage != FAILED:
         if s.stage == NEXT:
@@ -346,7 +370,9 @@ def _test_all(w, s):
 def _aim(w, s, dart, x):
     """Plan the next step of a test, on the way to v0.
 
-    By the hypothesis the robot is at this dart of S; in truth it is at the dart x of W.
+    By the hypothesis the robot has come in by the dart ``dart`` of S; in truth it has come in by
+    the dart ``x`` of W.  ``s.y`` becomes the dart of W that it crosses next, and ``s.t`` the dart
+    of S by which it should then arrive.
     """
     p = s.parent >> (5 * (w.s_owner[dart] - 1)) & 31
     turn = p - dart
@@ -361,7 +387,10 @@ def _aim(w, s, dart, x):
 
 @inlined
 def _augment_by_vertex(w, s):
-    """Do lines 20-21: add a new vertex to S; the walk fails if S has that vertex already."""
+    """Add a new vertex to S, at the other end of the dart e (lines 20-21).
+
+    The walk fails if a vertex of S already stands for the vertex of W to which e has led.
+    """
     u, x, end = w.owner[s.x], s.x, w.end[s.x]
     degree = w.degree[x]
     s.code = mixed(s.code, 0 - degree)
@@ -397,9 +426,9 @@ def _augment_by_vertex(w, s):
 
 @inlined
 def _augment_by_loop(w, s):
-    """Do lines 18-19: make an edge of S from the dart e and the tested dart.
+    """Make an edge of S from the dart e and the dart of the confirmed hypothesis (lines 18-19).
 
-    The walk fails if these two darts are not an edge in W.
+    The walk fails if the darts of W for which these two darts stand are not joined in W.
     """
     e, dart = s.e, s.candidate
     if not s.unexplored >> dart & 1 or w.partner[w.image[e]] != w.image[dart]:
@@ -435,7 +464,7 @@ def _augment_by_loop(w, s):
 
 @inner
 def _distance(w, start, goal):
-    """The length of a shortest walk in S between two vertices that S connects."""
+    """The length of a shortest walk in S from the vertex ``start`` to the vertex ``goal``."""
     reached = front = 1 << start
     steps = 0
     while not reached >> goal & 1:
@@ -449,7 +478,7 @@ def _distance(w, start, goal):
 
 @inner
 def _ways_home(w, s):
-    """Find for each vertex of S its distance to v0, and its first dart that leads nearer to v0.
+    """Compute for each vertex of S its distance to v0, and its first dart that leads nearer to v0.
 
     The distances are packed into the number ``s.level``, 4 bits for each vertex; the darts into
     ``s.parent``, 5 bits for each vertex but v0.
@@ -477,7 +506,7 @@ def _ways_home(w, s):
 
 @inner
 def _nearest(w, s):
-    """The dart in U whose vertex is nearest to the robot in S; of several such darts the first."""
+    """The dart of U whose vertex is nearest in S to the robot; of several such darts the first."""
     reached = front = 1 << s.position
     while front:
         after = darts = 0

@@ -1,11 +1,11 @@
 """The compiled engines for a unit of a level; requests and results are plain numbers.
 
-:func:`judge` plays and judges every run; :func:`walk` walks Algorithm 1 once in each rooted map
-and counts the walk once for each direction of the lighthouse.
+For a built-in explorer, :func:`judge` plays and judges every run; :func:`walk` walks Algorithm 1
+once in each rooted map, and counts the walk for every direction of the lighthouse.
 
-For a user's explorer this module lays out runs and judges their logs, and other processes play.  To
-lay out runs is to write their worlds to memory, so that a player need not enumerate maps, and can
-play the runs in any order.  :mod:`allworlds.engines.kernel.library_player` plays users' libraries.
+For a user's explorer this module only lays out the runs of a unit and judges their logs; other
+processes play the runs.  To *lay out* runs is to write their worlds to memory, so that a player
+need not enumerate maps, and can play the runs in any order.
 """
 
 import json
@@ -56,8 +56,8 @@ def judge(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = Non
         level: the request.
         prefix: the first decisions, at least one, by which these maps are made
             (:func:`allworlds.maps.enumeration.prefixes`).
-        keep: how many runs that break a law are kept at most; of all runs that break the same law
-            in the same map only the least is kept.
+        keep: the largest number of runs that break a law and are kept; of all runs that break the
+            same law in the same map only the first is kept.
         halt: an array of one number; once this number is not 0, the work is given up, and its
             result is void.  None if the work is never given up.
 
@@ -71,7 +71,7 @@ def judge(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = Non
 
 
 def sums_of(unit: runs.UnitArrays, job: Any, robot: Any) -> Sums:
-    """The results that the judge has written to the arrays of a unit, as :class:`Sums`."""
+    """The results that the judge has written to the arrays of a unit and of a robot."""
     darts, kept = 2 * int(job.gluing.edges), unit.kept
     table = enumerate(unit.counts.tolist())
     return Sums(
@@ -88,7 +88,10 @@ def sums_of(unit: runs.UnitArrays, job: Any, robot: Any) -> Sums:
 
 
 def unit_of(level: Level, prefix: Sequence[int], keep: int = 1) -> runs.UnitArrays:
-    """The arrays of a unit: the request, and room for the results."""
+    """New arrays for a unit: with the request, and with room for the results.
+
+    The arguments are those of :func:`judge`.
+    """
     bounds = array(level.bounds, int64)
     return runs.UnitArrays(
         array(prefix, int64),
@@ -128,7 +131,7 @@ def in_another_process(code: str) -> subprocess.Popen[bytes]:
 
 
 def set_up(job: Any, robot: Any, level: Level) -> None:
-    """Write the request of the level into a new array ``JOB`` and a new array ``ROBOT``."""
+    """Write the request ``level`` into ``job`` and ``robot``, new arrays ``JOB`` and ``ROBOT``."""
     job.lighthouse = lighthouse_address(level.lighthouse)
     job.laws = sum(1 << LAWS.index(law) for law in level.laws)
     job.until = 1 << 62
@@ -219,7 +222,7 @@ class UnitJudge:
 
     Args:
         level, prefix: the request, and the first decisions by which each map of the unit is made.
-        keep: how many runs of a batch that break a law are kept at most.
+        keep: the largest number of runs of a batch that break a law and are kept.
         stretch: the memory of the first play of a batch, in which the explorer walks in worlds.
         replay: the memory of the second play, in which the explorer gets the percepts of the first
             play.
