@@ -26,7 +26,7 @@ from allworlds.notations.table import Notation, entries, legal, to_write, writte
 from allworlds.world.world import Entry
 
 DRAWN = 12
-"""The number of worlds that are drawn: the first worlds of a file."""
+"""The number of worlds, the first ones of a file, of which pictures are shown."""
 
 
 def _files(given: Any) -> tuple[str, ...]:
@@ -130,10 +130,11 @@ def _row(number: int, entry: Entry) -> ConvertRow:
 
 
 def _room_behind(end: str | list[str | int]) -> str:
-    """The name of the room to which a door leads, with a number in parentheses if needed.
+    """The text for a door: the name of the room to which the door leads, perhaps with a number.
 
-    The number is needed if another edge joins the same rooms, or, for a loop, if the room has
-    another loop.  Both doors of an edge have the same number.
+    ``end`` is what :func:`doors_of` returns for the door: this name alone; or, if several edges
+    join the same two rooms or a room has several loops, the name and the number of the edge.  The
+    number stands in parentheses, and shows which two doors belong to one edge.
     """
     return end if isinstance(end, str) else f"{end[0]} ({end[1]})"
 

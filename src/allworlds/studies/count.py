@@ -1,4 +1,8 @@
-"""Counts of maps of a class, each made twice: by enumeration, and by an independent source."""
+"""Counts of maps of a class, each made twice: by enumeration, and by an independent source.
+
+The source computes the number of rooted maps without making the maps; under some conditions there
+is no source (:mod:`allworlds.maps.count_source`).
+"""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -32,7 +36,10 @@ UNROOTED_LIMIT = 6
 
 
 class CountRequest(SweptOptions, WhereOptions, classes.ExtentOptions):
-    """Request of ``count``: a class, its bounds and the effort."""
+    """Request of ``count``: a class of maps, its bounds, a condition, and options of the job.
+
+    These options are shard, time limit, run directory, Dask cluster and listener.
+    """
 
 
 class CountRow(doc.Document, kw_only=True):
@@ -213,7 +220,7 @@ class Enumerate(Struct, frozen=True):
     extent: classes.Extent
 
     def parts(self, unit: LevelUnit) -> Iterator[Counted]:
-        """Yield counts of the unit's maps in parts; each part counts other maps."""
+        """Yield the counts of the unit's maps in parts; each map is counted in one part alone."""
         extent = self.extent
         plain = extent.map_class is classes.MapClass.MAPS and extent.where is None
         if plain and unit.edges > UNROOTED_LIMIT and not checks.lack_of(*engine_table.COMPILER):
@@ -237,7 +244,7 @@ def count_compiled(extent: classes.Extent, unit: LevelUnit) -> Counted:
 
 
 def count_one_by_one(extent: classes.Extent, unit: LevelUnit) -> Iterator[Counted]:
-    """Enumerate the maps of a unit, whatever the class; each yielded part counts some of them."""
+    """Yield the counts of a unit's maps, of any class, in parts; a map is counted in one part."""
     counted = Counted()
     for met, map_ in enumerate(unit.maps(extent), 1):
         cell = map_.vertex_count, map_.genus
@@ -254,7 +261,16 @@ def count_one_by_one(extent: classes.Extent, unit: LevelUnit) -> Iterator[Counte
 
 
 def row_of(extent: classes.Extent, edges: int, total: Counted, *, whole: bool) -> CountRow:
-    """The row of a level, or of its part in a shard, with the counts that a formula gives."""
+    """The row of a level, or of the part of the level in a shard.
+
+    If there is an independent source, the row also has its counts, always those of the whole level.
+
+    Args:
+        extent: the class of maps with its bounds.
+        edges: the number of edges, which names the level.
+        total: the counts by enumeration.
+        whole: whether ``total`` is about the whole level, and not about a shard.
+    """
     by_vertices: Counter[int] = Counter()
     by_genus: Counter[int] = Counter()
     for (vertices, genus), maps in sorted(total.cells.items()):

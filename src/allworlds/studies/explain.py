@@ -28,7 +28,8 @@ from allworlds.world.world import World
 class Explanation(Report):
     """Report of 'explain'.
 
-    The explanation of a finding. Vertices and darts have their numbers in the finding's world.
+    The explanation of a finding. Vertices and darts are named by their numbers in the finding's
+    world.
     """
 
     step: Annotated[

@@ -1,4 +1,8 @@
-"""The part of a request that names a finding in a file."""
+"""The part of a request that is a finding.
+
+In Python the part is the finding itself (:class:`FindingOptions`); the command line has a file and
+a number in its place (:class:`FindingWords`).
+"""
 
 from typing import Annotated, NamedTuple
 
@@ -17,7 +21,7 @@ class ChosenFinding(NamedTuple):
 
 
 class FindingWords(Request):
-    """The argument and options of the command line that name a finding."""
+    """The argument and the option of the command line that name a finding: a file and a number."""
 
     file: Annotated[str, Argument("", "FILE", "A finding, or a check's report; - for stdin.")]
     number: Annotated[
@@ -51,6 +55,6 @@ class FindingWords(Request):
 
 
 class FindingOptions(Request, kw_only=False):
-    """The part of a request that names a finding."""
+    """The part of a request that is a finding; :class:`FindingWords` are its words in a command."""
 
     finding: Annotated[Finding | TeamFinding, OptionGroup(FindingWords, "the finding")]

@@ -184,7 +184,11 @@ class CostEngine(RunCounter, frozen=True):
         return CostTally(self.keep)
 
     def count_outcome(self, world: world.World, place: int, outcome: Outcome, tally: Tally) -> None:
-        """Add the outcome of a run under its only schedule, and its cost, to the tally."""
+        """Add the outcome of a run, and its cost, to the tally.
+
+        In ``compare`` the policy makes all choices, so each run is played under one schedule alone
+        and has one cost.
+        """
         super().count_outcome(world, place, outcome, tally)
         assert isinstance(tally, CostTally)
         tally.costs.setdefault(key_of(world.map), {})[place] = outcome.cost
@@ -237,7 +241,7 @@ class UnitOfOne(Struct, frozen=True):
 class CostsOfAll(Struct):
     """The costs of the runs of each compared explorer, by the explorer's number.
 
-    Parts can be added in any order.
+    The costs of several units can be added up in any order.
     """
 
     of: dict[int, CostTally] = field(default_factory=dict)
@@ -260,7 +264,7 @@ class CostsOfAll(Struct):
 class SideBySide:
     """One transport for the units of all compared explorers; a transport sends units to workers.
 
-    It is made of one transport for each explorer.
+    This transport consists of one transport for each explorer.
     """
 
     def __init__(self, transports: Sequence[units.Transport]) -> None:
@@ -331,7 +335,10 @@ class Entrant(Struct, frozen=True):
 
 
 def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
-    """The explorers of a request, each with its own lighthouse unless the request names one.
+    """The explorers of a request, each with the rules of its runs.
+
+    An explorer's lighthouse is the one that the user has named behind ``@``; else the one that the
+    request names; else the explorer's default lighthouse.
 
     Raises:
         InputError: for a name that is no explorer or comes twice, or for an illegal option.
@@ -351,9 +358,12 @@ def entrants_of(request: CompareRequest) -> tuple[Entrant, ...]:
 def _with_lighthouse(explore: object) -> tuple[Any, LighthouseKind | None]:
     """An explorer without ``@LIGHTHOUSE`` behind its name, and this lighthouse, or None.
 
-    Paths and commands may contain ``@``, too.  So ``@`` separates the two only if the name of a
-    lighthouse follows.  If no such name follows, but the text before ``@`` names an explorer
-    that is no program, this is an error.
+    Paths and commands may contain ``@``, too.  So ``@`` separates explorer and lighthouse only if
+    the name of a lighthouse follows.
+
+    Raises:
+        InputError: if no such name follows, but the text before ``@`` names an explorer that is no
+            program.
     """
     name, at, lighthouse = explore.rpartition(AT) if isinstance(explore, str) else ("", "", "")
     try:
@@ -385,8 +395,9 @@ class ContestScope(doc.Document):
 class ContestReport(SweptReport, kw_only=True):
     """The base of the reports of ``compare``: explorers in the same worlds.
 
-    ``entrants`` are the explorers, with their rules; ``by`` says what a row of the CSV file is
-    about, or is None.
+    ``entrants`` are the explorers, with their rules. ``by`` is the user's choice of the rows of the
+    CSV file that ``-o FILE.csv`` writes: one for each size, world or run. None: the default,
+    sizes, or runs for worlds that grow.
 
     Attributes:
         steps: the word for the levels of the job in texts: ``levels`` or ``sizes``.

@@ -174,7 +174,7 @@ Range: TypeAlias = Annotated[
         f"{intervals.LEAST_WORLDS} worlds, or no scipy"
     ),
 ]
-"""The type of an interval in a row: its two ends, or null."""
+"""The type of a confidence interval in a row: its two ends, or null."""
 
 
 class GrownWorld(doc.Document):
@@ -234,17 +234,21 @@ class GrowRow(doc.Document):
 
     @doc.computed
     def interval(self) -> Range:
-        """The interval of the mean."""
+        """The confidence interval of ``mean``, at the level :data:`intervals.LEVEL`.
+
+        None if the mean is exact: all worlds that seeds can draw were run in all places.  None,
+        too, in the cases of :func:`intervals.mean_interval`.
+        """
         return None if self.exact else _rounded(intervals.mean_interval(self.means))
 
     @doc.computed
     def least(self) -> doc.Natural:
-        """The least traversals of a run."""
+        """The least traversals of a run; if ``runs`` < ``places``, other places may need less."""
         return min(min(one.costs) for one in self.members)
 
     @doc.computed
     def worst(self) -> doc.Natural:
-        """The most traversals of a run; if ``runs`` = ``places``, every place was run."""
+        """The most traversals of a run; if ``runs`` < ``places``, other places may need more."""
         return max(max(one.costs) for one in self.members)
 
     @doc.computed
@@ -393,8 +397,8 @@ class _Size(Struct, frozen=True):
 class GrowingWorlds(entrants.Contest[Growth]):
     """The sweep of explorers through growing worlds, from the smallest size to the largest.
 
-    The sizes of all families are in one order.  So, when the time is up, the smaller sizes of every
-    family are finished.
+    The sizes of all families are sorted together by the number of edges.  So, when the time is up,
+    the smaller sizes of every family are finished.
 
     Args:
         entrants: the explorers.

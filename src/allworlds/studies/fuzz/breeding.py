@@ -1,6 +1,7 @@
-"""Worlds that are bred from draws: mutants of random worlds.
+"""Worlds that are bred from draws, which are random worlds.
 
-The aim is that the explorer runs those lines of its code that run in few worlds.
+A bred world is a *mutant*: a draw, or another bred world, after a few random changes.  The aim is
+that the explorer runs those lines of its code that run in few worlds.
 """
 
 from collections import Counter, deque
@@ -96,23 +97,28 @@ def is_bred_for(subject: loading.Subject) -> bool:
 def bred(
     unit: Bred, scope: Scope, subject: loading.Subject, limits: Limits
 ) -> Iterator[NumberedRun]:
-    """Breed worlds in which the explorer runs its rarest lines; yield those that may refute it.
+    """Breed worlds in which the explorer runs its rarest lines; yield those where it breaks a law.
 
     The explorer is run in the first draws of the block, and its lines are traced; then it is run,
     generation by generation, in mutants of worlds in which it ran one of its rarest lines.  The
     bred worlds depend on the explorer and on these draws alone.  If the player dies, or is silent
     for too long, breeding ends.
 
-    Breeding helps to find slips behind nested conditions.  In 48 searches in worlds with up to 60
-    edges, for a slip behind four nested conditions, 256 draws found 4 slips; 64 draws and 192 bred
-    worlds found 14.  In worlds with up to 12 edges, breeding found one such slip from 7 of 8 seeds,
-    and 448 draws found it from one of these seeds.
+    These runs have a step budget of their own, :data:`TRAVERSALS_TRACED`.  So the receiver runs the
+    explorer again in each yielded world; only this second run can refute the explorer.
 
-    Rare lines are the only target of breeding.  Two other targets were tried: a high cost, and long
-    agreement with a wrong hypothesis.  They found less than plain draws, in up to four times the
-    time.  One slip was that an explorer trusts a hypothesis after 24 steps: the two targets found
-    it from 2 and from 1 of 6 seeds, plain draws from 4.  A cost above 8,000 was found by the two
-    targets from 4 and from 3 of the seeds, by plain draws from 5.
+    Breeding helps to find slips (mistakes in an explorer) behind nested conditions.  For slips
+    behind four nested conditions, 48 searches were made in worlds with up to 60 edges.  With 256
+    draws, 4 of the searches found a slip; with 64 draws and 192 bred worlds, 14 did.  In worlds
+    with up to 12 edges, one such slip was searched for with 8 seeds.  Breeding found the slip with
+    7 of the seeds, 448 draws with one.
+
+    Breeding prefers worlds in which rare lines ran.  Two other preferences were tried: worlds in
+    which the explorer had a high cost, and worlds in which a wrong hypothesis of the explorer was
+    long in agreement with the world.  Both found less than plain draws, in up to four times the
+    time.  An explorer that trusts a hypothesis after 24 steps was refuted with 2 and with 1 of 6
+    seeds, by plain draws with 4.  A run with a cost above 8,000 was found with 4 and with 3 of the
+    6 seeds, by plain draws with 5.
 
     Cost: 256 traced runs, each some three times as expensive as a plain run.
     """

@@ -22,7 +22,7 @@ from allworlds.world import selection
 
 
 class MapsRequest(ManyWorlds, sources.ExplorerOptions, selection.WhereOptions):
-    """Request for runs in given maps: an explorer, a class, a condition, rules and limits."""
+    """Request for runs in given maps: explorer, class, condition, rules of the runs, and limits."""
 
 
 def refuted_in(maps: Iterable[CombinatorialMap], request: MapsRequest) -> Finding | None:

@@ -85,7 +85,7 @@ class SampleOptions(Request):
 class FuzzRequest(
     CorpusOptions, RunDirectoryOptions, ClusterOptions, ShardOptions, MapsRequest, SampleOptions
 ):
-    """Request of ``fuzz``: an explorer, the sample, the rules and the limits."""
+    """Request of ``fuzz``: an explorer, the sample, the rules of its runs, and the limits."""
 
 
 @answers(FuzzRequest)

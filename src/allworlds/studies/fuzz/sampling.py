@@ -2,7 +2,8 @@
 
 A *batch* is some runs that one worker does at a time.  A *wave* is several batches; after a wave
 with a finding the search ends.  The *mixture* has several parts; each part is one way to draw a
-random map.
+random map.  The part ``histories`` makes a map edge by edge, as the enumeration of all maps of a
+class does, with a random choice at each step; so its maps are in the class.
 """
 
 from collections.abc import Iterator
@@ -37,7 +38,7 @@ REJECTED_BEFORE_REFUSAL = 2000
 
 
 def waves(runs: int) -> Iterator[tuple[int, int]]:
-    """Yield for each wave the number of its first run, and that of the run after its last one.
+    """Yield for each wave two numbers: that of its first run, and that of the run after its last.
 
     The first waves are (0, 16) and (16, 64).
     """
@@ -112,9 +113,9 @@ class Batch(Struct, frozen=True):
         """Yield one world for each run: a random map with a random place of the lighthouse.
 
         The parts of the mixture take turns.  Each part has its own sequence of random maps, which
-        does not depend on the other parts.  In place of a map that is too small, is not in the
-        class or does not satisfy the condition, another map is drawn.  If many maps of a part are
-        rejected, the part ``histories`` takes its place: it glues maps of the class at random.
+        does not depend on the other parts.  A map is rejected, and another one is drawn, if the map
+        is too small, is not in the class or does not satisfy the condition.  If many maps are
+        rejected for a run, the part ``histories`` draws the map of this run.
         """
         mix = self.mix or default_mix(extent)
         for run in range(self.first, self.last):
