@@ -1,5 +1,7 @@
 """Where belief and truth part, in words."""
 
+import pytest
+
 from allworlds import CombinatorialMap
 from allworlds.maps import from_cycles
 from small import EDGE, LOOP, PATH, TRIANGLE
@@ -48,6 +50,20 @@ def test_a_start_of_another_degree_parts_at_once(explained, answering):
     explanation = explained(LOOP, answering(EDGE, 0))
     assert explanation.step == 0
     assert "differ at the start, at v0" in explanation.sentences[-1]
+
+
+@pytest.mark.parametrize(("motions", "missing"), [((0,), "2 and 3"), ((0, 1), "2 and 3")])
+def test_the_missing_edge_is_the_one_that_was_walked_last_or_never(
+    explained, answering, motions, missing
+):
+    slip, *_ = explained(PATH, answering(EDGE, 1, *motions)).sentences
+    assert slip == f"The answer lacks one edge of the world: the edge of darts {missing}."
+
+
+def test_of_edges_that_were_never_walked_the_missing_one_is_the_first(explained, answering):
+    star = CombinatorialMap((1, 2, 0, 3, 4, 5), (3, 4, 5, 0, 1, 2))
+    slip, *_ = explained(star, answering(PATH, 0)).sentences
+    assert slip == "The answer lacks one edge of the world: the edge of darts 0 and 2."
 
 
 def test_an_answer_that_fits_the_log_never_parts_and_its_open_darts_are_counted(

@@ -236,7 +236,8 @@ def embeddings_of(
         graph: the name of the graph, or of a file that holds it.
         codes: the digest of the file; empty for the name of a graph.
         which: ``all``, or ``genus:G`` for the embeddings of genus G.
-        order, y: the options of :class:`FileOptions`.
+        order: that of :class:`FileOptions`.
+        y: that of :class:`FileOptions`.
 
     Raises:
         InputError: naming an illegal graph, or an illegal ``which``; or if no embedding has the

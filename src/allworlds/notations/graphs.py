@@ -388,7 +388,8 @@ def _leaves(path: list[Point], middle: Point, half: Point, slack: Fraction) -> P
 
     Args:
         path: the points of the line, beginning in the box.
-        middle, half: the middle of the box; half its width and height.
+        middle: the middle of the box.
+        half: half the width and half the height of the box.
         slack: the tolerance with which a point counts as inside the box.
     """
     before, after = middle, path[-1]

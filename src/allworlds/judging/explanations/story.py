@@ -3,6 +3,7 @@
 A slip is the one mistake by which a wrong answer differs from the world.
 """
 
+import math
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from typing import TypeAlias
@@ -340,13 +341,21 @@ def _edge_misplaced(belief: Belief) -> Slip | None:
 
 
 def _edge_missing(belief: Belief) -> Slip | None:
-    """Recognise an answer that lacks one edge of the world, or contracts it to a vertex."""
+    """Recognise an answer that lacks one edge of the world, or contracts it to a vertex.
+
+    If several edges of the world could be the missing one, it is the edge that the robot walked
+    along last or never, since the answer agrees with the beginning of the walk.
+    """
     story, answer = belief.story, belief.answer.map
-    alpha = story.map.alpha
-    for d, less in _without_an_edge(deleted, story.map, answer):
+    alpha, crossed = story.map.alpha, story.walk.crossed
+
+    def last(edges: Iterator[tuple[Dart, CombinatorialMap]]) -> list[tuple[Dart, CombinatorialMap]]:
+        return sorted(edges, key=lambda edge: -crossed.get(edge[0], math.inf))[:1]
+
+    for d, less in last(_without_an_edge(deleted, story.map, answer)):
         sentence = f"The answer lacks one edge of the world: the edge of darts {d} and {alpha[d]}."
         return Slip("edge missing", sentence, answer, less)
-    for d, less in _without_an_edge(contracted, story.map, answer):
+    for d, less in last(_without_an_edge(contracted, story.map, answer)):
         ends = f"{story.vertex(d)} and {story.vertex(alpha[d])}"
         sentence = f"The answer takes {ends} for one vertex, and lacks their edge."
         return Slip("one vertex for two", sentence, answer, less)
