@@ -1,6 +1,7 @@
 """Random mutants of the source, and how many of them the quick tests kill.
 
-    python benchmarks/mutants.py --number 200 --seed 1 [--wing judging ...] [--in DIR] [--out FILE]
+    python benchmarks/mutants.py --number 200 --seed 1 [--wing judging ...] [--workers 2]
+        [--in DIR] [--out FILE]
     python benchmarks/mutants.py --number 40 --seed 1 --wing reports/content
     python benchmarks/mutants.py --kernel --number 30 --seed 1 [--out FILE]
 
@@ -43,9 +44,10 @@ import tomllib
 import venv
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from dataclasses import dataclass, field
-from itertools import accumulate
+from itertools import accumulate, chain
 from pathlib import Path
 from typing import Any
 
@@ -253,10 +255,9 @@ def drawn(every: Iterable[Mutant], seed: int) -> list[Mutant]:
 class Copy:
     """A copy of the project, with an environment of its own and mutants by their numbers."""
 
-    def __init__(self, place: Path) -> None:
+    def __init__(self, place: Path, workers: int) -> None:
         self.tree = place / "tree"
-        self.notes = place / "notes.jsonl"
-        self.to_try = place / "to_try.json"
+        self.workers = workers
         self.python = self.tree / ".venv/bin/python"
         self.seconds: dict[str, float] = defaultdict(float)
 
@@ -288,19 +289,20 @@ class Copy:
         code = f"from allworlds.reports.schemas import main; {schemas}"
         subprocess.run([self.python, "-c", code], cwd=self.tree, check=True)
 
-    def pytest(self, *arguments: str, **environment: str) -> list[list[Any]]:
+    def pytest(self, *arguments: str, worker: int = 0, **environment: str) -> list[list[Any]]:
         """Run tests, and return what they note."""
-        self.notes.write_text("")
+        notes = self.tree.with_name(f"notes-{worker}.jsonl")
+        notes.write_text("")
         subprocess.run(
             [self.python, "-m", "pytest", "-q", "-p", "mutants_pytest", *arguments],
             cwd=self.tree,
             check=False,
             stdin=subprocess.DEVNULL,
-            stdout=self.notes.with_name("pytest.txt").open("a"),
+            stdout=notes.with_name("pytest.txt").open("a"),
             stderr=subprocess.STDOUT,
-            env={**os.environ, "MUTANTS_NOTES": str(self.notes), **environment},
+            env={**os.environ, "MUTANTS_NOTES": str(notes), **environment},
         )
-        return [json.loads(line) for line in self.notes.read_text().splitlines()]
+        return [json.loads(line) for line in notes.read_text().splitlines()]
 
     def meet(self, mutants: dict[int, Mutant], arguments: Sequence[str]) -> None:
         """Run the quick tests without a mutant, and give to each mutant the tests that meet it."""
@@ -314,7 +316,7 @@ class Copy:
                 self.seconds[words[0]] += words[1]
                 failed |= {words[0]} if words[2] else set()
         if not self.seconds:
-            sys.exit(f"mutants: no test has run: see {self.notes.with_name('pytest.txt')}")
+            sys.exit(f"mutants: no test has run: see {self.tree.with_name('pytest.txt')}")
         for test in failed:
             del self.seconds[test]
         for kind, *words in notes:
@@ -375,8 +377,14 @@ class Copy:
                 self._try(mutants, [(number, tests, deadline)], *files, MUTANT=str(number))
 
     def _try(self, mutants: dict[int, Mutant], to_try: Any, *files: str, **active: str) -> None:
-        self.to_try.write_text(json.dumps(to_try))
-        notes = self.pytest("-x", *files, MUTANTS_TO_TRY=str(self.to_try), **active)
+        def part(worker: int) -> list[list[Any]]:
+            mine = self.tree.with_name(f"to_try-{worker}.json")
+            mine.write_text(json.dumps(to_try[worker :: self.workers]))
+            return self.pytest("-x", *files, worker=worker, MUTANTS_TO_TRY=str(mine), **active)
+
+        with ThreadPoolExecutor(self.workers) as pool:
+            parts = pool.map(part, range(min(self.workers, len(to_try))))
+            notes = [*chain.from_iterable(parts)]
         ended = {words[0]: words[1] for kind, *words in notes if kind == "ended"}
         killers = {words[0]: words[1] for kind, *words in notes if kind == "killed"}
         for number, _, _ in to_try:
@@ -450,7 +458,7 @@ def _tested(options: argparse.Namespace) -> dict[int, Mutant]:
     asked = (each for each in every if not options.wing or any(map(each.is_in, options.wing)))
     mutants = dict(enumerate(drawn(asked, options.seed)[: options.number], start=1))
     with tempfile.TemporaryDirectory() as temporary:
-        copy = Copy((options.place or Path(temporary)).resolve())
+        copy = Copy((options.place or Path(temporary)).resolve(), options.workers)
         copy.make(texts, mutants)
         copy.meet(mutants, options.pytest)
         met = {number: each for number, each in mutants.items() if each.tests or each.early}
@@ -468,6 +476,7 @@ def main() -> int:
     parser.add_argument("--in", dest="place", type=Path, help="keep the copy here")
     parser.add_argument("--out", type=Path, help="write a JSON document here")
     parser.add_argument("--seconds", type=float, default=60, help="tests of one mutant at most")
+    parser.add_argument("--workers", type=int, default=1, help="how many mutants at a time")
     parser.add_argument("pytest", nargs="*", help="for the run without a mutant, as -- -n auto")
     options = parser.parse_args()
     known = tomllib.loads(EQUIVALENT.read_text())["mutant"]
