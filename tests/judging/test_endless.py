@@ -355,3 +355,15 @@ def test_of_the_edges_that_were_left_out_eight_are_named(rooms, more):
 def test_three_rounds_are_a_round_and_two_are_none():
     assert round_of([1, 2] * 2) is None
     assert round_of([1, 2] * 3) == Round(1, 2, 3)
+
+
+@pytest.mark.parametrize(("rooms", "more"), [(8, False), (9, True)])
+def test_of_a_round_the_first_eight_places_are_named(rooms, more):
+    def explore(_):
+        while True:
+            yield Move(1)
+
+    told = explained(explore, f"cycle-{rooms}")[2]
+    assert f"a round of {rooms} steps" in told
+    assert told.count(", dart ") == 8
+    assert ("; ..." in told) is more
