@@ -127,6 +127,19 @@ def test_no_runs_are_kept_of_smaller_worlds_or_of_small_ones_or_if_none_are_want
     assert kept(options.pop("edges", 4), 3, **options) == []
 
 
+def test_of_worlds_of_several_sizes_the_first_says_whether_they_are_kept():
+    extent = SimpleNamespace(levels=range(1, 5))
+    judge = SimpleNamespace(counter=SimpleNamespace(scope=SimpleNamespace(extent=extent)))
+    settler = SimpleNamespace(judge=judge)
+    small, large = (
+        SimpleNamespace(world=SimpleNamespace(map=SimpleNamespace(edge_count=m))) for m in (3, 4)
+    )
+    for runs, kept in (([large, small], 2), ([small, large], 0)):
+        seeds = more_seeds.MoreSeeds(settler, Random(1), wanted=True)
+        seeds.keep(Batch(runs))
+        assert len(seeds._kept) == kept
+
+
 def test_nothing_is_kept_after_a_difference_was_explained():
     seeds = more_seeds.MoreSeeds(None, Random(1), wanted=True)
     judge = SimpleNamespace(

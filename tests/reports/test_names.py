@@ -15,7 +15,7 @@ from allworlds.documents.document import replace
 from allworlds.judging.findings.finding import Finding
 from allworlds.maps import CombinatorialMap, named_map
 from allworlds.reports.drawing.layout import DISC
-from allworlds.reports.drawing.svg import BESIDE, BEYOND, _beside, draw, drawing
+from allworlds.reports.drawing.svg import BESIDE, BEYOND, STEEP, _beside, draw, drawing
 from allworlds.reports.drawing.text import draw as in_characters
 from allworlds.reports.formats import file_of, text
 from allworlds.reports.parts import Scene, scene_of
@@ -201,6 +201,8 @@ def test_a_name_beside_a_room_is_clear_of_its_doors_and_in_the_picture():
         assert across + 3 * len(name) <= left + width
     assert _beside([1, -1]) == BESIDE
     assert (_beside([1j]), _beside([-1j]), _beside([1j, -1j])) == (-BESIDE, BESIDE, BEYOND)
+    assert _beside([complex(0.6, STEEP)]) == BESIDE
+    assert _beside([1j, complex(0.6, -STEEP)]) == -BESIDE
 
 
 def test_long_names_are_cut_in_characters_and_stand_in_the_legend():

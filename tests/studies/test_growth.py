@@ -230,6 +230,12 @@ def test_the_time_limit_and_an_interrupt_leave_finished_sizes(monkeypatch):
         assert "finished sizes" in text_of(told, 100)
 
 
+def test_a_shard_has_worlds_of_all_sizes_by_the_squares_of_their_edges():
+    asked = {"family": "bouquet", "to": 60, "draws": 1, "places": 1}
+    shards = [compare("algorithm1", **asked, shard=(k, 2)).rows for k in (0, 1)]
+    assert [[row.edges for row in rows] for rows in shards] == [[60], [15, 30]]
+
+
 def test_a_law_that_is_broken_in_a_begun_size_refutes():
     class Ends(Listener):
         def progress(self, worlds):
