@@ -340,17 +340,30 @@ def test_a_batch_is_larger_if_a_library_plays_it(native):
 
 @pytest.mark.usefixtures("compiled")
 @pytest.mark.parametrize("native", [False, True])
-@pytest.mark.parametrize("size", [1, 100])
-def test_each_world_without_a_place_is_counted_once(size, native):
-    judge, every = judge_of("natural", edges=2), 0
+@pytest.mark.parametrize(
+    ("edges", "size", "waiting"), [(2, 1, 0), (2, 100, 0), (4, 4, 2), (4, 10, 9)]
+)
+def test_each_world_without_a_place_is_counted_once(edges, size, waiting, native):
+    judge, every = judge_of("natural", edges=edges), 0
     judge.native = native
-    for unit in units_of_level(judge.counter.scope.extent, 2):
-        work = Work(unit, judge.counter.tally())
+    for unit in units_of_level(judge.counter.scope.extent, edges):
+        work, batches = Work(unit, judge.counter.tally()), []
+
+        def judged(left, work=work, batches=batches):
+            while len(batches) > left:
+                batch = batches.pop(0)
+                assert judge.judge(batch)
+                work.tally.add(batch.tally)
+
         for batch in judge.batches(work, lambda: size):
-            assert judge.judge(played(batch))
-            work.tally.add(batch.tally)
-        without = sum(run.lighthouse is None for run in judge.counter.runs(unit))
+            batches.append(played(batch))
+            batch.plain = not native
+            judged(waiting)  # the last ones are played while the next ones are laid out
+        judged(0)
+        runs = [*judge.counter.runs(unit)]
+        without = sum(run.lighthouse is None for run in runs)
         assert work.tally.left_out == without
+        assert work.tally.worlds == len({run.map for run in runs})
         every += without
     assert every
 

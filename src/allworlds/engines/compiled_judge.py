@@ -98,8 +98,8 @@ class CompiledJudge:
             batch = CompiledBatch(self, work, unit_judge, laid)
             if laid.runs:
                 yield batch
-            elif laid.until > laid.first:  # worlds without a place
-                self.judge(batch)
+            elif laid.until > laid.first:  # only worlds without a place are left in the unit
+                self._by_python(batch)
                 work.tally.add(batch.tally)
 
     def judge(self, batch: RunBatch) -> bool:

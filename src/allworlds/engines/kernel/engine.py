@@ -280,13 +280,13 @@ class UnitJudge:
 def lay_out(job, unit, heads, worlds):
     """Write runs to memory up to number ``job.until``, or until there is no more room.
 
-    Return the number of written runs.  ``job`` and ``unit`` are the arguments of
-    :func:`allworlds.engines.kernel.runs.examine`.  ``job.number`` becomes the number of the next
-    run, and ``job.until`` becomes 0 after the last run.  Each run is written to a row of ``heads``
-    and a row of ``worlds``.
+    At least one run is written if a run is left.  Return the number of written runs.  ``job`` and
+    ``unit`` are the arguments of :func:`allworlds.engines.kernel.runs.examine`.  ``job.number``
+    becomes the number of the next run, and ``job.until`` becomes 0 after the last run.  Each run is
+    written to a row of ``heads`` and a row of ``worlds``.
     """
     g, world, placed = job.gluing, job.world, 0
-    while job.number < job.until and placed <= len(heads) - 2 * layout.MOST_PLACES:
+    while placed == 0 or (job.number < job.until and placed <= len(heads) - 2 * layout.MOST_PLACES):
         if not advance(g, unit.prefix, unit.viable):
             job.until = 0
             break
