@@ -1,11 +1,14 @@
 """Two plays of a program that differ: who is blamed, and in which world; what a lane tells."""
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import pytest
 
 import allworlds
+from allworlds import Move
 from allworlds.robots import search_lane
+from allworlds.robots.model import Model
 from allworlds.robots.models.meeting import Meeting
 from allworlds.robots.program_player import ProgramPlayer
 from allworlds.robots.search_lane import SearchLane
@@ -64,6 +67,41 @@ def test_maps_without_a_start_are_passed_by_when_a_world_is_sought(team):
     blamed = [each for each in found if each.law == "nondeterministic"]
     assert blamed
     assert {len(each.map.faces) for each in blamed} == {2}
+
+
+class WithLetter(NamedTuple):
+    darts: tuple
+    letter: str
+
+
+@dataclass(frozen=True)
+class SometimesOver(Model):
+    """A model whose first start is over; it reads each action, since each is a motion."""
+
+    def initial(self, map_, starts):
+        yield from (WithLetter(tuple(starts), letter) for letter in "AB")
+
+    def sensed(self, map_, state, robot):
+        return "x" if robot == 0 else state.letter
+
+    def over(self, map_, state):
+        return state.letter != "B"
+
+    def step(self, map_, state, acts):
+        assert all(type(action) is Move for action in acts.values())
+        yield state._replace(letter="C"), ""
+
+
+@pytest.mark.parametrize(
+    "names", [("wavering", "steady"), ("wavers", "waits"), ("wavering", "waits")]
+)
+def test_a_robot_is_not_blamed_where_the_run_is_over_and_no_program_was_asked(team, names):
+    found = team(*names, model=SometimesOver(), edges=1, scheduler="fsync").findings
+    blamed = [each for each in found if each.law == "nondeterministic"]
+    assert blamed
+    for each in blamed:
+        turns = each.events[-1].robots
+        assert [(turn.sensed, turn.did) for turn in turns[1:]] == [("B", "watch")]
 
 
 @pytest.mark.parametrize("method", ["replies", "plays"])  # of the first play, of the second one

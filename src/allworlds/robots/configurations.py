@@ -76,6 +76,8 @@ class Search:
         broken: the broken law; None if no broken law has been found so far.
         ends: the ends of runs.
         full: whether the search has reached more configurations than are allowed.
+        plans: the planned transitions from the last layer: a configuration's number, the robots
+            that can be activated there, and the mind of each of these robots after its look.
         states: the states of the world that the search has reached, by their numbers.
     """
 
@@ -100,7 +102,7 @@ class Search:
         self._state_ids: dict[Any, int] = {}
         self._sensed: list[list[Any]] = []
         self._layer: list[int] = []
-        self._plans: list[tuple[int, Sequence[int], Sequence[int]]] = []
+        self.plans: list[tuple[int, Sequence[int], Sequence[int]]] = []
 
     def begin(self) -> None:
         """Make the first configurations, and note the broken law if a program fails at the start.
@@ -152,6 +154,7 @@ class Search:
         The percepts of the robots in these transitions go into the next messages to the programs.
         Also note the runs that end or are cut off in this layer, and a state that is bad.
         """
+        self.plans = []
         for number in self._layer:
             state = self.states[self._keys[number][0]]
             if self.world.says_bad and (seen := self.world.bad(state)):
@@ -168,18 +171,18 @@ class Search:
                 continue
             if not able:
                 if self._goes_on(number):
-                    self._plans.append((number, (), ()))
+                    self.plans.append((number, (), ()))
                 else:
                     self._stop(number)
                 continue
-            self._plans.append((number, able, self._looks(number, able)))
+            self.plans.append((number, able, self._looks(number, able)))
 
     def expand(self) -> None:
         """Make all planned transitions; the new configurations are the next layer."""
-        plans, self._plans, self._layer = self._plans, [], []
+        self._layer = []
         if self.broken:
             return
-        for number, able, looks in plans:
+        for number, able, looks in self.plans:
             self.graph.begin(number)
             at, turns = self.configuration(number), self._turns(number, able, looks)
             for group, bits in self._groups(number, able):

@@ -197,12 +197,15 @@ def _where_sensed(
     belongs to the group.  Return None if there is no such configuration.
     """
     _, before, sensed = found.turn
+    planned = {number for number, _, _ in search.plans}
     for number in range(len(search)):
         _, of_robots, _ = search.configuration(number)
+        # No program is asked where the run is over or cut off.
+        asked = number in planned or search.graph.transitions(number)
         for robot, mind in enumerate(of_robots):
             if search.program_of[robot] != program or mind < 0:
                 continue
-            if before != BEGIN and search.percept(number, robot) != sensed:
+            if before != BEGIN and not (asked and search.percept(number, robot) == sensed):
                 continue
             if minds.precedes(mind, before):
                 every = search.timing.groups(tuple(search.able(number)[0]))
