@@ -143,12 +143,12 @@ class CompiledJudge:
         size = stretch.put(logs)
         unit_judge = batch.unit_judge
         unit_judge.heads = batch.heads
-        sums, good = unit_judge.judge(batch.laid, max(0, size))
+        sums, good = unit_judge.judge(batch.laid, size)
         count = len(logs)
         starts = [*replay.starts[:count].tolist(), unit_judge.noted]
         batch.percepts = replay.percepts[: unit_judge.noted].tobytes()
         batch.starts, batch.motioned = array("i", starts), replay.heads[:count].copy()
-        return sums, good and size >= 0
+        return sums, good
 
     def _by_python(self, batch: CompiledBatch) -> None:
         """Let the Python judge count a batch whose logs compiled code cannot read."""

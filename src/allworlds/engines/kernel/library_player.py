@@ -31,7 +31,7 @@ from allworlds.engines.kernel.compiling import (
 )
 from allworlds.explorers.shared_library import NativeExplorer, threads_left, threads_now
 
-LONGEST_ENTRY = 4 + 2 * codes.MOST_DARTS
+LONGEST_ENTRY = 3 + 2 * codes.MOST_DARTS
 """The largest number of bytes that one step of a run writes to the log."""
 
 

@@ -118,7 +118,7 @@ BESIDE, BEYOND, WIDE = 31.0, 42.0, 7
 a dart's number, and the width of a character."""
 
 STEEP = 0.8
-"""The sine of the least angle to the horizontal at which a dart runs through its vertex's name."""
+"""The sine of the angle to the horizontal above which a dart runs through its vertex's name."""
 
 TURN = 16.5
 """The radius, in pixels, of the arrow that shows the clockwise direction."""
