@@ -268,3 +268,12 @@ def test_no_earlier_runs_are_named_if_they_do_nothing_or_are_too_many():
     most = across.MOST_EARLIER
     assert needed([*range(most)], range(most + 2)) == [*range(most)]
     assert needed([*range(most + 1)], range(most + 2)) == []
+
+
+def test_each_of_the_two_plays_has_its_own_hash_seed(monkeypatch):
+    begun = []
+    monkeypatch.setattr(across, "started", lambda _, seed: begun.append(seed))
+    monkeypatch.setattr(across, "RunBatch", lambda *_: None)
+    made = across.Across(None, None, "work", (3, 5))
+    assert [play.seed for play in made._plays] == [3, 5]
+    assert begun == [5]  # the other one begins only if no process has played these runs before

@@ -139,3 +139,12 @@ def test_a_run_that_goes_on_is_told_of_while_it_does(workers, tmp_path, monkeypa
     turns, budget = listener.heard
     assert budget == 10**9
     assert 0 <= turns < budget
+
+
+def test_a_job_that_is_soon_done_needs_no_process_besides(monkeypatch):
+    monkeypatch.setattr(lanes, "ALONE", 1e9)
+    before, limits = {*workers_of(os.getpid())}, Limits(workers=2)
+    pieces = [*units.units_of_level(SCOPE.extent, 3, units.WHOLE)]
+    with lanes.workers_for(subject_of("algorithm1", limits), limits) as transport:
+        for _ in transport.map(tally.RunCounter(SCOPE, 1), pieces):
+            assert len(lanes_at_work() - before) <= 1

@@ -548,3 +548,26 @@ def test_a_library_has_a_limit_of_memory_if_the_user_gives_none(memory, limited,
     setup = {"memory": memory, "native_memory": 7, "source": None, "name": "n", "answer_timeout": 1}
     assert player._loaded(setup) is subject
     assert limits == limited
+
+
+@pytest.mark.parametrize("does", ["played", "turns_taken"])
+def test_a_timer_that_an_explorer_has_left_ends_with_its_runs(does, monkeypatch):
+    def leaves_timers(*_):
+        for timer in player.TIMERS:
+            signal.setitimer(timer, 600)
+        return [b"log"]
+
+    answers = []
+    monkeypatch.setattr(player, does, leaves_timers)
+    monkeypatch.setattr(player, "_answer", lambda *words: answers.append(words))
+    server = object.__new__(player._Server)
+    server._subject = server._player = server._beat = None
+    server._turns, server._pid = "turns", os.getpid()
+    batch = {"kind": "record", "content": [], "hear": False}
+    try:
+        (server._play if does == "played" else server._take_turns)(batch)
+        assert [signal.getitimer(timer) for timer in player.TIMERS] == [(0.0, 0.0)] * 3
+    finally:
+        for timer in player.TIMERS:
+            signal.setitimer(timer, 0)
+    assert len(answers) == 1

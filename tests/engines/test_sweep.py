@@ -4,12 +4,15 @@ The documents are compared byte for byte, so that the order of their keys counts
 """
 
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 from allworlds import ambiguity, check, compare, count, fuzz, team, worst
+from allworlds.engines import sweep
 from allworlds.verbs import VERBS
 from kept_jobs import EXPLORERS
+from listeners import Hears
 
 pytestmark = [pytest.mark.usefixtures("compiled", "without_workers")]
 
@@ -56,3 +59,21 @@ def test_a_time_limit_that_is_over_at_once_leaves_it_undecided(name):
     cut = SWEEPS[name](time_limit=1e-9)
     refuted = bool(getattr(cut, "findings", ()))
     assert cut.exit_code == (1 if refuted else 3)
+
+
+def test_what_was_finished_before_is_progress_too(tmp_path):
+    first, again = Hears(), Hears()
+    for listener in (first, again):
+        check(edges=3, engine="python", run=tmp_path / "run", listener=listener)
+    assert again.heard == first.heard
+    assert {total for _, total, _ in again.heard} == {done for *_, done in again.heard}
+
+
+def test_of_a_large_level_each_unit_is_equally_likely_to_be_in_the_sample(monkeypatch):
+    asked, more = [], 3
+    monkeypatch.setattr(sweep, "randrange", lambda below: asked.append(below) or below - 1)
+    level = SimpleNamespace(edges=sweep.SMALL + 1, units=range(sweep.DRAWN + more))
+    swept, drawn = SimpleNamespace(_is_kept=lambda *_: False), []
+    assert [*sweep.Sweep._undone(swept, level, None, drawn)] == [*level.units]
+    assert asked == [sweep.DRAWN + 1 + index for index in range(more)]
+    assert drawn == [*range(sweep.DRAWN)]

@@ -9,6 +9,8 @@ import pytest
 
 from allworlds.engines import engine_table
 from allworlds.engines.engine_table import WALKED_FROM, obstacle, walks
+from allworlds.engines.kernel import demand_driven
+from allworlds.engines.kernel.engine import _walked_events
 from allworlds.engines.units import Scope
 from allworlds.explorers.loading import Subject
 from allworlds.judging.laws.law_table import LAWS
@@ -66,3 +68,11 @@ def test_the_symmetry_is_told_where_it_is_used(monkeypatch):
     kernel = engine_table.ENGINES["kernel"]
     assert kernel.symmetry(scope_of(), OURS) == "by symmetry"
     assert kernel.symmetry(scope_of(step_budget=1000), OURS) == ""
+
+
+def test_loops_and_other_edges_are_those_of_the_walks_that_have_not_failed():
+    row = [0] * (demand_driven.LOOP_EDGE + 9)
+    row[demand_driven.WORLDS], row[demand_driven.FAILURES] = 7, 2
+    events = _walked_events([[0] * len(row), [0] * len(row), row], edges=3, places=4)
+    # A map with 3 edges and 2 vertices: a spanning tree has one edge, so that 2 close a cycle.
+    assert (events["loop"], events["non-loop"]) == (4 * 2 * 5, 4 * 1 * 5)
