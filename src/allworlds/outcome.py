@@ -145,7 +145,10 @@ class Facts(NamedTuple):
 
     @property
     def sample_verdict(self) -> Verdict:
-        """The verdict of a sample, which never shows that the laws hold."""
+        """The verdict if only a sample of the worlds was checked.
+
+        The verdict is ``not-refuted`` in place of ``holds``; otherwise it is :attr:`verdict`.
+        """
         verdict = self.verdict
         return Verdict.NOT_REFUTED if verdict is Verdict.HOLDS else verdict
 
@@ -158,7 +161,7 @@ _CODES = (
 
 
 def ended(job: Callable[[], Ending]) -> Ending:
-    """Do a job, and return its ending; if the user interrupts the job, that is an ending, too."""
+    """Do a job, and return its ending: :class:`Interrupted` if the user interrupts the job."""
     try:
         return job()
     except KeyboardInterrupt:
@@ -166,7 +169,7 @@ def ended(job: Callable[[], Ending]) -> Ending:
 
 
 def until_interrupted(rows: Iterable[T]) -> tuple[tuple[T, ...], Ending]:
-    """All rows, and the ending; if the user interrupts, the rows that were made before."""
+    """All rows, and the ending; if the user interrupts, only the rows that were made before."""
     made: list[T] = []
     try:
         for row in rows:

@@ -168,7 +168,9 @@ def _box_in_yed(box: ET.Element) -> dict[str, float]:
 def _line_in_yed(edge: ET.Element, source: Any, target: Any) -> dict[str, Any]:
     """The points of an edge's line, both ends included, in the form that GML has.
 
-    The result is empty if the line is straight, from the middle of a box to the middle of a box.
+    ``source`` and ``target`` are the boxes of the nodes at the ends, as :func:`_box_in_yed` returns
+    them, or None.  The result is empty if a node has no box, and if the line is straight, from the
+    middle of a box to the middle of a box.
     """
     path = edge.find(f".//{YED}Path")
     if path is None or not (source and target):
@@ -198,7 +200,8 @@ def _root_and_graph(content: bytes) -> tuple[ET.Element, nx.Graph]:
     the group itself does not.
 
     Raises:
-        InputError: naming a node or an edge of the text that the graph would lack.
+        InputError: if the text does not have exactly one graph, if an edge ends at a group or at no
+            node, or if the graph would lack a node or an edge of the text.
     """
     import networkx as nx
 
@@ -230,7 +233,13 @@ def _is_group(node: ET.Element) -> bool:
 
 
 def _take_out_of_groups(root: ET.Element, groups: set[str | None]) -> None:
-    """Move the contents of groups of nodes to the graph itself, and remove the groups."""
+    """Move the contents of all groups of nodes to the graph itself, and remove the groups.
+
+    ``root`` is the root element of the text, ``groups`` holds the ids of the groups.
+
+    Raises:
+        InputError: if edges are directed in one group, and undirected in another.
+    """
     graph = root.find(f"{PLAIN}graph")
     assert graph is not None
     if len({each.get("edgedefault") for each in root.iter(f"{PLAIN}graph")}) > 1:
@@ -244,7 +253,10 @@ def _take_out_of_groups(root: ET.Element, groups: set[str | None]) -> None:
 
 
 def _ensure_rooms(v: object, w: object, groups: set[Any], names: dict[Any, str]) -> None:
-    """Refuse the edge from ``v`` to ``w`` if one of them is a group."""
+    """Refuse the edge from ``v`` to ``w`` if one of these two ids is the id of a group.
+
+    ``groups`` holds the ids of the groups; ``names`` has, for each id, the name in the message.
+    """
     for end in groups.intersection((v, w)):
         raise InputError(
             f"the edge from {names.get(v, v)} to {names.get(w, w)} ends at {names[end]}, a group "
@@ -253,7 +265,11 @@ def _ensure_rooms(v: object, w: object, groups: set[Any], names: dict[Any, str])
 
 
 def _ensure_both_ways(v: str, w: str, heads: Iterable[str | None]) -> None:
-    """Refuse the edge from ``v`` to ``w`` if it has an arrow at exactly one end."""
+    """Refuse the edge from ``v`` to ``w`` if it has an arrow at exactly one end.
+
+    ``v`` and ``w`` are the names in the message.  ``heads`` holds a word for each end of the edge:
+    the shape of the arrowhead; ``none``, None or an empty text means that there is no arrow.
+    """
     if [head or "none" for head in heads].count("none") == 1:
         raise InputError(f"the edge from {v} to {w} has an arrow at one end: it leads one way")
 
@@ -271,7 +287,10 @@ def _ensure_differ(ids: Iterable[object]) -> None:
 
 
 def _ensure_whole(graph: nx.Graph, nodes: int, edges: int) -> None:
-    """Refuse a graph unless networkx has read these numbers of nodes and edges."""
+    """Refuse ``graph``, which networkx has read, if it lacks nodes or edges of its text.
+
+    ``nodes`` and ``edges`` are the numbers of nodes and of edges in the text.
+    """
     n, m = graph.number_of_nodes(), graph.number_of_edges()
     if (n, m) != (nodes, edges):
         read = f"{nodes} nodes and {edges} edges, of which networkx reads {n} and {m}"
@@ -279,7 +298,7 @@ def _ensure_whole(graph: nx.Graph, nodes: int, edges: int) -> None:
 
 
 def _label(data: dict[str, Any]) -> str:
-    """The label of a node; empty for a node without a label."""
+    """The label of a node with the attributes ``data``; empty for a node without a label."""
     return " ".join(str(data.get("label") or "").split())
 
 
@@ -287,7 +306,7 @@ def _label(data: dict[str, Any]) -> str:
 
 
 def _entry(graph: nx.Graph) -> Entry:
-    """The world that a graph with positions shows: the drawing gives the order of the edges."""
+    """The world of a graph with positions; the drawing gives the order of the edges."""
     names = [*graph]
     lines = {
         (v, w, *key): _line(f"from {show(v)} to {show(w)}", graph.edges[v, w, *key])
@@ -310,7 +329,8 @@ def _box(name: str, data: dict[str, Any]) -> Box:
     """The box of a node: the middle, and half the width and height.
 
     The middle is read from the attribute ``pos``, from ``x`` and ``y``, or from ``graphics``.  The
-    width and height are read from ``graphics``, and are 0 without it.
+    width and height are read from ``graphics``, and are 0 without it.  ``data`` holds the
+    attributes of the node; ``name`` names the node in messages.
     """
     graphics = data.get("graphics")
     drawn = graphics if isinstance(graphics, dict) else data
@@ -326,7 +346,11 @@ def _box(name: str, data: dict[str, Any]) -> Box:
 
 
 def _point(given: Iterable[Any]) -> Point:
-    """Two coordinates, exactly as printed; raise TypeError or ValueError for other values."""
+    """The point of the first two numbers in ``given``, exactly as these numbers are printed.
+
+    If there are fewer than two values, or one of them is no number, TypeError or ValueError is
+    raised.
+    """
     x, y, *_ = (Fraction(str(each)) for each in given)
     return x, y
 
@@ -354,7 +378,14 @@ def _line(ends: str, data: dict[str, Any]) -> list[Point]:
 def _ends(v: str, w: str, line: list[Point], boxes: Mapping[str, Box]) -> Any:
     """For each end of the edge from ``v`` to ``w`` the vertex, and the direction of the edge there.
 
-    ``line`` holds the points of the edge's line.  A direction is a number as ``turn`` returns it.
+    A direction is a number from 0 on and below 4, as :func:`allworlds.maps.networks.turn` returns
+    it: clockwise, 0 is up, 1 right, 2 down, 3 left.
+
+    Args:
+        v: the name of the vertex at one end.
+        w: the name of the vertex at the other end.
+        line: the points of the edge's line, from either end; empty for a straight line.
+        boxes: the box of each vertex, by its name.
     """
     if v == w and not line:
         raise InputError(f"the edge from {show(v)} to {show(v)} is a loop that is drawn as a point")
@@ -370,7 +401,10 @@ def _ends(v: str, w: str, line: list[Point], boxes: Mapping[str, Box]) -> Any:
 
 
 def _joins(path: list[Point], one: Box, other: Box, slack: Fraction) -> bool:
-    """Whether a line begins in the box ``one`` and ends in ``other``; ``slack`` is a tolerance."""
+    """Whether the line ``path`` begins in the box ``one`` and ends in the box ``other``.
+
+    A point counts as inside a box if it is at most ``slack`` outside of it.
+    """
     return _inside(path[0], *one, slack) and _inside(path[-1], *other, slack)
 
 

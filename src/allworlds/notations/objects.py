@@ -11,9 +11,12 @@
 ========================================  ========================================================
 
 The darts or neighbours of a vertex are clockwise; if a file has them anticlockwise, the user must
-give the option ``--order anticlockwise``.  In a face of a fat graph, the dart after d is the dart
-before alpha(d) in the cycle of the vertex of alpha(d).  A ``FatGraph`` of the package
-surface_dynamics for Sage has such faces, and its vertices are anticlockwise.
+give the option ``--order anticlockwise``.
+
+The cycles of faces must fit the cycles of vertices as the file has them, clockwise or not: in a
+face, the dart after d is the dart *before* alpha(d) in its vertex.  (A face of the glossary has the
+dart *after* alpha(d) there, clockwise.)  A ``FatGraph`` of the package surface_dynamics for Sage
+has such faces, and its vertices are anticlockwise.
 """
 
 from collections import Counter
@@ -64,7 +67,7 @@ def _end(given: Any) -> Any:
 
 
 def rotation_of(entry: Entry) -> dict[str, list[str | list[str | int]]]:
-    """The rotation of a world: the neighbours of :func:`doors_of`, by the names of the vertices."""
+    """The rotation of a world: by the name of each vertex its neighbours, see :func:`doors_of`."""
     return {entry.labels.vertex(v): ends for v, ends in enumerate(doors_of(entry))}
 
 
@@ -91,7 +94,7 @@ def _fat(given: Mapping[str, Any]) -> CombinatorialMap:
     """The map of a fat graph; ``given`` has two or three of the keys :data:`FAT`.
 
     The value of a key is a permutation of the darts, written as its cycles.  If there are three
-    permutations, they must agree.
+    permutations, the faces must be those that follow from the vertices and edges.
     """
     images = dict[str, list[int]]()
     for key, value in given.items():
@@ -120,7 +123,7 @@ def fat_of(entry: Entry) -> dict[str, list[list[int]]]:
 
 
 def own_of(entry: Entry) -> dict[str, Any]:
-    """The object of a world in this program's notation; keys without a value are left out."""
+    """The JSON object of a world in this program's notation; keys without a value are left out."""
     labels, map_ = entry.labels, entry.map
     fixed = map_.sigma, map_.alpha, entry.start, entry.lighthouse
     values = *fixed, labels.name, labels.vertices, labels.positions

@@ -27,8 +27,8 @@ from allworlds.world.world import Entry
 
 PLANAR, EDGE = b">>planar_code", b">>edge_code"
 MOST = 255
-"""The largest number of vertices, edges or bytes for which numbers have one byte; as a byte of
-``edge_code`` it separates two vertices."""
+"""The largest number of vertices, edges or bytes for which numbers have one byte.  In ``edge_code``
+a byte of this value separates two vertices."""
 
 
 def _begun(file: IO[bytes], code: bytes) -> bytes:

@@ -152,7 +152,10 @@ def notation_in(stream: IO[bytes], file: str) -> Notation:
 
 
 def legal(*, written: bool = False) -> str:
-    """The suffixes of all notations, in words; with ``written``, only of those that are written."""
+    """The suffixes of all notations, in words.
+
+    If ``written`` is True, notations that can only be read are left out.
+    """
     notations = (each for each in NOTATIONS if each.write or not written)
     return one_of(end for each in notations for end in each.suffixes)
 
@@ -210,7 +213,8 @@ def _turned(entry: Entry, notation: Notation, order: Order | None, y: YAxis | No
 
     ``entry`` comes from ``notation.read``, which takes every order of edges as clockwise and every
     y axis as upward.  ``order`` and ``y`` tell the true order and the true axis, as in
-    :func:`entries`.  If one of them is the opposite, the result is the mirror image of ``entry``.
+    :func:`entries`.  If the true order is anticlockwise, or the true axis points down, the result
+    is the mirror image of ``entry``.
     """
     labels = entry.labels.checked(entry.map)
     if notation.y:
@@ -292,10 +296,12 @@ def entry_named(
 def graph_in(
     file: str | Path, order: Order | None = None, y: YAxis | None = None
 ) -> tuple[Any, Labelling]:
-    """The graph in a file, as networkx has it, and the labels with the names of its vertices.
+    """The graph in a file, as networkx has it, and its labels: its name, and the nodes' names.
 
-    ``order`` and ``y`` must be legal for the file, as in :func:`entries`; the vertices and edges of
-    the graph do not depend on them.
+    The names are in the order of the graph's nodes.  In GraphML, GML and graph6 the names are the
+    nodes themselves; in other notations the nodes are numbers, and the names may be missing.
+    ``order`` and ``y`` must be legal for the file, as in :func:`entries`; the graph does not depend
+    on them.
 
     Raises:
         InputError: if the file does not hold one graph or one world; the message names the part
@@ -311,10 +317,10 @@ def graph_in(
 
 
 def to_write(file: str) -> Notation:
-    """The notation in which a file of that name is written.
+    """The notation in which a file with the name ``file`` is written.
 
     Raises:
-        InputError: if no written notation has its suffix.
+        InputError: if no written notation has the suffix of this name.
     """
     if (found := by_suffix(file)) and found.write:
         return found
@@ -322,11 +328,11 @@ def to_write(file: str) -> Notation:
 
 
 def written(worlds: Iterable[Entry], notation: Notation) -> Iterator[bytes]:
-    """Yield the bytes of a file in a notation; parts that it cannot express are left out.
+    """Yield the bytes of a file in a notation, without parts that the notation cannot express.
 
     Raises:
-        InputError: if the notation cannot express the map of a world, which the message names; or
-            if a file in the notation holds one world, and several are given.
+        InputError: if the notation cannot express the map of a world, whose number the message has;
+            or if a file in the notation holds one world, and several are given.
     """
 
     def parts() -> Iterator[bytes]:

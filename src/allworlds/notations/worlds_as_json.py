@@ -70,8 +70,9 @@ def read_lines(
 def _entry(parse: Callable[[str], Any], text: str, line: int, start: int) -> Entry:
     """The world of a text; ``parse`` makes from the text the object that :func:`entry_of` takes.
 
-    Errors name ``line``, the number of the text's first line.  Line 1 begins at the byte ``start``
-    of the file: reading began there.
+    ``line`` and ``start`` are for messages alone.  ``line`` is the number of the text's first line,
+    counted from the byte ``start`` of the file, where the reading began; the message also has
+    ``start``, unless it is 0.
     """
     with at(f"line {line}" + (f" from byte {start} on" if start else "")):
         return entry_of(parse(text.strip()))

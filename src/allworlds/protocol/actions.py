@@ -420,7 +420,7 @@ class ExplorerFault(Exception):
 
 
 class IllegalAction(ValueError):
-    """Raised for an action that is illegal in this world."""
+    """Raised for an action that is illegal in the world of the run."""
 
 
 class BeyondRecord(Exception):

@@ -26,13 +26,17 @@ class Policy(Protocol):
     """A policy: it makes a choice from the choice's kind, the options and their costs."""
 
     def choose(self, kind: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:
-        """Return an index below ``len(options)``; any integer if there are no options."""
+        """Return an index below ``len(options)``; any integer if there are no options.
+
+        ``cost`` is the walking distance of each option; None or empty if the distances are unknown.
+        """
 
 
 class Fifo:
     """The policy that takes the first option.
 
-    Of darts, this is the dart that came into the explored part S first; of paths, a shortest path.
+    In Algorithm 1, the first of several darts is the one that came into the explored part S first,
+    and the first of several paths is a shortest one.
     """
 
     def choose(self, kind: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:
@@ -169,7 +173,10 @@ class Choices:
 
 
 def _check_sequence(name: str, given: object) -> None:
-    """Raise ValueError unless the value has the methods of a sequence: a length, and indices."""
+    """Raise ValueError unless ``given`` has the methods of a sequence: a length, and indices.
+
+    A dictionary is refused, too.  ``name`` names the value in the message.
+    """
     if not (hasattr(given, "__getitem__") and hasattr(given, "__len__")) or isinstance(given, dict):
         raise ValueError(f"{name} of the type {type(given).__name__} is no sequence, as a list is")
 
@@ -185,7 +192,8 @@ def _check_costs(options: Sized, cost: Sequence[int]) -> None:
 def are_due(script: Sequence[int], record: Sequence[int], widths: Sequence[int]) -> bool:
     """Whether a run made the choices of its script, and took the first option at all later choices.
 
-    The result is also false if ``widths`` does not have the number of options for every choice.
+    ``record`` and ``widths`` are those of the run's :class:`Choices`.  The result is also false if
+    ``widths`` does not have the number of options for every choice.
     """
     length = max(len(script), len(record))
     due = (*script, *(0,) * (length - len(script)))
@@ -195,9 +203,10 @@ def are_due(script: Sequence[int], record: Sequence[int], widths: Sequence[int])
 def next_script(
     script: Sequence[int], record: Sequence[int], widths: Sequence[int]
 ) -> tuple[int, ...] | None:
-    """The script of the next schedule after this run; None if this was the last schedule.
+    """The script of the next schedule after that of a run; None after the last schedule.
 
-    The result is also None if the run did not follow ``script``; :func:`are_due` tells that.
+    ``script``, ``record`` and ``widths`` are those of the run's :class:`Choices`.  The result is
+    also None if :func:`are_due` is false, because the run did not follow its script.
     """
     if not are_due(script, record, widths):
         return None

@@ -23,8 +23,8 @@ UserLine: TypeAlias = tuple[str, int]
 NOWHERE: UserLine = ("", 0)
 
 ONCE = "once"
-"""The value that asks only which lines run (:class:`LinesPlay`); the value True also asks for the
-turns in which they run (:class:`TracedPlay`)."""
+"""The value of the key ``lines`` of a batch that asks only which lines run (:class:`LinesPlay`).
+The value True also asks for the turns in which they run (:class:`TracedPlay`)."""
 
 LATELY, BUSIEST = 1000, 5
 """Two numbers.  In the last ``LATELY`` turns it is counted how often each line ran; the ``BUSIEST``
@@ -106,15 +106,16 @@ class TracedPlay:
         return self._trace
 
     def busiest(self) -> list[UserLine]:
-        """The lines that ran most in the last turns, the busiest first."""
+        """The lines that ran most in the last :data:`LATELY` turns, the busiest first."""
         every = sum(self.lately, Counter[UserLine]())
         return sorted(every, key=lambda line: (-every[line], line))[:BUSIEST]
 
     def _end(self, error: BaseException) -> UserLine:
         """The line of the user's program where the explorer ended.
 
-        After an exception this is the innermost line of the user's program in the traceback; after
-        a return this is the line that returned.
+        ``error`` is the exception that ended its generator, StopIteration after a return.  After a
+        return the result is the line that returned; after any other exception, the innermost line
+        of the user's program in the traceback.
         """
         line, frames = self._left, error.__traceback__
         while frames and not isinstance(error, StopIteration):
@@ -163,7 +164,10 @@ def _line_of(frame: FrameType) -> UserLine:
 
 
 def _yielding(walk: Any) -> UserLine:
-    """The line of the user's program that yields: in a chain of ``yield from`` the innermost."""
+    """The line of the user's program that yields; ``walk`` is the explorer's generator.
+
+    In a chain of ``yield from`` it is the innermost line.
+    """
     line = NOWHERE
     while (frame := getattr(walk, "gi_frame", None)) is not None:
         if is_users(frame.f_code.co_filename):

@@ -137,7 +137,7 @@ def _as_module(path: str) -> str:
 
 
 def imported(name: str, importing: Callable[[], Any]) -> Any:
-    """The result of ``importing``, a function that imports something.
+    """The result of ``importing``, a function that imports the program ``name``.
 
     Raises:
         InputError: naming the program that cannot be imported, in one line.
@@ -259,7 +259,7 @@ def _percept_alone(first: object) -> None:
 
 
 def signature_of(explore: Callable[..., Any]) -> inspect.Signature:
-    """The signature of an explorer; if Python does not know it, one with only the percept."""
+    """The signature of an explorer; if Python does not know it, that of ``explore(first)``."""
     try:
         return inspect.signature(explore)
     except (TypeError, ValueError):
@@ -267,7 +267,7 @@ def signature_of(explore: Callable[..., Any]) -> inspect.Signature:
 
 
 def called(name: str, factory: Any, arguments: Mapping[str, ArgumentValue]) -> Any:
-    """The result of ``factory`` called with the arguments of a name.
+    """The result of ``factory``, called with the arguments that stand in the name ``name``.
 
     Without arguments ``factory`` is not called; it is the result itself.
 

@@ -210,9 +210,9 @@ class _Turns(Struct):
         return None
 
     def _integer(self, message: actions.Move | actions.Write) -> int | None:
-        """The number ``k`` of an action.
+        """The number ``k`` of the action ``message``.
 
-        If it is no integer, the result is None, and an entry in the log says so.
+        If ``k`` is no integer, the result is None, and an entry in the log says so.
         """
         try:
             return checks.integer(message.k)
@@ -225,9 +225,11 @@ class _Turns(Struct):
     def _act(
         self, action: actions.Drop | actions.Pick | actions.Write, free: int
     ) -> actions.Percept | None:
-        """The percept after an action that is no motion; None if the action ends the run.
+        """The percept after a drop, pick or write; None if the run ends here.
 
-        ``free`` is the number of free actions that are still legal.
+        The run ends if the action is illegal, if it is one action of these kinds too many (see
+        :data:`FREE`), or if there is no recorded percept any more; an entry in the log says which.
+        ``free`` is the number of such actions that the run may still have, this one included.
         """
         log = self.log
         if type(action) is actions.Write:
@@ -253,7 +255,11 @@ class _Turns(Struct):
         return None
 
     def _publish(self, message: actions.Checkpoint) -> bool:
-        """Write a checkpoint to the log; return whether the run goes on."""
+        """Write a checkpoint to the log, and return True.
+
+        If the checkpoint is malformed, or one too many, write this fault, which ends the run, and
+        return False.
+        """
         if self._shown > self.budget:
             self.log.append(entries.SHOWN_TOO_OFTEN)
             return False
@@ -274,7 +280,10 @@ class _Turns(Struct):
 
 
 def illegal(expected: str, message: object) -> bytes:
-    """The entry in the log about a message that is no legal action."""
+    """The entry in the log about a message that is no legal action.
+
+    ``expected`` says in words which message would be legal.
+    """
     return entries.fault("illegal-action", expected, checks.show(message))
 
 
@@ -313,7 +322,10 @@ def answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
 
 
 def any_answer_entry(answer: object, most: int = MOST_DARTS) -> bytes:
-    """The entry in the log about an answer that may be an estimate, a quotient or a JSON value."""
+    """The entry in the log about an answer that may be an estimate, a quotient or a JSON value.
+
+    ``most`` is the largest number of darts that are read.
+    """
     if type(answer) in (actions.Estimate, actions.Ambiguous):
         return answer_entry(answer, most)
     try:

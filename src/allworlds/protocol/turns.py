@@ -169,8 +169,9 @@ class Turns:
     def _step(self, _number: int, memory: int, sensed: Any) -> bytes:
         """The reply of an automaton in a turn, with the number of its memory after the turn.
 
-        ``memory`` is the number of its memory before the turn; if it is :data:`BEGIN`, ``sensed``
-        is the value that the robot is told.
+        ``memory`` is the number of the automaton's memory before the turn, ``sensed`` the new
+        percept.  If ``memory`` is :data:`BEGIN`, ``sensed`` is the value that the robot is told
+        before the start.
         """
         try:
             if memory == BEGIN:

@@ -299,9 +299,9 @@ def as_recorded(texts: Mapping[str, str]) -> Iterator[None]:
 
 
 def recorded(plain: str) -> str | None:
-    """The recorded text of the program with this name; None outside of :func:`as_recorded`.
+    """The recorded text of the program ``plain``; None outside of :func:`as_recorded`.
 
-    ``plain`` is a name without arguments.  For a module the result is its digest.
+    ``plain`` is a name without arguments.  For a module the result is the digest of its text.
     """
     return _RECORDED.get().get(plain)
 
