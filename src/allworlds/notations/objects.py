@@ -13,10 +13,10 @@
 The darts or neighbours of a vertex are clockwise; if a file has them anticlockwise, the user must
 give the option ``--order anticlockwise``.
 
-The cycles of faces must fit the cycles of vertices as the file has them, clockwise or not: in a
-face, the dart after d is the dart *before* alpha(d) in its vertex.  (A face of the glossary has the
-dart *after* alpha(d) there, clockwise.)  A ``FatGraph`` of the package surface_dynamics for Sage
-has such faces, and its vertices are anticlockwise.
+The faces of a fat graph must fit the vertices as the file has them, clockwise or not: in a face,
+the dart after d is the dart that stands *before* alpha(d) in the cycle of a vertex.  (In a face of
+the glossary it is the dart *after* alpha(d), clockwise.)  A ``FatGraph`` of the package
+surface_dynamics for Sage has such faces, and its vertices are anticlockwise.
 """
 
 from collections import Counter

@@ -331,8 +331,8 @@ def written(worlds: Iterable[Entry], notation: Notation) -> Iterator[bytes]:
     """Yield the bytes of a file in a notation, without parts that the notation cannot express.
 
     Raises:
-        InputError: if the notation cannot express the map of a world, whose number the message has;
-            or if a file in the notation holds one world, and several are given.
+        InputError: if the notation cannot express the map of a world; the message has the number of
+            this world.  Also if a file in the notation holds one world, and several are given.
     """
 
     def parts() -> Iterator[bytes]:

@@ -52,7 +52,7 @@ class Percept(Struct, WrittenByFields, frozen=True, gc=False):
         return self.in_words()
 
     def in_words(self, *, labels: bool = False) -> str:
-        """The percept in words; with ``labels`` the marks are a vertex's label, not markers."""
+        """The percept in words; with ``labels`` the marks are shown as a vertex's label."""
         marks = {0: "", 1: ", marked"}.get(self.marks, f", marks {self.marks}")
         marks = f", label {self.marks}" if labels else marks
         bearing = "" if self.bearing is None else f", bearing {self.bearing}"

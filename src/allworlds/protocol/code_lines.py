@@ -113,9 +113,9 @@ class TracedPlay:
     def _end(self, error: BaseException) -> UserLine:
         """The line of the user's program where the explorer ended.
 
-        ``error`` is the exception that ended its generator, StopIteration after a return.  After a
-        return the result is the line that returned; after any other exception, the innermost line
-        of the user's program in the traceback.
+        ``error`` is the exception that ended the explorer's generator, StopIteration after a
+        return.  After a return the result is the line that returned; after any other exception, the
+        innermost line of the user's program in the traceback.
         """
         line, frames = self._left, error.__traceback__
         while frames and not isinstance(error, StopIteration):

@@ -267,7 +267,7 @@ def signature_of(explore: Callable[..., Any]) -> inspect.Signature:
 
 
 def called(name: str, factory: Any, arguments: Mapping[str, ArgumentValue]) -> Any:
-    """The result of ``factory``, called with the arguments that stand in the name ``name``.
+    """The result of ``factory``, called with ``arguments``, which stand in the name ``name``.
 
     Without arguments ``factory`` is not called; it is the result itself.
 

@@ -162,7 +162,10 @@ def runner_commands(content: parts.ReportContent) -> str:
 
 
 def _texts(finding: "Finding | TeamFinding", number: int) -> tuple[str, str]:
-    """A finding as one line, and as a text with a picture."""
+    """A finding as one line, and as a text with a picture.
+
+    ``number`` is the number of the finding, which the title of the text has.
+    """
     if not isinstance(finding, Finding):
         from allworlds.reports.content import team
 
@@ -286,10 +289,12 @@ def _result(
 
 
 def _source_of_check(root: Path) -> SourceLine | None:
-    """The line of a workflow, or of a file with options, in which ``allworlds`` is named.
+    """A line of the repository that stands for the check: the first line that names ``allworlds``.
 
-    If no line has this name, the first line of a workflow or of another file is returned; None if
-    there are no files.
+    The files in ``root`` that are searched are, in this order: the workflow that runs, all
+    workflows, ``allworlds.toml`` and ``pyproject.toml``.  If none of them names ``allworlds``, the
+    result is line 1 of the first of them; without such a file, line 1 of the first file in
+    ``root``; else None.
     """
     running = os.environ.get("GITHUB_WORKFLOW_REF", "").partition("@")[0].split("/", 2)[2:]
     options = (root / "allworlds.toml", root / "pyproject.toml")
@@ -452,7 +457,8 @@ def lone_picture(content: parts.ReportContent) -> str:
 def sequence_diagram(content: parts.ReportContent) -> str:
     """The run of the smallest finding of a team as a sequence diagram of PlantUML.
 
-    Without a finding the diagram shows the run that the budget cuts off; without this, it is empty.
+    Without a finding the diagram shows the run that the budget cuts off; if no run is cut off
+    either, the diagram is empty.
     """
     from allworlds.reports.content.team import sequence_of
 
@@ -559,7 +565,7 @@ def form_and_path(verb: str, name: str) -> tuple[str, str]:
 
 
 def file_of(form: str, result: Any) -> Any:
-    """The content of a file of that format: a text, or bytes for a binary format."""
+    """The content of a file of the format ``form`` for a verb's result: a text, or bytes."""
     format_ = FORMATS[form]
     made = format_.of_content(content_of(result))
     if isinstance(made, bytes):

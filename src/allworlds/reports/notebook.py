@@ -57,7 +57,7 @@ def records(report: Report) -> list[dict[str, Any]]:
 def shown(value: Report | Finding | Transcript) -> str:
     """The HTML of a value: a table for a transcript, else a whole page in a frame of its own.
 
-    The style and the keys of a page in a frame do not affect the notebook.
+    In a frame, neither the style of the page nor its keyboard shortcuts affect the notebook.
     """
     match value:
         case Transcript():

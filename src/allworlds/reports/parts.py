@@ -352,7 +352,7 @@ class View(Struct, frozen=True):
             knows so far: the step at which each dart and each edge appears.  None for a picture
             that shows the whole map at every step.
         still: whether pages leave this view out, because the picture of another view grows to the
-            same map.  Texts show this view, and leave that view out.
+            same map.  Texts show this view, and leave the growing view out.
     """
 
     name: str
@@ -521,7 +521,17 @@ class Section(Struct, frozen=True):
 
 
 class SuiteCase(Struct, frozen=True):
-    """A test case in the sense of test runners: a part of the report with a result."""
+    """A test case in the sense of test runners: a part of the report with a result.
+
+    Attributes:
+        name: the name of the case.
+        result: the result; ``failure`` for example if a law is broken, ``error`` for a fault of
+            this program.
+        kind: a word for the kind of failure or error, such as the broken law; else empty.
+        message: a line about the result, for example the reason why the case was skipped.
+        sections: the sections of the report about a failure or an error.
+        seconds: the duration.
+    """
 
     name: str
     result: Literal["passed", "failure", "error", "skipped"] = "passed"
@@ -585,8 +595,9 @@ def so_far(report: Any, headline: Headline | None) -> Headline | None:
         headline: the headline about the finished part of the job; None if no part was finished.
 
     Returns:
-        ``headline`` itself, also if it is None, for a complete job; else a new headline.  Its
-        verdict is that of ``headline`` if this is ``refuted`` or ``error``, else INCONCLUSIVE.
+        ``headline`` itself, also if it is None, for a complete job; else a new headline.  If the
+        verdict of ``headline`` is ``refuted`` or ``error``, the new headline has the same word and
+        verdict; else it has the word INCONCLUSIVE, and no verdict.
     """
     if report.complete:
         return headline

@@ -64,7 +64,8 @@ def twins_content(comparison: ComparedWorlds) -> parts.ReportContent:
 def _rows(worlds: Sequence[World], classes: Sequence[Sequence[int]]) -> parts.CsvRows:
     """A row for each dart of each world, with the class of the dart.
 
-    No motion tells two darts of one class apart.
+    No motion tells two darts of one class apart.  ``classes`` has for each world the class of each
+    dart.
     """
     named = any(world.labels.vertices for world in worlds)
     rows: list[list[parts.CellValue]] = [
@@ -137,7 +138,8 @@ def alike(
 ) -> parts.ShownWalk:
     """A walk along every edge of worlds that no motion tells apart.
 
-    The pictures show the class of each dart as a letter.
+    The pictures show the class of each dart as a letter.  ``names`` has a name for each world;
+    ``classes`` has for each world the class of each dart.
     """
     scenes = [
         doc.replace(parts.scene_of(world), labels=[letters(q) for q in of_world])
@@ -154,7 +156,15 @@ def _walk(
     motions: Sequence[int],
     sentences: Sequence[str],
 ) -> parts.ShownWalk:
-    """A walk that makes the same motions in each of the worlds."""
+    """A walk with the same motions in each of the worlds, and a picture of each world.
+
+    Args:
+        names: the name of each world, which is the title of its picture.
+        worlds: the worlds.
+        scenes: the picture of each world.
+        motions: the motions.
+        sentences: sentences about the walk.
+    """
     walks = [Walk.of(world, map(actions.Move, motions)) for world in worlds]
     views = [
         parts.View(
@@ -293,7 +303,10 @@ def _counted(census: census_sweep.AmbiguityCensus) -> parts.Headline | None:
 
 
 def search_content(result: twin_search.SearchResult) -> parts.ReportContent:
-    """The content for a search for twins: the twins if any, the searched sizes, the certificate."""
+    """The content for a search for twins: the answer, the twins if any, and the searched sizes.
+
+    The facts name the files of the *certificate*: the twins, or the proof that there are none.
+    """
     pair = []
     if result.pair and result.bisimulation:
         walk = alike("AB", result.pair, result.bisimulation)
@@ -320,7 +333,10 @@ def search_content(result: twin_search.SearchResult) -> parts.ReportContent:
 
 
 def _found(result: twin_search.SearchResult) -> tuple[parts.Headline, list[tuple[str, str]]]:
-    """The answer of a search for twins, and named texts about the proof of the answer."""
+    """The answer of a search for twins, and facts about the proof of this answer.
+
+    If twins were found, the facts name the file with the twins; if not, the folder with the proof.
+    """
     asked = result.question.describes
     if result.status == "unknown":
         return parts.Headline("UNKNOWN", f"{asked}: undecided.", "inconclusive"), []
@@ -339,11 +355,11 @@ def _found(result: twin_search.SearchResult) -> tuple[parts.Headline, list[tuple
 
 
 def tour(worlds: Sequence[World]) -> list[int]:
-    """Motions with which a robot goes along every edge, in whichever of these worlds it is.
+    """Motions with which a robot goes along every edge, whichever of the worlds it is in.
 
     The worlds must look alike.  The walk takes the nearest new edge of the first world; of equally
-    near edges it takes the first one clockwise.  If no edge is left there, it continues with the
-    edges of the next world.
+    near edges it takes the first one clockwise.  If no edge is left in this world, the walk goes on
+    with the edges of the next world.
 
     Cost: the edges of all worlds, times the darts of one world.
     """

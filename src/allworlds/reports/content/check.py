@@ -119,7 +119,10 @@ def size_table(report: CheckReport) -> parts.Table:
 
 
 def covered_table(report: CheckReport) -> parts.Table:
-    """A table with the least, the median and the largest value of each feature of the worlds."""
+    """A table of the worlds of a sample: for each feature the least, median and largest value.
+
+    A feature is a number that a map has, such as its genus or its largest degree.
+    """
     rows: list[list[parts.Cell]] = [
         [row.feature, row.least, row.median, row.most] for row in report.covered
     ]
@@ -280,9 +283,11 @@ def _gate(report: CheckReport) -> str:
 
 
 def _listed(cells: Sequence[GateCell]) -> str:
-    """Words for the number of edges up to which another enumeration has listed the same worlds.
+    """Words about the second comparison of the count gate, which compares fingerprints.
 
-    Empty if there is no such number.
+    They name the largest number of edges for which the fingerprint of a second enumeration is
+    known.  ``cells`` holds the comparisons of the gate.  The result is empty if no such fingerprint
+    is known.
     """
     most = max((cell.edges for cell in cells if cell.listed), default=0)
     return f"; up to {plural(most, 'edge')} a second enumeration agrees" if most else ""

@@ -53,7 +53,14 @@ def _content(
     rows: Callable[[], parts.CsvRows],
     more: Callable[[], Iterable[parts.Section]],
 ) -> parts.ReportContent:
-    """The content of both kinds of comparison: the verdict, the findings, and the given blocks."""
+    """The content of both kinds of comparison: the verdict, the findings, and then ``blocks``.
+
+    Args:
+        report: the report.
+        blocks: the blocks of the section about the costs.
+        rows: a function that makes the rows of a CSV file.
+        more: a function that makes further sections, which only pages show.
+    """
     findings = [finding_section(found, i) for i, found in enumerate(report.findings, 1)]
     verdict = report.verdict.value
     seen = parts.Section("seen", "What was compared", [*blocks])
@@ -88,7 +95,11 @@ def _lines_of_levels(report: comparison.Comparison) -> Lines:
 
 
 def _lines_of_families(report: growth.Growth) -> Lines:
-    """The lines of mean cost by number of edges, for each explorer and family; lines of bounds."""
+    """The lines of mean cost by number of edges: one for each explorer and family.
+
+    If the costs of an explorer have a bound, a second line for each family shows the largest bound
+    of a run at each number of edges.
+    """
     lines: Lines = {}
     shown = dict(zip(report.names, _short_names(report), strict=True))
     for row in report.rows:
@@ -110,7 +121,10 @@ def _curve(lines: Lines) -> Iterator[parts.Curve]:
 
 
 def _short_names(report: entrants.ContestReport) -> list[str]:
-    """The heads of columns: short names of the explorers, and ``@`` with a lighthouse if given."""
+    """The heads of columns: a short name for each explorer.
+
+    If the user has named a lighthouse behind the explorer, ``@`` and this lighthouse follow.
+    """
     names = [*dict.fromkeys(one.subject.name for one in report.entrants)]
     short = dict(zip(names, short_names(names), strict=True))
     return [one.named(short[one.subject.name]) for one in report.entrants]
@@ -125,10 +139,7 @@ ENDS = {"low": float, "high": float, "ratio": float, "ratio_low": float, "ratio_
 
 
 def _growth_rows(report: growth.Growth) -> parts.CsvRows:
-    """A row for each run; or for each world or each size of a family, if the request asks for it.
-
-    Each row is about one explorer.
-    """
+    """A row for each run, or, if the request asks for it, for each world or size and explorer."""
     if report.by != "size":
         return rows_of_worlds(report.in_worlds(), report.names[0], report.by or "run")
     ratios = {(one.family, one.edges, one.explorer): one for one in report.ratios}
@@ -231,7 +242,7 @@ GROWTH_SAID = (*SAID, "to", "draws", "places")
 
 
 def _walks(report: comparison.Comparison) -> Iterator[parts.Section]:
-    """A section for each explorer: its walk in the world where the costs differ most."""
+    """Yield a section for each explorer: its walk in the world where the costs differ most."""
     for i, run in enumerate(report.walks(), 1):
         cost = plural(run.outcome.cost, "traversal")
         title = f"Where the costs differ most: '{run.explorer}' makes {cost}"
@@ -246,7 +257,7 @@ SIZES = (
 
 
 def _rows(report: comparison.Comparison) -> parts.CsvRows:
-    """A row for each size and explorer; or for each world or run, if the request asks for these."""
+    """A row for each explorer and size; or for each world or run, if the request asks for these."""
     if report.by in ("world", "run"):
         return rows_of_worlds(report.in_worlds, report.names[0], report.by)
     return parts.CsvRows(SIZES, _by_size(report, report.names))
@@ -282,7 +293,11 @@ def _side_by_side(report: comparison.Comparison) -> parts.Table:
 
 
 def _facts(report: comparison.Comparison) -> list[tuple[str, str]]:
-    """The named facts beside the tables."""
+    """Named sentences about a comparison, which stand below its tables.
+
+    They tell the lighthouse, policy and bound of each explorer, the compared worlds, the meaning of
+    the costs and ratios, and the world in which the costs differ most.
+    """
     scope = f"one world: {report.member.name}" if report.member else maps_in_words(report)
     words = [*explorer_facts(report), ("scope", scope), *option_facts(report, SAID)]
     meant = "in traversals; means are over the places of the lighthouse, then over the rooted maps"
@@ -334,8 +349,9 @@ WORLD |= {"mean": float, "worst": int, "bound": int, "ratio": float}
 def _names(one: entrants.InWorld) -> list[parts.CellValue]:
     """The cells of the columns :data:`NAMES`, for the world of ``one``.
 
-    The canonical code, or the family with its holes and its seed, names the world for the command
-    ``allworlds run``.  The last two cells are the numbers of edges and of vertices.
+    The cells are: the code of the world's map; for a world of a family, the family, the fraction of
+    edges that were removed (``holes``), and the seed; the numbers of edges and of vertices.  With
+    the code, or with family, holes and seed, ``allworlds run`` makes the world again.
     """
     member = growth.member_named(one.member) if one.member else None
     words = [member.text, member.holes, member.seed] if member else [None] * 3

@@ -97,7 +97,7 @@ def _headline(report: LedgerReport) -> parts.Headline | None:
 
 
 def _section(one: CheckedClaim) -> parts.Section:
-    """A section for a claim, with the worlds that show it."""
+    """A section for a claim: its sentence, pictures of worlds that show the result, and facts."""
     verdict = f"{one.verdict}, {one.standing.replace('-', ' ')}"
     differs = "; ".join(one.differences)
     facts = [("verdict", verdict), *_details(one), ("differs", differs)]

@@ -40,7 +40,11 @@ def plain_content(report: Report) -> parts.ReportContent:
 
 
 def _rows(names: Sequence[str], objects: Sequence[dict[str, Any]]) -> parts.CsvRows:
-    """A row for each object; a column that holds anything but numbers is a column of texts."""
+    """A row for each object, with a column for each of the keys ``names``.
+
+    A column of integers alone, or of floats alone, is a column of numbers; any other one is of
+    texts.
+    """
     columns = {}
     for name in names:
         kinds = {type(one.get(name)) for one in objects} - {type(None)}

@@ -66,7 +66,11 @@ def finished(report: SweptReport, last: int) -> str:
 
 
 def explorer_facts(report: ContestReport) -> list[tuple[str, str]]:
-    """Facts about each explorer of a comparison: its rules, and the places of its lighthouse."""
+    """Facts about each explorer of a comparison; a fact that does not apply has an empty sentence.
+
+    The facts are: the lighthouse, the policy and the bound; the places of the lighthouse, unless
+    all are tried; and the warning of :func:`trust`.
+    """
     facts = []
     for one in report.entrants:
         rules = one.rules
@@ -78,12 +82,16 @@ def explorer_facts(report: ContestReport) -> list[tuple[str, str]]:
 
 
 def trust(file: str) -> str:
-    """A sentence about the explorer's file if this file also has code that judges; else empty."""
+    """A warning that the file ``file`` has both an explorer and code that judges the explorer.
+
+    Code that judges is, for example, a user's task or lighthouse.  If ``file`` is empty, no file
+    has both, and the warning is empty, too.
+    """
     return file and f"{file} holds the explorer, and code that judges it: see docs/trust.md"
 
 
 def left_out(worlds: int) -> str:
-    """A text about the worlds without a place for the lighthouse; empty if there are none."""
+    """A text about a number of worlds without a place for the lighthouse; empty for 0 worlds."""
     return f"{words.plural(worlds, 'world')} without a place for the lighthouse" if worlds else ""
 
 
@@ -106,7 +114,9 @@ def miscount(edges: int, vertices: int, met: int, source: str, counted: int) -> 
 
 
 def gate_facts(report: Any, what: str, *, is_compared: bool) -> list[tuple[str, str]]:
-    """A fact about the count gate of a report about worlds, if the counts agree.
+    """One fact about the count gate: that the counts agree, or the reason why none was compared.
+
+    The counts must not differ; for counts that differ see :func:`miscount`.
 
     Args:
         report: the report of a job or of a shard, with the source of its counts.

@@ -1,6 +1,8 @@
 """Content of reports about sensors: lighthouses side by side, and the weakest lighthouses.
 
-A sensor *suffices* if no two different worlds of the scope look alike under it.
+A sensor *suffices* if no two different worlds of the scope look alike under it.  A sensor *tells at
+least as much* as another one if any two worlds that look alike under the first sensor also look
+alike under the second.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -23,7 +25,8 @@ WIDTH = 90
 def sensors_content(found: AmbiguitySensors) -> parts.ReportContent:
     """The content for sensors: a row for each sensor, the order of sensors, the smallest twins.
 
-    Two sensors are ordered only if their lighthouses can stand at the same places.
+    In the order, a sensor stands above each sensor that tells less.  Two sensors are compared only
+    if their lighthouses can stand at the same places.
     """
     enough = [row.lighthouse for row in found.rows if row.sufficient]
     header = ["sensor", "suffices", "minimal", "fails from m", "maps alike"]
@@ -81,7 +84,8 @@ def _scope(extent: Extent) -> str:
 def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
     """Yield a line for each sensor, below the lines of sensors that tell more worlds apart.
 
-    Sensors that tell the same worlds apart share a line.
+    Sensors that tell the same worlds apart share a line.  ``names`` are the sensors.  In each pair
+    of ``dominates`` the first sensor tells at least as much as the second.
     """
     above = {name: {a for a, b in dominates if b == name} for name in names}
     below = {name: {b for a, b in dominates if a == name} for name in names}
@@ -108,7 +112,12 @@ def _drawn(dominates: Pairs, names: Sequence[str]) -> Iterator[str]:
 
 
 def _less_at_a_step(found: AmbiguitySensors) -> Iterator[str]:
-    """A sentence for each sensor that senses less at a step, but tells as many worlds apart."""
+    """Yield a sentence for each sensor that senses less than another one, but tells as much.
+
+    A sensor senses less than another one if, at each dart, its percept follows from the percept of
+    the other sensor, but not the other way round.  Both tell as much if, after enough motions, they
+    tell the same worlds apart.
+    """
     for row in found.rows:
         less = row.lighthouse
         more = [b for a, b in found.coarser if a == less and (b, a) not in found.coarser]
@@ -118,7 +127,10 @@ def _less_at_a_step(found: AmbiguitySensors) -> Iterator[str]:
 
 
 def _pictures(named: Iterable[tuple[str, AlikePair]]) -> Iterator[parts.Section]:
-    """A section for each pair of worlds, titled by the sensors under which the two look alike."""
+    """Yield a section for each pair of worlds; its title names sensors under which they look alike.
+
+    ``named`` holds pairs of a sensor's name and the two worlds.
+    """
     groups: dict[tuple[object, ...], tuple[AlikePair, list[str]]] = {}
     for name, pair in named:
         key = (*((world.map, world.start) for world in pair.worlds), pair.bisimulation)

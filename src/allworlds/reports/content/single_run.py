@@ -51,7 +51,11 @@ def known(run: SingleRun) -> parts.ShownMap | None:
 
 
 def run_content(run: SingleRun | WorldNames) -> parts.ReportContent:
-    """The content for one run, with its finding if it breaks a law; or for names of worlds."""
+    """The content for one run, with its finding if it breaks a law.
+
+    The verb ``run`` with ``--list`` makes no run, but lists the names that worlds can have; then
+    this list is the content.
+    """
     if not isinstance(run, SingleRun):
         named = (("maps", run.maps), ("families", run.families), ("corpus", run.corpus))
         section = parts.Section(
@@ -132,7 +136,11 @@ def cost_words(run: SingleRun) -> str:
 
 
 def _section(run: SingleRun) -> parts.Section:
-    """The section of a run; if it breaks no law, its walk is the first block."""
+    """The section of a run.
+
+    If the run breaks a law, the section is that of its finding.  Else the walk of the run is the
+    first block.
+    """
     if run.finding:
         return finding_section(run.finding, checked=False)
     section = run_section(run, "walk-1")
@@ -141,7 +149,10 @@ def _section(run: SingleRun) -> parts.Section:
 
 
 def run_section(run: SingleRun, name: str, title: str = "") -> parts.Section:
-    """A section for a run that breaks no law: pictures, walk, and the answer if it is no map."""
+    """A section for a run that breaks no law: pictures, walk, and the answer if it is no map.
+
+    ``name`` and ``title`` are the name and the title of the section, see :class:`parts.Section`.
+    """
     walk, ending = run.walk, run.outcome.episode.ending
     walked = Walked(walk)
     views = [parts.View("world", "The world", parts.walk_in_world(walk), walk.darts)]
@@ -194,11 +205,11 @@ def finding_section(
 
     Args:
         finding: the finding.
-        number: its number among the findings that are shown.
-        origin: its origin, in words; empty if the check itself has found it.
-        title: a title in place of its number, its explorer and its law.
+        number: the finding's number among the findings that are shown.
+        origin: the finding's origin, in words; empty if the check itself has found it.
+        title: the title; if empty, the number, the explorer, the law and the world make the title.
         checked: whether the finding comes from a check, which confirms findings; else the section
-            does not say whether it is confirmed.
+            does not say whether the finding is confirmed.
     """
     from allworlds.studies.explain import explained  # which a check that holds does not need
 
@@ -233,7 +244,11 @@ def _detail(finding: Finding) -> list[parts.Block]:
 
 
 def printed(output: str, shown: str = "") -> list[parts.Block]:
-    """The block of the explorer's output; no block if ``shown`` already contains it."""
+    """The block of the explorer's output; no block without output.
+
+    ``shown`` is a text that the section shows elsewhere: if it contains the output, there is no
+    block.
+    """
     if not output or output.rstrip() in shown:
         return []
     return [parts.Quote("output", "printed by the explorer", output, prefix="| ")]
@@ -271,10 +286,11 @@ def wrong_line(finding: Finding, step: int | None) -> str:
 
 
 def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
-    """Facts about lines of code.
+    """Facts about lines of code; none if the finding has no lines.
 
-    They name the first wrong line, the lines that only the finding's run reaches, and the lines
-    that ran most.
+    The facts name the first wrong line, the lines that only the finding's run reaches, and the
+    lines that ran most.  ``step`` is the first step at which the walk in the answer and the walk in
+    the world diverge; None if they do not.
     """
     code = finding.code
     if code is None:
@@ -294,7 +310,9 @@ def _lines(finding: Finding, step: int | None) -> Iterator[tuple[str, str]]:
 def _law(finding: Finding, step: int | None) -> parts.FactList:
     """Facts about a finding: the law, the expected and the found result, and lines of code.
 
-    If the found result is a map, the two results are left out.
+    If the found result is a map, or if the explorer's sigma and alpha are no map, the facts leave
+    out the expected and the found result.  ``step`` is the first step at which the walk in the
+    answer and the walk in the world diverge; None if they do not.
     """
     lines = [*_lines(finding, step)]
     wrong = {

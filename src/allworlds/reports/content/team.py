@@ -201,7 +201,10 @@ def headline_of(found: TeamFinding) -> str:
 
 
 def finding_section(found: TeamFinding, index: int) -> parts.Section:
-    """A section for a finding: its world, the diagram of its run, and the command to repeat it."""
+    """A section for a finding: its world, the diagram of its run, and the command to repeat it.
+
+    ``index`` is the number of the finding in the title, from 1 on.
+    """
     title = f"Finding {index}: {found.law}, {size(*found.key[:2])}"
     return parts.Section(f"finding-{index}", title, [*_run(found)])
 
@@ -233,7 +236,7 @@ def _run(found: TeamFinding) -> Iterator[parts.Block]:
 
 
 def _rows_of(found: TeamFinding) -> Iterator[parts.RunRow]:
-    """The start and the events of a run, as rows for the page."""
+    """Yield the start and the events of a run, as rows for the page."""
     before: tuple[int | None, ...] = found.starts
     yield parts.RunRow("", (), "", before)
     repeats = len(found.events) - found.loop
@@ -335,7 +338,7 @@ def _moved(
 
 
 def _cases(report: TeamReport) -> Iterable[parts.SuiteCase]:
-    """A test case for each number of edges."""
+    """Yield a test case for each number of edges."""
     for edges in report.extent.levels:
         name = f"every world with {plural(edges, 'edge')}"
         found = [i for i, each in enumerate(report.findings, 1) if each.key[0] == edges]

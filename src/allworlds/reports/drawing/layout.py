@@ -39,7 +39,8 @@ def bridges_of(way: Sequence[complex]) -> list[tuple[complex, complex]]:
     """The two ends of the straight part of an edge at each of its crossings with other edges.
 
     ``way`` holds the control points of the edge, as in :class:`Layout`.  If the edge has crossings,
-    every fifth control point between its ends is a crossing.
+    the control points with the indices 5, 10, 15 and so on are the crossings, except the last
+    control point, which is an end of the edge.
     """
     # Every fifth point between the ends of the edge is where it crosses another one.
     if len(way) % 5 != 1:
@@ -67,14 +68,15 @@ distance from the vertex to a point in ``round_it``."""
 
 
 def straightened(centre: complex, round_it: Sequence[complex]) -> list[complex]:
-    """For each of the four rays of a crossing, the point towards which the ray leaves the crossing.
+    """The points towards which the four rays of a crossing leave it, with each edge straight there.
 
-    Two edges cross, and each has two rays, which leave in opposite directions.
+    Two edges cross, and each has two rays.  The points are such that the two rays of an edge leave
+    in opposite directions, and that the angle between the edges is at least :data:`SQUAREST`.
 
     Args:
         centre: the crossing.
-        round_it: a point on each of the four rays before they are straightened, clockwise; the
-            first and the third belong to one edge.
+        round_it: a point on each of the four rays as they were drawn so far, clockwise; the first
+            and the third belong to one edge.
     """
     rays = [point - centre for point in round_it]
     first, second = (_line(rays[k], rays[k + 2]) for k in (0, 1))
@@ -149,7 +151,10 @@ class Layout(Struct, frozen=True):
     letters: Mapping[Dart, str] = field(default_factory=dict)
 
     def pieces(self, dart: Dart, other: Dart) -> list[tuple[complex, ...]]:
-        """The control points of the edge from ``dart`` to ``other``: one list; two if it is cut."""
+        """The control points of the edge from ``dart`` to ``other``.
+
+        The result has one list of them, or two for a cut edge.
+        """
         whole = [self.ways[dart]]
         return [*whole, self.ways[other][::-1]] if dart in self.letters else whole
 
@@ -264,7 +269,16 @@ def _finished(
 ) -> Layout:
     """Turn a drawing, scale it so that the numbers of the darts fit, and return its layout.
 
-    A lattice stays upright.  ``letters`` is None unless the map is a lattice; it may be empty.
+    The vertex of ``root`` becomes the origin, and the vertex that is farthest from it comes to lie
+    to the right.  A lattice is turned by quarter turns only, so that its edges stay upright or
+    level.
+
+    Args:
+        map_: the map.
+        root: a dart of the vertex that becomes the origin.
+        ways: for each dart the control points of its edge, as in :class:`Layout`.
+        letters: for a lattice, the letter of each dart whose edge is cut, and an empty mapping if
+            no edge is cut; None for any other map.
     """
     origin, spots = ways[root][0], tuple(ways[vertex[0]][0] for vertex in map_.vertices)
     others = spots if len(spots) > 1 else [way[1] for way in ways]
@@ -378,16 +392,18 @@ def extended(
 def dart_names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, many: int) -> list[str]:
     """For each dart of a map the number of its partner in another map.
 
-    Darts without a partner get new numbers, from ``many`` on: the other map has the numbers below.
+    ``ties`` has the partner of each dart that has one.  The other darts get new numbers, from
+    ``many`` on: the other map has the numbers below ``many``.
     """
     new = iter(range(many, many + len(map_.sigma)))
     return [str(ties[d] if d in ties else next(new)) for d in map_.darts]
 
 
 def vertex_names_like(ties: Mapping[Dart, Dart], map_: CombinatorialMap, other: Scene) -> list[str]:
-    """For each vertex of a map the name of its partner in another map.
+    """For each vertex of a map the name of its partner in the scene ``other`` of another map.
 
-    Vertices without a partner get new names: ``new 1``, ``new 2``.
+    ``ties`` has the partner of each dart that has one; the vertices of two partners are partners,
+    too.  Vertices without a partner get new names: ``new 1``, ``new 2``.
     """
     names, left = list[str](), dict(enumerate(other.vertex_names))
     new = iter(range(1, map_.vertex_count + 1))

@@ -82,7 +82,9 @@ def _spanning_tree(
 ) -> list[tuple[Dart, Dart]]:
     """The edges of a spanning tree, in an order in which each edge touches an earlier edge.
 
-    For a map with one vertex the result is the first edge, since a drawing begins with an edge.
+    ``order`` holds all edges of the map; of several edges that could be next in the tree, the first
+    in ``order`` is taken.  For a map with one vertex the result is the first edge in ``order``,
+    since a drawing begins with an edge.
     """
     owner = map_.vertex_of
     joined, tree = {owner[order[0][0]]}, []
@@ -108,8 +110,8 @@ class _Plane:
     def route(self, a: Dart, b: Dart) -> list[Dart]:
         """The darts that a shortest way from dart a's corner to dart b's corner crosses.
 
-        A dart's corner is its place between the drawn darts of its vertex.  The way crosses each of
-        the returned darts from left to right.
+        The corner of a dart is the gap between drawn darts of its vertex into which the dart will
+        be drawn.  The way crosses each of the returned darts from left to right.
         """
         face_of, darts = self._faces()
         goal = self._face_at(b, face_of)
@@ -126,7 +128,11 @@ class _Plane:
         return came[goal]
 
     def join(self, a: Dart, b: Dart, crossed: Sequence[Dart]) -> None:
-        """Draw the edge from dart a to dart b; it crosses the darts ``crossed``."""
+        """Draw the edge from dart a to dart b.
+
+        ``crossed`` holds the darts that the edge crosses, in their order, as :meth:`route` returns
+        them.
+        """
         self._put(a)
         end = a
         for dart in crossed:
@@ -187,7 +193,8 @@ SWEEPS = 150
 """The number of sweeps that improve a drawing; a sweep moves every point once."""
 
 MOST_SWEEPS = 100_000
-"""The largest number of sweeps until no triangle is turned over; far fewer are needed."""
+"""The largest number of sweeps that are made until no triangle is turned over; far fewer are
+needed."""
 
 FURTHER = 1.8
 

@@ -19,7 +19,8 @@ COLOURS = ("#1f77b4", "#d62728", "#2a8a2a", "#9467bd", "#b8650a", "#7f7f7f")
 def plot(curve: Curve) -> ET.Element:
     """The curve with its axes; the names of its lines are below, each in the colour of its line.
 
-    The interval of a value is drawn as an upright line.
+    At each point an upright line shows the confidence interval of the value; a value without an
+    interval has no such line.
     """
     points = [point for _, line in curve.lines for point in line]
     across = _scale([x for x, *_ in points], LEFT, RIGHT)
@@ -57,7 +58,10 @@ def _text(x: float, y: float, text: str, anchor: str) -> ET.Element:
 
 
 def _scale(values: Sequence[float], begin: float, end: float) -> Callable[[float], float]:
-    """The function from a value to its coordinate on a logarithmic axis between two ends."""
+    """The function from a value to its coordinate, in pixels, on a logarithmic axis.
+
+    The least of ``values`` has the coordinate ``begin``, the largest has ``end``.
+    """
     least, most = log(min(values)), log(max(values))
     return lambda value: round(
         begin + (end - begin) * (log(value) - least) / (most - least or 1), 1

@@ -47,12 +47,15 @@ def lattice(map_: CombinatorialMap, root: Dart) -> tuple[Ways, dict[Dart, str]]:
 
     Each dart has one of four directions.  The two darts of an edge have opposite directions.  Two
     neighbouring darts of a vertex are a quarter turn apart if the face between them is a square, or
-    if the vertex has four darts.  These rules come first; if they leave a vertex with two darts
-    open, these two darts are opposite: so paths are drawn, too, and some lattices with holes.
+    if the vertex has four darts.  If a vertex has two darts, and these rules give a direction to
+    only one of them, the other dart gets the opposite direction.  So paths are drawn, too, and some
+    lattices with holes.
 
     A lattice on a torus, where all vertices and faces have degree 4, is drawn in rows, and the
     edges from one side of the drawing to the other are cut.  Each dart of a cut edge has its own
     half of the edge, and a letter, which the second part of the result holds.
+
+    ``root`` is the dart at which the drawing begins; in the drawing it points to the right.
 
     Cost: O(m log m).
     """
@@ -75,8 +78,8 @@ def _walked(map_: CombinatorialMap, root: Dart) -> dict[Dart, tuple[complex, int
     """The point of each dart's vertex, and the dart's direction.
 
     The direction is a number of quarter turns clockwise from the direction to the right.  The
-    result is empty unless all vertices have different points, and the darts round each vertex have
-    the map's order.
+    vertex of ``root`` has the point 0, and ``root`` points to the right.  The result is empty
+    unless all vertices have different points, and the darts round each vertex have the map's order.
     """
     sigma = map_.sigma
     square = {dart for dart in map_.darts if map_.degree_at[dart] == 4}

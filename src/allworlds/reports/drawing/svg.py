@@ -40,7 +40,8 @@ def tag(name: str, /, *children: Child, **attributes: str | float | None) -> ET.
     """An element with its children.
 
     An attribute's name is written with ``_`` for ``-`` and may end in ``_``; an attribute that is
-    None is left out.  A newline follows the element, unless it stands inside a line of text.
+    None is left out.  A newline follows the element, unless the element stands inside a line of
+    text.
     """
     element = ET.Element(name)
     for key, value in attributes.items():
@@ -378,7 +379,7 @@ def draw(shown: CombinatorialMap | World) -> Drawing:
 
 
 def drawing(scene: Scene, title: str) -> Drawing:
-    """The picture of a scene alone, outside of a page."""
+    """The picture of a scene alone, outside of a page; ``title`` is the text for screen readers."""
     style = (files("allworlds.reports.drawing") / "alone.css").read_text(encoding="utf-8")
 
     def svg(name: str) -> str:

@@ -23,7 +23,8 @@ LONGEST_ROW = 40
 """The largest number of vertices in a table, and of darts of a vertex, that are all shown."""
 
 LONGEST_NAME = 16
-"""The largest number of characters of a vertex's name; the legend has longer names whole."""
+"""The largest number of characters of a vertex's name in a picture; the legend explains names that
+are cut."""
 
 _LEGEND = {
     "(": "( ) vertex with its darts clockwise",
@@ -41,11 +42,12 @@ _LEGEND = {
 
 
 def draw(scene: Scene, width: int = 80) -> str:
-    """The scene as an arc diagram, or as :func:`rotation_table` if it is wider than ``width``.
+    """The scene as an arc diagram; if it is wider than ``width``, as a :func:`rotation_table`.
 
-    The diagram begins at the start.  Vertex ``v`` is named by its index in ``map.vertices``.  Below
-    the darts are their labels, the names of the vertices with their markers, and signs, which
-    :func:`_signed` lists.  Lines do not end with a space, the text does not end with a newline.
+    The diagram begins at the start.  A vertex without a name is ``v`` with its index in
+    ``map.vertices``.  Below the darts are their labels, the names of the vertices with their
+    markers, and signs, which :func:`_signed` lists.  Lines do not end with a space, the text does
+    not end with a newline.
 
     Cost: O(m), and O(m^2) for a diagram, which has less than ``width`` darts.
     """
@@ -126,9 +128,9 @@ def _signed(scene: Scene) -> dict[str, Sequence[Dart]]:
 def _groups(map_: CombinatorialMap, root: Dart) -> list[list[Dart]]:
     """The darts of each vertex, clockwise from the dart by which the vertex is found.
 
-    The vertices are found breadth first from the root.  From each vertex the last dart is tried
-    first: so of the vertices that are found there, the one that stands first in the row is found by
-    the rightmost dart, and the arcs to these vertices are nested instead of crossing.
+    The vertices are found breadth first from ``root``.  The darts of a vertex are followed from the
+    last one to the first one.  So of the new vertices behind these darts, the one behind the last
+    dart comes first in the row, and the arcs to the new vertices are nested instead of crossing.
     """
     found = {map_.vertex_of[root]}
     groups = [_turned(map_, root)]

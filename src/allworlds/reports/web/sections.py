@@ -373,7 +373,11 @@ def _walk(walk: ShownWalk, name: str) -> Iterator[ET.Element]:
 
 
 def _run(run: ShownRun, name: str) -> ET.Element:
-    """The picture of a run of several robots, and its events; keys step along the run."""
+    """The picture of a run of several robots, and its events.
+
+    The user steps through the events by keys of the keyboard.  ``name`` is the beginning of the ids
+    of the elements.
+    """
     shown = run.rows[:LONGEST]
     items = [_event(row, i, f"{name}-step-{i}") for i, row in enumerate(shown)]
     label = "The run, event by event"
