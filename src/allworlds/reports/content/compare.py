@@ -139,7 +139,10 @@ ENDS = {"low": float, "high": float, "ratio": float, "ratio_low": float, "ratio_
 
 
 def _growth_rows(report: growth.Growth) -> parts.CsvRows:
-    """A row for each run, or, if the request asks for it, for each world or size and explorer."""
+    """A row for each run; or for each world, or each size of a family, if the request asks so.
+
+    Each row is about one explorer.
+    """
     if report.by != "size":
         return rows_of_worlds(report.in_worlds(), report.names[0], report.by or "run")
     ratios = {(one.family, one.edges, one.explorer): one for one in report.ratios}
