@@ -1,16 +1,19 @@
-"""The names that the file ``claims.py`` of a paper's ledger imports.
+"""The names that a user imports to write the claims of a paper.
 
-See ``allworlds ledger`` and ``allworlds init --ledger``.  A ledger lists claims, sentences of the
-paper that can be checked; ``claims.py`` has a function for each.  The function takes a
-:class:`Means`, and the bounds in ``ledger.toml`` as keywords.  It returns a :class:`Found` or a
-:class:`NotChecked`::
+A paper's ledger is a folder with two files; the verb ``ledger`` checks it, and ``init --ledger``
+begins one.  ``ledger.toml`` lists *claims*, which are sentences of the paper that can be checked.
+The user's own file ``claims.py`` has a function for each claim, and imports from this module,
+``allworlds.claims``.  The function of a claim takes a :class:`Means`, and the bounds that
+``ledger.toml`` gives for this claim, as keywords.  The function returns a :class:`Found` or a
+:class:`NotChecked`.  In this example :func:`of_check` makes a :class:`Found` from the report of a
+check::
 
     def map_and_pose(means, *, edges):
         return of_check(check("algorithm1", edges=edges, workers=means.workers))
 
-Text that a claim's function prints goes to stderr, and the function cannot end the process.  A
-claim that takes less than half a second is checked twice, and must have the same outcome both
-times.  If a claim needs a package that is not installed, it counts as not checked.
+Text that the function prints goes to stderr, and the function cannot end the process.  A claim that
+takes less than half a second is checked twice, and must have the same outcome both times.  A claim
+that needs a package that is not installed counts as not checked.
 """
 
 from allworlds.explorers.builtin.algorithm1 import Algorithm1

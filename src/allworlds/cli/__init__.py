@@ -15,10 +15,11 @@ __all__ = ["main"]
 
 
 def main() -> NoReturn:
-    """Run a verb and end the process with its exit code.
+    """Run the verb that the command line names, and end the process with the verb's exit code.
 
-    All other modules are loaded inside this function.  So the user who interrupts the command while
-    modules are loaded also sees one line, and no traceback.
+    All other modules are loaded inside this function, where an interrupt is caught.  So an
+    interrupt prints the one line ``allworlds: interrupted``, and no traceback, even if modules are
+    still being loaded.
     """
     gc.set_threshold(10_000)  # much is made that stays, and nearly nothing in circles
     try:
@@ -38,16 +39,20 @@ def main() -> NoReturn:
 
 
 def _interrupt(*_: object) -> NoReturn:
-    """Raise KeyboardInterrupt, after dropping further output to terminals that were closed.
+    """Call :func:`drop_closed_terminals`, then raise KeyboardInterrupt.
 
-    This function is the handler of the signals that interrupt the command.
+    This function is the handler of the signals that interrupt the command.  It does not use the
+    arguments of a handler, which are the number of the signal and a stack frame.
     """
     drop_closed_terminals()
     raise KeyboardInterrupt
 
 
 def drop_closed_terminals() -> None:
-    """Drop all further output to stdout and to stderr, if they are terminals that were closed."""
+    """Redirect stdout to the null device if stdout is a closed terminal; the same for stderr.
+
+    So output that is written later is dropped, and causes no error.
+    """
     for stream in (1, 2):
         terminal = select.poll()
         terminal.register(stream, select.POLLHUP)
@@ -56,13 +61,13 @@ def drop_closed_terminals() -> None:
 
 
 def _interrupt_again(dropped: Any) -> None:
-    """Handle an exception that Python has dropped because it was raised in a finalizer.
+    """Handle an exception that Python has dropped, because it was raised in a finalizer.
 
-    If the exception is an interrupt, the command is interrupted again after 0.01 seconds; any other
-    exception is printed, as Python does by default.
+    If the exception is a KeyboardInterrupt, the command is interrupted again after 0.01 seconds;
+    any other exception is printed, as Python does by default.
 
     Args:
-        dropped: the data that Python gives to ``sys.unraisablehook``.
+        dropped: the exception and its traceback, as Python gives them to ``sys.unraisablehook``.
     """
     if issubclass(dropped.exc_type, KeyboardInterrupt):
         signal.signal(signal.SIGALRM, _interrupt)

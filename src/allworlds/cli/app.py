@@ -1,4 +1,8 @@
-"""The command line: its verbs, such as ``check``, its groups of verbs, and its errors."""
+"""The command line: its verbs, such as ``check``, its groups of verbs, and its errors.
+
+A verb is a command of the library click.  A group is some verbs whose names begin with the same
+word, such as ``ambiguity twins`` and ``ambiguity class``.
+"""
 
 import os
 import shutil
@@ -44,7 +48,11 @@ With fewer columns the names of options would be cut.
 
 
 class _Verb(click.RichCommand):
-    """A verb or a group of verbs, with the help in the form that this program uses."""
+    """A verb or a group of verbs as a click command, with its help in the form of this program.
+
+    The argument ``listed`` is the entry of the verb or group in the table ``allworlds.verbs``;
+    ``settings`` are further arguments of the click command.
+    """
 
     def __init__(self, name: str, listed: Verb | Group, **settings: Any) -> None:
         layout: dict[str, Any] = {"padding_helptext_first_line": (0, 0, 1, 0)}
@@ -60,7 +68,7 @@ class _Verb(click.RichCommand):
 
 
 class _Group(_Verb, click.RichGroup):  # type: ignore[misc]  # as rich-click's own classes
-    """A group of verbs; without a verb, the group shows its help."""
+    """A group of verbs as a click command; if the user names no verb, the help is shown."""
 
     def __init__(self, name: str, group: Group, **settings: Any) -> None:
         help_ = f"Example: {group.example}\n\n{group.summary}"
@@ -104,9 +112,10 @@ def _listed(verb: Verb, **settings: Any) -> _Verb:
 def _command(verb: Verb) -> _Verb:
     """The click command of a verb, with all its options and the function that runs the verb.
 
-    Each parameter of that function takes one part of the verb's request, and each field of a part
-    is an option or an argument.  The class of the part ``output`` is the subclass of
-    :class:`OutputGroup` for this verb.
+    For each parameter of that function, :func:`_function_of` names a class; the fields of the class
+    are options and arguments of the command.  From the user's words the command makes an object of
+    each class, and calls the function with these objects.  The class of the parameter ``output`` is
+    always the subclass of :class:`OutputGroup` that :func:`output_of` makes for this verb.
     """
     function, parts, help_ = _function_of(verb)
     parts["output"] = output_of(verb.name)
@@ -123,11 +132,12 @@ def _command(verb: Verb) -> _Verb:
 
 
 def _function_of(verb: Verb) -> tuple[Callable[..., int], dict[str, Any], str]:
-    """The function that runs a verb, the classes of its parameters by their names, and its help.
+    """A triple: the function that runs a verb, the classes of its parameters, and the verb's help.
 
-    The class of a parameter is a part of the verb's request.  Most verbs only answer a request and
-    write the answer; for these verbs the function is :func:`respond`.  A verb that does more has a
-    function of its own in this package, whose docstring is the help.
+    The classes are in a dictionary by the names of the parameters.  The fields of each class are
+    options and arguments of the verb.  Most verbs only answer a request and write the answer; for
+    these verbs the function is :func:`respond`.  A verb that does more has a function of its own in
+    this package, and the docstring of this function is the verb's help.
     """
     if verb.help:
         answers = resolve_name(verb.path)
@@ -141,7 +151,7 @@ def _function_of(verb: Verb) -> tuple[Callable[..., int], dict[str, Any], str]:
 
 
 def main() -> NoReturn:
-    """Run a verb and end the process with its exit code."""
+    """Run the verb that the command line names, and end the process with the verb's exit code."""
     prepare_streams()
     if os.name != "posix":
         sys.exit(_refuse(f"{sys.platform} is not supported, but Linux is (macOS was not tried)"))
@@ -159,10 +169,10 @@ def main() -> NoReturn:
 
 
 def call(arguments: list[str]) -> int:
-    """Run a verb in this process and return its exit code; no exception leaves this function.
+    """Run a verb in this process and return its exit code; this function raises no exception.
 
-    While the verb runs, facts about its command are kept in context variables, such as the options
-    that a file sets.  These facts are dropped when the verb ends.
+    While the verb runs, facts about the command are kept in context variables, such as the options
+    that the user's file sets.  These facts are dropped when the verb ends.
 
     Args:
         arguments: the words of the command, without the program's name.
@@ -214,10 +224,11 @@ def _somewhere() -> bool:
 
 
 def _invoked(arguments: list[str], defaults: Defaults) -> int:
-    """Run the verb that the arguments name, and return its exit code.
+    """Run the verb that ``arguments`` name, and return its exit code.
 
-    Click's own ``main`` is not used: at a broken pipe it exits with 1, which means ``refuted``
-    here, and it handles interrupts itself.
+    ``arguments`` are the words of the command, without the program's name; ``defaults`` are the
+    defaults from the user's file.  Click's own ``main`` is not used for two reasons: at a broken
+    pipe it exits with 1, which means ``refuted`` in this program; and it handles interrupts.
     """
     first = next((word for word in arguments if not word.startswith("-")), "")
     # A file's defaults are compared with the options of every verb.
@@ -231,7 +242,10 @@ def _invoked(arguments: list[str], defaults: Defaults) -> int:
 
 
 def _complaint(error: Exception) -> str:
-    """The message of a refused command line; for an unknown option it is shorter than click's."""
+    """The message about a command line that is refused because of this error.
+
+    For an unknown option the message is shorter than click's own message.
+    """
     if isinstance(error, click.NoSuchOption):
         like = f" (Possible options: {', '.join(sorted(error.possibilities or ()))})"
         return f"No such option: {error.option_name}{like if error.possibilities else ''}"

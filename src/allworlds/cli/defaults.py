@@ -41,9 +41,11 @@ class Defaults:
     used: dict[str, Any] = field(default_factory=dict)
 
     def map_for(self, root: Any, words: list[str]) -> dict[str, Any]:
-        """The defaults of the verb that the words name, as click's ``default_map``.
+        """The defaults of the verb that ``words`` name, in the form of click's ``default_map``.
 
-        The result is empty if the file gives no defaults.
+        That form is a dictionary from click's name of each option to its default, in an outer
+        dictionary for each word of the verb's name.  The result is empty if the file gives no
+        defaults.
 
         Args:
             root: the click command ``allworlds``, made by ``command_line``.  If the file gives any
@@ -87,10 +89,11 @@ class Defaults:
 
 
 def defaults_here() -> Defaults:
-    """The defaults of the nearest file: in the current directory, or else in one above it.
+    """The defaults that the nearest file with defaults gives.
 
-    In each directory ``allworlds.toml`` is tried before ``pyproject.toml``.  If no directory has
-    such a file, the result has no defaults.
+    The file is searched in the current directory, and then in each directory above, the nearest
+    first.  In each directory ``allworlds.toml`` is tried before ``pyproject.toml``.  If there is no
+    such file, the result has no defaults.
 
     Raises:
         InputError: naming a file that is not TOML.
@@ -133,10 +136,11 @@ def _table(file: str, text: str, name: str) -> dict[str, Any] | None:
 
 
 def _flat(table: Mapping[str, Any], group: str = "") -> Iterator[tuple[str, Any]]:
-    """Yield the entries of a table of defaults, each with its name.
+    """Yield pairs of a name and a value: the entries of a table of defaults.
 
-    A verb in a group has a table inside the group's table.  This table gets the verb's whole name,
-    which has two words: the group and the verb.
+    The table of a group of verbs has a table for each verb.  In place of the group's table the
+    tables of its verbs are yielded, each under the verb's whole name of two words.  ``group`` is
+    the text to put before each name: the group's name and a space, or an empty text.
     """
     for key, value in table.items():
         inner = isinstance(value, dict) and any(isinstance(each, dict) for each in value.values())
@@ -178,9 +182,17 @@ def _ensure_known(keys: Iterable[str], owner: str, known: Collection[str]) -> No
 
 
 def _value(key: str, value: object, param: Any) -> Any:
-    """A value of the file, in the form in which the command line gives it.
+    """The default ``value`` from the user's file, in the form of a value on the command line.
 
-    The form is a text, or a list of texts; for a flag it is True or False.
+    That form is a text, or a list of texts; for a flag it is True or False.
+
+    Args:
+        key: the name of the option in the file.
+        value: the value that the file gives.
+        param: the click option.
+
+    Raises:
+        InputError: if the value has no such form.
     """
     if getattr(param, "is_flag", False):
         if isinstance(value, bool):
@@ -199,7 +211,15 @@ def _text(key: str, value: object) -> str:
 
 @dataclass(frozen=True, slots=True)
 class _BegunCommand:
-    """The words of a command, its defaults, and the time of its start, as a date and on a clock."""
+    """A command that has begun.
+
+    Attributes:
+        command: the words of the command, without the program's name.
+        defaults: the defaults from the user's file.
+        started: the date and the time of day of the start, in UTC.
+        clock: the reading of the clock ``perf_counter`` at the start, in seconds, to measure how
+            long the command takes.
+    """
 
     command: tuple[str, ...]
     defaults: Defaults
@@ -211,14 +231,19 @@ _COMMAND: ContextVar[_BegunCommand] = ContextVar("command")
 
 
 def begin(command: Sequence[str], defaults: Defaults) -> None:
-    """Note that a command begins, with its words, its defaults and the time."""
+    """Note that a command begins now; the functions below tell of this command.
+
+    Args:
+        command: the words of the command, without the program's name.
+        defaults: the defaults from the user's file.
+    """
     _COMMAND.set(_BegunCommand(tuple(command), defaults, datetime.now(UTC), perf_counter()))
 
 
 def words_of_command() -> tuple[str, ...]:
     """The words of the command that has begun, without the program's name.
 
-    Empty if no command has begun.
+    The result is empty if no command has begun.
     """
     begun = _COMMAND.get(None)
     return begun.command if begun else ()
@@ -238,10 +263,10 @@ def made_by(report: Report, workers: int | None = None) -> MadeBy:
     """The value of the key ``made_by`` in the document of a report.
 
     The value names the version, the command and the machine.  It also has the seconds from the
-    beginning of the command until now, and those of the parts of the job.
+    beginning of the command until now, and the seconds of each part of the job, such as a level.
 
     Args:
-        report: the report, which knows the seconds of the parts.
+        report: the report, which knows the seconds of each part.
         workers: the number of processes or threads; None for a verb without workers.
     """
     parts: dict[str, Any] = {

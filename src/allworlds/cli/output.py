@@ -32,8 +32,9 @@ Answer = TypeVar("Answer", bound=outcome.Result)
 NARROWEST = 40
 
 LONGEST, KEPT_END, CUT = 300, 120, " [...] "
-"""The largest number of characters of a line on stderr.  If the line is longer: the number of
-characters that are kept at its end, and the text in place of the characters that are left out."""
+"""Three values for lines on stderr: the largest number of characters of a line; for a longer line
+the number of characters that are kept at its end, and the text in place of the characters that are
+left out."""
 
 
 @dataclass(frozen=True)
@@ -110,9 +111,9 @@ def _files_in(word: str) -> set[str]:
 def _write_files(result: Report, output: OutputGroup, document: Callable[[], str]) -> None:
     """Write the result into each file that the user has named.
 
-    A result with findings is also written in the forms that a CI service reads, if environment
-    variables say that the service does so.  If a file cannot be written, a line on stderr says so;
-    the verdict is not lost.
+    If environment variables show that a CI service runs this command, a result with findings is
+    also written to stderr, or to a file of the service, in the form that the service reads.  If a
+    file cannot be written, a line on stderr says so; the verdict is not lost.
 
     Args:
         result: the result.
@@ -181,8 +182,8 @@ def width() -> int:
 def printable(text: str) -> str:
     """The text with control characters written as numbers; only line ends and tabs stay.
 
-    Texts may contain words of an explorer.  These must not give commands to a terminal, or to the
-    runner of a CI service.
+    A text may contain words of an explorer.  Such words must not give commands to a terminal, or to
+    the runner of a CI service.
     """
     return words.harmless(text.replace("\r", r"\x0d"))
 
@@ -192,7 +193,7 @@ COLOURS = (
     | dict.fromkeys(("REFUTED", "REPRODUCED", "ERROR"), 31)
     | dict.fromkeys(("NOT REPRODUCED", "NOT-REFUTED", "INCONCLUSIVE", "VACUOUS", "EMPTY"), 33)
 )
-"""The colour on a terminal for the first word of the line that tells a verdict."""
+"""The first words of lines that tell a verdict, each with the ANSI number of its colour."""
 
 
 def coloured(text: str) -> str:
@@ -213,8 +214,11 @@ def coloured(text: str) -> str:
 def emit(result: Report, output: OutputGroup, workers: int | None = None) -> int:
     """Write a verb's result in the forms that the user asked for, and return its exit code.
 
-    In a document, all values that can differ from run to run are under the key ``made_by``; the
-    number of workers is there, too.
+    Args:
+        result: the result.
+        output: the options for the output.
+        workers: the number of workers, which a JSON document has under the key ``made_by``; None
+            for a verb without workers.
 
     Raises:
         OSError: saying that stdout cannot be written.
@@ -329,7 +333,10 @@ def stdout_on_stderr() -> Iterator[None]:
 
 
 def abandon_stdout() -> None:
-    """Redirect stdout to the null device, so that the rest of its buffer causes no second error."""
+    """Redirect stdout to the null device after an error.
+
+    So the rest of the buffer of stdout, which is written at the end, causes no second error.
+    """
     with suppress(io.UnsupportedOperation):  # it may be a stand-in without a file
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
@@ -351,8 +358,10 @@ def complain(text: str) -> None:
 def prepare_streams() -> None:
     """Make sure that this process and the processes that it starts have all three standard streams.
 
-    A stream may have been closed before the start.  Then the next file that is opened takes its
-    number: texts for stderr would appear on stdout, and reports for stdout in files.
+    The caller may have closed a stream before the start.  The next file that is opened would then
+    get the number of this stream, and texts for the stream would go into that file.  So the null
+    device is opened in place of a closed stream: texts for stderr are dropped; to write to stdout
+    is an error, because nobody would get the report.
     """
     for number, stream in enumerate((sys.stdin, sys.stdout, sys.stderr)):
         if stream is None:
@@ -372,7 +381,8 @@ def prepare_streams() -> None:
 
 
 SILENCE = 10.0
-"""The seconds without a finished world until the first line about the run in progress."""
+"""The seconds without a finished item, such as a world, until the first line about the run in
+progress."""
 
 
 class Progress(Listener):
@@ -408,7 +418,8 @@ class Progress(Listener):
     def level(self, edges: int, worlds: int) -> None:
         """Begin the bar of a level, which is all worlds with ``edges`` edges.
 
-        ``worlds`` is the number of these worlds; for a shard it is an estimate of its part of them.
+        ``worlds`` is the number of these worlds; in a shard, an estimate of the number of those of
+        them that the shard does.
         """
         self.stage(f"edges {edges}", worlds, "worlds")
 

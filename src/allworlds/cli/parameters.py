@@ -1,6 +1,9 @@
 """Requests on the command line: each field of a request is an option or an argument.
 
-The values of the options and arguments are made into the request; see ``inputs.requests``.
+A *request* holds all values that the user gives to a verb; see ``inputs.requests``.  On the command
+line a request consists of one or more *parts*.  A part is an object of a dataclass, and each of its
+fields is an option or an argument.  This module makes click's options and arguments from the
+classes of the parts, and makes the parts from the values that the user gives.
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping
@@ -29,7 +32,10 @@ If a verb has more options, ``--help`` leaves out rare ones, and ``--help-all`` 
 
 
 def parameters_of(parts: Collection[type]) -> list[click.Parameter]:
-    """The arguments and options of a verb whose request has these parts."""
+    """The arguments and options of a verb; ``parts`` are the classes of the parts of its request.
+
+    If there are many options, the option ``--help-all`` is added.
+    """
     fields = [field for part in parts for field in _words_of(part)]
     rare = len(fields) >= MOST  # with --help
     more = [printing(["--help-all"], "Show every option.", _whole_help)] if rare else []
@@ -39,7 +45,8 @@ def parameters_of(parts: Collection[type]) -> list[click.Parameter]:
 def _words_of(part: type) -> Iterator[Field]:
     """Yield the fields of a part of a request that are options or arguments on the command line.
 
-    A field can stand for a group of options; then the fields of the group are yielded.
+    ``part`` is the class of the part.  If the annotation of a field is an :class:`OptionGroup`, the
+    command line has several options for the field; they are yielded in its place.
     """
     for field in fields_of(part):
         if isinstance(field.asked, OptionGroup):
@@ -53,8 +60,8 @@ def request_of(part: type, given: Mapping[str, Any]) -> Any:
 
     Args:
         part: the class of the part.
-        given: the values by the names of the fields.  If a value is None, the field gets its
-            default in Python.
+        given: the values by the names of the fields.  A field whose value is None, or missing, gets
+            the default of the class.
     """
     found = {}
     for field in fields_of(part):
@@ -70,8 +77,9 @@ def _parameter(field: Field, *, rare: bool) -> click.Parameter:
 
     Args:
         field: the field.
-        rare: whether the verb has so many options that ``--help`` hides the rare ones, which are
-            the options with a panel of the class :class:`Rare`.
+        rare: whether the verb has so many options that ``--help`` hides those that are rarely
+            needed.  An option is rarely needed if its panel (its group in the help) is of the class
+            :class:`Rare`.
     """
     asked: Any = field.asked
     names, help_ = [field.name], asked.help
@@ -118,10 +126,14 @@ class Reader:
     asked: Option
 
     def __call__(self, _context: click.Context, parameter: click.Parameter, given: Any) -> Any:
-        """The value of the field; click calls this function with the given texts.
+        """The value of the field; click calls this function.
 
         For an option that may be repeated the result is a list with the value of each text.  If no
         text is given, the result is None.
+
+        Args:
+            parameter: click's option or argument for the field, whose name is used in errors.
+            given: the user's text, or all texts if the option was repeated; None for no text.
 
         Raises:
             InputError: naming a text that is no legal value, or an option that is given twice.

@@ -26,9 +26,9 @@ from allworlds.world.named import names_of_worlds, world_named
 
 
 class RunWords(ProgramWords):
-    """The part of the request of ``run`` that only the command line has.
+    """The arguments and options of ``run`` that only the command line has.
 
-    These words name the explorer and its world, or are options for which the function
+    Some of them name the explorer and its world.  For the others the function
     :func:`allworlds.run` has no argument.
     """
 
@@ -70,12 +70,12 @@ class RunWords(ProgramWords):
     ] = 1
 
     def request(self, asked: RunOptions) -> RunRequest:
-        """The request for one run of the explorer in the world that the words name.
+        """The request for one run; the user has named the explorer and the world of the run.
 
         ``asked`` holds the other options of the run.
 
         Raises:
-            InputError: if the words do not name an explorer and a world, if pdb cannot stop in the
+            InputError: if the user has not named an explorer and a world, if pdb cannot stop in the
                 explorer, or if ``--step`` is given without ``--pdb``.
         """
         explorer, world = explorer_and_world(
@@ -121,7 +121,10 @@ Such an explorer runs in another process.
 
 
 def ensure_debuggable(name: str) -> None:
-    """Raise InputError unless pdb can stop in the explorer: a user's explorer in Python."""
+    """Raise InputError unless pdb can stop in the explorer of this name.
+
+    It can stop in a user's explorer in Python that has no shield around it.
+    """
     if loading.is_program(name) or loading.is_library(name):
         raise InputError(f"--pdb is for Python; a compiled explorer: {GDB}")
     if loading.entry_of(name) or loading.has_shield(name):
@@ -129,9 +132,9 @@ def ensure_debuggable(name: str) -> None:
 
 
 def ensure_step(run: SingleRun, step: int) -> None:
-    """Raise InputError if the run has no step with this number.
+    """Raise InputError if the run has no step with this number; the first step is number 1.
 
-    The last step is the explorer's answer.
+    The step after the last action is the explorer's answer.
     """
     last = len(run.outcome.episode.transcript.steps) + 1
     if not 1 <= step <= last:
@@ -143,7 +146,8 @@ class _Stopping:
 
     Args:
         walk: the generator of the explorer.
-        left: the number of percepts after which the debugger stops; 0 for a stop at the beginning.
+        left: the number of percepts that the explorer gets, after the first percept, until the
+            debugger stops; 0 for a stop at the beginning.
     """
 
     def __init__(self, walk: Generator[Any, Any, Any], left: int) -> None:
@@ -169,10 +173,10 @@ class _Stopping:
         return self._walk.send(reply)
 
     def _waiting(self) -> Iterator[FrameType]:
-        """Yield the frames of the user's generators that wait for the reply.
+        """Yield the frames of the user's generators that wait for the next reply.
 
-        The first frame is that of the explorer; each further one is that of the generator to which
-        the generator before has passed control by ``yield from``.
+        The first frame is that of the explorer.  Each further frame is that of a generator to which
+        the generator of the previous frame has passed control by ``yield from``.
         """
         walk: Any = self._walk
         while frame := getattr(walk, "gi_frame", None):
@@ -184,8 +188,8 @@ class _Stopping:
 def debug(run: SingleRun, step: int) -> None:
     """Play a run again, in this process and in the debugger.
 
-    The debugger stops where the explorer begins to choose the step.  Whatever the explorer does
-    then, the report of the run does not change.
+    The debugger stops where the explorer begins to choose the step number ``step``, counted from 1.
+    The report of the run does not change, even if the explorer now does something else.
     """
     subject = loading.load(run.explorer)
     explore: Any = subject.explore
@@ -242,9 +246,9 @@ def replay(request: ReplayRequest, *, output: OutputGroup) -> int:
     """Example: allworlds replay finding.json --explorer mended.py:explore
 
     Run a recorded finding again.  Exit code 0: reproduced (a law is broken again), 5: fixed, 3: not
-    decided, because the explorer was recorded as nondeterministic, but was not so in any new run.
-    The recorded explorer takes the recorded choices again; where such a choice is no longer
-    possible, the policy chooses.
+    decided.  The result is not decided if the finding says that the explorer is nondeterministic,
+    and no new run breaks a law: a further run might still break one.  The recorded explorer takes
+    the recorded choices again; if such a choice is no longer possible, the policy chooses.
     """
     replayed = answer(allworlds.replay, request)
     if replayed.notice:

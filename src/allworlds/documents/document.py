@@ -5,10 +5,11 @@ each field is annotated with its type and, by :func:`about`, with one line of me
 class yields the JSON (:meth:`Document.to_json`), the strict reading (``reading.parse``), the JSON
 Schemas and the reference of keys.
 
-With ``@with_options(Request)`` a class also has a key for each option of a request that says what
-is checked or how it is judged; the option defines the key's type and meaning.  A method with
-``@computed`` is a key whose value follows from the fields.  This key comes after the fields; the
-method's annotation is the key's type, and the first line of its docstring is the key's meaning.
+With ``@with_options(Request)`` a class also has a key for each option of a request that the help
+shows under "What is checked" or "How it is judged"; the option defines the key's type and meaning.
+A method with ``@computed`` defines a key whose value follows from the fields.  This key comes after
+the fields; the type that the method returns is the key's type, and the first line of the method's
+docstring is the key's meaning.
 
 The annotation of a field with a value of type T has three other forms:
 
@@ -71,7 +72,7 @@ IfAny: TypeAlias = Annotated[T, IF_ANY]
 
 
 class ReadBy(NamedTuple):
-    """The type of a value, and the function that reads it from JSON."""
+    """The type of a value, and the function that reads such a value from JSON."""
 
     type: Any
     read: Callable[[Any], Any]
@@ -158,10 +159,10 @@ _AS_IT_IS = frozenset({int, str, bool, float, NoneType})
 
 
 class computed(cached_property[T]):  # noqa: N801  # as cached_property
-    """A key of a document whose value a method computes when it is first needed, and keeps.
+    """A key of a document whose value is computed by a method when the value is first needed.
 
-    The key's type is the method's annotation; the key's meaning is the first line of the method's
-    docstring.  The key comes after the fields in the JSON object.
+    The value is then kept.  The key's type is the type that the method returns; the key's meaning
+    is the first line of the method's docstring.  The key comes after the fields in the JSON object.
     """
 
 
@@ -198,9 +199,10 @@ def with_options(*parts: type[Any]) -> Callable[[type[T]], type[T]]:
 
 
 def _default_of_key(one: Field) -> Any:
-    """The default value of the key for an option, for documents without this key.
+    """The value of the key for an option if a document that is read lacks this key.
 
-    The result is NODEFAULT if documents must have the key.
+    ``one`` is the field of a request to which the option belongs.  The result is NODEFAULT if every
+    document must have the key.
     """
     if IF_ANY in getattr(_type_of_key(one), "__metadata__", ()):
         return None
@@ -208,7 +210,10 @@ def _default_of_key(one: Field) -> Any:
 
 
 def _type_of_key(one: Field) -> Any:
-    """The type of the key that documents have for an option, annotated with the key's meaning."""
+    """The type of the key that documents have for an option, annotated with the key's meaning.
+
+    ``one`` is the field of a request to which the option belongs.
+    """
     from allworlds.inputs.requests import Option  # which players do not need
 
     assert isinstance(one.asked, Option)

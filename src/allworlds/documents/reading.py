@@ -65,7 +65,11 @@ def _at(document: Any, steps: Iterable[str]) -> object:
 
 
 def _legal(kind: inspect.Type, steps: Sequence[str]) -> Iterator[object]:
-    """Yield the legal values of the part to which the steps lead, if its type is an enumeration."""
+    """Yield the legal values of a part of a JSON value, if the type of the part is an enumeration.
+
+    ``kind`` is msgspec's description of the type of the whole JSON value; ``steps``, such as
+    ``rows`` and ``[0]``, lead to the part.
+    """
     match kind:
         case inspect.Metadata(type=one):
             yield from _legal(one, steps)

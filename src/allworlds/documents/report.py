@@ -86,10 +86,10 @@ class Report(Paged, Document, kw_only=True):
 
     @property
     def seconds_by_part(self) -> dict[str, list[float]]:
-        """The seconds that each part of the job took, by the key of :class:`MadeBy` for them.
+        """A dictionary from a key of :class:`MadeBy` to the seconds that each part of the job took.
 
         In a report of levels the key is ``level_seconds``, with a number for each level; in a
-        report of claims it is ``claim_seconds``, with a number for each claim.  By default the
+        report of claims the key is ``claim_seconds``, with a number for each claim.  By default the
         dictionary is empty.
         """
         return {}

@@ -32,9 +32,9 @@ _registered = list[Callable[[], Writers]]()
 
 
 def register(load: Callable[[], Writers]) -> Callable[[], Writers]:
-    """Register the function that loads the writers, in place of an earlier one.
+    """Register ``load``, the function that loads the writers, in place of an earlier function.
 
-    Return the same function, so that ``register`` can be used as a decorator.
+    Return ``load``, so that ``register`` can be used as a decorator.
     """
     _registered.append(load)
     return load
@@ -75,7 +75,10 @@ class Paged:
         cls._repr_pretty_ = Paged._repr_pretty_  # type: ignore[method-assign]
 
     def _repr_pretty_(self, printer: Any, cycle: bool) -> None:  # noqa: ARG002  # IPython's call
-        """Print the text at IPython's prompt, where no page can be shown."""
+        """Print the text at IPython's prompt, where no page can be shown.
+
+        IPython calls this method with its printer; ``cycle`` is not used.
+        """
         printer.text(str(self))
 
     def _repr_html_(self) -> str:

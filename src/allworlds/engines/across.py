@@ -1,12 +1,17 @@
-"""All runs of small levels, one after the other in both orders: does a run change a later run?
+"""All runs in small worlds, in two opposite orders, to find runs that change a later run.
+
+An :class:`AcrossUnit` consists of all runs in worlds with up to a number of edges, say N runs.  Two
+processes play these runs, and no others::
 
     one process:      run 1, run 2, ..., run N
-    another process:  run N, ..., run 2, run 1; with few edges run 1, run 2, ..., run N once more
+    another process:  run N, ..., run 2, run 1
 
-Of any two runs, perhaps of different units, each is played before the other in one of the two
-processes.  The processes play nothing but these runs.  If a run has different logs in the two
-processes, a bisection finds the fewest earlier runs that cause the difference.  These plays are not
-counted, because each run is counted in another unit.
+If no world has more than :data:`TWICE` edges, the other process then plays run 1, run 2, ..., run N
+once more, so that each run is also played after itself.
+
+So of any two runs, each is played before the other in one of the two processes.  If a run has
+different logs in the two processes, a bisection finds a few earlier runs that suffice to cause the
+difference.  The plays are not counted, because each run is counted in another unit.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -35,20 +40,22 @@ MOST_EARLIER = 4
 """The largest number of earlier runs that a finding names."""
 
 FEW = 3
-"""The largest number of runs for which :meth:`Across.settle` searches earlier runs that change the
-run's log."""
+"""The largest number of runs that :meth:`Across.settle` tries.
+
+For each of these runs the method searches for earlier runs that change the run's log.
+"""
 
 AtPlace: TypeAlias = tuple[CombinatorialMap, int]
 """A map, and the number of the lighthouse's place."""
 
 
 class FirstLog(NamedTuple):
-    """A run with its log from the unit that counts the run.
+    """A run, with the log of its first play in the unit that counts the run.
 
     Attributes:
         due: the run.
-        log: the log of the run's first play in that unit.
-        right: whether the run breaks no law.
+        log: the log.
+        right: whether the run breaks no law in this play.
     """
 
     due: Due
@@ -59,8 +66,9 @@ class FirstLog(NamedTuple):
 def remember(batch: RunBatch, known: dict[AtPlace, FirstLog]) -> None:
     """Add the runs of a batch to ``known``, with the logs of their first plays.
 
-    The runs are added in the order of the plays.  They are added only if their worlds have at most
-    :data:`ACROSS` edges, and if Python plays the runs, and not compiled code.
+    ``known`` is a dictionary from the map and the place of a run to the run.  The runs are added in
+    the order of the plays.  No run is added if the worlds have more than :data:`ACROSS` edges, or
+    if compiled code has played the runs, which then were played in another order.
     """
     unit, logs, broken = batch.work.unit, batch.logs[FIRST], {*batch.broken}
     small = isinstance(unit, LevelUnit | GivenUnit) and unit.edges <= ACROSS
@@ -78,7 +86,7 @@ class _Play:
         seed: the hash seed.
         order: the indices of the runs in the order of the play; an index may occur twice.
         logs: the logs of the runs in this order; None until all logs are known.
-        player: the player at work; None if the logs are known.
+        player: the player that plays the runs; None before the play begins and after its end.
     """
 
     def __init__(self, seed: int, player: PlayerProcess | PlayerHere | None) -> None:
@@ -103,12 +111,14 @@ class Across:
         seeds: the hash seeds of the two processes.
 
     Attributes:
-        batch: the batch of all runs.
+        batch: the batch of all runs; empty before the plays begin.
         begun: whether the plays have begun.
         found: a dictionary from the index of each run that refutes the explorer to the outcome of
             the run.
-        odd: for each run whose two logs differ, the index of the run and the log of the second
-            play; empty if earlier runs are found to be the cause of a difference.
+        odd: pairs of the index of a run whose two logs differ, and the log of its second play.  For
+            these runs the caller must find out the cause, which may be the hash seeds.  The list is
+            empty before :meth:`settle`, and if :meth:`settle` finds that earlier runs are the cause
+            of a difference: then the outcome in ``found`` names them.
     """
 
     def __init__(
@@ -126,9 +136,10 @@ class Across:
         """Begin the plays of the runs of this unit, once the units that count these runs are done.
 
         Args:
-            known: logs of small runs, by the map and the place of the run, in the order in which
-                one process has played these runs, and no others.  If every run of this unit is
-                among them, their logs serve as the first play; else a new process makes it.
+            known: runs in small worlds with their logs, by the map and the place of the run.  One
+                process has played these runs, and no others, in the order of the dictionary.  If
+                ``known`` has every run of this unit, its logs serve as the first play; if not, a
+                new process plays all runs.
         """
         assert isinstance(self.work.unit, AcrossUnit)
         self.begun = True
@@ -167,11 +178,15 @@ class Across:
         return [play.player for play in self._plays if play.player]
 
     def hear(self, note: Callable[[Work, Lost], None]) -> bool:
-        """Read what the players have sent; return whether all plays have ended.
+        """Read the logs that the players have sent; return whether all plays have ended.
+
+        If a player is lost in a run, a fresh player plays this run, see :meth:`_is_repeated`.  If
+        the fresh player is lost, too, both plays end here.  If not, the loss is reported to
+        ``note``, and a new player plays all runs in the same order.
 
         Args:
-            note: the function that is called for a loss that no fresh player repeats; after such a
-                loss a new player plays all runs in the same order.
+            note: the function to call with the unit and the loss, after a loss that no fresh player
+                repeats.
         """
         for play in self._plays:
             if play.player:
@@ -189,15 +204,16 @@ class Across:
         return not self.players
 
     def close(self) -> None:
-        """End the players; if a play is not finished, :meth:`settle` then compares no run."""
+        """End the players.  If a play is not finished, :meth:`settle` will compare no run."""
         for play in self._plays:
             play.end()
 
     def _is_repeated(self, play: _Play, player: Any, lost: Lost) -> bool:
         """Whether a fresh player is also lost in the run in which the player of ``play`` was lost.
 
-        The fresh player plays the run alone, or after runs that came before it in ``play``.  If
-        earlier runs cause the loss, the outcome that names these runs is added to :attr:`found`.
+        ``player`` is that player, and ``lost`` is its loss.  The fresh player plays the run alone,
+        or after runs that came before this run in ``play``.  If earlier runs cause the loss, the
+        outcome that names these runs is added to :attr:`found`.
         """
         position = player.beat[0]
         if player.description is None or not 0 <= position < len(play.order):
@@ -211,16 +227,19 @@ class Across:
     def _after(self, seed: int, earlier: Sequence[int], index: int) -> bytes:
         """The log of the run ``index``, which a fresh player plays after the runs ``earlier``.
 
-        The log is empty if the player is lost in one of the earlier runs.
+        ``seed`` is the hash seed of the fresh player.  The log is empty if the fresh player is lost
+        in one of the earlier runs.
         """
         logs = self._fresh(seed, [*earlier, index])
         return logs[-1] if len(logs) > len(earlier) else b""
 
     def _fresh(self, seed: int, order: Sequence[int]) -> list[bytes]:
-        """The logs of a fresh player that plays the runs of these indices in this order.
+        """The logs of a fresh player that plays the runs of the indices ``order``, in this order.
 
-        If the player is lost in a run, the list ends with the log of this run, and all earlier logs
-        are empty.
+        ``seed`` is the hash seed of the player.  A player sends its logs after the last run.  So if
+        it is lost in a run, the logs of the runs before this run are unknown, and the list has
+        empty logs for them.  The last log of the list is then that of the run in which the player
+        was lost, and holds only the loss.
         """
         player = started(self._setup, seed)
         try:
@@ -231,10 +250,7 @@ class Across:
             player.close()
 
     def _differ(self, one: bytes, other: bytes) -> bool:
-        """Whether two logs differ; False if one of them is empty.
-
-        An empty log stands for an unknown log.
-        """
+        """Whether two logs of a run differ; False if one of them is empty, since it is unknown."""
         if one == other or not (one and other):
             return False
         return difference_of(Log(one), Log(other), choices=self._judge.every) is not None
@@ -244,11 +260,11 @@ class Across:
     def settle(self) -> None:
         """Find the smallest run that shows a fault, and put its outcome into :attr:`found`.
 
-        A run shows a fault in two cases: earlier runs in the same process change its log; or it
-        breaks a law, and has the same log if it is played alone.  The runs whose logs depend on the
-        order of the play, and those that break a law in the first play, are tried in ascending
-        order, at most :data:`FEW` of them.  If none of these runs shows a fault, :attr:`found`
-        stays empty.  If earlier runs are the cause, the outcome names them.
+        A run shows a fault in two cases.  Either earlier runs in the same process change its log;
+        then the outcome names these runs.  Or the run breaks a law, and has the same log if it is
+        played alone.  The runs whose logs depend on the order of the play, and the runs that break
+        a law in the first play, are tried from the smallest on, at most :data:`FEW` runs in all.
+        If none of them shows a fault, or if a play is not finished, :attr:`found` does not change.
         """
         first, second = self._plays
         if not (first.logs and second.logs):
@@ -269,11 +285,11 @@ class Across:
                     return
 
     def _unlike(self, forwards: Sequence[bytes]) -> dict[int, int]:
-        """Compare the logs of the second play with the logs ``forwards``.
+        """Find the runs whose logs in the second play differ from their logs in ``forwards``.
 
-        Item i of ``forwards`` is a log of run i.  The second play may hold several logs of a run.
-        Return a dictionary from the index of each run with a different log to the position, in the
-        second play, of the first such log.
+        Item i of ``forwards`` is a log of run i.  The second play may hold two logs of a run.
+        Return a dictionary from the index of each such run to a position in the second play: the
+        position of the run's first log that differs.
         """
         second, found = self._plays[1], dict[int, int]()
         assert second.logs is not None
@@ -292,18 +308,17 @@ class Across:
         ]
 
     def _size(self, index: int) -> tuple[Any, ...]:
-        """The sort key of the run with this index; it sorts runs as findings are sorted."""
+        """The sort key of the run with this index; runs are sorted as findings are, small first."""
         _, place, world, _ = self.batch.runs[index]
         map_ = world.map
         code = rooted_code(map_.sigma, map_.alpha, world.start)
         return map_.edge_count, map_.vertex_count, code, place
 
     def _named(self, index: int, earlier: Sequence[int]) -> Outcome | None:
-        """The outcome of a run whose log is changed by ``earlier`` runs.
+        """The outcome of the run ``index``, if some of the runs ``earlier`` change its log.
 
-        The outcome names these earlier runs.  ``index`` is the index of the run.  Return None if no
-        earlier runs change its log, or if a second play after the same runs does not show the
-        change again.
+        The outcome names the runs that :meth:`_needed` finds.  Return None if there are no such
+        runs, or if a second play after the same runs does not show the change again.
         """
         alone = self._after(self._seed, [], index)
         needed = self._needed(alone, index, earlier)
@@ -315,11 +330,12 @@ class Across:
         return after_worlds(wrong, [canonical_world(self.batch.runs[i].world) for i in needed])
 
     def _needed(self, alone: bytes, index: int, earlier: Sequence[int]) -> list[int]:
-        """The fewest earlier runs that change the log of the run ``index``.
+        """The indices of a few of the runs ``earlier`` that suffice to change the log of a run.
 
-        ``alone`` is the log of the run if it is played alone.  The list is empty if the log after
-        all earlier runs equals ``alone``, if a second play of the run alone has another log, or if
-        more than :data:`MOST_EARLIER` runs are needed.
+        ``index`` is the index of the run, and ``alone`` is its log if the run is played alone.  The
+        result is found by bisection.  It is empty if the log after all runs of ``earlier`` equals
+        ``alone``, if a second play of the run alone has another log, or if the bisection would need
+        more than :data:`MOST_EARLIER` runs.
         """
 
         def shows(indices: Sequence[int]) -> bool:

@@ -41,7 +41,8 @@ class Due(NamedTuple):
         number: the number of the run in its unit.
         place: the number of the lighthouse's place.
         world: the world.
-        script: the index of the option to be taken at each of the first choices.  At later choices
+        script: one index for each of the explorer's first choices in the run: the index of the
+            option to be taken at this choice (:mod:`allworlds.protocol.choices`).  At later choices
             the policy decides; if every schedule is tried, the first option is taken.
     """
 
@@ -56,8 +57,9 @@ class Recorded(NamedTuple):
 
     Attributes:
         percepts: the percept at the start and after each action.
-        world: the world; the player gets only some data of it, such as what its lighthouse tells.
-        script: the index of the option to be taken at each of the first choices.
+        world: the world; the player gets only some data of the world, such as the value that the
+            lighthouse tells before the start.
+        script: the script of the run, as in :class:`Due`.
         over: whether the task ended the run, because the robot had done all that the task demands.
     """
 
@@ -74,13 +76,13 @@ class Recorded(NamedTuple):
 
 
 class Judged(NamedTuple):
-    """A run that the judge in Python has judged.
+    """A run that the judge in Python has judged by a log.
 
     Attributes:
-        log: the log of the run.
+        log: the log.
         outcome: the outcome of the run.
-        fits: whether the run took the options of its script, and the first option at each later
-            choice; always True unless every schedule is tried.
+        fits: whether the explorer took the options of the run's script, and the first option at
+            each later choice; always True unless every schedule is tried.
     """
 
     log: Log
@@ -94,9 +96,9 @@ class Work:
 
     Attributes:
         unit: the unit.
-        tally: the counts since the last partial result was returned.
+        tally: the counts since the lane last returned a part of the unit's result.
         batches: the iterator over the batches that have not been made yet; None at its end.
-        more: the runs that are to be played again, each with its next schedule.
+        more: the runs that are to be played again, each with the script of its next schedule.
         open: the number of batches that are being played or compared.
         best: a dictionary from the number of a run to a pair: the run, and the cost of its cheapest
             schedule so far.  It is empty unless every schedule is tried.
@@ -149,7 +151,7 @@ class RunBatch:
         return len(self.runs)
 
     def take(self, which: int, indices: Indices, logs: Sequence[bytes]) -> None:
-        """Store logs that a player has made.
+        """Store logs that a player has made, in :attr:`logs`.
 
         Args:
             which: the number of the player, :data:`FIRST` or :data:`SECOND`.
@@ -211,20 +213,23 @@ class Judge(Protocol):
         """
 
     def judge(self, batch: RunBatch) -> bool:
-        """Judge and count the logs of a batch's first play.
+        """Judge the runs of a batch by the logs of their first play, and count the runs.
 
         Return False if Python must play the runs again, because logs are missing.
         """
 
     def judged(self, due: Due, log: bytes) -> Judged:
-        """Return the judgement of one run by this log, which the judge in Python makes."""
+        """Return the judgement of the judge in Python about one run, whose log is ``log``.
+
+        A judge in compiled code judges whole batches only, and calls the judge in Python here.
+        """
 
     def worlds(self, batch: RunBatch, indices: Indices) -> Message:
-        """The message that tells a player to play these runs in their worlds."""
+        """The message that tells a player to play these runs of the batch in their worlds."""
 
     def percepts(self, batch: RunBatch, indices: Indices, order: Indices = ()) -> Message:
-        """The message that tells a player to play these runs by their percepts, without a world.
+        """The message that tells a player to play these runs of the batch by their percepts.
 
-        ``order`` is the order of the play, as positions in ``indices``; if it is empty, the runs
-        are played in the order of ``indices``.
+        The message holds no world.  ``order`` is the order of the play, as positions in
+        ``indices``; if ``order`` is empty, the runs are played in the order of ``indices``.
         """

@@ -41,7 +41,7 @@ UNBOUNDED = 1 << 40
 
 @cache
 def level_of(explorer: str, rules: Rules, extent: classes.Extent, edges: int) -> arrays.Level:
-    """The request to the kernel for a level: its size, the explorer, the rules, bounds and budgets.
+    """The request to the kernel for a level: number of edges, explorer, rules, bounds and budgets.
 
     Args:
         explorer: the explorer's name; for a user's explorer the kernel only judges logs.
@@ -69,7 +69,12 @@ def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
     Item ``[n][d0][D]`` is the cost for maps with n vertices, degree d0 of v0 and largest degree D.
     If the bound does not depend on one of these degrees, the list for this degree has one item.
     Costs are cut to the range from -1 to :data:`UNBOUNDED`, which changes no verdict, because each
-    walk costs at least 0.
+    walk costs at least 0.  The item is ``UNDEFINED`` if the bound has no value, for example because
+    it divides by 0.
+
+    Args:
+        rules: the rules of the runs, with the bound.
+        edges: the number of edges of the maps.
     """
 
     def value(n: int, d0: int, largest: int) -> int:
@@ -87,10 +92,18 @@ def bounds_of(rules: Rules, edges: int) -> list[list[list[int]]]:
 def tally_of(sums: arrays.Sums, unit: LevelUnit, scope: Scope, tally: Tally) -> Tally:
     """Add the kernel's counts of a unit to the empty tally, and return the tally.
 
-    Of the events only loops and parallel edges are added.  Findings are not added.
+    To the witnesses of the tally only the numbers of worlds with a loop and of worlds with parallel
+    edges are added, not the events of Algorithm 1 in ``sums.events``.  Findings are not added.
+
+    Args:
+        sums: the kernel's results for the unit.
+        unit: the unit.
+        scope: the scope, which has the bound.
+        tally: the empty tally.
 
     Raises:
-        InputError: if the bound has no value in a world of the unit.
+        InputError: if the bound has no value in a world of the unit, for example because it divides
+            by 0 there.
     """
     most_expensive = {
         n: AtRun(sigma, alpha, place, ()) for n, sigma, alpha, place in sums.most_expensive
@@ -132,8 +145,10 @@ class is simple and the lighthouse has marks at two vertices."""
 def compare_engines(scope: Scope, subject: Subject) -> None:
     """Raise EnginesDisagree unless both engines have equal results in each small world.
 
-    If in a level of the scope one walk counts for all bearings, the kernel also walks each small
-    map once.  The counts of this walk must equal those of the kernel's runs at every bearing.
+    A world is small if it has at most :func:`compared_to` edges.  If the scope has a level in which
+    one walk counts for all bearings, the kernel also walks each small map once, and computes from
+    this walk the counts for all bearings.  They must equal the sums over the kernel's runs, one for
+    each bearing.
 
     Raises:
         EnginesDisagree: naming the first world in which the results differ.
@@ -219,7 +234,7 @@ def _counts_of(tally: Tally) -> object:
 
 
 def compared_to(scope: Scope) -> int:
-    """The largest m of the worlds in which both engines are compared."""
+    """The largest number of edges of the worlds in which both engines are compared."""
     at_two_vertices = issubclass(scope.rules.kind, Cluster | Natural)
     few = scope.extent.map_class.simple and at_two_vertices
     return AGREEMENT_EDGES_SIMPLE if few else AGREEMENT_EDGES
@@ -279,13 +294,11 @@ class CompiledEngine(Struct, frozen=True):
         self.flag[0] = 1
 
     def parts(self, unit: LevelUnit) -> Iterator[Tally]:
-        """Yield one part: the tally of the unit.
-
-        This tally equals the tally of the Python engine.
+        """Yield one part: the tally of the unit, which equals the tally that Python would make.
 
         Raises:
             EnginesDisagree: if the Python engine does not confirm a broken law.
-            InputError: if the bound has no value in a world.
+            InputError: if the bound has no value in a world of the unit.
         """
         scope = self.scope
         level = level_of(self.subject.name, scope.rules, scope.extent, unit.edges)
@@ -299,12 +312,12 @@ class CompiledEngine(Struct, frozen=True):
         yield tally
 
     def _blame(self, broken: arrays.BrokenRun, tally: Tally) -> None:
-        """Let the Python engine play again what the kernel has found to break a law.
+        """Let the Python engine play again a run that breaks a law, as the kernel has found.
 
-        The findings of the Python engine are added to the tally.
+        The finding that the Python engine makes is added to the tally.
 
         Args:
-            broken: one run, or all runs of a map if its place is None.
+            broken: the run; if its place is None, all runs of the map are played again.
             tally: the tally of the unit.
 
         Raises:
@@ -334,7 +347,8 @@ class CompiledEngine(Struct, frozen=True):
 def load_native() -> None:
     """Load or compile the code that judges logs, and the code that plays shared libraries.
 
-    The code that makes the lighthouses of worlds is not loaded.
+    Each kind of lighthouse has compiled code of its own.  Of this code, only that of the
+    directional lighthouse is loaded here; a judge loads or compiles that of another kind later.
     """
     level = level_of("", Rules(), classes.Extent(classes.MapClass.MAPS, 1), 1)
     with uncollected():

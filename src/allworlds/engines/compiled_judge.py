@@ -1,9 +1,9 @@
 """The judge in compiled code, which knows some of the laws; the judge in Python knows all.
 
 Both judges read the same logs.  A lane keeps all logs of the smallest worlds.  When the lane loads
-the compiled judge, it compares both judges on these logs, and then on the first batch.  If the
-compiled judge finds a broken law, the judge in Python judges the same log again, and only the judge
-in Python makes the finding.
+the compiled judge, both judges judge these logs, and then the logs of the first batch, and must
+have equal counts.  If the compiled judge finds a broken law, the judge in Python judges the same
+log again, and only the judge in Python makes the finding.
 """
 
 from array import array
@@ -32,7 +32,8 @@ class CompiledBatch(RunBatch):
     The method :meth:`due` returns one of these runs as a Python object.
 
     Attributes:
-        laid: a description of the batch: how many runs it has, and which runs of the unit they are.
+        laid: a description of the batch: the number of its runs, and the range of the numbers that
+            its runs have in the unit.
         heads: for each run some numbers, such as its number, its place and its step budget.
         tables: for each run the table of its world, with a row of numbers for each dart.
     """
@@ -81,8 +82,9 @@ class CompiledJudge:
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[CompiledBatch]:
         """Yield the runs of a unit in batches.
 
-        ``size`` is a function that returns about how many runs the next batch shall have.  If the
-        explorer is a shared library, the batch is larger by the factor :data:`LIBRARIES`.
+        ``work`` is the unit, and ``size`` is a function that returns about how many runs the next
+        batch shall have.  If the explorer is a shared library, the batch is larger by the factor
+        :data:`LIBRARIES`.
         """
         unit = work.unit
         assert isinstance(unit, LevelUnit)
@@ -103,7 +105,7 @@ class CompiledJudge:
                 work.tally.add(batch.tally)
 
     def judge(self, batch: RunBatch) -> bool:
-        """Judge and count the logs of a batch's first play.
+        """Judge the runs of a batch by the logs of their first play, and count the runs.
 
         Batches must be judged in the order in which they were made.  Return False if Python must
         play the runs again, because compiled code could not write all logs of a shared library.
@@ -151,7 +153,11 @@ class CompiledJudge:
         return sums, good
 
     def _by_python(self, batch: CompiledBatch) -> None:
-        """Let the Python judge count a batch whose logs compiled code cannot read."""
+        """Let the Python judge judge and count a batch, in place of compiled code.
+
+        This is done if compiled code cannot read a log of the batch, if Python has played the runs
+        of a shared library, or if the batch has only worlds without a place.
+        """
         batch.tally.add(self._python_tally(batch))
         batch.broken.extend(
             index for index in range(len(batch)) if batch.outcome(index).outcome.violation
@@ -172,6 +178,9 @@ class CompiledJudge:
     def _index_of(self, batch: CompiledBatch, code: Code, place: int | None) -> int:
         """The index, in the batch, of the run with this place in the map with this canonical code.
 
+        ``place`` is never None here: the kernel leaves out the place only if it walks each map
+        once, and then there are no logs.
+
         Raises:
             EnginesDisagree: if the batch has no such run.
         """
@@ -185,7 +194,7 @@ class CompiledJudge:
     # ---------------------------------------------------------------- messages
 
     def worlds(self, batch: RunBatch, indices: Indices) -> Message:
-        """The message that tells a player to play these runs in their worlds."""
+        """The message that tells a player to play these runs of the batch in their worlds."""
         assert isinstance(batch, CompiledBatch)
         if not batch.plain:
             whole = len(indices) == len(batch)
@@ -196,10 +205,11 @@ class CompiledJudge:
         return self.python.message("table", _entries(batch, indices, packed))
 
     def percepts(self, batch: RunBatch, indices: Indices, order: Indices = ()) -> Message:
-        """The message that tells a player to play these runs by their percepts, without a world.
+        """The message that tells a player to play these runs of the batch by their percepts.
 
-        ``order`` is the order of the play: it lists positions in ``indices``.  It has no effect if
-        compiled code plays the whole batch, because compiled code draws an order of its own.
+        The message holds no world.  ``order`` is the order of the play, as positions in
+        ``indices``; if ``order`` is empty, the runs are played in the order of ``indices``.  But if
+        compiled code plays the whole batch, it draws an order of its own.
         """
         assert isinstance(batch, CompiledBatch)
         if len(indices) == len(batch) and not batch.plain:
@@ -223,7 +233,7 @@ class CompiledJudge:
     # ---------------------------------------------------------------- its twin
 
     def compare_with(self, batches: Iterable[RunBatch]) -> None:
-        """Compare both judges on the logs of these batches, which the Python judge has judged.
+        """Compare the counts of both judges for batches that the Python judge has judged.
 
         Raises:
             EnginesDisagree: if the two judges count differently.
@@ -249,12 +259,12 @@ class CompiledJudge:
 def _entries(
     batch: CompiledBatch, indices: Indices, around: Iterable[bytes]
 ) -> list[tuple[Any, ...]]:
-    """The entries of a message to a player, one for each run, as in the Python judge's messages.
+    """The entries of a message to a player, one for each run, as :class:`PythonJudge` makes them.
 
     Args:
         batch: the batch.
         indices: the indices of the runs in the batch.
-        around: for each run its world or its percepts, as bytes.
+        around: for each run the world, or the percepts, as bytes.
     """
     said = batch.heads[[*indices]][:, [arrays.RUN_BUDGET, arrays.RUN_TOLD]].tolist()
     return [

@@ -1,9 +1,12 @@
 """Units on the workers of a Dask cluster.
 
-A task consists of some units, an engine, and a function with which a worker makes a transport.
-In this module that transport is called a *lane*.  A lane outlives the tasks, so that each thread of
-a worker starts a user's explorer only once.  A task returns the whole results of its units.  If a
-worker is lost, another worker does the units of the lost tasks again.
+This process sends tasks to the workers.  A *task* is some units, with an engine and a function.  By
+this function the worker makes an object that brings units to the engine within the worker: a
+transport, see :mod:`allworlds.engines.units`.  For a user's explorer this transport holds one lane.
+In this module the word *lane* means this transport within a worker.  A worker keeps a lane for
+later tasks, so that each thread of the worker starts a user's explorer only once.  A task returns
+the whole results of its units.  If a worker is lost, another worker does the tasks of the lost
+worker again.
 """
 
 import asyncio
@@ -37,13 +40,13 @@ class Dask:
     """Brings units to a Dask cluster; the end of the ``with`` block cancels unfinished tasks.
 
     Args:
-        address: the address of the scheduler, or :data:`LOCAL`.
-        workers: the number of processes of a local cluster.
+        address: the address of the scheduler, or :data:`LOCAL` for a new cluster on this machine.
+        workers: the number of processes of the new cluster.
         deadline: the end of the time limit, on the monotonic clock; or None.
-        inside: the picklable function that makes the transport on a worker.
+        inside: the picklable function that makes the transport within a worker.
         probe: the picklable function that returns the reason why a worker cannot do the job, or
             an empty text.
-        order: the function that orders the units.
+        order: the function that puts the units into the order in which they are sent.
     """
 
     def __init__(
@@ -143,10 +146,11 @@ class Dask:
         self._client = await distributed.Client(address, asynchronous=True, set_as_default=False)
 
     async def _watch(self) -> NoReturn:
-        """Count the threads of the workers, and give up workers that are silent for too long.
+        """Watch the workers as long as the cluster is in use.
 
-        A worker that hangs keeps its connection.  So a worker counts as silent if the scheduler has
-        received no heartbeat of it for :data:`SILENCE` seconds.
+        Each second the number of threads of all workers is written to ``self._threads``, from which
+        :meth:`map` computes the number and the size of tasks.  A worker that has sent the scheduler
+        no heartbeat for :data:`SILENCE` seconds is given up, even if its connection is still open.
 
         Raises:
             ClusterLost: if the scheduler or all workers are silent for too long, or if the
@@ -194,7 +198,8 @@ def _unpacked(job: str, version: str, packed: bytes) -> tuple[Any, Any]:  # noqa
     Args:
         job: the name of the job, so that each job has a pair of its own.
         version: the version of allworlds that has sent the task.
-        packed: the pair as bytes, with the function that says whether this worker can do the job.
+        packed: as bytes, the function that makes lanes, the function that returns the reason why
+            this worker cannot do the job, and the engine.
 
     Raises:
         InputError: if the worker has another version, or cannot do the job.
@@ -234,7 +239,7 @@ def done(job: str, version: str, packed: bytes, batch: list[Any]) -> tuple[list[
     Args:
         job: the name of the job.
         version: the version of allworlds that has sent the task.
-        packed: the function that makes lanes, and the engine, as bytes.
+        packed: the engine and two functions as bytes, see :func:`_unpacked`.
         batch: the units.
 
     Raises:
@@ -281,8 +286,8 @@ def end_job(job: str) -> None:
 def local_cluster(workers: int) -> Iterator[str]:
     """A context with the address of a new cluster on this machine, with this number of workers.
 
-    All processes of the cluster descend from one process.  So at the end of the context they are
-    found and killed, even if they no longer answer.
+    All processes of the cluster descend from one process.  So at the end of the context all of them
+    are found and killed, even if they no longer answer.
     """
     start = f"import sys; sys.path[:] = {sys.path}; from {__name__} import serve; serve({workers})"
     with TemporaryDirectory(ignore_cleanup_errors=True) as folder:
@@ -310,7 +315,9 @@ def local_cluster(workers: int) -> Iterator[str]:
 
 
 def serve(workers: int) -> None:
-    """Start a cluster with this number of workers, and print its address; end it when stdin ends.
+    """Start a cluster with this number of workers, and print its address.
+
+    The cluster ends when stdin ends.
 
     This is the program of the process that :func:`local_cluster` starts.
     """

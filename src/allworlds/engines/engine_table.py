@@ -1,7 +1,8 @@
 """**The** table of the engines, the data of a job for an engine, and two transports.
 
-The two transports bring units to engines in this process.  This module knows the checks that the
-compiled engine cannot do, and loads no compiled code.  A new engine is a new entry of the table.
+The two transports bring units to engines in this process: in this thread, or in several threads.
+This module knows the checks that the compiled engine cannot do, and loads no compiled code.  A new
+engine is a new entry of the table.
 """
 
 import os
@@ -38,7 +39,11 @@ def _parts(engine: UnitEngine, unit: Any) -> Iterator[PartialResult]:
 
 
 class ThisThread:
-    """Brings units to an engine in this thread; after each part the time limit is checked."""
+    """Brings units to an engine in this thread.
+
+    ``deadline`` is the end of the time limit, on the monotonic clock, or None.  The time is checked
+    after each part of a result.
+    """
 
     def __init__(self, deadline: float | None = None) -> None:
         self._deadline = deadline
@@ -47,7 +52,7 @@ class ThisThread:
         return self
 
     def __exit__(self, *_: object) -> None:
-        """Leave the context; no work goes on."""
+        """Do nothing: there is no work to end, because all work is done inside :meth:`map`."""
 
     def map(self, engine: UnitEngine, units: Iterable[Any]) -> Iterator[PartialResult]:
         """Yield the parts of the units' results, in the order of the units.
@@ -135,7 +140,10 @@ class Threads:
 
 
 def _done(engine: UnitEngine, batch: Iterable[Any], ended: Event) -> list[PartialResult]:
-    """The parts of the results of some units; once ``ended`` is set, no further unit is begun."""
+    """The parts of the results of the units ``batch``.
+
+    Once ``ended`` is set, no further unit is begun.
+    """
     return [
         part
         for unit in takewhile(lambda _: not ended.is_set(), batch)
@@ -230,7 +238,12 @@ def kind_of(kind: type[base.Lighthouse]) -> str:
 
 
 def walks(scope: Scope, subject: Subject, edges: int) -> bool:
-    """Whether one walk in each map with this number of edges counts for all bearings."""
+    """Whether one walk in each map with this number of edges may count for all bearings.
+
+    This is so from :data:`WALKED_FROM` edges on, for Algorithm 1 with the directional lighthouse in
+    the class ``maps``, if the laws and the step budget are the default ones, and if the bound
+    depends on n and m alone.
+    """
     rules = scope.rules
     return (
         edges >= WALKED_FROM
@@ -252,7 +265,10 @@ class EngineKind:
     name = "python"
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # never
-        """Return the reason why one run may count for several runs; empty if each run is played."""
+        """Return the reason why one run may count for several runs.
+
+        The reason is a text, which is empty if each run is played.
+        """
         return ""
 
     def obstacle(self, scope: Scope, subject: Subject) -> str:  # noqa: ARG002  # none
@@ -297,8 +313,8 @@ class Compiled(EngineKind):
     def ready(self, job: Job) -> ReadyEngine:
         """Return the engine with a transport to threads, or to lanes for a user's explorer.
 
-        For threads, the results of both engines are compared in every small world before the check.
-        In lanes, the judges of both engines are compared during the check.
+        Before a check in threads, the results of this engine and of the Python engine are compared
+        in every small world.  In lanes, the judges of both engines are compared during the check.
         """
         if job.subject.from_user:
             # An engine that is asked for by its name is used in small worlds, too.
@@ -350,9 +366,13 @@ EngineName: TypeAlias = Annotated[str, one_of(*ENGINES)]
 def why_not_compiled(scope: Scope, subject: Subject, memory: int | None = None) -> str:
     """The reason why a large check does not use the compiled engine, although the user expects it.
 
-    The user expects this engine in two cases: the explorer is a shared library; or the check has
-    more than :data:`COMPILED_FROM` edges, and only the compiler is missing.  In all other cases the
-    reason is empty.  It is also empty if the engine is used.
+    A check is large if its last level has at least :data:`COMPILED_FROM` edges.  The user expects
+    the compiled engine in two cases: the explorer is a shared library; or the last level has more
+    than :data:`COMPILED_FROM` edges, and the engine could do the check if the package numba were
+    installed.  In all other cases the reason is empty, also if the engine is used, or if the user's
+    limit of the memory keeps compiled code out (:func:`_is_kept_out`).
+
+    ``memory`` is the limit of the address space in MB; None without a limit.
     """
     most = scope.extent.levels[-1]
     if most < COMPILED_FROM or _is_kept_out(subject, memory):
@@ -366,8 +386,8 @@ def why_not_compiled(scope: Scope, subject: Subject, memory: int | None = None) 
 def _is_kept_out(subject: Subject, memory: int | None) -> bool:
     """Whether compiled code must not judge this explorer, because the user has limited the memory.
 
-    Compiled code needs hundreds of MB of address space.  The result is true only for a user's
-    explorer in Python or behind a pipe.  ``memory`` is the limit in MB; None without a limit.
+    Compiled code needs hundreds of MB of address space.  The result is false for built-in explorers
+    and for shared libraries.  ``memory`` is the limit in MB; None without a limit.
     """
     return memory is not None and subject.from_user and not subject.compiled
 

@@ -8,8 +8,9 @@ The left column says what further plays show, the right column what follows:
     a play is not repeated, or both seeds are equal     the explorer is nondeterministic
     ==================================================  ======================================
 
-A run is right if it breaks no law.  Python orders a set of texts by the hash seed; if an explorer
-depends on this order, that is a remark, not a fault.
+A run is right if it breaks no law.  The hash seed determines the order in which Python goes through
+a set of texts.  If the walk of an explorer depends on this order, that is a remark in the report,
+not a fault.
 """
 
 from collections.abc import Callable, Iterable
@@ -24,13 +25,16 @@ Seeds: TypeAlias = tuple[int, int]
 """The hash seeds of the two plays of a run."""
 
 OTHER_SEED = 2
-"""The hash seed of the second process that plays all runs in small worlds, see ``across``."""
+"""The hash seed of the second of the two processes that play all runs in small worlds.
+
+The function :func:`across` returns the seeds of both processes.
+"""
 
 SIX_MORE = (OTHER_SEED, 3, 4, 5, 6, 7)
 """Further seeds under which some runs of larger worlds are played again."""
 
 GOES_BY_HASHES = "the explorer goes by hashes: where PYTHONHASHSEED is another one, so is its walk"
-"""The remark on an explorer whose plays are equal under one seed, but differ between two seeds."""
+"""The remark on an explorer whose plays of a run are equal under one seed, but not under two."""
 
 Play = TypeVar("Play")
 
@@ -38,24 +42,28 @@ Play = TypeVar("Play")
 def seeds_of(subject: Subject, wanted: Seeds = (FIRST, SECOND)) -> Seeds:
     """The hash seeds of both players.
 
-    A user's explorer gets the wanted seeds if other processes can load it, and if it is no shared
-    library.  For any other explorer both seeds are the first wanted seed.
+    A user's explorer gets the seeds ``wanted`` if other processes can load the explorer, and if the
+    explorer is no shared library.  For any other explorer both seeds are the first wanted seed.
     """
     apart = subject.from_user and subject.importable and not subject.compiled
     return wanted if apart else (wanted[FIRST], wanted[FIRST])
 
 
 def are_more_tried(subject: Subject, seeds: Seeds) -> bool:
-    """Whether some runs are played under six further seeds.
+    """Whether some runs are played again under the six seeds :data:`SIX_MORE`.
 
-    This needs a user's explorer in Python, and players with the seeds :data:`FIRST` and
-    :data:`SECOND`.
+    They are if the explorer is a user's explorer in Python, and if ``seeds``, the hash seeds of the
+    two players, are :data:`FIRST` and :data:`SECOND`.
     """
     return subject.from_user and seeds == (FIRST, SECOND) and not is_program(subject.name)
 
 
 def across(seeds: Seeds) -> Seeds:
-    """The hash seeds of the two processes that play all runs in small worlds in both orders."""
+    """The hash seeds of the two processes that play all runs in small worlds in opposite orders.
+
+    ``seeds`` are the hash seeds of the two players.  If the second of them is 0, both processes get
+    the seed 0; else they get the seeds :data:`FIRST` and :data:`OTHER_SEED`.
+    """
     return FIRST, seeds[SECOND] and OTHER_SEED
 
 
@@ -66,12 +74,12 @@ def explain(
 ) -> bool:
     """Whether two different hash seeds are the reason why the two plays of runs differ.
 
-    This is so if the seeds are different, and fresh players repeat each play under its seed.
+    They are the reason if fresh players repeat each play under the seed of this play.
 
     Args:
         seeds: the seeds of the two plays.
-        plays: each play, with the plays of fresh players under the same seed.
-        differ: the function that tells whether two plays differ.
+        plays: pairs of a play, and the plays of the same run by fresh players under the same seed.
+        differ: the function that tells whether two plays of a run differ.
     """
     repeated = not any(differ(play, fresh) for play, again in plays for fresh in again)
     return repeated and seeds[FIRST] != seeds[SECOND]

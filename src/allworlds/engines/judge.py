@@ -30,8 +30,9 @@ class PythonJudge:
         counter: the object that lists the runs of a unit, and adds runs and their outcomes to a
             tally; it also holds the scope.
         explorer: the explorer's name.
-        given: for a single run, the index of the option to be taken at each of the first choices.
-            None for the runs of a check: the policy makes all choices, or every schedule is tried.
+        given: for a single run, one index for each of the explorer's first choices: the index of
+            the option to be taken at this choice.  None for the runs of a check: the policy makes
+            all choices, or every schedule is tried.
     """
 
     name = "python"
@@ -47,8 +48,8 @@ class PythonJudge:
     def batches(self, work: Work, size: Callable[[], int]) -> Iterator[RunBatch]:
         """Yield the runs of a unit in batches.
 
-        After each run the function ``size`` is called: the batch is full if it has at least the
-        returned number of runs.  The last batch may be smaller.
+        ``work`` is the unit.  After each run the function ``size`` is called: the batch is full if
+        it has at least the returned number of runs.  The last batch may be smaller.
         """
         batch = RunBatch(self, work, ())
         for run in self.counter.runs(work.unit):
@@ -64,7 +65,7 @@ class PythonJudge:
             work.tally.add(batch.tally)
 
     def judge(self, batch: RunBatch) -> bool:
-        """Judge and count the logs of a batch's first play.
+        """Judge the runs of a batch by the logs of their first play, and count the runs.
 
         Return True, because no log is missing.
         """
@@ -80,7 +81,7 @@ class PythonJudge:
         return True
 
     def judged(self, due: Due, log: bytes) -> Judged:
-        """Judge a run by its log.
+        """Return the judgement of the run ``due``, whose log is ``log``.
 
         Raises:
             InputError: if a user's task has ended the run, and now says that the run goes on.
@@ -100,7 +101,7 @@ class PythonJudge:
         return Judged(read, outcome, fits)
 
     def episode(self, world: World, log: Log) -> Episode:
-        """The episode that follows from a log, whose actions are walked in this world.
+        """The episode that follows from a log: the actions of the log are walked in ``world``.
 
         Raises:
             InputError: if an action that was legal in the play is illegal now, because a user's
@@ -121,11 +122,15 @@ class PythonJudge:
     # ---------------------------------------------------------------- messages
 
     def worlds(self, batch: RunBatch, indices: Indices) -> Message:
-        """The message that tells a player to play these runs in their worlds."""
+        """The message that tells a player to play these runs of the batch in their worlds."""
         return self.worlds_message([batch.due(index) for index in indices])
 
     def percepts(self, batch: RunBatch, indices: Indices, order: Indices = ()) -> Message:
-        """The message that tells a player to play these runs by their percepts, without a world."""
+        """The message that tells a player to play these runs of the batch by their percepts.
+
+        The message holds no world.  ``order`` is the order of the play, as positions in
+        ``indices``; if ``order`` is empty, the runs are played in the order of ``indices``.
+        """
         return self.percepts_message([batch.record(index) for index in indices], order)
 
     def worlds_message(self, runs: Sequence[Due]) -> Message:
@@ -140,7 +145,11 @@ class PythonJudge:
         return self.message(kind, content)
 
     def percepts_message(self, runs: Sequence[Recorded], order: Sequence[int] = ()) -> Message:
-        """The message that tells a player to play these runs by their percepts."""
+        """The message that tells a player to play these runs by their percepts.
+
+        ``order`` is the order of the play, as positions in ``runs``; if ``order`` is empty, the
+        runs are played in the order of ``runs``.
+        """
         sensed = [playing.numbers_of(each.percepts) for each in runs]
         content = [self._entry(run, s, over=run.over) for run, s in zip(runs, sensed, strict=True)]
         return self.message("record", content, order)
@@ -154,7 +163,8 @@ class PythonJudge:
         Args:
             run: the run.
             around: the world or the percepts of the run, in the form that its player takes.
-            over: whether the task has ended the run, so that the player must end it, too.
+            over: whether the task has ended the run after the last percept; the player then ends
+                the run there.
         """
         rules, world = self.rules, run.world
         told: Any = world.told

@@ -1,4 +1,7 @@
-"""The choice between two judges of a unit: in Python, or in compiled code for large levels."""
+"""The choice between the two judges of a unit: the judge in Python, and the compiled judge.
+
+The compiled judge is the judge in compiled code; it judges units of large levels.
+"""
 
 from functools import partial
 from random import Random
@@ -22,7 +25,7 @@ class Judges:
         python: the judge in Python.
         random: the generator of the seeds that :class:`CompiledJudge` needs.
         native: whether the explorer is a shared library.
-        compiles: whether this is the one lane that starts the compiler.
+        compiles: whether this lane starts the compiler; of all lanes of a job only one does.
     """
 
     def __init__(
@@ -37,8 +40,9 @@ class Judges:
     def of(self, unit: units.UnitOfRuns) -> Judge:
         """The judge for a unit: the compiled judge, or the judge in Python.
 
-        The compiled judge judges units of levels with many worlds, once its code has been compiled.
-        Before the first such unit both judges are compared.
+        The compiled judge judges units of levels with at least ``counter.compiled_from`` worlds,
+        once the code of this judge has been compiled; if the number is 0, the code is compiled at
+        once.  Before the first such unit both judges are compared.
 
         Raises:
             EnginesDisagree: if the two judges count differently.
@@ -62,7 +66,8 @@ class Judges:
     def _is_compiled(self) -> bool:
         """Whether the code of the compiled judge is kept on disk, and so can be loaded quickly.
 
-        If it is not, the lane that may start the compiler lets another process compile it.
+        If the code is not kept, and this lane may start the compiler, another process is started
+        that compiles the code.
         """
         from allworlds.engines.compiled_engine import compile_apart, is_kept
 
@@ -73,7 +78,10 @@ class Judges:
         return kept
 
     def remember(self, batch: RunBatch) -> None:
-        """Remember a batch if its worlds are small, to compare both judges on its logs later."""
+        """Remember a batch if its worlds are small, to compare both judges on its logs later.
+
+        Worlds are small if they have at most :data:`SMALL` edges.
+        """
         unit = batch.work.unit
         wanted = self._compiled is None and self.python.counter.compiled_from
         if wanted and isinstance(unit, units.LevelUnit) and unit.edges <= SMALL:

@@ -1,4 +1,6 @@
-"""The contents of a run directory: which job it belongs to, and results of units as JSON.
+"""The contents of a run directory: the identity of its job, and results of units as JSON.
+
+The identity of a job is a verb with everything that the verb's result depends on.
 
 The JSON of a result follows from the types of its fields.  A struct or a dataclass becomes an
 object with its fields as keys.  A counter, or a dictionary whose keys are not texts, becomes a list
@@ -78,9 +80,10 @@ class Identity(doc.Document):
         return self.portion.count
 
     def difference(self, other: "Identity") -> str:
-        """A clause about the first value in which ``other`` differs from this identity; or empty.
+        """A clause about the first value in which ``other`` differs from this identity.
 
-        The index of a shard is not compared, but the number of shards is.
+        The clause is empty if there is no such value.  The number of shards is compared, but not
+        the index of the shard.
         """
         if other.format != self.format:
             return f"is of format {other.format}, not {self.format}"
@@ -125,7 +128,9 @@ ENDED = "complete"
 
 
 class KeptUnits:
-    """The finished units and the noted values of a job; this base class keeps nothing.
+    """The finished units of a job, and further values that are noted under names.
+
+    This base class keeps nothing; a run directory is a subclass.
 
     Attributes:
         added: the number of units that were added.
@@ -134,7 +139,10 @@ class KeptUnits:
     added = 0
 
     def result(self, key: str) -> Any:
-        """Return the JSON value of the result of a finished unit; None for any other unit."""
+        """Return the JSON value of the result of the finished unit with this key.
+
+        Return None if there is no such unit.
+        """
 
     def keep(self, key: str, result: Sum) -> None:
         """Add a finished unit: its key, and its whole result."""
@@ -176,7 +184,7 @@ def to_kept(result: object) -> Any:
 
 
 def from_kept(kept: object, kind: type[T]) -> T:
-    """The result of this class that :func:`to_kept` has written.
+    """The result of the class ``kind`` for which :func:`to_kept` has returned the value ``kept``.
 
     Raises:
         InputError: if no result of this class has this JSON value.

@@ -1,13 +1,13 @@
 """The kernel: compiled engines.
 
-Each engine has a twin: readable Python code that gives the same answers, but is much slower.  The
-two share no code; their answers are compared.  An engine holds the interpreter's lock only at its
-start and its end, so that threads share the work.
+Each engine has a twin: readable Python code that gives the same answers, but is much slower.  An
+engine and its twin share no code; their answers are compared.  An engine holds the lock of the
+Python interpreter only at its start and its end, so that several threads can work at the same time.
 
 ``engine``: the functions that Python calls, for built-in and for users' explorers.
 ``runs``, ``laws``, ``code``: every run of a unit, played or read from its log, judged and counted.
-``worlds``: lists maps with the places of their lighthouses, and counts maps.
-``algorithm1``: the built-in explorers; their functions are called as those of an explorer in C.
+``worlds``: the list of all maps with the places of their lighthouses; the number of maps.
+``algorithm1``: the built-in explorers, with the functions that a user's explorer in C has.
 ``library_player``: the player of explorers that users have compiled into shared libraries.
 ``demand_driven``: a check of Algorithm 1 in worlds that are made while the robot walks.
 ``schedules``: the worst and the best cost of a world over all schedules.

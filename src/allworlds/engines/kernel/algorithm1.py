@@ -1,7 +1,9 @@
-"""Algorithm 1, compiled: an explorer whose functions are called as those of an explorer in C.
+"""Algorithm 1, compiled: an explorer with the functions start, step and answer.
 
-The first percept goes to ``start``, each later one to ``step``; each of these calls writes the
-robot's next action to ``action``.  ``robot`` is the explorer's state, an array ``ROBOT``.
+These functions take the same arguments as those of a user's explorer in a shared library, so the
+judge calls both kinds of explorers in the same way.  The first percept goes to ``start``, each
+later one to ``step``; each of these calls writes the robot's next action to ``action``.  ``robot``
+is the explorer's state, an array ``ROBOT``.
 
 S is the explored part of the world, and U holds its open darts.  In each pass the robot explores a
 dart e of U.  The docstrings name the lines of the paper's Algorithm 1:
@@ -11,16 +13,20 @@ dart e of U.  The docstrings name the lines of the paper's Algorithm 1:
     6      find the hypotheses: other darts of U by which a robot arrives with the same percept
     7-9    take the next hypothesis, and a path in S from its vertex to v0
     10-13  test it: walk along this path, as long as each percept is the expected one
-    15     after a test that fails, before the end of its path (case 1) or there (case 2): walk back
+    15     after a test that fails, on its path (case 1) or at the path's end (case 2): walk back
     18-19  after a test that succeeded (case 3): e and the dart of the hypothesis become an edge
     20-21  if every test has failed: add a new vertex to S, at the other end of e
     22     answer S
 
-If the lighthouse has a direction, a test that succeeds proves its hypothesis.  Without a direction
-the robot can recognise only v0 and one neighbour v1.  So before its first pass it searches for the
-dart of v0 that leads to v1.  After a test that has come to v0 it makes the *query*: it leaves by
-the dart that should be this dart, and comes back.  Hypotheses are tried in the order in which their
-darts came into S; each test walks to v0 on the first of the shortest paths.
+If the lighthouse has a direction, a test that succeeds proves its hypothesis.  Two lighthouses have
+no direction, and only let the robot recognise v0 and one neighbour v1: ``cluster`` by their marks,
+``natural`` by their degrees, which no other vertex has.  Under these lighthouses the robot has two
+further tasks.  Before its first pass it searches for the dart of v0 that leads to v1.  After a test
+whose path has ended at v0 it makes the *query*: it leaves v0 by the dart that leads to v1 if the
+hypothesis is true, senses whether it has come to v1, and goes back.
+
+Hypotheses are tried in the order in which their darts came into S; each test walks to v0 on the
+first of the shortest paths.
 
 The twin, Python code with the same results: :mod:`allworlds.explorers.builtin.algorithm1`.
 
@@ -51,7 +57,7 @@ def start(robot, percept, _told, action):  # pragma: no cover  # compiled
 
 
 def step(robot, percept, action):  # pragma: no cover  # compiled
-    """Write the robot's next action; ``percept`` is the percept after its last action."""
+    """Write the robot's next action; ``percept`` is the percept after the previous action."""
     if robot.phase == PASSING:
         next_pass(robot, action)
     else:
@@ -63,7 +69,8 @@ def step(robot, percept, action):  # pragma: no cover  # compiled
 def answer(robot, published):  # pragma: no cover  # compiled
     """Write S, and the robot's dart in S, to ``published``, which is an array ``ANSWER``.
 
-    The caller takes them as an answer or as a checkpoint, as the robot's last action says.
+    The robot's last action says whether the caller takes S and the dart as the explorer's answer or
+    as a checkpoint.
     """
     published.sigma, published.alpha = address_of(robot.sigma), address_of(robot.alpha)
     published.darts, published.here = robot.darts, robot.here
@@ -87,9 +94,11 @@ def explorer_addresses(explorer: str) -> tuple[int, int, int]:
 
 @inner
 def begin(robot, degree, marks, bearing):
-    """Begin a run (line 1): let S be v0 alone; the three numbers are the first percept.
+    """Begin a run (line 1): let S be v0 alone.
 
-    If this percept has a bearing, the bearings that are expected at the darts of v0 follow from it.
+    ``degree``, ``marks`` and ``bearing`` are the first percept; ``bearing`` may be NONE.  For each
+    dart of v0 the percept that is expected on arriving by this dart is written to ``robot``: with
+    the same degree and marks, and with the bearing that follows from ``bearing``, or NONE.
     """
     robot.darts = robot.vertices = robot.known = robot.here = robot.turned = 0
     _add_vertex(robot, degree, marks, bearing)
@@ -125,12 +134,13 @@ def next_pass(robot, action):
 
 @inner
 def sense(robot, degree, marks, bearing, action):
-    """Go on with a pass after this percept, up to the next action (lines 5-16 and 20-21).
+    """Go on with a pass after a percept, up to the next action (lines 5-16 and 20-21).
 
-    The phase of the robot says what is done: on the way to e, take the next step; beyond e, find
-    the hypotheses, and begin the first test; in a test, compare the percept with the expected one,
-    and go on or give up; on the way back, take the next step.  If a test has come to v0 with the
-    expected percepts only, the phase becomes MATCHED, and no action is written.
+    ``degree``, ``marks`` and ``bearing`` are the percept.  The phase of the robot says what is
+    done: on the way to e, take the next step; beyond e, find the hypotheses, and begin the first
+    test; in a test, compare the percept with the expected one, and go on or give up; on the way
+    back, take the next step.  If a test has come to v0, and all its percepts were the expected
+    ones, the phase becomes MATCHED, and no action is written.
     """
     if robot.phase == FOLLOWING:
         _follow(robot, action)
@@ -177,7 +187,10 @@ def offset(robot, dart):
 
 @inlined
 def _expected(robot, dart, degree, marks, bearing):
-    """Whether a robot that arrives by this dart of S should get this percept."""
+    """Whether this percept is expected on arriving by ``dart``, a dart of S.
+
+    ``degree``, ``marks`` and ``bearing`` are the percept.
+    """
     return (
         robot.degree[dart] == degree
         and robot.marks[dart] == marks
@@ -234,12 +247,12 @@ def reject(robot, action):
 def retrace(robot, action):
     """Take the next step of the way back after a failed test (line 15).
 
-    The step undoes the last motion of the test that is not undone yet.  If all motions are undone,
-    begin the next test.
+    Of the motions of the test that are not undone yet, the step undoes the last one.  If all
+    motions are undone, begin the next test.
 
-    On the way back ``robot.turned`` holds the next motion.  Before and after, since the robot has
-    crossed e, it holds the number of darts, clockwise, from the dart by which the robot has entered
-    its vertex to the dart at which it stands.
+    ``robot.turned`` has two meanings.  On the way back it is the motion of the next step.  At any
+    other time after the crossing of e, it is the number of darts, clockwise, from the dart by which
+    the robot has entered its vertex to the dart at which the robot now stands.
     """
     if robot.done == 0:
         robot.turned = -robot.turned
@@ -391,9 +404,11 @@ query, at the other end of the dart to v1, and then back at v0."""
 
 
 def start_undirected(robot, percept, told, action):  # pragma: no cover  # compiled
-    """Begin a run without a direction: let S be v0 alone, and take the first step to search v1.
+    """Begin a run under a lighthouse without a direction: ``cluster`` or ``natural``.
 
-    ``told`` is the degree of v1 under a natural lighthouse; under a cluster it is not used.
+    Let S be v0 alone, and take the first step of the search for the dart to v1.  ``told`` is the
+    number that the lighthouse tells before the start: under ``natural`` the degree of v1; under
+    ``cluster`` it is not used.
     """
     robot.degree_of_v0, robot.degree_of_v1 = percept.degree, told
     marks = _is(robot, percept.degree, percept.marks, percept.degree, 1)
@@ -402,7 +417,10 @@ def start_undirected(robot, percept, told, action):  # pragma: no cover  # compi
 
 
 def step_undirected(robot, percept, action):  # pragma: no cover  # compiled
-    """Write the next action of a robot without a direction, after this percept."""
+    """Write the robot's next action, under a lighthouse without a direction.
+
+    ``percept`` is the percept after the previous action.
+    """
     degree, marks = percept.degree, percept.marks
     if robot.phase == SEARCHING or robot.phase == ASKING:
         robot.matched = _is(robot, degree, marks, robot.degree_of_v1, 2)
@@ -430,9 +448,10 @@ def step_undirected(robot, percept, action):  # pragma: no cover  # compiled
 
 @inlined
 def _is(robot, degree, marks, own_degree, own_marks):
-    """Return 1 if a percept is that of a vertex with this degree or these marks; else return 0.
+    """Return 1 if the percept ``degree``, ``marks`` is that of a certain vertex; else return 0.
 
-    The degrees are compared if ``robot.natural`` is set; else the marks are compared.
+    The vertex, which is v0 or v1, has the degree ``own_degree`` and the marks ``own_marks``.  If
+    ``robot.natural`` is set, only the degrees are compared; else only the marks.
     """
     if robot.natural:
         return 1 if degree == own_degree else 0
@@ -448,7 +467,7 @@ def _search(robot, dart, action):
 
 @inner
 def _ask(robot, action):
-    """Begin the query: leave by the dart that should be the dart to v1."""
+    """Begin the query: leave v0 by the dart that leads to v1 if the hypothesis is true."""
     towards = offset(robot, robot.pointed)
     robot.phase = ASKING
     action.kind, action.motion = names.MOVE, towards - robot.turned

@@ -1,8 +1,9 @@
 """The requests to the engines and their results, and the structured arrays of compiled code.
 
-Requests and results are plain numbers.  A structured array lies in memory field by field: compiled
-code reaches its fields by name, and a C function gets a pointer to the array.  In every map that
-the kernel enumerates the darts of a vertex are consecutive, and the root is dart 0.
+Requests and results are plain numbers.  In this package a *structured array* is one record of
+numpy, which is like a struct of C: its fields have names, and lie in memory one after the other.
+Compiled code reaches a field by its name, and a C function gets a pointer to the record.  In every
+map that the kernel enumerates the darts of a vertex are consecutive, and the root is dart 0.
 """
 
 from __future__ import annotations
@@ -35,10 +36,11 @@ class Level(Struct, frozen=True, eq=False):
         explorer: a name in :data:`allworlds.engines.kernel.capabilities.EXPLORERS`.
         lighthouse: a name in :data:`allworlds.engines.kernel.capabilities.LIGHTHOUSES`.
         policy: ``fifo``, ``lifo`` or ``nearest``.
-        laws: the checked laws; the laws before ``map`` in the order of precedence are always
-            checked.
+        laws: the laws that are checked besides ``illegal-action``, ``no-estimate`` and ``budget``,
+            which the kernel always checks.
         bounds: the largest legal cost, indexed by the number of vertices, the degree of v0 and the
-            largest degree; if the bound does not depend on a degree, that index is always 0.
+            largest degree; if the bound does not depend on one of these degrees, the index for this
+            degree is always 0.
         budgets: the largest number of traversals of a run, indexed by the number of vertices; at
             most MOST_BUDGET.
     """
@@ -56,20 +58,20 @@ class Level(Struct, frozen=True, eq=False):
 
 
 class Counts(Struct, frozen=True):
-    """The counts of the worlds with one number of vertices.
+    """The counts of those worlds of a unit, or of a batch, that have the same number of vertices.
 
     Attributes:
-        vertices: n.
+        vertices: this number.
         worlds: the number of rooted maps.
-        runs: the number of pairs of a world and a place.
+        runs: the number of pairs of a rooted map and a place of the lighthouse in it.
         traversals: the traversals, summed over the runs.
         traversals_rooted: the traversals, summed over one run of each rooted map: the run with the
             first place of the lighthouse.
         largest: the largest cost of a run.
         checkpoints: the number of checkpoints that the explorer has shown.
-        left_out: the number of worlds without a place for the lighthouse.
-        loops, parallels: the number of worlds with a loop, and of worlds with parallel edges.
-        fingerprint: the sum of the worlds' fingerprints modulo 2^62.
+        left_out: the number of rooted maps without a place for the lighthouse.
+        loops, parallels: the number of rooted maps with a loop, and of those with parallel edges.
+        fingerprint: the sum of the fingerprints of the rooted maps, modulo 2^62.
     """
 
     vertices: int
@@ -89,7 +91,7 @@ class At(NamedTuple):
     """A run: its place, and the map of its world in canonical numbering.
 
     Attributes:
-        vertices: n.
+        vertices: the number of vertices of the map.
         sigma, alpha: the map, rooted at dart 0.
         place: the number of the lighthouse's place.
     """
@@ -105,8 +107,8 @@ class BrokenRun(Struct, frozen=True):
 
     Attributes:
         vertices, sigma, alpha: the map of the run's world, as in :class:`At`.
-        place: the number of the place; None stands for every place.
-        law: the law's name; empty if the engine does not distinguish laws.
+        place: the number of the lighthouse's place; None stands for every place in the map.
+        law: the name of the broken law; empty if the kernel has checked all laws together.
     """
 
     vertices: int
@@ -123,11 +125,11 @@ class Sums(Struct, frozen=True):
         counts: the counts for each number of vertices that occurs.
         events: the number of occurrences of each event of Algorithm 1, such as ``case-1``.
         met: the triples (n, d0, D) that occur: the number of vertices, the degree of v0 and the
-            largest degree, with 0 for a degree that the bound does not use.
+            largest degree, with 0 for a degree on which the bound does not depend.
         most_expensive: for each number of vertices the run with the largest cost; of several such
             runs the run with the least canonical code.
-        broken: runs that break a law, ascending by vertices, code, place and law; if there are more
-            such runs than are kept, only the first ones in this order.
+        broken: runs that break a law, ascending by number of vertices, canonical code, place and
+            law; if there are more such runs than may be kept, only the first of them in this order.
     """
 
     counts: tuple[Counts, ...]
@@ -163,7 +165,8 @@ NONE = -1
 def _record(*fields: tuple[Any, ...]) -> Any:
     """The type of a structured array.
 
-    Each argument describes some fields: their type, their names in one text, and perhaps a shape.
+    Each argument describes some fields: their type, their names in one text, and, if each field is
+    an array, its shape.
     """
     every = ((names.split(), kind, shape) for kind, names, *shape in fields)
     return dtype([(name, kind, *of) for names, kind, of in every for name in names], align=True)
@@ -216,7 +219,7 @@ EXPLORER = _record(
     (PERCEPT, "percept"),
     (ACTION, "action"),
 )
-"""An explorer with functions that are called as those of an explorer in C: start, step, answer."""
+"""An explorer with the functions start, step and answer, as a user's explorer in C has them."""
 
 ROBOT = _record(
     # The policy of choices; whether v0 and v1 are distinguished by their degrees.
@@ -384,9 +387,9 @@ SCHEDULES = _record(
 class Kept(NamedTuple):
     """The most expensive runs, and the first runs that break a law, each as a row of numbers.
 
-    A row holds n, the canonical code of the rooted map, the place, the law's number, and the code
-    of the map without a root.  The last code is the least of the map's codes from all roots.  Runs
-    are ordered by their rows.
+    A row holds the number of vertices, the canonical code of the rooted map, the place, the law's
+    number, and the code of the map without a root, which is the least of the map's canonical codes
+    from all roots.  A run is before another run if its row is less, number by number.
     """
 
     # By n, the least of the most expensive runs, without unrooted codes.
@@ -397,7 +400,7 @@ class Kept(NamedTuple):
 
 
 def new(kind: Any) -> Any:
-    """A structured array of this type, all zero.
+    """A new structured array of the type ``kind``, with the value 0 in all fields.
 
     A page of the array takes memory only once something is written to the page.
     """
@@ -451,7 +454,7 @@ class Stretch(NamedTuple):
         return cls(heads, worlds, percepts, starts, logs, begins)
 
     def put(self, logs: Logs) -> int:
-        """Write logs, one behind the other, to the array of logs; return their size in bytes.
+        """Write logs to the array :attr:`logs`, one after the other; return their size in bytes.
 
         If the array has no room for the logs, write nothing, and return -1.
         """

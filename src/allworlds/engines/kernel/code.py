@@ -1,8 +1,11 @@
-"""Canonical codes and fingerprints of rooted maps; arrays that keep the first of many runs.
+"""Canonical codes and fingerprints of rooted maps; arrays that keep a few of many runs.
 
-``world`` is an array ``WORLD``, or another one with the same fields.  A canonical order of the
-darts begins with the root, and depends on the map alone, not on the numbers of the darts.  The
-canonical code of a rooted map is its sigma and alpha, renumbered in this order.
+``world`` is an array ``WORLD``, or another one with the same fields.  The canonical order of the
+darts begins with the root, and depends only on the rooted map, not on the numbers of the darts.
+The canonical code of a rooted map is its sigma and alpha after the darts are renumbered in this
+order.
+
+Kept runs are rows of numbers, as :class:`allworlds.engines.kernel.arrays.Kept` describes them.
 """
 
 from allworlds.engines.kernel.arrays import NONE
@@ -14,7 +17,10 @@ FACTOR, LESS = 0x1E3779B97F4A7C15, (1 << 62) - 1
 
 @inlined
 def mixed(code, decision):
-    """The fingerprint of a partial map after a decision; ``code`` is the fingerprint before it."""
+    """The fingerprint of a partial map after a decision.
+
+    ``code`` is the fingerprint before the decision, and ``decision`` is the decision as a number.
+    """
     code = (code ^ decision) * FACTOR & LESS
     return code ^ code >> 31
 
@@ -51,7 +57,7 @@ def fingerprint(world, alpha):
 
 @inner
 def number(world, root):
-    """Write the darts in canonical order from the root to ``world.order``.
+    """Write the darts of the world to ``world.order``, in canonical order from the dart ``root``.
 
     The position of each dart in this order is written to ``world.number``.
     """
@@ -99,9 +105,11 @@ def _encode_unrooted(world, row, start):
 
 @inner
 def note(world, law, row):
-    """Write a run to ``row``: n, the canonical code of the map, the place, and the law's number.
+    """Write the present run to ``row``, as it stands in ``world``.
 
-    The last part of the row, the code of the map without a root, is not written.
+    The row gets the number of vertices, the canonical code of the rooted map, the place, and
+    ``law``, the number of the broken law, or 0.  The rest of the row, the code of the map without a
+    root, is not written.
     """
     row[0] = world.vertices
     encode(world, 0, row, 1)
@@ -111,11 +119,12 @@ def note(world, law, row):
 
 @inner
 def blame(world, law, least, row):
-    """Keep the present run, which breaks this law, if it is among the first of such runs.
+    """Write the present run, which breaks a law, to ``least`` if it is one of the first such runs.
 
-    The kept runs are the rows of ``least``, sorted by number of vertices, code, place and law.  Of
-    all runs that break the same law in the same map, with any root, only the first is kept.  The
-    present run is written to ``row``, a further row, before it is compared.
+    ``law`` is the number of the law.  The rows of ``least`` are the kept runs, ascending by number
+    of vertices, canonical code, place and law; only the first runs in this order are kept, as many
+    as there are rows.  Of all runs that break the same law in the same map, with any root, only the
+    first is kept.  The present run is written to ``row``, a further row, before it is compared.
     """
     note(world, law, row)
     if not _before(row, least, least.shape[0] - 1):
@@ -163,9 +172,10 @@ def is_less(world, kept, spot):
 
 @inner
 def keep_least(least, row):
-    """Insert a row into the ascending rows of ``least``; the greatest row is dropped.
+    """Insert ``row`` into the ascending rows of ``least``.
 
-    A row begins with the number of vertices of its map; this number is 0 in an empty row.
+    The greatest of all these rows, which may be ``row`` itself, is dropped.  A row begins with the
+    number of vertices of its map; this number is 0 in an empty row, and empty rows come last.
     """
     spot = least.shape[0]
     while spot > 0 and _before(row, least, spot - 1):

@@ -7,10 +7,10 @@ No compiled function makes an array or counts references, and only a function th
 a wrapper for Python.  So compiling takes a third less time.
 
 The instructions call functions by address, read and write memory, and compute with sets of small
-numbers, which are bit masks.  The arguments of a C function are 32-bit integers and pointers; a
-pointer is given as a structured array, or as an address in a 64-bit integer.  A C function returns
-nothing or a 32-bit integer.  With such arguments the call of a C function is the same on all
-platforms.
+numbers, which are bit masks.  The arguments of a C function are 32-bit integers and pointers; in
+place of a pointer the caller gives a structured array (see the module ``arrays``), or the address
+as a 64-bit integer.  A C function returns nothing or a 32-bit integer.  With such arguments the
+call of a C function is the same on all platforms.
 """
 
 import gc
@@ -48,9 +48,10 @@ def entry(function: Callable[..., Any]) -> Any:
 
 
 def callback(function: Callable[..., Any], signature: Any) -> int:
-    """Compile a function that C code can call; return its address.
+    """Compile a function that C code can call; return the address of the compiled function.
 
-    The compiled code is kept in a file if that is possible.
+    ``signature`` holds the types of the arguments and of the result.  The compiled code is kept in
+    a file if that is possible.
     """
     options = {"error_model": "numpy", "_nrt": False}
     compiled = CFunc(function, (signature.args, signature.return_type), {}, options)
@@ -88,14 +89,17 @@ def is_compiled(function: Any) -> bool:
 
 
 RECORD = from_dtype
-"""The type of a C function's argument that points to a structured array."""
+"""The function from the type of a structured array to the type of an argument of a C function.
+
+Such an argument is a pointer to the structured array.
+"""
 
 _ALIVE: list[CFunc] = []
 """The functions that must not be freed, because their addresses are in use."""
 
 
 def _stamped(function: Any) -> Any:
-    """Return the function; from now on, its kept code is valid for the present sources only."""
+    """Return ``function``; from now on, its kept code is valid for the present sources only."""
     file = _file_of(function)
     if file is not None:
         file._source_stamp = _stamp()  # noqa: SLF001  # there is no public way
@@ -135,7 +139,11 @@ def _lowered(builder: Any, kind: Any, value: Any) -> Any:
 
 
 def _call(context: Any, builder: Any, signature: Any, values: Sequence[Any]) -> Any:
-    """Build a call of a function; ``values`` are the function's address and its arguments."""
+    """Build the instruction that calls a function; return the value of this instruction.
+
+    ``builder`` adds instructions to compiled code.  ``values`` are the function's address and the
+    tuple of its arguments; ``signature`` has the types of both, and of the result.
+    """
     address, arguments = values
     lowered = [
         _lowered(builder, kind, value)
@@ -160,10 +168,11 @@ def ask(_context, address, arguments):
 
 
 def expression(function: Callable[..., Any]) -> Any:
-    """Make a function that compiled code can call; it takes and returns 64-bit integers.
+    """Make a function that compiled code can call, and whose values are 64-bit integers.
 
-    ``function`` builds the instructions of this new function: it gets a builder of instructions,
-    and the arguments of the call.
+    ``function`` builds the instructions of the new function.  Its arguments are the builder, which
+    adds instructions to compiled code, and the arguments of the new function; it returns the result
+    of the new function.
     """
 
     @wraps(function)
@@ -216,7 +225,10 @@ def neighbours(graph, front):
 
 
 def _at(builder: Any, address: Any, index: Any, kind: Any) -> Any:
-    """The pointer to entry ``index`` of the array at the address, with entries of type ``kind``."""
+    """The pointer to entry ``index`` of an array at this address, whose entries have type ``kind``.
+
+    ``builder`` adds instructions to compiled code.
+    """
     return builder.gep(builder.inttoptr(address, kind.as_pointer()), [index])
 
 

@@ -9,14 +9,20 @@ one finished walk.
 
 In each pass of Algorithm 1 two conditions are checked.  First: if a vertex is added to S, no other
 vertex of S stands for the same vertex of W.  Second: if two darts of U are joined in S, the darts
-of W for which they stand are joined in W.  At the end of the walk a third one is checked: S is all
-of W.  A walk *fails* if a condition is not met, or if it costs more than the largest budget.
+of W for which they stand are joined in W.  At the end of the walk a third condition is checked: S
+is all of W.  A walk *fails* if a condition is not met, or if the walk costs more than the largest
+of the step budgets, which depend on the number of vertices.
 
-The first two conditions imply the laws invariant-1, invariant-2 and variant.  The law folding, that
-the folded log is the whole map, is met, too: the robot joins two darts of U only when it has walked
-along the tested path and arrived at v0.  This arrival merges, in the folded log, the vertices along
-the path with vertices of S.  So the folded log has every edge of S, and at the end S, which is the
-answer, is all of W.
+The first two conditions imply three laws: S is the explored part of W (invariant-1), U holds its
+unexplored darts (invariant-2), and S grows by an edge in each pass (variant).
+
+The law folding is met, too: it demands that the folded log is the whole map.  To fold a log,
+each step is first taken to lead to a new vertex.  Each vertex at which the robot has sensed v0 is
+then merged with v0, dart with dart.  If a dart now leads to two vertices, these two are merged,
+too, and so on.  When the robot joins two darts of U, it has walked along the tested path to v0.
+By the hypothesis this is a path in S.  So from v0 on, backwards along the path, each vertex that
+the robot has passed is merged with the vertex of S for which the hypothesis took it.  Hence the
+folded log has every edge of S, and at the end S, which is the answer, is all of W.
 
 ``w`` is the state of the check, an array ``WALK``.  ``s`` is the part of ``w`` that is copied at
 each decision, so that the walk can go back to the decision.  The docstrings name the lines and the
@@ -60,9 +66,9 @@ _FEW = 0xFF
 def explore(w, prefix, kept, halt):
     """Walk once in every world whose first decisions are ``prefix``, and count each world.
 
-    If a walk has failed, or costs more than the bound, a run with place 0 and law 0 is added to
-    ``kept``.  This run stands for all places in the world, and for all laws.  The work is given up
-    once ``halt[0]`` is not 0.
+    The worlds are counted in ``w.counts``.  If a walk has failed, or costs more than the bound, a
+    run with place 0 and law 0 is added to ``kept``.  This run stands for all places in the world,
+    and for all laws.  The work is given up once ``halt[0]`` is not 0.
     """
     s = w.now
     _begin(w, s, prefix)
@@ -133,7 +139,7 @@ def _add_vertex(w, s, degree):
 
 @inlined
 def _glue(w, s, z):
-    """Join the darts ``s.y`` and z of W; together they become an edge."""
+    """Join the darts ``s.y`` and ``z`` of W, which together become an edge."""
     w.partner[s.y], w.partner[z] = z, s.y
     s.open &= ~(1 << s.y | 1 << z)
 
@@ -142,7 +148,8 @@ def _glue(w, s, z):
 def _choose(w, s):
     """Take the next decision for the open dart ``s.y`` of W, and return True.
 
-    If no decision is left for this dart, remove the dart from ``w.choices``, and return False.
+    This dart is the last entry of ``w.choices``.  If no decision is left for it, remove the entry,
+    and return False.
     """
     choice = w.choices[w.depth - 1]
     if choice.untried:
@@ -171,7 +178,7 @@ def _choose(w, s):
 def _tally(w, s, kept):
     """Add the world W, in which the walk has ended or failed, to the counts ``w.counts``.
 
-    The run is also written to ``kept`` if it is the most expensive one so far, or breaks a law.
+    The walk is also written to ``kept`` if it is the most expensive walk so far, or breaks a law.
     """
     n, cost = s.vertices, s.total & COST
     w.counts[n, WORLDS] += 1
