@@ -17,7 +17,8 @@ from allworlds.inputs.requests import OUTPUT, Argument, Option, Request, answers
 class Skeleton(Report):
     """Report of 'init'.
 
-    The skeleton of an explorer that has been written; the names of its files are written with `/`.
+    The skeleton that has been written: an explorer for the user to complete, its test, and a
+    workflow. In the names of files `/` separates folders.
     """
 
     directory: Annotated[Path, about("as it was named")]
@@ -38,7 +39,7 @@ class Skeleton(Report):
 
     @computed
     def test(self) -> Text:
-        """A shell command that runs the explorer's test, to be given in the directory."""
+        """A shell command that runs the explorer's test; to be run in the folder ``directory``."""
         return self.language.test
 
     @property
@@ -50,7 +51,7 @@ class Skeleton(Report):
 class LedgerSkeleton(Report):
     """Report of 'init --ledger'.
 
-    The ledger that has been written for a paper; it has two claims.
+    The ledger that has been written: two claims as an example, which the user replaces.
     """
 
     directory: Annotated[Path, about("as it was named")]
@@ -101,8 +102,8 @@ class InitRequest(Request, kw_only=False):
 def init(request: InitRequest) -> Skeleton | LedgerSkeleton | Header:
     """Write a skeleton of an explorer, its test and a workflow into a directory.
 
-    With ``ledger`` write the ledger of a paper, with two claims that run.  With ``header`` write
-    nothing, and return the C header of native explorers.
+    With ``ledger`` write the ledger of a paper instead, with two claims that can be checked.  With
+    ``header`` write no file, and return the C header of native explorers.
 
     The directory may exist and have other files; no file is overwritten.
 
@@ -135,7 +136,9 @@ def init(request: InitRequest) -> Skeleton | LedgerSkeleton | Header:
 
 
 def _written(directory: str | Path, texts: Mapping[str, str]) -> Path:
-    """Write the files of a skeleton, and return its folder.
+    """Write the files of a skeleton into ``directory``, and return the path of this folder.
+
+    ``texts`` holds the text of each file, by the file's name below ``directory``.
 
     Raises:
         InputError: if one of the files exists already (then nothing is written), or cannot be

@@ -61,7 +61,7 @@ class Found(Struct, frozen=True):
         verdict: whether the sentence holds in the scope.
         witnesses: for each case that the sentence is about, the number of its occurrences; a case
             without occurrences makes the verdict vacuous.
-        figures: the numbers that the sentence names.
+        figures: the numbers that the sentence names, as found, by their names in ``ledger.toml``.
         pictures: worlds that show the result, each with its caption.
         told: the refutation or an explanation, in words; may be empty.
     """
@@ -80,7 +80,10 @@ class NotChecked(Struct, frozen=True):
 
 
 class Unfinished(RuntimeError):
-    """Raised if a claim's function runs a check that gives no answer; the claim is then refuted."""
+    """Raised in a claim's function if a check that the function runs ends without an answer.
+
+    The report then calls the claim refuted, and not as expected; see :data:`FAULTS`.
+    """
 
 
 class Means(Struct, frozen=True):
@@ -100,15 +103,18 @@ ClaimFunction: TypeAlias = Callable[..., Found | NotChecked]
 
 
 def truth(holds: object) -> Truth:
-    """The verdict for a truth value: ``holds`` or ``refuted``."""
+    """The verdict ``holds`` if Python takes the value ``holds`` as true, else ``refuted``."""
     return "holds" if holds else "refuted"
 
 
 def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
     """The result of a claim that an exhaustive check decides.
 
-    The witnesses of the result are the numbers of worlds, of runs, and of those events of the check
-    that are named in ``events``; ``figures`` are the numbers that the sentence names.
+    Args:
+        report: the report of the check.
+        events: the names of the witnesses of the check that become witnesses of the claim, beside
+            the numbers of worlds and of runs.
+        figures: the numbers that the sentence names.
 
     Raises:
         Unfinished: if the verdict of the check is neither ``holds`` nor ``refuted``.
@@ -135,8 +141,9 @@ def of_check(report: CheckReport, *events: str, **figures: Shown) -> Found:
 class ClaimScope(doc.Document, kw_only=True):
     """The scope of a claim under one budget (``quick`` or ``full``), and the expected numbers.
 
-    ``bounds`` are the keywords for the claim's function.  ``witnesses`` and ``figures`` are the
-    numbers that the function must find: how often each case occurs, and the sentence's numbers.
+    ``bounds`` are the keyword arguments of the claim's function.  ``witnesses`` and ``figures`` are
+    the numbers that the function must find: ``witnesses`` how often each case occurs, ``figures``
+    the numbers that the sentence names.
     """
 
     bounds: dict[str, Any] = doc.key(default_factory=dict)
@@ -161,9 +168,9 @@ class Sentence(doc.Document):
 class Claim(Sentence):
     """A sentence and its expected outcome: a table of ``ledger.toml``.
 
-    ``quick`` and ``full`` have the bounds and the expected numbers under these budgets; without
-    ``full``, ``quick`` counts under both.  In the text ``scope``, ``{name}`` stands for the bound
-    with this name.
+    ``quick`` and ``full`` have the bounds and the expected numbers under the budgets of these
+    names; if there is no ``full``, ``quick`` is used under both budgets.  In the text ``scope``,
+    ``{name}`` stands for the bound with this name.
     """
 
     quick: ClaimScope
@@ -230,14 +237,15 @@ LEDGER, CLAIMS = "ledger.toml", "claims.py"
 FAULTS = (Unfinished, outcome.Disagreement, tally.EnginesDisagree)
 """The errors that refute the claim in whose check they are raised.
 
-A check of this program has then ended without an answer, or two computations of one value differ.
+Such an error says that a check of this program has ended without an answer, or that two
+computations of one value differ.
 """
 
 
 QUICK = 0.5
-"""The most seconds of a check of a claim that is made a second time.
+"""A number of seconds: the check of a claim that takes at most so long is made a second time.
 
-Verdict, witnesses and figures of both checks must be equal.
+The verdicts, the witnesses and the figures of both checks must be equal.
 """
 
 
@@ -251,10 +259,11 @@ class CheckedClaim(Sentence):
     ``truth`` is the verdict of the claim's function, or None if nothing was checked; ``seconds`` is
     the duration of the check; ``captions`` has a caption for each of the ``worlds``.
     ``disagreement`` is the text of an error of the kinds :data:`FAULTS`: for example, two
-    computations of one value differ. Such an error refutes the claim, even if the claim is expected
-    to be refuted. ``error`` is the text of any other error in the claim's function. The verdict is
-    then ``error``: the sentence is neither confirmed nor refuted. Each of the two texts is empty if
-    no such error was raised.
+    computations of one value differ. After such an error the found verdict is ``refuted``, and the
+    claim is never as expected, even if the expected verdict is ``refuted``, too. ``error`` is the
+    text of any other error in the claim's function. The found verdict is then ``error``: the
+    sentence is neither confirmed nor refuted. Each of the two texts is empty if no such error was
+    raised.
     """
 
     witnesses: Annotated[
@@ -277,7 +286,8 @@ class CheckedClaim(Sentence):
     def verdict(self) -> Seen:
         """The verdict found; ``vacuous``: a case did not occur; ``error``: the check failed.
 
-        A case is one of those that the sentence is about; :attr:`witnesses` counts the occurrences.
+        ``not-checked``: the claim cannot be checked on this machine.  A case is one of those that
+        the sentence is about; :attr:`witnesses` counts the occurrences of each case.
         """
         if self.error:
             return "error"
@@ -293,8 +303,9 @@ class CheckedClaim(Sentence):
     def standing(self) -> ClaimStanding:
         """The comparison of verdict, witnesses and figures with the expected ones, in a word.
 
-        ``as-expected``: all are equal; ``unexpected``: one differs, or the check raised an error;
-        ``vacuous``, ``not-checked``: the verdict is this word, and nothing is compared.
+        ``as-expected``: all are equal.  ``unexpected``: at least one differs, or the check raised
+        an error.  ``vacuous`` and ``not-checked``: the found verdict is the same word, and nothing
+        is compared.
         """
         if self.verdict in ("not-checked", "vacuous"):
             return self.verdict
@@ -302,7 +313,10 @@ class CheckedClaim(Sentence):
 
     @doc.computed
     def differences(self) -> tuple[str, ...]:
-        """The differences from the expected verdict and numbers, or the error, in words."""
+        """The differences from the expected verdict and numbers, or the error, in words.
+
+        The result is empty if there is no difference, or if the claim was not checked.
+        """
         if self.error:
             return (f"an error of this program: {self.error}",)
         if self.truth is None:
@@ -413,9 +427,9 @@ class LedgerRequest(ListenerOptions, limits.WorkerOptions, kw_only=False):
 def ledger(request: LedgerRequest) -> LedgerReport:
     """Check the sentences of a paper, each in its scope, and compare with the expected results.
 
-    ``claims.py`` in the folder has a function for each claim of ``ledger.toml``.  Each function
-    takes ``Means``, and the bounds of its claim as keywords, and returns a ``Found`` or a
-    ``NotChecked`` (see ``allworlds.claims``).
+    In the paper's folder ``claims.py`` has a function for each claim of ``ledger.toml``.  Each
+    function takes ``Means``, and the bounds of its claim as keyword arguments, and returns a
+    ``Found`` or a ``NotChecked`` (see ``allworlds.claims``).
 
     Raises:
         InputError: naming the offending value and what would be legal.
@@ -436,7 +450,7 @@ def ledger(request: LedgerRequest) -> LedgerReport:
 
 
 def _checks(file: Path, claims: Sequence[Claim]) -> Mapping[str, ClaimFunction]:
-    """The functions that check the claims, by the ids of the claims.
+    """The functions in ``file`` that check the claims, by the ids of the claims.
 
     Raises:
         InputError: if the file does not exist, cannot be imported, or lacks a function.
@@ -461,6 +475,11 @@ def entry_of(claim: Claim, check: ClaimFunction, means: Means) -> CheckedClaim:
 
     If the check takes at most :data:`QUICK` seconds, it is made twice.
 
+    Args:
+        claim: the claim.
+        check: the function that checks the claim.
+        means: the resources that the function may use.
+
     Raises:
         InputError: naming the claim, if its function ends the process, returns neither a Found nor
             a NotChecked, or returns another result the second time.
@@ -480,9 +499,13 @@ def entry_of(claim: Claim, check: ClaimFunction, means: Means) -> CheckedClaim:
 
 
 def _outcome_of(claim: Claim, check: ClaimFunction, means: Means) -> Returned:
-    """The result of one call of the claim's function.
+    """The result of one call of ``check``, which is the claim's function, with ``means``.
 
-    An exception that the function raises is returned as the result.
+    If a package is missing, the result is a :class:`NotChecked`.  Any other exception that the
+    function raises is returned as the result.
+
+    Raises:
+        InputError: if the function ends the process, or returns neither a Found nor a NotChecked.
     """
 
     def act() -> Any:
@@ -505,7 +528,14 @@ def _outcome_of(claim: Claim, check: ClaimFunction, means: Means) -> Returned:
 
 
 def entry_with(claim: Claim, budget: Budget, found: Returned, seconds: float = 0) -> CheckedClaim:
-    """The entry of a claim in the report, with the result of the claim's function."""
+    """The entry of a claim in the report.
+
+    Args:
+        claim: the claim.
+        budget: the amount of work, which determines the scope and the expected numbers.
+        found: the result of the claim's function.
+        seconds: the duration of the check.
+    """
     scope, disagreement, error = claim.scopes[budget], "", ""
     match found:
         case Found():
@@ -536,7 +566,10 @@ def entry_with(claim: Claim, budget: Budget, found: Returned, seconds: float = 0
 
 
 def _ensure_named(option: str, names: Iterable[str], legal: Sequence[str]) -> None:
-    """Raise InputError if one of ``names`` is no claim; ``legal`` has the ids of all claims."""
+    """Raise InputError if one of ``names`` is no claim; ``legal`` has the ids of all claims.
+
+    ``option`` is the option that gave the names; the error names it.
+    """
     for name in names:
         if name not in legal:
             some = f"; the first of {len(legal)} are {', '.join(legal[:3])}"

@@ -29,7 +29,7 @@ class MergeRequest(RowOptions, ListenerOptions):
 
 
 def sweep_of(verb: str) -> type[sweep.Sweep[Any, Any]]:
-    """The class of the sweeps for a verb, such as ``check``; a sweep does all units of a job."""
+    """The class of the sweeps of a verb, such as ``check``; a sweep does all units of a job."""
     from allworlds.studies.ambiguity.census_sweep import CensusSweep
     from allworlds.studies.check.exhaustive import CheckSweep
     from allworlds.studies.compare.comparison import SameWorlds
@@ -147,8 +147,9 @@ class Standing(Report):
     The progress of the job in a run directory. Larger worlds take longer, so the time left is a
     guess.
 
-    ``counted``: whether the number of all worlds is exact, and not an upper limit; ``options`` are
-    the options of the job that no other sentence of the report names, as on the command line.
+    ``counted``: whether the number of all worlds is exact, and not an upper limit. ``options`` are
+    options of the job as words of a command line: those that differ from their defaults, without
+    the options in :data:`NAMED`, which the printed report tells in sentences.
     """
 
     verb: Annotated[doc.Text, doc.about("the verb whose units these are")]
@@ -243,4 +244,4 @@ def status(request: StatusRequest) -> Standing:
 
 
 NAMED = ("edges", "vertices", "map_class", "family", "to", "where", "lighthouse", "task")
-"""The fields of requests that the report of ``status`` tells in sentences, not as options."""
+"""The options of jobs that the printed report of ``status`` tells in sentences."""

@@ -26,17 +26,20 @@ class EndedReport(Report):
 
     @property
     def refuted(self) -> bool:
-        """Whether a law is broken, or a claim of the study is refuted."""
+        """Whether a law is broken or, in a ledger, a claim is not as expected; false by default."""
         return False
 
     @property
     def undecided(self) -> bool:
-        """Whether a part of the job that could change the verdict was not done."""
+        """Whether the job left out work that could change the verdict; by default, if it stopped.
+
+        A job that the user interrupted has not stopped in this sense; see :attr:`interrupted`.
+        """
         return isinstance(self.ending, outcome.Stopped)
 
     @property
     def empty(self) -> bool:
-        """Whether nothing was tried, so that the verdict is vacuous."""
+        """Whether the job tried no world or no case, so that the verdict is vacuous."""
         return False
 
     @property

@@ -162,9 +162,9 @@ class Replay(Report):
 
     The result of running a finding again.
 
-    ``notice`` names the first recorded choice that this run did not take. It is empty if the run
-    took all recorded choices, or if another explorer made its own choices. ``users``: whether a
-    user's explorer ran, and not a built-in one.
+    ``notice`` is a sentence about the first recorded choice that the new run did not take. The text
+    is empty if the run took all recorded choices, or if another explorer ran, which makes its own
+    choices. ``users``: whether the explorer that ran is a user's, and not built in.
     """
 
     again: Annotated[single.SingleRun, doc.about("the new run")] = doc.key(name="run")
@@ -191,8 +191,8 @@ class Replay(Report):
     def outcome(self) -> Literal["reproduced", "fixed", "not-reproduced"]:
         """``reproduced``: a law is broken; ``fixed``: none is; ``not-reproduced``: undecided.
 
-        The outcome is undecided if the recorded finding is that a user's explorer is
-        nondeterministic, and no run breaks a law now: the next run might break one.
+        The outcome is undecided if the law of the recorded finding is ``nondeterministic``, the
+        explorer is a user's, and no run breaks a law now: the next run might break one.
         """
         if self.again.finding:
             return "reproduced"
@@ -210,17 +210,19 @@ class Replay(Report):
 def replay(request: ReplayRequest) -> Replay | TeamReplay:
     """Run an explorer again in the world of a finding, under the rules of the finding.
 
-    Without ``explore`` this is the recorded explorer, whose code may have changed.  The recorded
-    explorer gets the recorded choices as far as they fit; any other explorer gets choices by the
-    recorded policy.  For a finding of the law ``nondeterministic`` the run is made up to
-    :data:`TRIES` times.  For a finding of a team of robots, its world is searched again.
+    Without ``explore`` the recorded explorer runs, whose code may have changed.  At each choice the
+    recorded explorer gets the option with the recorded index; if there are fewer options now, the
+    recorded policy chooses.  For any other explorer the recorded policy makes all choices.  For a
+    finding of the law ``nondeterministic`` the run is made up to :data:`TRIES` times.  For a
+    finding of a team of robots, the world of the finding is searched again.
 
-    If the recorded explorer took choices, but takes none any more, it cannot repeat the run: this
-    is an error, unless ``explore`` names this explorer; then it runs without choices.
+    If the finding has choices, but the function of the recorded explorer has no parameter
+    ``choices`` any more, the explorer cannot repeat the run.  This is an error, unless ``explore``
+    names the same explorer: then it runs without choices.
 
     Raises:
-        InputError: if the explorer cannot be found; if the finding's transcript is no walk in its
-            world; or if the recorded explorer takes no choices any more, as said above.
+        InputError: if the explorer cannot be found; if the finding's transcript is no walk in the
+            finding's world; or if the recorded explorer has no parameter ``choices`` any more.
     """
     finding, explore = request.finding, request.explore
     if isinstance(finding, TeamFinding):
@@ -309,7 +311,7 @@ class Play(Report, kw_only=True):
 
 
 class PlayRequest(requests.Request, kw_only=False):
-    """Request of ``play``: a world, and the function ``player`` that plays the robot in it."""
+    """Request of ``play``: a world, and the function ``player`` that plays the robot there."""
 
     world: Annotated[World | str, WORLD]
     _: KW_ONLY

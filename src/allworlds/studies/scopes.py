@@ -20,7 +20,7 @@ TriedPlaces = Annotated[
 
 
 def tried_places(kind: LighthouseKind, extent: classes.Extent) -> str:
-    """The places of a lighthouse that are tried in the maps of an extent, in words.
+    """Words about the places of a lighthouse of the kind ``kind`` that are tried in an extent.
 
     The text is empty if all places are tried in every map.
     """
@@ -52,7 +52,7 @@ def as_scope(
         request: the request; each key that has the name of an option gets the option's value.
         rules: the rules of the runs; their values replace those of the request.  None: no run was
             judged.
-        more: values by key, which replace all other values of these keys.
+        more: further values, each with its key; they replace all other values of these keys.
     """
     asked = {
         one.name: requests.as_json(getattr(request, one.name))

@@ -149,7 +149,15 @@ class UserCorpus(Struct, Generic[Found]):
         return self._standing
 
     def _past(self) -> list[tuple[str, Found]]:
-        """The findings of the directory with the names of their files, smallest first."""
+        """The findings of the directory with the names of their files, smallest first.
+
+        A file is left out, and noted in ``files["stale"]``, if a program that its finding names has
+        another text now.
+
+        Raises:
+            InputError: naming a file that cannot be read, has no finding, or was changed since it
+                was written.
+        """
         past = list[tuple[str, Found]]()
         for file in sorted(self.directory.glob("*.json")):
             said = f"corpus file {show(file.name)}"
@@ -183,7 +191,10 @@ class UserCorpus(Struct, Generic[Found]):
         return finding in self._standing
 
     def write(self, findings: Iterable[Found]) -> Iterator[str]:
-        """Write the new findings; yield a message for each file that cannot be written."""
+        """Write those of ``findings`` that are new; yield a message for each file that fails.
+
+        A finding is new if this check has not reproduced it from the corpus.
+        """
         for finding in findings:
             if not self.holds(finding):
                 try:

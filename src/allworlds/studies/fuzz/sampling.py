@@ -38,9 +38,11 @@ REJECTED_BEFORE_REFUSAL = 2000
 
 
 def waves(runs: int) -> Iterator[tuple[int, int]]:
-    """Yield for each wave two numbers: that of its first run, and that of the run after its last.
+    """Yield the waves of a sample of ``runs`` runs, which have the numbers 0, 1, 2, ...
 
-    The first waves are (0, 16) and (16, 64).
+    A wave is a pair: the number of its first run, and the number of the run after its last one.
+    The first waves are (0, 16) and (16, 64); each later wave has three times as many runs as all
+    waves before it together, except the last wave, which ends with the sample.
     """
     begin = 0
     while begin < runs:
@@ -52,12 +54,12 @@ def waves(runs: int) -> Iterator[tuple[int, int]]:
 def batches(sample: Sample, begin: int = 0, end: int | None = None) -> "Iterator[Batch]":
     """Yield the batches of a sample; shard i of k has the batches i, i + k, i + 2k, ...
 
-    The batches do not depend on the number of workers or shards.
+    The sample is cut into the same batches for every number of workers and of shards.
 
     Args:
-        sample: the sample, or its part in a shard.
-        begin: the number of the first run; a batch begins there.
-        end: the number of the run after the last one; by default all runs are done.
+        sample: the sample; its field ``portion`` is the shard whose batches are yielded.
+        begin: the number of the first run; it must be a multiple of :data:`RUNS_PER_BATCH`.
+        end: the number of the run after the last one; None stands for the end of the sample.
     """
     end, portion = sample.runs if end is None else end, sample.portion
     for first in range(begin, end, RUNS_PER_BATCH):
@@ -67,13 +69,15 @@ def batches(sample: Sample, begin: int = 0, end: int | None = None) -> "Iterator
 
 
 SMALL, SMALL_RUNS = 4, 8
-"""The small worlds that are tried before the sample: their most edges, and the number of runs."""
+"""Of the small worlds that are tried before a sample: the most edges, and the number of runs."""
 
 
 class SmallBatch(Struct, frozen=True):
-    """A batch of small random worlds, which may have fewer edges than ``min_edges``.
+    """The batch of small random worlds that is tried before a sample, in shard 0 alone.
 
-    In small worlds some hundred traversals show that an explorer walks for ever.
+    The batch shows whether the explorer walks for ever: a small world shows this after some hundred
+    traversals, a large one after many more.  The small worlds may have fewer edges than the
+    sample's ``min_edges``.  ``seed`` and ``mix`` are those of the sample.
     """
 
     seed: int
@@ -81,11 +85,16 @@ class SmallBatch(Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        """The key of the batch in a run directory: the seed, and ``small``."""
+        """The key under which a run directory keeps the batch: the seed, and ``small``."""
         return f"{self.seed}/small"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
-        """Yield one world with few edges for each run, in the way of :meth:`Batch.placed`."""
+        """Yield for each run a random map with few edges, and a random place of the lighthouse.
+
+        The maps have at most :data:`SMALL` edges.  Otherwise the parameters and the items are as in
+        :meth:`Batch.placed`.  If the condition of ``extent`` is true of too few maps, this method
+        yields fewer maps, or none.
+        """
         small = replace(extent, edges=min(SMALL, extent.levels[-1]))
         with suppress(InputError):  # the condition may admit none
             yield from Batch(self.seed, 0, SMALL_RUNS, self.mix).placed(small, kind)
@@ -106,16 +115,24 @@ class Batch(Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        """The key of the batch in a run directory: the seed and the number of its first draw."""
+        """The key under which a run directory keeps the batch: seed and number of the first run."""
         return f"{self.seed}/{self.first}"
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
-        """Yield one world for each run: a random map with a random place of the lighthouse.
+        """Yield for each run a random map, and a random place of the lighthouse with its number.
 
+        The place is the only entry of a list; the list is empty if the map has no place.
         The parts of the mixture take turns.  Each part has its own sequence of random maps, which
         does not depend on the other parts.  A map is rejected, and another one is drawn, if the map
         is too small, is not in the class or does not satisfy the condition.  If many maps are
         rejected for a run, the part ``histories`` draws the map of this run.
+
+        Args:
+            extent: the class, the condition and the largest number of edges of the maps.
+            kind: the kind of the lighthouse.
+
+        Raises:
+            InputError: if the condition is true of too few maps; see :meth:`_drawn`.
         """
         mix = self.mix or default_mix(extent)
         for run in range(self.first, self.last):
@@ -129,9 +146,14 @@ class Batch(Struct, frozen=True):
     def _drawn(self, extent: Extent, part: str, random: Random) -> CombinatorialMap:
         """A random map of the class, with at least ``min_edges`` edges, that meets the condition.
 
-        ``part`` names a part of the mixture, which is a way to draw a random map.  A drawn map that
-        is too small, not in the class, or fails the condition is rejected, and another map is
-        drawn.  After :data:`REJECTED_BEFORE_HISTORIES` rejected maps the part ``histories`` draws.
+        A drawn map that is too small, not in the class, or fails the condition is rejected, and
+        another map is drawn.  After :data:`REJECTED_BEFORE_HISTORIES` rejected maps the part
+        ``histories`` draws.
+
+        Args:
+            extent: the class, the condition and the largest number of edges.
+            part: the name of a part of the mixture, which is a way to draw a random map.
+            random: the source of the random numbers.
 
         Raises:
             InputError: after more than :data:`REJECTED_BEFORE_REFUSAL` rejected maps, if there is a

@@ -22,9 +22,9 @@ from allworlds.maps.enumeration import rooted_maps
 from allworlds.world import world
 
 Refute: TypeAlias = Callable[[Sequence[GivenWorlds]], Finding | None]
-"""A function that runs the explorer in some worlds.
+"""A function that runs the explorer in some worlds, and returns the smallest finding there.
 
-It returns the smallest finding, or None if no law is broken.
+The result is None if no law is broken in these worlds.
 """
 
 WORLDS_PER_CHUNK = 50
@@ -37,21 +37,24 @@ CHUNKS_PER_WAVE = 8
 def shrink(finding: Finding, scope: Scope, refute: Refute) -> Iterator[Finding]:
     """Yield findings in smaller and smaller refuting worlds; the last is the smallest one found.
 
-    First, pieces of the map are removed: half of the map, a quarter and so on.  The next changes
-    are made only in worlds with at most :data:`EDGES_OF_FINE_STEPS` edges.  A step deletes or
-    contracts one edge.  If no such world refutes, the step keeps the number of edges: it moves one
-    dart to another position, or only chooses another start or another place of the lighthouse.  A
-    world after one such change is called a *neighbour*.  Every neighbour is tried with every root
-    and every place of the lighthouse, as far as the result is smaller than the present world in the
-    order of findings: edges, vertices, code, place.  The smallest refuting neighbour begins the
-    next step, so the result depends on ``finding`` alone.
+    One world is smaller than another if it has fewer edges; if these numbers are equal, the number
+    of vertices decides, then the code, then the number of the lighthouse's place.
 
-    If no neighbour refutes, a smaller world may still refute that is no neighbour.  So at last all
+    First, pieces of the map are removed: half of the map, a quarter and so on.  If the world has at
+    most :data:`EDGES_OF_FINE_STEPS` edges, small steps follow.  A step deletes or contracts one
+    edge.  If no world that arises so refutes, the step keeps the number of edges: it moves one dart
+    to another position, or only chooses another start or another place of the lighthouse.  A world
+    after one such change is called a *neighbour*.  A neighbour is tried with each start and each
+    place of the lighthouse with which it is smaller than the present world.  The smallest refuting
+    neighbour begins the next step, so the result depends on ``finding`` alone.
+
+    Some worlds are smaller, but are no neighbours, and one of them may refute, too.  So at last all
     smaller worlds with at most :data:`EDGES_TRIED_IN_FULL` edges are tried.
 
     Args:
         finding: the finding to begin with; it is not yielded itself.
-        scope: the class, the condition and the lighthouse that the smaller worlds must have.
+        scope: the class, the condition and the kind of lighthouse that the smaller worlds must
+            have.
         refute: the function that runs the explorer in some worlds, and returns the smallest
             finding there.
 
@@ -84,13 +87,13 @@ EDGES_OF_FINE_STEPS = 16
 """The most edges of a world whose neighbours are tried; larger worlds only lose pieces."""
 
 NEIGHBOURS_PER_STEP = 4000
-"""The most neighbours that are tried in a step."""
+"""The most worlds with one number of edges that are tried in a step."""
 
 TIMES_AS_FAR = 2
 """The factor by which the traversals of the finding's run may grow in a smaller world."""
 
 TRAVERSALS_BESIDES = 100
-"""The number of traversals that may be added to those that :data:`TIMES_AS_FAR` allows."""
+"""The number of traversals that a run may have beyond those that :data:`TIMES_AS_FAR` allows."""
 
 LARGE_WORLDS_PER_CHUNK = 4
 """The number of worlds that a worker tries at a time while pieces are removed."""
@@ -104,8 +107,11 @@ def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterato
 
     A piece is a set of consecutive edges in breadth-first order from the start; the farthest piece
     comes first.  While the removal of a piece leaves a refuting world, further pieces of its size
-    are tried; then pieces of half the size.  The lighthouse keeps the number of its place if the
-    smaller map has a place with this number.
+    are tried; then pieces of half the size.  In the smaller map the lighthouse keeps the number of
+    its place; if the smaller map has no place with this number, the remainder of its division by
+    the number of places is taken.  A map without any place is left out.
+
+    The parameters are those of :func:`shrink`.
 
     Cost: O(m) runs to remove a piece, or to find that no piece of a size can be removed.  If a
     world with few edges refutes, all removals together take about O(m log m) runs.
@@ -124,8 +130,9 @@ def _with_pieces_less(finding: Finding, scope: Scope, refute: Refute) -> Iterato
 def _less_by(piece: int, finding: Finding, scope: Scope) -> Iterator[tuple[world.World, int]]:
     """Yield smaller worlds: in each, one piece of the finding's world is deleted or contracted.
 
-    A piece has ``piece`` edges; each piece of the world has its turn.  With each world comes the
-    number of its lighthouse's place.
+    A piece has ``piece`` edges; every piece of the world is removed once, the farthest one first.
+    With each world the number of its lighthouse's place is yielded.  Worlds outside of the class or
+    the condition of ``scope`` are left out.
     """
     map_, extent = finding.world.map, scope.extent
     for end in range(map_.edge_count, 0, -piece):
@@ -144,8 +151,8 @@ def _smallest(
 ) -> Finding | None:
     """The smallest finding of the first wave that has a finding; None if no wave has one.
 
-    A chunk holds some worlds, and a wave ``at_once`` chunks.  After a wave with a finding, no
-    further wave is tried.
+    A chunk is some worlds, and a wave is ``at_once`` chunks, in which ``refute`` runs the explorer.
+    After a wave with a finding, no further wave is tried.
     """
     waves = (refute(chunks[i : i + at_once]) for i in range(0, len(chunks), at_once))
     return next((found for found in waves if found), None)
@@ -159,9 +166,12 @@ def _fewer_edges(map_: CombinatorialMap) -> Iterator[CombinatorialMap]:
 
 
 def _smaller(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -> list[GivenWorlds]:
-    """Worlds with these maps that are smaller than the finding's world, ascending, in chunks.
+    """The worlds with one of ``maps`` that are smaller than the finding's world, in chunks.
 
-    If there are more than :data:`NEIGHBOURS_PER_STEP` such worlds, the largest ones are left out.
+    Every start and every place of the lighthouse makes a world, if the map is in the class of
+    ``scope`` and meets its condition.  The worlds ascend, in the order that :func:`shrink`
+    describes.  If there are more than :data:`NEIGHBOURS_PER_STEP` worlds, the largest ones are left
+    out.
     """
     size = finding.key[:4]
     placed = takewhile(lambda each: each[0] < size, placed_rootings(maps, scope))
@@ -171,12 +181,13 @@ def _smaller(scope: Scope, finding: Finding, maps: Iterable[CombinatorialMap]) -
 def placed_rootings(
     maps: Iterable[CombinatorialMap], scope: Scope
 ) -> Iterator[tuple[tuple[int, int, Code, int], tuple[world.World, int]]]:
-    """Yield a key, a world and its place for each rooting of these maps, by ascending keys.
+    """Yield the worlds with one of ``maps``: one for each start and each place of the lighthouse.
 
-    A key has four entries: the numbers of edges and of vertices, the code of the rooted map, and
-    the number of the lighthouse's place; this last number is yielded beside the world, too.  Of
-    isomorphic rootings only one is yielded.  Maps that are not in the scope's class, or do not
-    satisfy its condition, are left out; the bounds of the scope do not matter.
+    Yield for each world a key, and the world with the number of its lighthouse's place; the keys
+    ascend.  A key has four entries: the numbers of edges and of vertices, the code of the rooted
+    map, and the number of the place.  Of worlds that are isomorphic only one is yielded.  Maps that
+    are not in the class of ``scope``, or do not satisfy its condition, are left out; the bounds of
+    ``scope`` on edges and vertices have no effect.
     """
     extent = scope.extent
     rootings = {
@@ -194,20 +205,26 @@ def placed_rootings(
 def in_chunks(
     worlds: Sequence[tuple[world.World, int]], length: int = WORLDS_PER_CHUNK
 ) -> list[GivenWorlds]:
-    """The worlds, each with the number of its place, in chunks of ``length`` worlds.
+    """The worlds, each with the number of its lighthouse's place, in chunks of ``length`` worlds.
 
-    A worker tries one chunk at a time.
+    A worker tries one chunk at a time; the last chunk may have fewer worlds.
     """
     starts = range(0, len(worlds), length)
     return [GivenWorlds(tuple(worlds[start : start + length])) for start in starts]
 
 
 def smallest_from(finding: Finding, workers: Transport, scope: Scope) -> Finding:
-    """The smallest finding that :func:`shrink` reaches from ``finding``, within the time limit.
+    """The smallest finding that :func:`shrink` reaches from ``finding`` before the time is up.
 
-    A wrong explorer often walks until its budget is used up.  Unless the broken law is ``budget``,
-    a smaller world does not count if the explorer walks much farther there than in the finding: see
-    :data:`TIMES_AS_FAR`.
+    In some worlds a wrong explorer walks until its budget is used up, which takes much time.  So a
+    run in a smaller world is cut off if it is much longer than the run of the finding (see
+    :data:`TIMES_AS_FAR`), and then refutes nothing.  If the broken law is ``budget``, no run is cut
+    off before its budget is used up.
+
+    Args:
+        finding: the finding to begin with; it is the result if no smaller world refutes.
+        workers: the workers that run the explorer until the deadline of the job.
+        scope: the class, the condition and the rules of the smaller worlds.
     """
     rules = scope.rules
 

@@ -24,7 +24,8 @@ from allworlds.words import plural
 class TeamReplay(Report):
     """Report of 'replay', of a team.
 
-    The new search of the world of a finding; ``recorded`` is this finding.
+    The new search of the world of a finding; ``recorded`` is this finding. ``notice`` is always
+    empty; in the report of 'replay' of one robot it is a sentence about the recorded choices.
     """
 
     again: Annotated[TeamReport, doc.about("the search of today")] = doc.key(name="search")
@@ -43,9 +44,11 @@ class TeamReplay(Report):
 
     @doc.computed
     def outcome(self) -> Literal["reproduced", "fixed", "not-reproduced"]:
-        """``reproduced``: a law is broken; ``fixed``: none is; ``not-reproduced``: left open.
+        """``reproduced``: a law is broken; ``fixed``: none is; ``not-reproduced``: undecided.
 
-        A finding of the law ``budget`` is also reproduced if the budget cuts off a run.
+        The outcome is undecided if the new search finds no broken law, but its verdict is not
+        ``holds``: for example, the budget cuts off a run, or a time limit stops the search.  A
+        finding of the law ``budget`` is also reproduced if the budget cuts off a run.
         """
         if self.again.findings:
             return "reproduced"
@@ -63,8 +66,12 @@ class TeamReplay(Report):
 def replayed(finding: TeamFinding, explore: Any, limits: TimeoutOptions) -> TeamReplay:
     """Search the world of a finding again, and return the report with the new search.
 
-    The program ``explore`` replaces the programs of all robots; None keeps the recorded programs.
     The model of the finding is used again.
+
+    Args:
+        finding: the finding.
+        explore: a program that replaces the programs of all robots; None keeps the recorded ones.
+        limits: the time-outs of the programs.
 
     Raises:
         InputError: if a program or the model cannot be found, or if the text of the model is not

@@ -56,7 +56,8 @@ def _model(given: object) -> NamedModel:
 def _natural(name: str, least: int) -> Callable[[object], Any]:
     """A function that checks that an option's value is None or an integer of at least ``least``.
 
-    The function returns the value, or raises InputError, which names the option and the value.
+    The function returns the value, or raises InputError, which names the option, ``name``, and the
+    value.
     """
 
     def take(given: object) -> int | None:
@@ -98,8 +99,9 @@ class TeamRequest(
 ):
     """Request of ``team``: the robots' programs, and the searches to make with these programs.
 
-    A search is about one world under one model: it tries every schedule that the scheduler, its
-    bounds and the option ``schedule`` allow.  The maps are those of a class, or given maps.
+    A search is about one world under one model, and tries every schedule that the options
+    ``scheduler``, ``lead``, ``start_delay`` and ``schedule`` allow.  The maps are those of a class,
+    or given maps.
     """
 
     explorers: Annotated[
@@ -316,7 +318,7 @@ class TeamRequest(
         return Timing(scheduler, budget, self.lead, self.start_delay, *limits)
 
     def team(self) -> Team:
-        """Load the programs.
+        """Load the programs, and return the team.
 
         Raises:
             InputError: naming a program that cannot be loaded, or a wrong number of programs.

@@ -128,8 +128,8 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
     def begin(self) -> outcome.Ending | None:
         """Try again the findings in the user's corpus, a directory of earlier findings.
 
-        Return an ending if the reproduced findings are already as many as the option
-        ``max_findings`` asks for: then the job ends before its first level.  Else return None.
+        Return an ending if at least as many findings are reproduced as the option ``max_findings``
+        says: then the job ends before its first level.  Else return None.
         """
         if self.corpus is None:
             return None
@@ -145,8 +145,8 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
         Return the new finding, or None if no law is broken.
 
         Raises:
-            OtherText: if the text of the finding's model is not the recorded one, or the number of
-                programs does not fit the number of robots in the finding.
+            OtherText: if the text of the finding's model is not the recorded one, or if there are
+                several programs, but not one for each robot of the finding.
             LeftOpen: if the search ends without an answer, for example at a limit.
         """
         programs = tuple(self.request.explorers)
@@ -191,7 +191,7 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 
     @override
     def leave(self, level: units.SweptLevel, total: TeamTally) -> None:
-        """Keep the findings of an unfinished level; its counts do not enter the report."""
+        """Keep the findings in ``total``, the tally of an unfinished level, and drop its counts."""
         for found in total.findings:
             self._tally.find(doc.replace(found, minimal=False))
 
@@ -212,8 +212,8 @@ class TeamSweep(sweep.Sweep[TeamTally, TeamReport]):
 def gate_of(extent: Extent, edges: int, tally: TeamTally) -> Iterator[TeamCell]:
     """Compare the numbers of a level's maps with those of an independent source.
 
-    Yield a comparison for each number of vertices.  Yield nothing if no source counts maps of this
-    extent.
+    The level has the maps of ``extent`` with ``edges`` edges, and ``tally`` its counts.  Yield a
+    comparison for each number of vertices; yield none if no source counts the maps of ``extent``.
     """
     source = count_source.source_of(extent)
     if source is None:
@@ -250,6 +250,12 @@ def request_again(
     is used, because a model that the user gave as an object cannot be loaded by its name.
     Otherwise the model is loaded by its name.
 
+    Args:
+        finding: the finding.
+        programs: one program for all robots, or one for each.
+        limits: the time-outs of the programs.
+        here: the model of the present job; None if there is no job.
+
     Raises:
         InputError: if the model cannot be found, or its text is not the recorded one.
     """
@@ -276,7 +282,7 @@ def request_again(
 def is_inside(finding: TeamFinding, scope: TeamScope) -> bool:
     """Whether the searches of a scope include the search that made a finding.
 
-    This is so if the model, the number of robots and the schedules of the scope are those of the
+    They do if the model, the number of robots and the schedules of the scope are those of the
     finding, and if the scope tries the finding's map with the robots at the finding's starts.
     """
     own = scope.model.name, scope.model.digest, len(scope.team.names), TimeDocument.of(scope.timing)
@@ -301,10 +307,11 @@ def _place(map_: CombinatorialMap, starts: Sequence[int]) -> Any:
 
 
 def _rooted_like(map_: CombinatorialMap, extent: Extent) -> Iterator[CombinatorialMap]:
-    """Yield maps of an extent; among these maps is ``map_`` with each root that the extent has.
+    """Yield rooted maps of an extent: at least all that are ``map_`` with one of its darts as root.
 
-    Of a class no other maps are yielded.  Of given maps all with as many edges as ``map_`` are
-    yielded, and the caller must compare them with ``map_``.
+    If the extent is a class of maps, only rooted maps of this kind are yielded; none, if ``map_``
+    is not in the extent.  If the extent consists of given maps, all given maps with as many edges
+    as ``map_`` are yielded, so the caller must still compare each of them with ``map_``.
     """
     if extent.given is not None:
         for unit in units.units_of_level(extent, map_.edge_count, units.WHOLE):

@@ -110,7 +110,7 @@ class TeamReport(PortionReport, kw_only=True):
 
     @doc.computed
     def rows(self) -> tuple[TeamCounts, ...]:
-        """A row for each (edges, vertices), ascending."""
+        """A row for each (edges, vertices), ascending: the counts of the worlds of this size."""
         names = TeamRow.__slots__
         return tuple(
             TeamCounts(edges=m, vertices=n, **{name: getattr(row, name) for name in names})

@@ -111,7 +111,7 @@ class WorstRequest(
 
 
 class WorstRow(doc.Document):
-    """Costs over every schedule in the worlds of one size.
+    """The costs of all schedules in the worlds of one size.
 
     ``counted`` is the number of rooted maps according to the independent source; None in a shard,
     or for given worlds.
@@ -138,7 +138,8 @@ class WorstRow(doc.Document):
     def agrees(self) -> bool:
         """Whether the search agrees with the independent count, and with a run that is replayed.
 
-        The replayed run must attain the worst cost, unless a test of Algorithm 1 was wrong.
+        The replayed run must have the worst cost.  If a test has confirmed a false hypothesis, no
+        run is replayed, and the count alone decides.
         """
         counted = self.counted in (None, self.worlds)
         return counted and (bool(self.wrong_tests) or self.replayed == self.worst)
@@ -314,9 +315,10 @@ class SchedulesSweep(sweep.Sweep["ScheduleCostsBySize", WorstReport]):
     def _replayed(self, world: World, bound: int) -> tuple[tuple[int, ...], int | None]:
         """Choices that attain the worst cost in a world, and the cost of a run with these choices.
 
-        The run is played in the Python engine; the cost is None if the run has no answer or breaks
-        a law.  ``bound`` is the paper's bound on the traversals in this world; a run without an
-        answer is stopped far beyond the bound.
+        The run is played in the Python engine; its cost is None if the run breaks a law.  If
+        Algorithm 1 gives no answer, there are no choices, and the cost is None.  ``bound`` is the
+        paper's bound on the traversals in this world; a run without an answer is stopped after many
+        more traversals.
         """
         schedules = EverySchedule(world.map, world.start, self.request.transit)
         planned = Planned(schedules.most_expensive_picks())

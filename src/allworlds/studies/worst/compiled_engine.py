@@ -13,7 +13,10 @@ from allworlds.studies.worst.every_schedule import Transit
 
 
 class ScheduleCostsBySize(Struct):
-    """Costs over every schedule, by the number of vertices; parts can be added in any order."""
+    """The costs of all schedules in some worlds with one number of edges, by number of vertices.
+
+    The costs in other worlds of the level can be added by :meth:`add`, in any order.
+    """
 
     by_vertices: dict[int, schedules.ScheduleCosts] = field(default_factory=dict)
 
@@ -30,9 +33,11 @@ class ScheduleCostsBySize(Struct):
 
 
 def _joined(a: schedules.ScheduleCosts, b: schedules.ScheduleCosts) -> schedules.ScheduleCosts:
-    """The joint costs of two parts of the worlds: sums, maxima, and a most expensive world.
+    """The costs in the worlds of ``a`` and the worlds of ``b`` together; all have the same size.
 
-    Of two worlds with the worst cost, the one with the smaller code is taken.
+    The numbers of worlds and of tests are added.  Of the two worst costs, and of the two best
+    costs, the larger one is taken.  The kept map is one with the worst cost; of two such maps, the
+    one with the smaller code.
     """
     most_expensive = min(
         (d for d in (a, b) if d.sigma), key=lambda d: (-d.worst, d.sigma, d.alpha), default=a
@@ -46,9 +51,13 @@ def _joined(a: schedules.ScheduleCosts, b: schedules.ScheduleCosts) -> schedules
 
 
 class ScheduleSearch(Struct, frozen=True):
-    """The engine that searches all schedules.
+    """The engine that searches all schedules of Algorithm 1 in the worlds of a unit.
 
-    The array ``flag`` is shared with the compiled search, and can stop this search.
+    Attributes:
+        extent: the class of the maps, with its bounds.
+        transit: the paths by which Algorithm 1 may go to the next edge: ``shortest`` or ``simple``.
+        flag: an array of one number, which the compiled search reads; the search ends once the
+            number is not 0.
     """
 
     extent: Extent
@@ -60,7 +69,11 @@ class ScheduleSearch(Struct, frozen=True):
         self.flag[0] = 1
 
     def parts(self, unit: LevelUnit | GivenUnit) -> Iterator[ScheduleCostsBySize]:
-        """Yield costs in the unit's worlds: for each size the costs, and a most expensive world."""
+        """Yield the costs in the worlds of a unit.
+
+        For a unit of a class yield one item, with the costs in all worlds of the unit.  For a unit
+        of given maps yield an item for each map.
+        """
         map_class = self.extent.map_class
         prefixes: Iterable[Sequence[int]]
         if isinstance(unit, GivenUnit):

@@ -56,8 +56,8 @@ class PassCosts(Struct, frozen=True):
 
     Attributes:
         dart: the dart e that the pass takes from U.
-        worst: the tests of the pass if its cost is as large as possible.
-        best: the tests of the pass if its cost is as small as possible.
+        worst: the tests that the robot makes in the most expensive form of the pass.
+        best: the tests that the robot makes in the cheapest form of the pass.
         explored: the explored darts after the pass.
         robot: the robot's vertex after the pass.
     """
@@ -86,10 +86,10 @@ class EverySchedule:
     """All schedules of Algorithm 1 from one vertex of a map.
 
     Args:
-        map_: the world.
+        map_: the map of the world.
         start: the dart that the robot faces at the start; the costs depend on its vertex alone.
-        transit: whether the robot may walk to the next dart (line 4 of Algorithm 1) on any simple
-            path, or on a shortest path only.
+        transit: the paths on which the robot may walk to the next dart (line 4 of Algorithm 1):
+            ``simple``, any simple path, or ``shortest``, a shortest path only.
     """
 
     def __init__(self, map_: CombinatorialMap, start: Dart, transit: Transit = "simple") -> None:
@@ -118,7 +118,11 @@ class EverySchedule:
         return self._best(frozenset(), self._v0)
 
     def most_expensive_picks(self) -> list[int]:
-        """A most expensive schedule: the darts of S in the order in which the robot picks them."""
+        """All choices of a most expensive schedule, as darts of S in the order of the choices.
+
+        In each pass Algorithm 1 chooses the dart e, the darts of the path to e, and for each test
+        the hypothesis and the darts of the path to v0.
+        """
         numbers: dict[Dart, int] = {}
         self._number(numbers, self._start)
         explored, robot = Explored(), self._v0
@@ -154,10 +158,10 @@ class EverySchedule:
                     queue.append(following)
 
     def _number(self, numbers: dict[Dart, int], first: Dart) -> None:
-        """Number the darts of a vertex, clockwise from ``first`` on, as they are numbered in S.
+        """Add to ``numbers`` the darts of a vertex, each with its number in S.
 
-        The numbers are the next free ones.  ``first`` is the dart by which the vertex was
-        discovered.
+        ``first`` is the dart by which the vertex was discovered.  The darts get the next free
+        numbers, clockwise from ``first`` on.
         """
         for i in range(self._map.degree_at[first]):
             numbers[self._map.turn(first, i)] = len(numbers)
@@ -174,7 +178,11 @@ class EverySchedule:
         return self._most(explored, robot, chosen) + self._worst(chosen.explored, chosen.robot)
 
     def _most(self, explored: Explored, robot: int, chosen: PassCosts) -> int:
-        """The largest cost of the pass ``chosen``, with the way to the dart that the pass takes."""
+        """The largest cost of the pass ``chosen``, with the way to the dart that the pass takes.
+
+        Before this pass, the darts ``explored`` are explored, and the robot is at the vertex
+        ``robot``.
+        """
         transit = self._transits(explored, robot, self._owner[chosen.dart])[-1]
         return len(transit) + 1 + sum(test.cost for test in chosen.worst)
 
@@ -189,12 +197,19 @@ class EverySchedule:
         return min(costs, default=0)
 
     def _transits(self, explored: Explored, robot: int, goal: int) -> Sequence[Path]:
-        """The paths to a vertex that line 4 of Algorithm 1 allows, ascending by length."""
+        """The paths that line 4 of Algorithm 1 allows, ascending by length.
+
+        The paths lead from the vertex ``robot`` to the vertex ``goal``, on the edges of the darts
+        ``explored``.
+        """
         ways = sorted(self._simple_paths(explored, robot, goal), key=len)
         return ways if self._transit == "simple" else ways[:1]
 
     def _find_passes(self, explored: Explored) -> tuple[PassCosts, ...]:
-        """The passes that are possible after these edges are explored."""
+        """The costs of the passes that can follow, one pass for each dart of U.
+
+        ``explored`` are the darts of the edges that are explored before.
+        """
         known = {self._v0} | {self._owner[d] for d in explored}
         unexplored = [d for d in self._map.darts if self._owner[d] in known and d not in explored]
         return tuple(self._pass(explored, known, unexplored, dart) for dart in unexplored)
@@ -222,7 +237,10 @@ class EverySchedule:
         return PassCosts(e, (*most_expensive, last), (first,), after, self._v0)
 
     def _tests(self, explored: Explored, hypothesis: Dart, entry: Dart) -> list[TestCost]:
-        """The tests of a hypothesis, one for each simple path from its vertex to v0.
+        """The tests of a hypothesis, one for each simple path to v0 on the explored edges.
+
+        ``entry`` is the dart by which the robot has come in.  The hypothesis is that the robot has
+        come in by the dart ``hypothesis``; each path begins at the vertex of this dart.
 
         Raises:
             WrongTest: if a test confirms a false hypothesis, or rejects a true one.
@@ -241,6 +259,11 @@ class EverySchedule:
         """The number of steps until the robot's percept differs from the expected one.
 
         None if all percepts on the path are as expected.
+
+        Args:
+            hypothesis: the dart by which the robot has come in, if the tested hypothesis is true.
+            path: a path from the vertex of ``hypothesis`` to v0.
+            robot: the dart by which the robot has really come in.
         """
         alpha, at = self._map.alpha, hypothesis
         for steps, dart in enumerate(path, 1):
@@ -273,14 +296,17 @@ class EverySchedule:
 
 
 class Planned(Choices):
-    """Choices that were prepared before the run, as a list of darts of S."""
+    """Choices that were prepared before the run: a list of darts of S, one for each choice."""
 
     def __init__(self, darts: Sequence[Dart]) -> None:
         super().__init__()
         self._darts = iter(darts)
 
     def pick(self, options: Sequence[T], of: ChoiceKind, cost: Sequence[int] | None = None) -> T:  # noqa: ARG002
-        """Return the next of the prepared darts, which must be one of the options."""
+        """Return the next of the prepared darts, which must be one of the options.
+
+        ``of``, the kind of the choice, and ``cost``, the costs of the options, have no effect.
+        """
         index = list(options).index(next(self._darts))  # type: ignore[arg-type]  # S's darts
         self.record.append(index)
         return options[index]
