@@ -8,16 +8,17 @@ from allworlds.world.world import World
 
 
 def flaw(worlds: Sequence[World], bisimulation: Sequence[Sequence[int]]) -> str | None:
-    """The reason why the classes do not prove the worlds indistinguishable; None if they do.
+    """The reason why ``bisimulation`` does not prove that ``worlds`` look alike; None if it does.
 
+    A bisimulation puts each dart of the worlds into a class.
     The classes are a proof if the starts are in one class, and if any two darts of one class agree
     in three things: their percepts are equal, sigma leads from both into one class, and alpha leads
     from both into one class.
     Then no motions distinguish the worlds, because each motion consists of sigma and alpha.
 
     Args:
-        worlds: two worlds (or any number).
-        bisimulation: for each world the class of each dart.
+        worlds: two worlds, or any other number of worlds.
+        bisimulation: for each world a sequence, with the number of the class of each dart.
 
     Cost: O(m).
     """
@@ -61,7 +62,7 @@ def same_world_from(a: World, b: World) -> Dart | None:
 
 
 def sensed(world: World, motions: Sequence[int]) -> tuple[Percept, ...]:
-    """The percepts at the start and after each of the motions."""
+    """The percepts of a robot in ``world``, at the start and after each of the motions."""
     state, percepts = world.initial, [world.first]
     for k in motions:
         state, percept = world.step(state, Move(k))

@@ -69,7 +69,7 @@ class Labelling(Struct, frozen=True, rename={"vertices": "names"}):
     def relabelled(
         self, map_: CombinatorialMap, names: Sequence[Dart], other: CombinatorialMap
     ) -> "Labelling":
-        """The labels for the map ``other``, where dart ``d`` of ``map_`` is called ``names[d]``."""
+        """The labels for ``other``, which is ``map_`` with each dart ``d`` renamed ``names[d]``."""
         old = [0] * other.vertex_count
         for vertex, darts in enumerate(map_.vertices):
             old[other.vertex_of[names[darts[0]]]] = vertex
@@ -93,8 +93,15 @@ def labels_of_nodes(
 ) -> Labelling:
     """The labels of a graph: its name, and the names and positions of its nodes.
 
-    ``nodes`` holds each node with its attributes, in the order of the map's vertices.  If a label
-    is illegal, the result is :data:`PLAIN`.
+    The name of a node is its attribute ``name``, or else the node itself.  If the names are the
+    numbers 0, 1, 2, ..., the vertices get no names.  The position of a node is its attribute
+    ``pos``; if a node has no legal position, the vertices get no positions.  If any label that
+    remains is illegal, the result is :data:`PLAIN`: all labels are empty.
+
+    Args:
+        name: the name of the graph.
+        nodes: each node with its attributes, in the order of the map's vertices.
+        map_: the map of the graph.
     """
     names = [data.get("name", node) for node, data in nodes]
     if names == [*range(map_.vertex_count)]:

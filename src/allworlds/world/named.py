@@ -1,8 +1,9 @@
 """The world that a text means: inline JSON, a file, a named map, a family, or a corpus entry.
 
-The corpus comes with the package: known worlds, and every finding so far.  It consists of a
-manifest and a file for each entry: named worlds, findings, pairs of indistinguishable worlds,
-counts, and checks, with their provenance and their expected results.
+The corpus comes with the package.  A manifest lists its entries, with their provenance and their
+expected results; each entry has a file.  The entries are named worlds, findings, pairs of
+indistinguishable worlds, counts, and checks.  On the command line a text that means a world is
+called WORLD.
 """
 
 import re
@@ -49,7 +50,8 @@ MANIFEST = "manifest.json"
 class CorpusEntry(Document):
     """An entry of a corpus.
 
-    Its file holds a WORLD, a FINDING, a pair of worlds, counts, or the options of a check.
+    The file of the entry is a JSON document: a world, a finding, a pair of worlds, counts, or the
+    options of a check.
     """
 
     name: Annotated[Text, about("unique in the corpus")]
@@ -76,7 +78,7 @@ class Corpus(Struct, frozen=True):
     entries: tuple[CorpusEntry, ...]
 
     def of_kind(self, kind: EntryKind) -> list[CorpusEntry]:
-        """The entries of that kind, in the order of the manifest."""
+        """The entries of the kind ``kind``, in the order of the manifest."""
         return [entry for entry in self.entries if entry.kind == kind]
 
     def document(self, entry: CorpusEntry) -> Any:
@@ -129,12 +131,13 @@ def world_named(
 
     Args:
         given: the text; or a world, which is returned unchanged.
-        kind: the kind of lighthouse if the text names none; it stands at its default place.
+        kind: the kind of lighthouse if the text names none; the lighthouse stands at its default
+            place.
         seed: the seed of a family, by default 0.
         holes: the share of a family's edges to remove.
 
     Raises:
-        InputError: naming a text that is none of these, or a seed or holes without effect.
+        InputError: naming a text that means no world, or a seed or holes without effect.
     """
     if not isinstance(given, str | World):
         raise InputError(f"world = {show(given)} is no World; World(map) makes one of a map")
@@ -181,10 +184,10 @@ _CODE = re.compile(r"[0-9.]+/[0-9.]+", re.ASCII)
 
 
 def code_of(map_: CombinatorialMap, root: Dart = 0) -> str:
-    """The canonical code of a map rooted at a dart, in the form ``SIGMA/ALPHA`` of a WORLD.
+    """The canonical code of a map rooted at a dart, as a text ``SIGMA/ALPHA`` that means a world.
 
-    Both permutations are written as their images, with dots between the numbers.  Two rooted maps
-    have the same code exactly if they are isomorphic.
+    Each of the two permutations is written as its images of 0, 1, 2, ..., with dots between the
+    numbers.  Two rooted maps have the same code exactly if they are isomorphic.
     """
     return "/".join(".".join(map(str, each)) for each in rooted_code(map_.sigma, map_.alpha, root))
 
@@ -200,9 +203,10 @@ def map_of_code(text: str) -> CombinatorialMap:
 
 
 def names_of_worlds() -> dict[str, tuple[str, ...]]:
-    """The names that mean worlds: of maps, of families, and of worlds in the corpus.
+    """The names that mean worlds, under the keys ``maps``, ``families`` and ``corpus``.
 
-    A capital letter in a name stands for a number.
+    The worlds of the corpus that are also named maps stand under ``maps`` alone.  A capital letter
+    in a name stands for a number.
     """
     plain = [name for name in named_maps() if name.removesuffix("-N") not in _families()]
     return {

@@ -1,6 +1,6 @@
 """The selection of worlds: a condition on the maps, and the kind of lighthouse.
 
-A condition or a kind may be a user's program; it is tried in small maps before it is used.
+A condition or a kind may be a user's program; the program is tried in small maps before it is used.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -133,9 +133,10 @@ def _one_condition(given: object, *, local: bool) -> Condition:
 
 
 def _tried(own: OwnCondition) -> OwnCondition:
-    """The condition, after a trial of its predicate on small maps.
+    """Try the predicate of a condition on small maps, and return the condition.
 
-    There is no trial if the predicate comes from a report, since it was tried before.
+    If the text of the predicate was recorded, in a report or a run directory, there is no trial,
+    since the predicate was tried before its text was recorded.
 
     Raises:
         InputError: if the predicate says different things about the same map.
@@ -183,12 +184,12 @@ def _try(kind: LighthouseKind) -> None:
 def flaws_of(kind: LighthouseKind, edges: int) -> Iterator[str]:
     """Yield faults of a kind of lighthouse in maps with at most ``edges`` edges.
 
-    At most one fault is yielded for each map.  These rules are tested.  The kind has a place in
-    at least one map with at most ``edges + 1`` edges.  No place occurs twice.  Two calls of a
-    method return the same.  If the darts get other names, the places, their order, the
-    percepts, and the value told to the explorer stay the same.  The kind gives marks and
-    bearings only if its class says so.  If a lighthouse is written as JSON and read again, the
-    result is an equal lighthouse.
+    At most one fault is yielded for each map.  The following rules are tested.  The kind has a
+    place in at least one map with at most ``edges + 1`` edges.  No place occurs twice.  Two calls
+    of a method return the same.  If the darts get other names, the places, their order, the
+    percepts, and the value told to the explorer stay the same.  The kind gives marks and bearings
+    only if its class says so.  If a lighthouse is written as JSON and read again, the result is an
+    equal lighthouse.
     """
     for map_, other in _renamed(edges):
         for wrong in islice(_flaws(kind.as_class, map_, other), 1):
@@ -250,13 +251,15 @@ def worlds(
     """Yield all worlds of a class, in a fixed order.
 
     Args:
-        edges: the largest number of edges (the default takes seconds).
-        vertices: the largest number of vertices.
-        map_class: one of :class:`~allworlds.maps.classes.MapClass`.
+        edges: the largest number of edges.  Without any bound it is 5; in the simple classes a
+            bound on the vertices suffices.
+        vertices: the largest number of vertices; None for no bound.
+        map_class: the name of a class of maps, such as ``simple``.
         lighthouse: the kind of lighthouse.
         places: ``first`` yields one world for each rooted map (reports count worlds so); ``all``
             yields one for each place of the lighthouse (reports count runs so).
-        where: a condition on the maps, as ``--where`` takes it, or any function of a map.
+        where: a condition on the maps: a name as on the command line, or a function that gets a map
+            and returns whether the map meets the condition.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -307,7 +310,7 @@ class WhereOptions(Request):
 
 
 def kind_if_any(given: object) -> LighthouseKind | None:
-    """The kind of lighthouse that :func:`tried_kind` returns; None for None."""
+    """The kind of lighthouse that :func:`tried_kind` returns for ``given``; None for None."""
     return None if given is None else tried_kind(given)
 
 

@@ -63,9 +63,10 @@ class Entry(Struct, frozen=True):
 
     @classmethod
     def from_json(cls, document: object, name: str = "") -> "Entry":
-        """The entry that a :class:`WorldDocument` tells; only ``sigma`` and ``alpha`` are required.
+        """The entry of a JSON object with the keys of a :class:`WorldDocument`.
 
-        ``name`` is the world's name if the document has none.
+        Only ``sigma`` and ``alpha`` are required.  ``name`` is the name of the world if the object
+        has no key ``name``.
 
         Raises:
             InvalidMap, InvalidWorld: naming the offending value and what would be legal.
@@ -231,14 +232,15 @@ class World(Pictured):
             lighthouse: a lighthouse or a kind, like the argument of :class:`World`, for a graph
                 without the attribute ``lighthouse``.
             start: the dart of the start, for a graph without the attribute ``start``.
-            order: the source of the clockwise order of edges round each node: ``positions`` (the
-                attribute ``pos`` of nodes), ``planar`` (an embedding that networkx computes), or
-                None (the attributes ``darts``, or those of a ``PlanarEmbedding``); see
-                :func:`allworlds.maps.networks.from_networkx`.
+            order: the source of the clockwise order of edges round each node.  ``positions``: the
+                attribute ``pos`` of the nodes.  ``planar``: an embedding that networkx computes.
+                None: the attribute ``darts`` of the nodes and edges, which :meth:`to_networkx`
+                writes; or the attributes ``cw`` and ``ccw`` of the edges of a ``PlanarEmbedding``.
+                See also :func:`allworlds.maps.networks.from_networkx`.
 
-        The lighthouse and the start name darts by numbers.  With the attributes ``darts`` and the
-        order None these are the numbers in the graph.  Otherwise the darts are numbered node by
-        node, so look at the map of the world before you name a dart.
+        ``lighthouse`` and ``start`` name darts by their numbers in the map.  If the order is None,
+        and the graph has the attribute ``darts``, this attribute gives the numbers.  Otherwise the
+        darts are numbered node by node, so look at the map of the world before you name a dart.
 
         The labels are the nodes' attributes ``name`` and ``pos``, if they are legal labels; without
         ``name`` the nodes themselves are the names, unless they are 0, 1, ...

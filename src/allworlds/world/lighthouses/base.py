@@ -63,7 +63,7 @@ class Sensing:
 
 @cache
 def _percept(degree: int, marks: int = 0, bearing: int | None = None) -> actions.Percept:
-    """The percept with these values; each call with equal values returns the same object."""
+    """A percept; calls with equal arguments return one and the same object."""
     return actions.Percept(degree, marks, bearing)
 
 
@@ -91,23 +91,23 @@ ACTING = ("acted", "in_hand", "left_marks", "refusal")
 class Lighthouse(ABC):
     """A lighthouse that stands at a place of a map.
 
-    A user's lighthouse is a frozen dataclass with this base class.  It defines its places in a map
-    (:meth:`places`), and the percepts there (:meth:`sensed`).  A field named ``dart`` holds a dart,
-    and a field named ``darts`` a tuple of darts; a class with darts in other fields also defines
-    their renaming (:meth:`relabelled`).
+    A user's lighthouse is a frozen dataclass with this base class.  The class defines the places of
+    the lighthouse in a map (:meth:`places`), and the percept of a robot at each dart
+    (:meth:`sensed`).  A field named ``dart`` holds a dart, and a field named ``darts`` a tuple of
+    darts; a class with darts in other fields also defines their renaming (:meth:`relabelled`).
 
-    A field whose default is an integer, a boolean or a text is an option: the user may choose its
-    value on the command line.  In :meth:`places`, read the chosen value of a field ``size`` as
-    ``cls.size``, and make each lighthouse by ``cls(...)``, which sets the field to this value.
-    Only ``dataclasses.fields(cls)`` still has the default that is written in the class.
+    A field whose default is an integer, a boolean or a text is an option: its value can be chosen
+    on the command line.  In :meth:`places`, ``cls.size`` is the chosen value of an option ``size``,
+    and ``cls(...)`` makes a lighthouse with this value in its field.  So read the value as
+    ``cls.size``, not by ``dataclasses.fields(cls)``, which has the default of the user's class.
 
     Attributes:
-        kind: the name on the command line and in files.
+        kind: the name of the kind, on the command line and in files.
         default_bound: the bound on the traversals that is checked by default.
         folds: whether the log of a correct explorer determines the map, because each arrival at v0
             determines the robot's dart; then the law ``folding`` applies.
-        leaves_open: whether an explorer may answer with the rooted quotient if several worlds look
-            alike.
+        leaves_open: whether an explorer may answer without a map if several worlds look alike: its
+            answer is then the quotient, which these worlds have in common, with its start.
         gives_marks: whether the lighthouse can put marks into percepts; in a composed lighthouse at
             most one part may do so.
         gives_bearings: whether the lighthouse can put a bearing into percepts; in a composed
@@ -117,7 +117,7 @@ class Lighthouse(ABC):
             has none of the :data:`ACTING` methods.
         labels_vertices: whether the marks are the labels of vertices, not markers.
         code: the user's program with the class; None for a class of this program.
-        chosen: the options that were given to the kind.
+        chosen: the options that were given to the kind, with their values.
         every_place_to: the largest number of edges up to which :meth:`places` yields every place of
             a map; None if it does so in all maps.
         beyond: words about the places that :meth:`places` yields in larger maps.
@@ -165,7 +165,7 @@ class Lighthouse(ABC):
     @classmethod
     @abstractmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Lighthouse]:
-        """Yield the places in the map rooted at ``start``.
+        """Yield the lighthouse at each of its places in the map rooted at ``start``.
 
         If the darts are renamed, the order of the places must stay.
         """
@@ -217,7 +217,10 @@ class Lighthouse(ABC):
 
     @classmethod
     def at(cls, **where: Any) -> Lighthouse:
-        """The lighthouse whose fields have the values ``where`` of a JSON document."""
+        """The lighthouse at the place that a JSON document gives.
+
+        ``where`` has the value of each field that holds the place; a list becomes a tuple.
+        """
         return cls(
             **{
                 key: tuple(value) if isinstance(value, list) and key != "dart" else value
@@ -281,11 +284,14 @@ class Lighthouse(ABC):
         return f"the {self.kind} lighthouse {lacks}"
 
     def acted(self, map_: CombinatorialMap, state: State, action: actions.Action) -> State:  # noqa: ARG002
-        """The state after a legal action that is no motion."""
+        """The state after a legal action that is no motion; ``state`` is the state before.
+
+        By default an action has no effect.
+        """
         return state
 
     def left_marks(self, map_: CombinatorialMap, state: State) -> int:  # noqa: ARG002
-        """The number of marks that the robot senses in this state because it has left them."""
+        """The number of marks that the robot has left, and senses in this state; by default 0."""
         return 0
 
     def told(self, map_: CombinatorialMap) -> actions.Told:  # noqa: ARG002  # for kinds that need it
@@ -330,7 +336,7 @@ class ReferenceLighthouse(Lighthouse):
 
 
 class PlacelessLighthouse(ReferenceLighthouse):
-    """A lighthouse that puts nothing into the map: it has one place, in any map with any start."""
+    """A lighthouse that puts nothing into the map, and has one place in any map with any start."""
 
     @classmethod
     def places(cls, map_: CombinatorialMap, start: Dart) -> Iterator[Lighthouse]:  # noqa: ARG003

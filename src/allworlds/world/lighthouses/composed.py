@@ -141,7 +141,7 @@ class Whiteboard(PlacelessLighthouse):
     def place_of_number(self, map_: CombinatorialMap, dart: Dart) -> int:
         """The index of the vertex on which a robot at ``dart`` writes and reads its number.
 
-        In the subclass :class:`Doormarks`, the dart on which the robot writes and reads.
+        In the subclass :class:`Doormarks` the result is ``dart``: the robot writes on darts.
         """
         return map_.vertex_of[dart]
 
@@ -261,14 +261,18 @@ class Composed(Lighthouse):
         """The lighthouse with each part at its place in the map of the robot's answer.
 
         The method ``believed`` of each part finds the place of this part; if the answer's map has
-        no place for a part, the result is None.
+        no place for a part, the result is None.  The parameters are those of
+        :meth:`Lighthouse.believed`.
         """
         parts = [part.believed(map_, start, walk) for part in self.parts]
         return None if None in parts else Composed(tuple(part for part in parts if part))
 
     @property
     def in_hand(self) -> int:
-        """The number of markers in the robot's hand at the start, by the part that gives marks."""
+        """The number of markers in the robot's hand at the start.
+
+        The part that gives marks determines this number.
+        """
         return self._marking.in_hand
 
     @override
@@ -297,6 +301,8 @@ class Composed(Lighthouse):
 def composed(names: tuple[str, ...], kinds: tuple[type[Lighthouse], ...]) -> type[Composed]:
     """The kind of a lighthouse whose parts have these kinds.
 
+    ``names`` holds the names of the kinds, with their options, for errors.
+
     Raises:
         InvalidWorld: if the parts do not fit together, with the reason.
     """
@@ -320,7 +326,10 @@ def composed(names: tuple[str, ...], kinds: tuple[type[Lighthouse], ...]) -> typ
 
 
 def _adds(kind: type[Lighthouse]) -> set[str]:
-    """The names of the facts that a robot gets besides degrees, such as ``marks`` or ``n``."""
+    """The names of the facts that a robot gets besides degrees, such as ``marks`` or ``n``.
+
+    ``kind`` is the kind of lighthouse.
+    """
     found = {name for name in ("marks", "bearings") if getattr(kind, f"gives_{name}")}
     if issubclass(kind, Knowledge):
         return found | {*kind.names}
@@ -328,7 +337,10 @@ def _adds(kind: type[Lighthouse]) -> set[str]:
 
 
 def check_together(names: Sequence[str], kinds: Sequence[type[Lighthouse]]) -> None:
-    """Raise InvalidWorld if two of these kinds cannot be parts of one lighthouse."""
+    """Raise InvalidWorld if two of these kinds cannot be parts of one lighthouse.
+
+    ``names`` holds the names of the kinds for the error.
+    """
     for number, kind in enumerate(kinds):
         if kind in kinds[:number]:
             raise options.InvalidWorld(f"the lighthouse {names[number]} stands there twice")

@@ -120,7 +120,7 @@ def parts_of(lighthouse: Lighthouse) -> tuple[Lighthouse, ...]:
 def numbers_told(kind: LighthouseKind) -> tuple[str, ...]:
     """The names of the numbers that the built-in parts of a kind tell a robot.
 
-    They are known before any world is made.
+    These names are known before any world is made.
     """
     parts = kind.as_class.kinds if issubclass(kind.as_class, Composed) else (kind.as_class,)
     return tuple(name for part in parts if issubclass(part, Knowledge) for name in part.names)
@@ -185,8 +185,14 @@ def lighthouse_from_json(
 ) -> Lighthouse:
     """The lighthouse that the JSON of a world describes.
 
-    If ``document`` is None, the result is a lighthouse at its default place; the parameter
-    ``missing`` gives its kind.
+    Args:
+        document: the JSON object of the lighthouse; None if the JSON of the world has none.
+        map_, start: the map and the start of the world.
+        missing: the kind of the lighthouse if ``document`` is None; the result is then a lighthouse
+            of this kind at its default place.
+
+    Raises:
+        InvalidWorld: naming the offending value and what would be legal.
     """
     if document is None:
         return lighthouse_kind(missing).as_class.usual(map_, start)

@@ -92,6 +92,7 @@ class TowardsNeighbour(MarkedStart):
         The dart of the lighthouse is as many darts clockwise from the start as in the world (under
         ``start=any``: the place has the same number as in the world).  In a wrong answer this dart
         may be no legal place, such as a loop; the result is then not None, but an illegal place.
+        The parameters are those of :meth:`Lighthouse.believed`.
         """
         if self.start == "any":
             return super().believed(map_, start, walk)
@@ -103,8 +104,8 @@ class TowardsNeighbour(MarkedStart):
 class Position(MarkedStart):
     """One marker at the start vertex v0 that points nowhere.
 
-    Sensed at v0: one mark; at every vertex the degree.  ``dart`` is any dart of v0; which one
-    makes no difference.
+    Sensed at v0: one mark; at every vertex the degree.  ``dart`` is any dart of v0; all darts of v0
+    have the same effect.
     Source: Section III of the paper ('unique position information').
 
     Two lighthouses of this class are equal, even if their darts differ: in a given world every such
@@ -156,9 +157,10 @@ def word_of(pattern: str, degree: int) -> tuple[int, ...]:
 
 
 class SensedByBearing(MarkedStart):
-    """A lighthouse at v0 that shows one letter, which the bearing of its dart determines.
+    """A lighthouse that shows one letter to a robot at v0.
 
-    ``pattern`` gives the letters of the bearings; see :func:`word_of`.
+    The bearing of the lighthouse's dart determines the letter.  ``pattern`` gives the letter of
+    each bearing; see :func:`word_of`.
     """
 
     pattern: str
@@ -207,7 +209,7 @@ class Word(SensedByBearing):
 
 @dataclass(frozen=True)
 class Cluster(TowardsNeighbour):
-    """One marker at the start vertex v0 and two at a neighbour v1 of it; they point nowhere.
+    """One marker at the start vertex v0 and two at a neighbour v1 of v0; no marker points.
 
     Sensed: one mark at v0, two at v1; at every vertex the degree.  ``dart`` leads from v0 to
     v1.  With the option ``single=true`` exactly one edge must join v0 and v1.
@@ -306,10 +308,10 @@ class AtEveryVertex(base.ReferenceLighthouse):
 
 
 def _first_sensed(walk: base.WalkInAnswer) -> dict[int, tuple[Dart, int]]:
-    """For each vertex of the robot's answer a reference dart and a number of marks.
+    """For each vertex in the map of the robot's answer a reference dart and a number of marks.
 
-    Both are as the robot sensed them at its first visit of the vertex.  A vertex that the robot
-    never visited has its first dart and 0 marks.
+    Dart and number are those that the robot sensed at its first visit of the vertex.  A vertex that
+    the robot never visited has its smallest dart and 0 marks.
     """
     answer = walk.map
     found = {vertex: (darts[0], 0) for vertex, darts in enumerate(answer.vertices)}
@@ -362,7 +364,9 @@ class Compass(AtEveryVertex):
     def believed(self, map_: CombinatorialMap, start: Dart, walk: base.WalkInAnswer) -> Compass:  # noqa: ARG002  # sensed
         """The compass in the map of the robot's answer.
 
-        Its reference darts are those that the robot sensed at its first visit of each vertex.
+        The reference darts are those that the robot sensed at its first visit of each vertex; an
+        unvisited vertex has its smallest dart.  ``walk`` is the robot's walk in the answer's map;
+        ``map_`` and ``start`` have no effect.
         """
         return Compass(tuple(dart for dart, _ in _first_sensed(walk).values()))
 
@@ -408,7 +412,8 @@ class Labels(AtEveryVertex):
         """The lighthouse in the map of the robot's answer.
 
         Each vertex has the number and the reference dart that the robot sensed at its first visit;
-        a vertex that the robot never visited has the number 0.
+        a vertex that the robot never visited has the number 0.  ``walk`` is the robot's walk in the
+        answer's map; ``map_`` and ``start`` have no effect.
         """
         darts, numbers = zip(*_first_sensed(walk).values(), strict=True)
         return Labels(darts, numbers)

@@ -158,8 +158,9 @@ def _words_in(hint: Any) -> tuple[str, ...]:
 def kind_with(kind: Any, options: Mapping[str, OptionValue]) -> Any:
     """A class like ``kind`` in which some options have other values.
 
-    A call of the new class makes a lighthouse of the class ``kind`` with these values in its
-    fields.  Equal values give the same class.  The values must be legal.
+    ``options`` has the values, which must be legal, by the names of the options.  A call of the new
+    class makes a lighthouse of the class ``kind`` with these values in its fields.  Calls of this
+    function with equal values return the same class.
     """
     of = options_of(kind)
     other = [
@@ -182,6 +183,8 @@ def _another_kind(kind: Any, options: tuple[tuple[str, OptionValue], ...]) -> An
 def options_in(kind: Any, name: str, text: str) -> dict[str, OptionValue]:
     """The options that the text ``key=value,...`` behind the name of a kind gives.
 
+    ``name`` is the name of the kind, for errors.
+
     Raises:
         InvalidWorld: naming the option, or the value, that is not legal for the kind.
     """
@@ -196,7 +199,9 @@ def options_in(kind: Any, name: str, text: str) -> dict[str, OptionValue]:
 
 
 def ensure_options(kind: Any, name: str, given: Mapping[str, object]) -> dict[str, OptionValue]:
-    """The options that a JSON document gives, after a check that they are legal.
+    """The options ``given``, which come from a JSON document, after a check that they are legal.
+
+    ``name`` is the name of the kind of lighthouse, for errors.
 
     Raises:
         InvalidWorld: naming the option, or the value, that is not legal for the kind.
@@ -219,7 +224,7 @@ def _legal(kind: Any, name: str, key: str) -> FieldOption:
 def values_in(placed: Any) -> dict[str, OptionValue]:
     """The options of a lighthouse whose values differ from their defaults.
 
-    If the only option of a kind is a text, it is always included.
+    If the lighthouse has one option only, and this is a text, the option is always included.
     """
     kind: Any = type(placed)
     values = {key: (getattr(placed, key), option) for key, option in options_of(kind).items()}
@@ -238,7 +243,7 @@ def ensure_legal(placed: Any) -> None:
 
 
 def named_with(kind: Any, options: Mapping[str, OptionValue]) -> str:
-    """The name of the kind of lighthouse, with these options in it."""
+    """The name of the kind of lighthouse ``kind``, with the options ``options`` in the name."""
     if kind.code is not None:
         return with_arguments(kind.code.name, options)
     of = options_of(kind)

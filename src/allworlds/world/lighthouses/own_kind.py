@@ -20,9 +20,10 @@ SHAPE = "a class with the base allworlds.Lighthouse and a class method places"
 
 
 def own_kind(code: user_code.UserCode) -> type[Lighthouse]:
-    """The lighthouse class in a user's program, with the options in the program's name.
+    """The lighthouse class that a user's program defines, as a kind with chosen options.
 
-    The result is a subclass of the user's class, which this program can use like a built-in kind.
+    The name of the program has the values of the options, as in ``file.py:Class?size=2``.  The
+    result is a subclass of the user's class, which this program can use like a built-in kind.
 
     Raises:
         InvalidWorld: if there is no class of this name, or the class has no such options.
@@ -72,8 +73,13 @@ NOT_INHERITED = {"__dict__", "__weakref__", "__slots__", "__abstractmethods__", 
 def _subclass(theirs: Any, code: user_code.UserCode) -> type[Lighthouse]:
     """A subclass of a user's class; this program changes the subclass, not the user's class.
 
-    The subclass has the same body.  Its ``kind``, the name in errors and files, is the name of the
-    user's program.  The subclass is a dataclass even if the user's class is none.
+    The subclass has copies of the attributes and methods that the user's class defines.  Its
+    ``kind``, the name in errors and files, is the name of the user's program.  The subclass is a
+    dataclass even if the user's class is none.
+
+    Args:
+        theirs: the user's class.
+        code: the user's program.
     """
     body = {name: part for name, part in vars(theirs).items() if name not in NOT_INHERITED}
     body |= {"kind": code.plain, "code": code}
@@ -121,10 +127,14 @@ def _check_methods(kind: type[Lighthouse], code: user_code.UserCode) -> None:
 
 
 def _check(kind: type[Lighthouse], name: str, method: str, *, theirs: bool) -> None:
-    """Replace a method by one that checks the returned value.
+    """Replace a method of a class by one that checks the returned value.
 
-    ``theirs`` tells whether the user wrote the method.  If so, the new method also turns errors of
-    the user's method into InvalidWorld, with the name of the lighthouse.
+    Args:
+        kind: the class.
+        name: the name of the lighthouse, for errors.
+        method: the name of the method.
+        theirs: whether the user wrote the method.  If so, the new method also turns the errors that
+            the user's method raises into InvalidWorld.
     """
     found = inspect.getattr_static(kind, method)
     if not _is_method(found):  # a plain value instead of a property
@@ -182,7 +192,7 @@ def _several(value: Any) -> tuple[int, ...]:
 
 
 def _places(places: tuple[Any, ...], kind: type[Lighthouse], *_asked: object) -> Iterator[Any]:
-    """The places that a user's method yields, after a check.
+    """The places ``places`` that a user's method has yielded, after a check.
 
     Raise TypeError unless all places are lighthouses of the class ``kind``, with the options that
     were given to this class.
@@ -198,7 +208,7 @@ def _places(places: tuple[Any, ...], kind: type[Lighthouse], *_asked: object) ->
 def _percepts(
     sensed: tuple[Any, ...], _place: Lighthouse, map_: CombinatorialMap
 ) -> tuple[actions.Percept, ...]:
-    """The percepts that a user's method returns, in plain integers.
+    """The percepts ``sensed`` that a user's method has returned, in plain integers.
 
     Raise TypeError unless there is one percept for each dart, with the degree of the dart's vertex.
     """
@@ -233,9 +243,10 @@ def _refusal(text: Any, *_asked: object) -> str:
 
 
 def _state(after: Any, _place: Lighthouse, _map: object, before: State, _action: object) -> State:
-    """The state that a user's method returns, in plain integers.
+    """The state ``after``, which a user's method has returned, in plain integers.
 
-    Raise TypeError if it is no state, or if the robot has moved in it.
+    Raise TypeError if ``after`` is no state, or if the robot's dart is another one than in the
+    state ``before`` the action.
     """
     plain = convert(to_builtins(after), State) if type(after) is State else None
     if plain is None or plain.dart != before.dart:
