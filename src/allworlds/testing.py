@@ -58,7 +58,7 @@ __all__ = [
 ]
 
 EDGES = 4
-"""The default bound: every world with at most this many edges takes about a second."""
+"""The default bound on edges: a check of all worlds up to this bound takes about a second."""
 
 LIGHTHOUSE_EDGES = 3
 """The default bound on edges for lighthouses."""
@@ -116,7 +116,7 @@ def assert_team(*programs: Explorer, edges: int = 3, **options: Any) -> TeamRepo
 
 
 def levels_of(options: Mapping[str, Any]) -> Sequence[int]:
-    """The numbers of edges that the maps of a check with these options have, ascending.
+    """The numbers of edges that the maps of a check have, ascending; ``options`` are its options.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -140,7 +140,10 @@ def _any_map(extent: classes.Extent, edges: int) -> bool:
 
 
 def unknown_option(options: Mapping[str, Any]) -> str:
-    """Words about the first option that :func:`allworlds.check` lacks; empty if it has all."""
+    """Words about the first of ``options`` that is no option of :func:`allworlds.check`.
+
+    The text is empty if each of them is an option of that function.
+    """
     known = inspect.signature(check).parameters.keys() - {"explore"}
     for name in options:
         if name not in known:
@@ -150,7 +153,7 @@ def unknown_option(options: Mapping[str, Any]) -> str:
 
 @dataclass(frozen=True, slots=True)
 class AtLevel:
-    """The value of pytest's fixture ``explores``: it checks all worlds up to a number of edges.
+    """The value of pytest's fixture ``explores``: a call checks all worlds up to a number of edges.
 
     Worlds with fewer edges are tried first.  If one of them refutes the explorer, the failure says
     so in one line; the test for that smaller number of edges shows the finding.
@@ -164,7 +167,11 @@ class AtLevel:
     options: Mapping[str, Any]
 
     def __call__(self, explore: Explorer, **options: Any) -> CheckReport:
-        """Do the same as :func:`assert_explores`, with the options in the mark and ``options``."""
+        """Do the same as :func:`assert_explores`, with the options in the mark and ``options``.
+
+        If a world with fewer than ``edges`` edges refutes the explorer, the error is shorter: see
+        the class.
+        """
         __tracebackhide__ = True
         report = _checked(explore, {**self.options, **options, "edges": self.edges})
         smaller = [found for found in report.findings if found.key[0] < self.edges]
@@ -253,11 +260,11 @@ def assert_conforms(explore: Explorer, *, edges: int = EDGES, **options: Any) ->
 def assert_lighthouse(lighthouse: GivenLighthouse, *, edges: int = LIGHTHOUSE_EDGES) -> None:
     """Assert that a lighthouse depends on nothing but the world, in every small map.
 
-    These rules are tested.  No place occurs twice.  Two calls of a method return the same.  If the
-    darts get other names, the places, their order, the percepts, and the value told to the explorer
-    stay the same.  The lighthouse gives marks and bearings only if its class says so.  If it is
-    written as JSON and read again, the result is equal.  It has a place in some map with at most
-    ``edges + 1`` edges.
+    The following rules are tested.  No place occurs twice.  Two calls of a method return the same.
+    If the darts get other names, the places, their order, the percepts, and the value told to the
+    explorer stay the same.  The lighthouse gives marks and bearings only if its class says so.  If
+    a lighthouse is written as JSON and read again, the result is an equal lighthouse.  The
+    lighthouse has a place in at least one map with at most ``edges + 1`` edges.
 
     Args:
         lighthouse: a class, or a name as on the command line.
@@ -276,8 +283,8 @@ def assert_lighthouse(lighthouse: GivenLighthouse, *, edges: int = LIGHTHOUSE_ED
 def known_hard_maps() -> list[CombinatorialMap]:
     """The maps of the corpus that comes with the package, each once.
 
-    A map is in the corpus because it has refuted an explorer, looks like another map to some
-    explorers, or is the smallest of its kind.
+    A map is in the corpus because it has refuted an explorer, because under some lighthouses it
+    looks like another map, or because it is a well-known map, such as K4 or the cube.
     """
     corpus = named.own_corpus()
     documents = [corpus.document(entry) for entry in corpus.of_kind("world")]
@@ -308,7 +315,11 @@ def _drawn(explore: Explorer, count: int, edges: int, options: Mapping[str, Any]
 
 
 def _of_maps(options: Mapping[str, Any]) -> dict[str, Any]:
-    """Those of a check's options that a :class:`MapsRequest` has, too, by their names."""
+    """The options of runs in given maps: the options of a check without those about all worlds.
+
+    ``options`` are the options of the check, by their names; the result holds those that
+    :class:`MapsRequest` has, too.
+    """
     named = {field.name for field in fields(MapsRequest)}
     return {key: options[key] for key in options if key in named}
 
@@ -331,9 +342,10 @@ def _assert_holds(report: CheckReport) -> None:
 
 
 def _checked(explore: Explorer, options: Mapping[str, Any]) -> CheckReport:
-    """The report of a check that tries past findings first.
+    """Check an explorer, past findings first, and return the report.
 
-    Past findings in pytest's cache that do not refute any more are deleted there.
+    Past findings in pytest's cache that do not refute any more are deleted there.  ``options`` are
+    the options of :func:`allworlds.check`.
     """
     given = {**options, **_bounds(options)}
     if "corpus" not in given and "run" not in given:

@@ -13,7 +13,10 @@ PAGE, CURVE = "a page of its own", "a curve"
 RUNS = "runs of several robots"
 WORLD_FILE = "worlds, in a notation"
 PICTURE = "a picture of a map"
-"""The parts that a report can have."""
+"""The kinds of content that a report can have, beside its sentences.
+
+Each kind of file that ``-o`` can write shows some of these kinds of content.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,15 +27,16 @@ class Verb:
         name: the words on the command line.
         document: the name of the schema of the verb's document.
         summary: the line about the verb in the help of ``allworlds``.
-        has: the parts that the verb's reports have; a report can be written to each kind of file
-            that shows one of these parts.
+        has: the kinds of content, such as :data:`ROWS` and :data:`FINDINGS`, that the verb's
+            reports have.  The option ``-o`` of the verb writes each kind of file that shows at
+            least one of these contents.
         swept: whether the job consists of units, which a run directory keeps.
         python: the name of the verb's function below ``allworlds``, if it differs from ``name``.
         panel: the heading under which the verb stands in the help; empty for a verb in a group
             (:data:`GROUPS`), which has the heading of the group.
         example: the arguments and options of the example with which the help of the verb begins.
-        help: the rest of this help.  If ``help`` is empty, the whole help, with the example, is the
-            docstring of the verb's function in ``cli``, and ``example`` is not used.
+        help: the help of the verb after the example.  If ``help`` is empty, the docstring of the
+            verb's function in ``cli`` is the whole help, and ``example`` is not used.
     """
 
     name: str
@@ -47,7 +51,7 @@ class Verb:
 
     @property
     def group(self) -> str:
-        """The first word of a name of two words; empty if the name is one word."""
+        """The first word of the verb's name, if the name has two words; else empty."""
         return self.name.partition(" ")[0] if " " in self.name else ""
 
     @property

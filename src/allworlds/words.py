@@ -29,7 +29,7 @@ def harmless(text: str) -> str:
 
 
 def harmless_json(text: str) -> str:
-    """A JSON text with the same value in which no line is a command for a CI service's runner."""
+    """A JSON text of the same value as ``text``, without a command for a CI service's runner."""
     return re.sub(r"(?<=##)\[|(?<=##vso)\[", r"\\u005b", text)
 
 
@@ -39,12 +39,16 @@ def number(value: int) -> str:
 
 
 def plural(count: int, one: str, many: str = "") -> str:
-    """A number with its noun, such as ``1 world`` or ``2 worlds``."""
+    """A number with its noun, such as ``1 world`` or ``2 worlds``.
+
+    ``one`` is the singular of the noun, ``many`` the plural; if ``many`` is empty, the plural is
+    the singular with an ``s``.
+    """
     return f"{number(count)} {one if count == 1 else many or one + 's'}"
 
 
 def ended_by(code: int) -> str:
-    """Words for a return code of :mod:`subprocess`: ``exit code 1``; ``signal 11`` for -11."""
+    """Words for the return code of a process: ``exit code 1``, or ``signal 11`` for -11."""
     return f"exit code {code}" if code >= 0 else f"signal {-code}"
 
 
@@ -60,7 +64,7 @@ def listed(names: Sequence[str]) -> str:
 
 
 def about(value: int) -> str:
-    """The number in digits; if it has more than 15, in a short form such as ``6.3 x 10^76``."""
+    """The number in digits; if there are more than 15, a short form such as ``6.3 x 10^76``."""
     digits = str(value)
     if len(digits) <= 15:
         return number(value)
@@ -68,7 +72,7 @@ def about(value: int) -> str:
 
 
 def duration(seconds: float) -> str:
-    """A time in words: ``12 s``, ``5 min``, ``3 h 20 min``, ``4 days 3 h``, ``12 years``.
+    """A number of seconds in words: ``12 s``, ``5 min``, ``3 h 20 min``, ``4 days 3 h``.
 
     The time is rounded down, and has at most two units.  A number of years has two significant
     digits; a million million years or more are ``more than 1,000,000,000,000 years``.
@@ -91,5 +95,5 @@ def duration(seconds: float) -> str:
 
 
 def counted(source: str) -> str:
-    """The words that say: the enumerated number equals the number from an independent source."""
+    """Words that say that the enumerated number equals the number from the source ``source``."""
     return f"the number equals an independent count ({source})"
