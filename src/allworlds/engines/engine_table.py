@@ -290,9 +290,9 @@ class Compiled(EngineKind):
     name = "kernel"
 
     def symmetry(self, scope: Scope, subject: Subject) -> str:
-        """The reason why one walk in a large map counts for every bearing, or an empty text.
+        """The reason, for the report, why one walk in a large map counts for every bearing.
 
-        If the text is empty, every run is played.
+        The text is empty if a walk counts only for its own bearing, so that every run is played.
         """
         if not walks(scope, subject, scope.extent.levels[-1]):
             return ""
@@ -393,10 +393,18 @@ def _is_kept_out(subject: Subject, memory: int | None) -> bool:
 
 
 def engine_for(name: str, scope: Scope, subject: Subject, memory: int | None = None) -> EngineKind:
-    """The engine of this name; for ``auto`` the engine that suits the check.
+    """The engine called ``name``; for ``auto`` the compiled engine if it can do the check and pays.
 
-    ``memory`` is the limit of the address space in MB, which compiled code also needs; None without
-    a limit.
+    For ``auto`` the result is the Python engine in three cases: all worlds have fewer than
+    :data:`COMPILED_FROM` edges; the compiled engine cannot do the check; or there is a limit of the
+    memory, and the explorer is a user's and no shared library, because compiled code would then
+    lack memory.
+
+    Args:
+        name: ``auto`` or the name of an engine.
+        scope: the scope of the check.
+        subject: the explorer.
+        memory: the user's limit of the address space in MB; None without a limit.
 
     Raises:
         InputError: for an unknown name, or for an engine that cannot do the check.

@@ -3,11 +3,15 @@
     unit --> first player (in worlds) --> logs --> judge --> tally, findings
                                           second player (percepts only) --> the same logs?
 
-The lane is the loop: it gives the players batches, hears them, and goes on with each batch once one
-of its plays is complete.  Other modules judge a batch (``judge``), and define what a lost player
-means (``losses``) and what two plays that differ mean (``settling``, ``hash_seeds``).  The runs of
-an :class:`AcrossUnit`, which are all runs of small worlds, are played in two opposite orders, each
+The lane is the loop: it gives batches to the players, and receives the logs.  After the first play
+of a batch the lane lets the batch be judged, and gives it to the second player; after the second
+play it lets the batch be settled.  To *settle* a batch is to compare the two plays, and to find the
+runs that break a law.  Other modules judge a batch (``judge``), settle it (``settling``,
+``hash_seeds``), and define what a lost player means (``losses``).  The runs of an
+:class:`AcrossUnit`, which are all runs of small worlds, are played in two opposite orders, each
 order by one process (``across``).
+
+The argument ``which`` of a method is the number of a player, FIRST or SECOND.
 """
 
 import time
@@ -38,15 +42,18 @@ class Lane:
         subject: the explorer.
         counter: the counter of the runs, which also holds the scope.
         limits: the limits of the time for an answer, and of memory.
-        given: if there is only one run, its choices; such a run is not played again under further
-            hash seeds.  None if the scope determines the choices.
+        given: for a single run, the index of the option to be taken at each of the first choices;
+            a single run is not played again under further hash seeds.  None for the runs of a
+            check.
         seeds: the hash seeds of both players.
-        first_lane: whether this is the one lane that starts the compiler, and that plays some runs
-            under six further hash seeds.
+        first_lane: whether the lane has two further tasks: to start the compiler if the compiled
+            judge is not compiled yet, and to play some runs under six further hash seeds.  False
+            for all forked lanes but the first.
         deadline: the time, on the monotonic clock, after which the lane waits for no play; or None.
 
     Attributes:
-        given_up: the reason why the lane has given up after too much silence; else empty.
+        given_up: the reason why the lane has given up, because the explorer was silent in too many
+            runs; empty if it has not given up.
     """
 
     def __init__(
@@ -81,7 +88,7 @@ class Lane:
     # ---------------------------------------------------------------- units
 
     def offer(self, unit: units.UnitOfRuns) -> None:
-        """Take a unit; the next calls of :meth:`turn` work on it."""
+        """Take a unit, on which the next calls of :meth:`turn` work."""
         work = Work(unit, self.counter.tally())
         if isinstance(unit, units.AcrossUnit):
             work.open, seeds = 1, hash_seeds.across(self._plays.seeds)
@@ -109,7 +116,8 @@ class Lane:
         """Give work to the players, and hear them once; return the partial results that are due.
 
         Args:
-            others: descriptors; the turn ends when one of them is readable.
+            others: descriptors, such as that of the link to the owner; once one of them is
+                readable, the method stops waiting for the players.
 
         Raises:
             InputError: if the explorer cannot be loaded, or if a lighthouse, task or condition of
@@ -130,7 +138,10 @@ class Lane:
         return self._done()
 
     def end(self) -> tally.Tally:
-        """Play the kept runs under further hash seeds, after all units; return their tally."""
+        """Play the kept runs under further hash seeds, after all units; return the tally.
+
+        The tally holds the findings and remarks of these plays; the runs are not counted again.
+        """
         return self._more_seeds.end()
 
     def close(self) -> None:
@@ -190,7 +201,10 @@ class Lane:
         return None
 
     def _hear(self, which: int) -> None:
-        """Hear a player, and go on with the batches that it has played."""
+        """Store the logs that have come from a player; judge or settle the batches it has played.
+
+        If the player is lost, replace it.
+        """
         began = time.monotonic()
         try:
             batches = self._plays.hear(which)
@@ -204,7 +218,13 @@ class Lane:
             self._size = max(1, self._size // 2) if slow else min(MOST, 2 * self._size)
 
     def _played(self, which: int, batch: RunBatch) -> None:
-        """Go on with a batch if the player ``which`` has now played all its runs."""
+        """Take the next step with a batch, if the player ``which`` has now played all its runs.
+
+        After the first play the batch is judged, and then waits for the second player; if there is
+        only one player, it is settled at once.  If it cannot be judged, because compiled code could
+        not write all logs of a shared library, the first player plays it again in Python.  After
+        the second play the batch is settled.
+        """
         if len(batch.logs[which]) < len(batch):
             return
         if which == SECOND:
@@ -223,7 +243,7 @@ class Lane:
                 self._settle(batch)
 
     def _settle(self, batch: RunBatch) -> None:
-        """Find the runs of a batch that break a law; add its counts to the counts of the unit."""
+        """Find the runs of a batch that break a law; add the counts of the batch to its unit."""
         self._settler.settle(batch, twice=self._twice)
         self._settled += len(batch)
         batch.work.tally.add(batch.tally)
@@ -231,7 +251,12 @@ class Lane:
         self._more_seeds.keep(batch)
 
     def _lose(self, which: int, lost: Lost) -> None:
-        """Go on after the loss of a player: a fresh player plays the same run once more, alone."""
+        """Go on after the loss of the player ``which``.
+
+        If the player was lost in a run, a fresh player plays this run alone, which shows what the
+        loss means.  Then a new process takes the place of the lost player, unless the lane gives
+        up.
+        """
         if which == FIRST:
             self._first_logs.clear()  # the logs of one process alone are wanted
         batch, index = self._plays.lost_in(which)
@@ -255,10 +280,16 @@ class Lane:
     def _hear_across(self, across: Across) -> None:
         """Go on with an :class:`AcrossUnit`, whose runs are played in two opposite orders.
 
-        The first call begins these plays, and later calls hear their players.  Once the plays are
-        complete, their logs are compared: a run whose log depends on earlier runs refutes the
-        explorer.  If a fresh player has repeated a loss before, the explorer is refuted already;
-        then these plays are given up, because their players would be lost, too.
+        The first call begins these two plays, and later calls read their logs.  Once both plays are
+        complete, the logs are compared: a run whose log depends on earlier runs refutes the
+        explorer.
+
+        The two plays are given up if, in any earlier run of this lane, a player was lost, and a
+        fresh player that played this run alone was lost, too.  Such a loss refutes the explorer
+        already, and would end the players of these plays as well.
+
+        Args:
+            across: the two plays of the unit.
         """
         if not (across.begun or self._losses.repeated):
             across.begin(self._first_logs)

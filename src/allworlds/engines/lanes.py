@@ -65,7 +65,12 @@ _KNOWN = (InputError, players.Unsettled, tally.EnginesDisagree, players.HarnessE
 
 
 class _Process:
-    """A lane in a process of its own, which was forked from this process."""
+    """A lane in a process of its own, which was forked from this process, the owner.
+
+    Args:
+        lanes: the object that makes the lane.
+        others: the forked lanes that exist already.
+    """
 
     def __init__(self, lanes: Lanes, others: Sequence[_Process]) -> None:
         from multiprocessing.connection import Pipe
@@ -90,7 +95,7 @@ class _Process:
         theirs.close()
 
     def end(self) -> str:
-        """End the process and its players; return the way in which it ended."""
+        """End the process and its players; return in words how the process ended."""
         self.link.close()
         code = linux.ended_within(2.0, self.pid)
         if code is None:
@@ -122,7 +127,7 @@ class Lanes(Struct):
         here: whether one lane is in this process; this lane begins before the forked lanes.
         apart: whether there may be forked lanes.
         models: whether a lighthouse, task or condition of the user judges runs or chooses worlds.
-        make: the function that makes a lane.
+        make: the function or class that makes a lane.
     """
 
     subject: Subject
@@ -150,6 +155,8 @@ class Lanes(Struct):
         self, counter: tally.RunCounter, units: Iterable[UnitOfRuns]
     ) -> Iterator[PartialResult]:
         """Yield the parts of the units' results, in the order in which the parts are ready.
+
+        ``counter`` lists the runs of a unit and counts them; each lane gets a copy.
 
         Raises:
             TimeIsUp: when the time limit has been reached.
@@ -195,9 +202,10 @@ class Lanes(Struct):
             yield PartialResult(last, first.end(), last=False)
 
     def _lane_here(self, counter: tally.RunCounter) -> Lane | None:
-        """The lane in this process, which has this counter; None if forked lanes do the work.
+        """The lane in this process; None if forked lanes do the work.
 
-        If there is a lane with another counter, it is closed before a new lane is made.
+        The lane has the counter ``counter``.  A lane with another counter is closed, and a new lane
+        is made.
         """
         self._began = self._began or time.monotonic()
         late = self.apart and time.monotonic() > self._began + FIRST_LEVELS
@@ -218,7 +226,7 @@ class Lanes(Struct):
     def _idle(self) -> _Process | None:
         """The forked lane that gets the next unit; None if each lane has enough units.
 
-        This is a new lane if one may be started, else the lane with the fewest units.
+        The result is a new lane if one may be started, else the lane with the fewest units.
         """
         least = min(self._processes, key=lambda one: len(one.units), default=None)
         if least is None or (least.units and len(self._processes) < self.limits.workers):
@@ -248,7 +256,15 @@ class Lanes(Struct):
 
 
 def _serve(link: Connection, lanes: Lanes, *, first_lane: bool) -> NoReturn:
-    """Run a lane: take units and send parts of results, until the owner closes the link."""
+    """Run a lane in this forked process: take units and send parts of results.
+
+    The process ends when the owner closes the link.
+
+    Args:
+        link: the connection to the owner.
+        lanes: the object that makes the lane.
+        first_lane: whether this is the first forked lane, as in :class:`Lane`.
+    """
     status = 1
     try:
         os.setsid()
@@ -291,8 +307,8 @@ def _lane_of(link: Connection, lanes: Lanes, *, first_lane: bool) -> None:
 def in_any_order(units: Iterable[UnitOfRuns]) -> Iterator[UnitOfRuns]:
     """The units in a random order.
 
-    The order is drawn for :data:`AT_A_TIME` units at a time.  Among these an :class:`AcrossUnit`
-    comes last, since a lane has then judged most of the runs that this unit plays again.
+    The order is drawn for :data:`AT_A_TIME` units at a time.  An :class:`AcrossUnit` comes last
+    among them, because a lane has then judged most of the runs that this unit plays again.
     """
     every, order = iter(units), Random()  # noqa: S311  # from the system; no verdict depends on it
     while some := list(islice(every, AT_A_TIME)):
@@ -321,7 +337,7 @@ def workers_for(
         limits: the number of lanes, and the limits of each.
         deadline: the end of the time limit, on the monotonic clock; or None.
         models: whether a lighthouse, task or condition of the user judges runs or chooses worlds.
-        make: the function that makes a lane.
+        make: the function or class that makes a lane.
     """
     players.child_path()  # raises for a missing current directory, before any process starts
     only_here = subject.from_user and not subject.importable

@@ -49,7 +49,7 @@ def worker_count(text: str) -> int:
     """The number of workers that a text names; for ``auto`` the number of usable cores.
 
     Raises:
-        InputError: for any other text.
+        InputError: if the text is neither ``auto`` nor a positive number.
     """
     if text == "auto":
         return len(os.sched_getaffinity(0))
@@ -59,7 +59,7 @@ def worker_count(text: str) -> int:
 
 
 def positive(name: str) -> Callable[[Any], Any]:
-    """Return the function that checks a value for the limit of this name, and returns the value.
+    """Return a function that checks a value of the limit ``name``, and returns this value.
 
     The value must be positive, and at most the number in :data:`MOST`; for ``time-limit`` and
     ``memory`` it may be None.  For any other value the returned function raises InputError.
@@ -88,8 +88,8 @@ def positive(name: str) -> Callable[[Any], Any]:
 def _seconds(about: str, panel: str = RARE_EFFORT) -> Option:
     """An option for a number of seconds on which no result depends.
 
-    ``about`` is the help of the option, and ``panel`` is the part of the help that shows it.
-    An interrupted job can go on with another value of the option.
+    ``about`` is the help text of the option, and ``panel`` names the section of the help in which
+    the option is listed.  An interrupted job can go on with another value of the option.
     """
     return Option(panel, "S", about, parse=seconds_of, apart=True)
 
@@ -193,7 +193,7 @@ def check_deadline(deadline: float | None) -> None:
 
 @contextmanager
 def models_bounded(deadline: float | None) -> Iterator[None]:
-    """A context in which TimeIsUp interrupts the user's models after the deadline.
+    """A context in which TimeIsUp is raised inside the user's models after the deadline.
 
     A model is a user's lighthouse, task or condition.  In any thread but the main thread, or if
     SIGALRM already has a handler, nothing interrupts models.

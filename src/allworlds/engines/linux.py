@@ -26,10 +26,11 @@ COMPILER = "ALLWORLDS_COMPILER"
 
 
 def end_with_parent(parent: int, number: int = signal.SIGKILL) -> None:
-    """Let the system send this process the signal ``number`` when the thread that started it ends.
+    """Let the system signal this process when the thread that has started this process ends.
 
-    ``parent`` is the number of the process with that thread.  If that process has already ended,
-    this process exits at once.
+    ``number`` is the number of the signal; by default it ends this process.  ``parent`` is the
+    number of the process with that thread.  If that process has already ended, this process exits
+    at once.
     """
     if HERE:
         _control(DEATH_SIGNAL, number)
@@ -60,11 +61,11 @@ def ended_within(seconds: float, child: int) -> int | None:
 
 
 def end_adopted(token: str) -> None:
-    """Kill the children of this process whose environment contains this text.
+    """Kill the children of this process whose environment contains the text ``token``.
 
-    The explorer of a player has started these processes in other process groups.  They became
-    children of this process when their parents ended.  Processes that another part of this program
-    has started are not touched.
+    These are processes that the explorer of a player has started in other process groups; they
+    became children of this process when their parents ended.  The environments of all other
+    children lack the text.
     """
     while HERE and (left := [pid for pid in _children(os.getpid()) if _has(pid, token)]):
         for pid in left:
@@ -76,7 +77,10 @@ def end_adopted(token: str) -> None:
 
 @contextmanager
 def compilers_ended() -> Iterator[None]:
-    """A context in which an interrupt by the user also ends processes that compile for this one."""
+    """A context in which an interrupt by the user also ends the compilers of this process.
+
+    A compiler is a process that this process has started to compile the kernel.
+    """
     try:
         yield
     except KeyboardInterrupt:

@@ -5,16 +5,18 @@ class Listener:
     """A listener to the progress of a job; by default each event is ignored."""
 
     def level(self, edges: int, worlds: int) -> None:
-        """Hear that a level with this number of worlds begins.
+        """Hear that a level begins, with ``worlds`` worlds of ``edges`` edges each.
 
-        If the job does only a shard, ``worlds`` is an estimate: the number of worlds of the level
-        in this shard.
+        In a study of random or chosen worlds ``edges`` is the largest number of edges.  If the job
+        does only a shard, ``worlds`` is an estimate: the number of worlds of the level in this
+        shard.
         """
 
     def stage(self, name: str, total: int, of: str) -> None:
         """Hear that a stage of the job begins, if the stage is not a level of worlds.
 
-        The stage has ``total`` items; ``of`` says what the items are, such as ``claims``.
+        The stage is called ``name``, and has ``total`` items; ``of`` says what the items are, such
+        as ``claims``.
         """
 
     def progress(self, count: int) -> None:

@@ -1,20 +1,23 @@
 """The meaning of the loss of a player.
 
-A player is lost if its process ends, or if it is silent for too long.  The *law of the loss* is the
-law that the explorer then breaks: ``crash`` or ``timeout``.
+A player is lost in a run if its process ends in the run, or if it is silent for too long.  The *law
+of the loss* is the law that the explorer may break by this: ``crash`` or ``timeout``.  After a loss
+a fresh player plays the run alone.  If the fresh player is lost, too, it *repeats* the loss.
 
-The left column says what a further play shows, the right column what follows:
+The left column says what has happened, the right column what follows:
 
-    ======================================================  ====================================
-    a fresh player that plays this run alone is also lost   the run breaks the law of the loss
-    the fresh player is not lost; the machine cannot be     the run breaks the law of the loss, but
-    the cause, or it is at least the second time-out that   only if other runs came before it in the
-    no fresh player repeats                                 same process
-    the fresh player is not lost, in all other cases        a remark: it refutes nothing
-    ======================================================  ====================================
+    ====================================================  ========================================
+    the fresh player repeats the loss                     the run breaks the law of the loss
+    the fresh player does not repeat the loss; and        the run breaks the law of the loss; the
+    either the machine cannot be the cause, or it is at   finding says that it does so only after
+    least the second time-out that is not repeated        other runs in the same process
+    the fresh player does not repeat the loss, in all     a remark, a sentence of the report, which
+    other cases                                           refutes nothing
+    ====================================================  ========================================
 
-After a fresh player has repeated one crash, each later crash counts as repeated, without a further
-play; the same holds for time-outs.  A remark is a line of the report that refutes nothing.
+The machine cannot be the cause, for example, if the process has exited without a signal.  After one
+crash was repeated, each later crash counts as repeated, without a further play; the same holds for
+time-outs.
 """
 
 from collections import Counter
@@ -31,8 +34,9 @@ MOST_LOSSES = 20
 SILENT_RUNS, MOST_WAITED = 4, 60.0
 """A number of runs and a number of seconds.
 
-A lane gives up after at least this number of silent runs, if it has waited in these runs for at
-least this number of seconds in all.
+A run is *silent* if the player was lost in it by a time-out.  A lane gives up after at least
+:data:`SILENT_RUNS` silent runs, if it has waited in these runs for at least :data:`MOST_WAITED`
+seconds in all.
 """
 
 AFTER = " when it was played after others; by itself it was not"
@@ -50,9 +54,10 @@ def meaning(lost: Lost, *, again: bool, before: int) -> Meaning:
     """The meaning of a loss, by the table of this module.
 
     Args:
-        lost: the loss.
-        again: whether a fresh player repeated a loss by this law, in this run or in an earlier run.
-        before: the number of earlier losses by this law that no fresh player repeated.
+        lost: the loss, with its law.
+        again: whether a fresh player repeated a loss by the same law, in this run or in an earlier
+            one.
+        before: the number of earlier losses by the same law that no fresh player repeated.
     """
     if again:
         return Meaning.BROKEN
@@ -62,9 +67,9 @@ def meaning(lost: Lost, *, again: bool, before: int) -> Meaning:
 
 
 def given_up(silences: int, timeout: float) -> str:
-    """The reason to give up after this number of silent runs; empty if the lane goes on.
+    """The reason why a lane gives up after ``silences`` silent runs; empty if it goes on.
 
-    ``timeout`` is the number of seconds of silence that end a run.
+    ``timeout`` is the number of seconds of silence after which a player is lost.
     """
     if silences < SILENT_RUNS or silences * timeout < MOST_WAITED:
         return ""
@@ -77,7 +82,7 @@ class Losses:
 
     Attributes:
         silences: the number of runs in which a player was silent.
-        repeated: the laws (``timeout``, ``crash``) by which a fresh player was lost once more.
+        repeated: the laws (``timeout``, ``crash``) of the losses that a fresh player has repeated.
     """
 
     def __init__(self) -> None:
@@ -85,13 +90,21 @@ class Losses:
         self.repeated, self._unrepeated = set[str](), Counter[str]()
 
     def log_of(self, lost: Lost, batch: RunBatch, run: int, alone: Callable[[], Attempt]) -> bytes:
-        """The log that a run gets after a player was lost in it.
+        """The log that a run gets after a player was lost in it; the losses are counted, too.
+
+        If the loss refutes nothing, the result is the whole log that the fresh player has made, and
+        a remark is added.  If the fresh player repeats the loss, the result is the log of the fresh
+        player up to its loss.  In all other cases the result holds only the loss, because no action
+        is known.
 
         Args:
             lost: the loss.
             batch: the batch of the run.
             run: the index of the run in the batch.
             alone: the function by which a fresh player plays the run alone.
+
+        Raises:
+            Unsettled: if there are too many losses that refute nothing.
         """
         self.silences += lost.law == "timeout"
         known = lost.law in self.repeated
@@ -110,7 +123,11 @@ class Losses:
         return log
 
     def remark(self, work: Work, lost: Lost) -> None:
-        """Add a remark on a loss that no fresh process has repeated, and that refutes nothing.
+        """Add a remark on a loss that refutes nothing to the counts of a unit.
+
+        Args:
+            work: the unit in which the player was lost, with its counts so far.
+            lost: the loss, which no fresh player has repeated.
 
         Raises:
             Unsettled: if there are too many such losses.

@@ -18,8 +18,8 @@ class MoreSeeds:
 
     Args:
         settler: the finder of runs that break a law, with the players of the lane.
-        random: the generator of random orders.
-        wanted: whether any runs are to be kept.
+        random: the generator of the random orders in which the runs are played.
+        wanted: whether any runs are to be kept; if not, :meth:`keep` does nothing.
     """
 
     def __init__(self, settler: Settler, random: Random, *, wanted: bool) -> None:
@@ -30,7 +30,7 @@ class MoreSeeds:
         return bool(self._kept)
 
     def keep(self, batch: RunBatch) -> None:
-        """Keep runs of a batch, if its worlds are of the last level, and have over SMALL edges.
+        """Keep runs of a batch if its worlds are of the last level and have over ``SMALL`` edges.
 
         At most :data:`KEPT` runs are kept in all.
         """
@@ -41,9 +41,10 @@ class MoreSeeds:
             self._kept += [(batch, index) for index in range(len(batch))][: KEPT - len(self._kept)]
 
     def end(self) -> Tally:
-        """Play the kept runs under further seeds, up to the first seed with a different log.
+        """Play the kept runs under further seeds, up to the first seed under which a log differs.
 
-        Return the tally of these plays.
+        A log differs if its walk or its answer is not that of the run's first play.  Return a tally
+        that holds the finding or the remark that follows; it counts no runs.
         """
         judge = self._settler.judge
         kept, self._kept = self._kept, []

@@ -44,7 +44,8 @@ LINK, BEAT = 3, 4
 
 READY, LOGS, PART, REFUSAL, FAILURE, NO_ROOM = b"RLPEFN"
 """The letters of the answers: the explorer is loaded; the logs of a batch; a further part of a log;
-bad input; an error of our code; the second logs of a library do not fit into memory."""
+bad input; an error of our code; compiled code could not make the logs of a shared library's second
+play, for example because they do not fit into memory."""
 
 TURNS = "turns", "histories"
 """The kinds of messages that ask an explorer for single turns, or for the turns of whole histories.
@@ -109,7 +110,7 @@ def main(parent: int) -> None:
 
 
 def _loaded(setup: dict[str, Any]) -> Subject:
-    """Load the explorer that the first message names, and return it.
+    """Load the explorer that ``setup``, the first message, names; return the explorer.
 
     Raises:
         InputError: if the explorer cannot be loaded.
@@ -132,7 +133,12 @@ def _loaded(setup: dict[str, Any]) -> Subject:
 
 
 class _Server:
-    """Answers the messages of the process that started this player, with the loaded explorer."""
+    """Answers the messages of the owner with the loaded explorer.
+
+    Args:
+        subject: the explorer.
+        beat: the memory that the owner can read, with the numbers of the run and of the turn.
+    """
 
     def __init__(self, subject: Subject, beat: Any) -> None:
         self._subject, self._beat, self._pid = subject, beat, os.getpid()
@@ -141,7 +147,7 @@ class _Server:
         self._turns: Turns | None = None
 
     def serve(self, batch: dict[str, Any]) -> None:
-        """Do the work that a message asks for, such as to play a batch; send the answer."""
+        """Do the work that the message ``batch`` asks for, such as to play runs; send an answer."""
         self._beat[0] = NO_RUN
         try:
             if batch["kind"] == "native":
@@ -213,7 +219,13 @@ def played(
     """Play the runs of a batch in Python; return the log of run i as item i.
 
     If the batch asks for lines of code, the last item is not a log: it holds the lines of the
-    explorer that were executed.  ``hear`` is called before each turn, with the log so far.
+    explorer that were executed.
+
+    Args:
+        batch: the message that asks for the plays: its parts by their names.
+        player: the explorer.
+        beat: gets the number of the run in progress, and that of the explorer's turn in the run.
+        hear: the function that is called before each turn, with the log so far; or None.
     """
     own, explorer = os.getpid(), player
     logs: list[bytes] = [b""] * batch["runs"]
@@ -239,7 +251,13 @@ def played(
 
 
 def turns_of(subject: Subject, player: Player, beat: Any) -> Turns:
-    """An object that asks the explorer for single turns; no turn has been asked for yet."""
+    """A new object that asks the explorer for single turns.
+
+    Args:
+        subject: the explorer, with its name.
+        player: the same explorer, in the form in which it is played.
+        beat: gets the number of the turn in progress.
+    """
     from allworlds.protocol.turns import Turns
 
     if subject.program:
@@ -250,8 +268,9 @@ def turns_of(subject: Subject, player: Player, beat: Any) -> Turns:
 def turns_taken(turns: Turns, batch: dict[str, Any]) -> list[bytes]:
     """The explorer's replies, as bytes, to the turns or the histories in a batch.
 
-    In a turn the explorer gets one percept, and replies with its next action.  A history is all
-    percepts of one run so far; one item of the result holds the replies to all of them.
+    In a turn the explorer gets one percept, and replies with its next action; the result has one
+    item for each turn.  A history is all percepts of one run so far; the result has one item for
+    each history, which holds the replies to all its percepts.
     """
     if batch["kind"] == "histories":
         return turns.plays(batch["content"])
@@ -299,12 +318,14 @@ def in_bytes(told: actions.Told, transcript: actions.Transcript) -> bytes:
 
 
 def _around(kind: str, world: Any, told: Any, over: bool) -> Any:
-    """The object that answers the explorer's actions, made from ``world``.
+    """The surroundings of the explorer in a run: the object that answers each action by a percept.
 
     Args:
-        kind: the kind of the batch, which says what ``world`` is.
-        world: the table of a world (kind ``table``), recorded percepts (kind ``record``), or the
-            arguments of :class:`AroundExplorer` (any other kind).
+        kind: the kind of the batch, which says what ``world`` is and how the percepts are found.
+        world: for the kind ``table`` the table of a world, in which the percepts are looked up; for
+            the kind ``record`` the percepts of an earlier play, which are given again; for any
+            other kind a pair of a world and the function ``over`` of the task, from which
+            :class:`AroundExplorer` computes the percepts.
         told: the value that the robot is told before the start; only for the first two kinds.
         over: whether the run ends after the last recorded percept, because its task is done; only
             for the kind ``record``.
@@ -325,7 +346,7 @@ def _choices(batch: dict[str, Any], name: str, script: tuple[int, ...]) -> choic
 
 
 def _sender() -> Callable[[bytearray], None]:
-    """Return a function that sends the owner the part of a log that it has not sent before."""
+    """A function that gets the log of a run so far, and sends its new bytes to the owner."""
     sent = 0
 
     def send(log: bytearray) -> None:
@@ -342,7 +363,7 @@ def logs_message(logs: Sequence[bytes]) -> tuple[bytes, bytes]:
 
 
 def _read() -> Any:
-    """The next message from the owner; None if the owner has closed the link."""
+    """Wait for the next message from the owner; return None if the owner has closed the link."""
     head = _bytes(4)
     return marshal.loads(_bytes(int.from_bytes(head, "little"))) if head else None  # noqa: S302
 

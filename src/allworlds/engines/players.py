@@ -72,7 +72,7 @@ class Lost(Exception):
 
     Attributes:
         law: the law that the explorer breaks by the loss, ``timeout`` or ``crash``.
-        seen: a sentence about the loss.
+        seen: the words for the loss, such as ``silent for 5 s``.
         machine: whether the machine, and not the explorer, may be the cause.
     """
 
@@ -95,7 +95,7 @@ class Description(NamedTuple):
 
 
 class Logs(Sequence[bytes]):
-    """The logs of a batch, which are read on demand from one message.
+    """The logs of a batch, in one message; a log is cut out of the message when it is asked for.
 
     Args:
         message: the length of each log, as four bytes, and then the logs.
@@ -115,7 +115,7 @@ class Logs(Sequence[bytes]):
 
     @classmethod
     def of(cls, logs: Sequence[bytes]) -> "Logs":
-        """The logs as one message."""
+        """These logs as an object of this class."""
         return (
             logs if isinstance(logs, Logs) else cls(b"".join(player.logs_message(logs)), len(logs))
         )
@@ -132,7 +132,8 @@ class Logs(Sequence[bytes]):
 JobLogs: TypeAlias = tuple[Any, Sequence[bytes] | None]
 """A pair: the value ``job`` that the owner gave with a message, and the logs in the answer.
 
-In place of the logs there is None if the second logs of a library do not fit into memory.
+In place of the logs there is None if compiled code could not make the logs of the second play of a
+shared library, for example because they do not fit into memory.
 """
 
 
@@ -152,7 +153,7 @@ class Setup(Struct, frozen=True):
     deadline: float | None = None
 
     def message(self) -> dict[str, Any]:
-        """The first message to a player: the explorer that it must load, with limits."""
+        """The first message to a player: the explorer that the player must load, and limits."""
         source, limits = self.subject.source, self.limits
         return {
             "name": self.subject.name,
@@ -181,7 +182,8 @@ class PlayerProcess:
             is any value that the owner gives with a message, and gets back with the answer.
         beat: two numbers in shared memory: the number of the run in progress, or
             :data:`player.NO_RUN`; and the number of the explorer's turn in this run.
-        part: the log so far of a run, if the player sends it turn by turn.
+        part: the log so far of the run in progress, if the player sends this log turn by turn; it
+            does so if a message asks for a single run with ``hear`` set.
         prints: the prints of the explorer, if they are recorded.
         description: the description of the explorer; None before the explorer is loaded.
     """
@@ -251,7 +253,7 @@ class PlayerProcess:
             self._out.clear()  # then it is lost, which the next read notices
 
     def heard(self) -> list[JobLogs]:
-        """The answers that have come since the last call.
+        """The answers that have come since the previous call, each with the value ``job``.
 
         Raises:
             Lost: if the player is silent for too long, or has died.
@@ -285,7 +287,7 @@ class PlayerProcess:
             self._hear_prints()
 
     def _read(self) -> bool:
-        """Read the available bytes; return whether the stream has ended."""
+        """Read the bytes that the player has sent; return whether no more can come."""
         # A process that was forked by the explorer may hold the link open.
         ended = self._code() is not None
         try:
@@ -380,7 +382,7 @@ class PlayerProcess:
         return Lost("crash", how, machine=code is not None and code < 0)
 
     def _code(self, grace: float = 0.0) -> int | None:
-        """The exit code of the process; None if it does not end within these seconds."""
+        """The exit code of the process; None if it does not end within ``grace`` seconds."""
         if self._status is None:
             self._status = linux.ended_within(grace, self.pid)
         return self._status
@@ -442,12 +444,14 @@ class PlayerHere:
 
     Args:
         explorer: the explorer.
-        of_user: whether it is a user's explorer; then its prints do not reach stdout or stderr.
+        of_user: whether the explorer is a user's; then its prints do not reach stdout or stderr.
+        prints: whether the prints of a user's explorer are recorded.
         subject: the explorer with its name; needed only if a message asks for single turns.
 
     Attributes:
         beat, description, files, part: as in :class:`PlayerProcess`.
-        prints: the explorer's prints since the player was made, if they are recorded.
+        jobs: as in :class:`PlayerProcess`.
+        prints: the explorer's prints since the player was made; empty unless they are recorded.
     """
 
     description = Description(frozenset(), has_shield=False)
@@ -470,11 +474,14 @@ class PlayerHere:
         self.prints = Prints()
 
     def give(self, job: Any, message: dict[str, Any]) -> None:
-        """Give the explorer a message, which the next call of :meth:`heard` answers."""
+        """Add a message to the waiting ones; each call of :meth:`heard` answers the oldest one.
+
+        The parameter ``job`` is any value by which the owner recognises the answer.
+        """
         self.jobs.append((job, message))
 
     def heard(self) -> list[JobLogs]:
-        """Answer the next message; return one pair: the message's value ``job``, and the logs.
+        """Answer the oldest message; return a list of one pair: its value ``job``, and the logs.
 
         Return an empty list if there is no message.
         """
@@ -555,11 +562,16 @@ def wait(
 
 
 def started(setup: Setup, seed: int, notice: Any = None) -> PlayerProcess | PlayerHere:
-    """A player of an explorer, with this hash seed if the player is another process.
+    """A player of an explorer, with the hash seed ``seed`` if the player is another process.
 
     A user's explorer plays in a process of its own, if another process can load the explorer.  Any
-    other explorer plays in this process.  A built-in explorer calls ``notice`` with the name of
-    each event, such as a case of Algorithm 1.
+    other explorer plays in this process.
+
+    Args:
+        setup: the explorer, with the limits of its players.
+        seed: the hash seed of the process.
+        notice: the function that a built-in explorer calls with the name of each event, such as a
+            case of Algorithm 1; None if the events are not counted.
     """
     subject = setup.subject
     if subject.from_user and subject.importable:
@@ -570,7 +582,7 @@ def started(setup: Setup, seed: int, notice: Any = None) -> PlayerProcess | Play
 
 
 def answered(player: PlayerProcess | PlayerHere, message: dict[str, Any]) -> Sequence[bytes]:
-    """Give a message to a player that has no other message; return the logs that it sends back.
+    """Give a message to a player that has no other message; return the logs in its answer.
 
     Raises:
         Lost: if the player is lost.
@@ -602,7 +614,10 @@ def logs_from(player: PlayerProcess | PlayerHere) -> Sequence[bytes]:
 
 
 def lost_log(part: bytes, lost: Lost) -> bytes:
-    """The log of a run in which a player was lost: the known part of the log, then the loss."""
+    """The log of a run in which a player was lost: the known part of the log, then the loss.
+
+    ``part`` is the known part; it is empty if the player has not sent the log turn by turn.
+    """
     return part + fault(lost.law, AN_ACTION, lost.seen, machine=lost.machine)
 
 
@@ -634,7 +649,11 @@ The system ends the players when that thread ends.
 
 
 def _in_thread(act: Callable[[], int]) -> int:
-    """Call the function in the thread that starts players; return its result."""
+    """Call ``act``, which starts a player, in the thread for this; return the result of ``act``.
+
+    Raises:
+        HarnessError: if the system cannot start a process.
+    """
     if not _spawners or _spawners[0][0] != os.getpid():
         _spawners[:] = [(os.getpid(), ThreadPoolExecutor(1, initializer=linux.adopt))]
     try:

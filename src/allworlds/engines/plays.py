@@ -1,4 +1,6 @@
-"""The two plays of each run in a lane, by the lane's two players; fresh players make further plays.
+"""The two plays of each run in a lane, by the lane's two players, and further plays.
+
+A further play is made by a *fresh* player: a new process that has not played yet.
 
 The first player plays in worlds.  The second player is another process, perhaps with another hash
 seed, and holds no world: it plays by the percepts that the judge has computed from the first log.
@@ -51,7 +53,7 @@ class BothPlays:
     Args:
         setup: the explorer, with the limits of its players.
         seeds: the hash seeds of both players.
-        random: the generator of random orders.
+        random: the generator of the random orders in which the second player plays.
     """
 
     def __init__(self, setup: Setup, seeds: Seeds, random: Random) -> None:
@@ -104,7 +106,10 @@ class BothPlays:
     def hear(self, which: int) -> list[RunBatch]:
         """Store the logs that have come from a player; return the batches with new logs.
 
-        If the second logs of a library do not fit into memory, Python plays these runs instead.
+        A shared library is played by compiled code.  If the player answers that compiled code could
+        not make the logs of the second play, for example because they do not fit into memory, the
+        player gets the same runs once more, to be played in Python; the logs of the first play
+        stay.
 
         Raises:
             Lost: if the player is lost.
@@ -162,9 +167,10 @@ class BothPlays:
     # ---------------------------------------------------------------- fresh ones
 
     def alone(self, which: int, batch: RunBatch, index: int) -> Attempt:
-        """Let a fresh player play one run of a batch; return the log, and the loss if it was lost.
+        """Let a fresh player play the run ``index`` of a batch; return the log, and any loss.
 
-        The fresh player plays as the player ``which`` does: in the world or by percepts.
+        The fresh player plays as the player ``which`` does: in the world or by percepts, and with
+        the same hash seed.
         """
         message = batch.by.worlds if which == FIRST else batch.by.percepts
         return self.anew(self.seeds[which], message(batch, [index]))
@@ -180,8 +186,13 @@ class BothPlays:
     def fresh(self, seed: int, make: Callable[[Indices], Message], runs: Indices) -> dict[int, Log]:
         """Let a fresh player with this hash seed play these runs; return their logs by index.
 
-        If that player is lost, a further fresh player for each run plays this run alone.  ``make``
-        is the function that makes the message for some of the indices.
+        If the player is lost, each run is played alone, by a further fresh player; a log in which
+        this player is lost, too, ends with the loss.
+
+        Args:
+            seed: the hash seed.
+            make: the function that makes the message for runs of given indices.
+            runs: the indices of the runs.
         """
         logs, lost = self.anew(seed, make(runs))
         if lost and len(runs) > 1:

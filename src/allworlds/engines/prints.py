@@ -26,7 +26,7 @@ class Prints:
         self._first, self._last, self._size = bytearray(), bytearray(), 0
 
     def add(self, printed: bytes) -> None:
-        """Add bytes; if there are too many, drop bytes from the middle."""
+        """Add bytes; if more than twice :data:`KEPT` are held, drop bytes from the middle."""
         self._size += len(printed)
         room = KEPT - len(self._first)
         self._first += printed[:room]
@@ -59,7 +59,8 @@ def _letters(printed: bytes | bytearray) -> list[tuple[int, str]]:
 def _fitting(letters: Sequence[tuple[int, str]], room: int) -> tuple[list[str], int]:
     """The first characters that fit into ``room`` bytes, and how many printed bytes they stand for.
 
-    An escaped character is longer than the printed bytes that it stands for.
+    ``letters`` is a list that :func:`_letters` has made.  An escaped character is longer than the
+    printed bytes that it stands for.
     """
     sizes = accumulate(len(shown.encode()) for _, shown in letters)
     fitting = letters[: sum(size <= room for size in sizes)]
@@ -83,7 +84,7 @@ class _PrintStream(io.BytesIO):
 
 @contextmanager
 def printing_to(sink: Prints) -> Iterator[None]:
-    """A context that sends Python's prints in this process to a sink.
+    """A context in which ``sink`` gets all that Python code in this process prints.
 
     Prints of compiled code and of other processes are not redirected.
     """
@@ -112,7 +113,7 @@ class _Patient(io.FileIO):
     """A file whose writing never fails."""
 
     def write(self, data: Any) -> int:
-        """Write the bytes as far as possible, and report all of them as written."""
+        """Write the bytes as far as possible; return the number of all bytes, as if written."""
         try:
             return super().write(data)
         except OSError:

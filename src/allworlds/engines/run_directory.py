@@ -60,7 +60,10 @@ def named(path: Path) -> str:
 
 
 def damaged(path: Path, how: str) -> InputError:
-    """The error for a run directory that has changed since it was written."""
+    """The error for a run directory that has changed since it was written.
+
+    ``how`` says what has changed.
+    """
     return InputError(
         f"{named(path)} is damaged: {how}; remove it and begin again, or bring it back from a copy"
     )
@@ -114,10 +117,16 @@ class Database:
                 yield key, worlds, finished, json.loads(result)
 
     def keep(self, key: str, worlds: int, finished: float, result: Any) -> None:
-        """Write a finished unit and the time of its end, in a transaction of its own.
+        """Write a finished unit in a transaction of its own.
 
         A row of the same unit is replaced.  Such a row can exist if the file ``lock`` was removed,
         and another command has done the same unit; the results of both commands are equal.
+
+        Args:
+            key: the name of the unit.
+            worlds: the number of its worlds.
+            finished: the time of its end.
+            result: its result, a JSON value.
 
         Raises:
             sqlite3.OperationalError: if there is no room for the unit.
@@ -126,7 +135,7 @@ class Database:
         self._connection.execute("INSERT OR REPLACE INTO units VALUES (?, ?, ?, ?, ?)", row)
 
     def recall(self, name: str) -> Any:
-        """The value that was noted under a name; None if no value was noted.
+        """The value that was noted under the name ``name``; None if no value was noted.
 
         Raises:
             InputError: if the value has changed since it was written.
@@ -216,7 +225,7 @@ def opened(path: Path) -> Database:
 def reading(path: Path) -> Iterator[Database]:
     """A context with the SQLite file of a run directory, open for reading.
 
-    Meanwhile another process may add units.
+    In this context another process may add units.
 
     Raises:
         InputError: if there is no file, if the file belongs to no run directory, if it has another
@@ -255,7 +264,11 @@ def _write_ahead(connection: sqlite3.Connection) -> None:
 
 
 def _looked_through(path: Path, connection: sqlite3.Connection) -> Identity:
-    """Check the whole file in which a job keeps its results; return the identity of this job.
+    """Check the whole SQLite file of a run directory; return the identity of its job.
+
+    Args:
+        path: the directory, for messages.
+        connection: the connection to the file.
 
     Raises:
         InputError: if the file belongs to no run directory, has another version, or is damaged.
@@ -370,7 +383,7 @@ class Merged(KeptUnits):
         return found[0][1]
 
     def recall(self, name: str) -> Any:
-        """The value that one of the directories has noted under a name.
+        """The value that one of the directories has noted under the name ``name``.
 
         Raises:
             Gap: if no directory has noted a value under this name.
@@ -453,9 +466,10 @@ def _locked(path: Path) -> Iterator[None]:
 
 
 def _is_taken(lock: int, how: int) -> bool:
-    """Whether another process has the lock; if no process has it, take it.
+    """Whether another process has locked a file; if no process has, lock the file.
 
-    ``how`` is ``LOCK_EX`` for an exclusive lock, or ``LOCK_SH`` for a shared lock.
+    ``lock`` is the descriptor of the file.  ``how`` is ``LOCK_EX`` for an exclusive lock, or
+    ``LOCK_SH`` for a shared lock.
     """
     try:
         fcntl.flock(lock, how | fcntl.LOCK_NB)

@@ -5,6 +5,9 @@ its own hash seed.  They do so twice: once in the order of these runs, and once 
 order.  The table of :mod:`allworlds.engines.hash_seeds` says what follows from these plays: either
 the hash seeds explain the difference, and each run is judged under both seeds, or the explorer is
 nondeterministic.  If the machine may have ended a play, further plays decide.
+
+The parameter ``index`` of a method is the index of a run in its batch; ``seeds`` are the hash seeds
+of the two plays.
 """
 
 from collections.abc import Sequence
@@ -51,7 +54,7 @@ class Settler:
         return difference_of(one, other, choices=self.judge.every) is not None
 
     def settle(self, batch: RunBatch, *, twice: bool) -> None:
-        """Find the runs of a batch that break a law, and keep the findings.
+        """Find the runs of a batch that break a law, and put their findings into the unit's counts.
 
         ``twice`` tells whether a second player has also played the runs.
         """
@@ -64,7 +67,7 @@ class Settler:
         self.find(batch, outcomes)
 
     def find(self, batch: RunBatch, outcomes: dict[int, Outcome]) -> None:
-        """Keep a finding for each run whose outcome breaks a law.
+        """Put a finding into the unit's counts for each run whose outcome breaks a law.
 
         Args:
             batch: the batch.
@@ -76,10 +79,10 @@ class Settler:
             counter.settle(referee, due.world, due.place, outcome, batch.work.tally)
 
     def give_up(self, which: int, batch: RunBatch) -> None:
-        """Keep the findings of those runs of a batch in which a player was lost.
+        """Put the findings of those runs of a batch in which a player was lost into the counts.
 
-        The batch is not finished, and its runs are not counted.  ``which`` is the number of the
-        lost player.
+        This is for a lane that gives up: the batch is not finished, and its runs are not counted.
+        ``which`` is the number of the lost player, FIRST or SECOND.
         """
         outcomes = dict[int, Outcome]()
         for index in batch.lost:
@@ -89,7 +92,17 @@ class Settler:
         self.find(batch, outcomes)
 
     def explain_under(self, seed: int, batch: RunBatch, differing: Differing) -> None:
-        """Keep the findings of runs whose two logs differ; the second was made under ``seed``."""
+        """Find out why runs had another log under the hash seed ``seed``; keep the findings.
+
+        Further plays decide as this module says.  If the hash seeds explain the difference, a run
+        gives a finding only if it breaks a law under one of the seeds; else a run gives the finding
+        that the explorer is nondeterministic.
+
+        Args:
+            seed: the hash seed of the second logs.
+            batch: the batch of the runs, with their first logs.
+            differing: the indices of these runs, each with its second log.
+        """
         seeds = self.plays.seeds[FIRST], seed
         self.find(batch, self._explained(batch, differing, seeds))
 
@@ -109,8 +122,9 @@ class Settler:
     def _own(self, batch: RunBatch, index: int) -> Outcome:
         """The outcome of a run by its first play.
 
-        If every schedule is tried, the first choices of each play are prescribed: its script.  If
-        the play did not make these choices, the explorer is nondeterministic.
+        If every schedule is tried, the message to the player prescribes the first choices of the
+        run, which are its script.  If the play did not make these choices, the outcome says that
+        the explorer is nondeterministic.
         """
         one = batch.outcome(index)
         if not one.fits:
@@ -120,8 +134,9 @@ class Settler:
     def _in_words(self, batch: RunBatch, index: int) -> Outcome:
         """The outcome of a run that compiled code has played; Python plays the run once more.
 
-        The log of the new play also holds the texts that a finding shows.  If the two logs differ
-        in anything else, the explorer is nondeterministic.
+        The log of compiled code holds no texts; the log of the new play holds those that a finding
+        shows.  If the walk or the answer of the new play is another, the outcome says that the
+        explorer is nondeterministic.
         """
         before, batch.plain = batch.outcome(index), True
         (log,), _ = self.plays.alone(FIRST, batch, index)
@@ -131,7 +146,13 @@ class Settler:
         return replace(one.outcome, violation=nondeterministic(PLAYED_ONCE_MORE))
 
     def _explained(self, batch: RunBatch, differing: Differing, seeds: Seeds) -> dict[int, Outcome]:
-        """The outcomes, by index, of runs whose two plays under these two seeds differ."""
+        """The outcomes, by index, of runs whose two plays differ, after further plays of them.
+
+        Args:
+            batch: the batch of the runs.
+            differing: the indices of the runs, each with the log of the second play.
+            seeds: the hash seeds of the two plays.
+        """
         few, plays = dict(differing[:MOST_SETTLED]), self.plays
         orders = [*few], [*few][::-1]
         firsts = [plays.again(FIRST, seeds[FIRST], batch, order) for order in orders]
@@ -146,8 +167,9 @@ class Settler:
     def _of_plays(self, batch: RunBatch, index: int, other: Log, seeds: Seeds) -> Outcome:
         """The outcome of a run whose two plays differ; ``other`` is the log of the second play.
 
-        The difference refutes the explorer, with one exception: if the machine may have ended one
-        of the plays, and two later plays agree, the outcome follows from the later plays.
+        Here the hash seeds do not explain the difference.  So it refutes the explorer, with one
+        exception: if the machine may have ended one of the plays, and two later plays agree, the
+        outcome follows from the later plays.
         """
         one, anew = batch.outcome(index), None
         faults = fault_of(one.log), fault_of(other)
@@ -158,9 +180,11 @@ class Settler:
     def _alike(self, batch: RunBatch, index: int, other: Log, seeds: Seeds) -> Outcome | None:
         """The outcome of a run by two later plays; None if the logs of these two plays differ.
 
-        In each later play a fresh player plays this run alone.  A loss that no fresh process
-        repeats refutes nothing.  The second later play uses the percepts of the first later play,
-        because the percepts of a play in which a player was lost may end too early.
+        The two original plays differ, and the machine may have ended one of them; ``other`` is the
+        log of the second original play.  In each later play a fresh player plays this run alone:
+        first in the world, then by the percepts of the first later play.  The percepts of the first
+        original play are not used, because they end too early if a player was lost in it.  If the
+        later plays agree, the end of the original play is only a remark.
         """
         due, one = batch.due(index), batch.outcome(index).log
         log = self.plays.again(FIRST, seeds[FIRST], batch, [index])[index]
@@ -181,9 +205,9 @@ class Settler:
     def _by_seed(self, batch: RunBatch, indices: list[int], seeds: Seeds) -> dict[int, Outcome]:
         """The outcomes that break a law, by index, of runs whose plays depend on the hash seed.
 
-        A run is right, and is left out of the result, if it breaks no law under the first seed and
-        no law under the second seed.  The logs under the first seed exist already; under the second
-        seed the runs are played once more, in their worlds.
+        A run that breaks no law under either seed is right, and is left out of the result.  The
+        logs under the first seed exist already; under the second seed the runs are played once
+        more, in their worlds.  ``indices`` holds the indices of the runs.
         """
         batch.work.tally.remark(hash_seeds.GOES_BY_HASHES)
         again = self.plays.again(FIRST, seeds[SECOND], batch, indices)
@@ -195,10 +219,10 @@ class Settler:
 
 
 def _is_refused(without_words: Log, in_words: Log) -> bool:
-    """Whether both plays end with the same illegal action.
+    """Whether both plays of a run end with an illegal action, after the same legal actions.
 
-    The log ``without_words`` is of compiled code, and does not contain this action.  The log
-    ``in_words`` is of a play in Python, and this action is the last action in it.
+    ``without_words`` is a log of compiled code, which says only that an illegal action followed the
+    legal ones.  ``in_words`` is the log of a play in Python, whose last action is the illegal one.
     """
     known = without_words.actions
     faults = fault_of(without_words), fault_of(in_words)

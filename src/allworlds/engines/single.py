@@ -126,7 +126,11 @@ class SingleRun(Report):
 
 
 def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
-    """A clause about the first given choice that a run has not taken; empty if it took all."""
+    """A clause about the first of the given choices that a run did not make as given.
+
+    The text is empty if the run made all of them.  ``choices`` holds the index of the wanted option
+    for each of the first choices.
+    """
     for i, index in enumerate(choices):
         if run.outcome.choices[i : i + 1] != (index,):
             asked = len(run.outcome.choices)
@@ -137,7 +141,7 @@ def unused_choice(choices: Sequence[int], run: SingleRun) -> str:
 
 
 def subject_of(explore: str | Callable[..., Any], limits: limits.Limits) -> loading.Subject:
-    """The explorer with this name or this generator function, as a subject.
+    """The explorer with the name ``explore``, or the generator function ``explore``, as a subject.
 
     A named explorer is loaded in another process, so that users' code stays out of this process.
 
@@ -175,9 +179,11 @@ REPEATED = 5
 
 
 class OutcomeCounter(RunCounter, frozen=True):
-    """The counter of a single run.
+    """The counter of a single run, which keeps the outcomes of the run in place of counts.
 
-    It keeps all outcomes of the run; the last of them is the outcome that is reported.
+    There is an outcome after the first play.  If it breaks a law, or if the second play differs,
+    there is a second outcome, after the comparison of the plays.  The report shows the last
+    outcome.
     """
 
     outcomes: list[Outcome] = field(default_factory=list)
@@ -205,8 +211,13 @@ def _outcome_of(
 
     A lane plays the run twice, and compares the two plays.
 
-    The darts of ``world`` have the numbers of the map's code, so that the start is dart 0.
-    ``script`` holds the first choices.
+    Args:
+        subject: the explorer.
+        rules: the rules by which the run is played and judged.
+        world: the world, in canonical numbering, so that the start is dart 0.
+        script: the index of the option to be taken at each of the first choices.
+        limits: the limits of the players.
+        hash_seed: the hash seed of both players; None for two different seeds.
     """
     counter = OutcomeCounter(Scope(Extent(MapClass.MAPS, world.map.edge_count), rules), keep=1)
     seeds = (FIRST, SECOND) if hash_seed is None else (hash_seed, hash_seed)
@@ -231,9 +242,17 @@ def single_run(
 ) -> SingleRun:
     """Play one run, and return its report.
 
-    The script holds the first choices of the run; each is made if it is legal.  If a hash seed is
-    given, both players of a user's explorer have this seed.  If ``after`` holds worlds, the run is
-    also played after runs in these worlds.
+    Args:
+        subject: the explorer.
+        world: the world, in any numbering of its darts.
+        rules: the rules by which the run is played and judged.
+        script: the index of the option to be taken at each of the first choices; if there is no
+            such option, the policy decides.
+        limits: the limits of the players of a user's explorer.
+        hash_seed: the hash seed of both players of a user's explorer; None for two different seeds.
+        after: worlds of earlier runs, for a user's explorer: the run is played alone, and once more
+            in a process that has played in these worlds.  If these two plays differ, the report
+            says that the explorer is nondeterministic; else it is about the run alone.
     """
     if subject.from_user:
         canonical = canonical_world(world)
@@ -266,7 +285,15 @@ def single_run(
 class Plays:
     """Plays of one run by fresh players, whose prints are recorded.
 
-    Each player first plays in the worlds of ``after``.
+    In all methods ``script`` holds the index of the option to be taken at each of the first
+    choices, and ``seed`` is the hash seed of the player.
+
+    Args:
+        subject: the explorer.
+        rules: the rules by which the run is played.
+        world: the world, in canonical numbering.
+        limits: the limits of the players.
+        after: worlds in which each player plays before it plays the run.
     """
 
     def __init__(
@@ -284,7 +311,7 @@ class Plays:
         self.judge = PythonJudge(counter, subject.name)
 
     def in_world(self, script: tuple[int, ...], seed: int) -> tuple[Log, str]:
-        """Let a player play the run in its world; return the log and the prints.
+        """Let a fresh player play the run in its world; return the log and the prints.
 
         If the player is lost, the log ends with the loss.
         """
@@ -295,16 +322,19 @@ class Plays:
     def again(
         self, actions: Iterable[Action], script: tuple[int, ...], seed: int, times: int = 1
     ) -> tuple[list[Log], str]:
-        """Let one player play the run ``times`` times by percepts; return the logs and the prints.
+        """Let one fresh player play the run ``times`` times by percepts; return logs and prints.
 
-        The percepts are those of a walk that consists of these actions.
+        The percepts are those of the walk that consists of ``actions``.
         """
         walk = Walk.of(self._world, actions)
         record = Recorded(walk.percepts, self._world, script, self._rules.task.is_over(walk))
         return self._played(self.judge.percepts_message([record] * times), seed)
 
     def traced(self, runs: Sequence[Due]) -> Sequence[bytes]:
-        """The logs of these runs in their worlds; a last entry holds the lines of code that ran."""
+        """Let a fresh player play some runs in their worlds; return the logs, and one entry more.
+
+        This last entry holds the lines of the explorer's code that ran in each of the runs.
+        """
         message = self.judge.worlds_message(runs)
         return self._logs(message | {"lines": True, "runs": len(runs) + 1}, FIRST)[0]
 
@@ -326,12 +356,14 @@ class Plays:
 
 
 def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limits) -> Finding:
-    """Play a finding again; return it with new values of two fields, ``output`` and ``confirmed``.
+    """Play the run of a finding again; return the finding with what these plays have shown.
 
-    ``output`` holds the prints of these plays.  ``confirmed`` says whether fresh processes repeat
-    the run.  If a player was lost in the run, and left no error text, the run is played once more
-    in its world, because its walk is not known yet.  If no other process can import the explorer,
-    its finding is not confirmed; the explorer plays once more in this process, for its prints.
+    The field ``output`` holds the prints of these plays, and ``confirmed`` says whether fresh
+    processes repeat the run.  In most cases the run is played by the percepts of its recorded walk.
+    If the process of a player ended or was silent, it left no walk, and the finding has no error
+    text; then the run is played in its world, and the finding gets the walk of this play.  If no
+    other process can import the explorer, its finding is not confirmed; the explorer plays once
+    more in this process, for its prints.
 
     Raises:
         InputError: if a user's lighthouse gives another answer when it is asked again.
@@ -359,9 +391,10 @@ def played_again(finding: Finding, subject: loading.Subject, limits: limits.Limi
 
 
 def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
-    """The finding about the loss of a player, with the walk of ``log`` in place of its own walk.
+    """The finding about the loss of a player, with the walk of a later play as its walk.
 
-    ``confirmed`` says whether the player was lost again by the same law.
+    ``log`` is the log of the later play, in the world.  The field ``confirmed`` of the result says
+    whether a player was lost in that play, too, by the same law.
     """
     episode = plays.judge.episode(finding.world, log)
     ending = episode.ending
@@ -374,13 +407,19 @@ def _found_again(finding: Finding, plays: Plays, log: Log) -> Finding:
 
 
 def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: int) -> Finding:
-    """The finding, with the result of playing its run again by its percepts alone.
+    """The finding, with the result of playing its run again by the percepts of its walk.
 
     The field ``confirmed`` of the returned finding says whether fresh processes repeat the run.  If
     a process plays the run differently, the returned finding says that the explorer is
-    nondeterministic.  A finding that already says so is confirmed if the plays differ.  ``plays``
-    makes plays of the run alone, ``later`` makes plays after the finding's earlier runs.  ``first``
-    is the log of a play of the run alone that has been made already.
+    nondeterministic.  If the given finding already says so, it is confirmed if its plays differ.
+
+    Args:
+        finding: the finding.  If its field ``after`` is not empty, the run was different after
+            earlier runs in the same process.
+        plays: the maker of plays of the run alone.
+        later: the maker of plays after these earlier runs; used only if there are such runs.
+        first: the log of a play of the run alone that has been made already.
+        seed: the hash seed of the plays, unless the finding is about nondeterminism.
     """
     record = finding.transcript.actions, finding.choices
     if finding.after:
@@ -402,10 +441,10 @@ def _repeated(finding: Finding, plays: Plays, later: Plays, first: Log, seed: in
 
 
 def _unlike(finding: Finding, again: Log) -> Finding:
-    """The finding that an explorer is nondeterministic: a later play differs from ``finding``.
+    """The finding that an explorer is nondeterministic.
 
-    ``again`` is the log of the later play.  If the given finding is about the loss of a player, it
-    is returned as not confirmed.
+    ``again`` is the log of a later play of the run, whose walk or end differs from ``finding``.  If
+    ``finding`` is about the loss of a player, ``finding`` itself is returned, as not confirmed.
     """
     if finding.law in LOST:
         return doc.replace(finding, confirmed=False)
@@ -431,9 +470,11 @@ def _same_walk(finding: Finding, log: Log) -> bool:
 def _ends_alike(finding: Finding, log: Log) -> bool:
     """Whether the end of a play, given by its log, agrees with a finding.
 
-    If the play ends with a fault, the law of the fault must be the law of the finding; the texts
-    are not compared.  If the finding shows a wrong estimate, the play must end with the same
-    estimate.  Any other end must be one after which the law of the finding can be broken.
+    If the play ends without an answer, by a breach such as ``crash`` or ``budget``, the law of the
+    finding must be this law; the texts are not compared.  If the play ends because the task is
+    done, or with an answer that is a JSON value, the law of the finding must be ``task`` or
+    ``bound``.  If the finding shows a wrong estimate, the play must answer with this estimate.  For
+    any other answer the law of the finding must be one that a run with such an answer can break.
     """
     end = ending_of(log)
     if isinstance(end, Fault):

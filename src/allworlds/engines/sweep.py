@@ -3,6 +3,9 @@
 A study is a :class:`Sweep`: its class defines the levels, the engine and the result of a unit, and
 the use of a finished level.  This module does the rest: it keeps finished units, tells listeners of
 the progress, ends the job at a time limit, and reports all finished parts.
+
+An *ending* says how a job has ended: completed, stopped early, interrupted by the user, or given up
+because two engines disagree.
 """
 
 import time
@@ -51,13 +54,21 @@ def gather(
 ) -> None:
     """Do all units ``undone``, and add their results to ``total``.
 
-    The listener hears of each part of a result.  A finished unit is added to ``kept``.
+    Args:
+        transport: brings the units to the engine.
+        engine: the engine.
+        undone: the units.
+        total: the sum of the results.
+        listener: hears of each part of a result.
+        kept: the finished units of the job, to which each unit is added when it is finished.
+        extent: the class of the maps; needed only to estimate, at the time limit, how long a unit
+            takes.
 
     Raises:
         TimeIsUp: when the time limit has been reached; ``total`` holds the results so far.  If
-            finished units are kept in a directory, and no unit was finished, the message says so.
-            If a part of a unit was done, the message also estimates from this part how long the
-            whole unit takes.
+            finished units are kept in a directory, and this command has finished no unit, the text
+            of the exception says that the same command would not come further.  If a part of a unit
+            was done, the text also gives an estimate of the time that the whole unit takes.
     """
     begun: dict[str, units.Sum] = {}
     started, unit = time.monotonic(), None
@@ -94,17 +105,20 @@ class Sweep(ABC, Generic[Total, Answer]):
     Args:
         request: the request of the study; the fields ``listener``, ``time_limit`` and ``shard``
             have the same meaning in every study.
-        extent: the class and the bounds of the worlds; None if the worlds are no whole class.
+        extent: the class and the bounds of the worlds; None if the study does not go through all
+            maps of an extent, but through random or chosen worlds.
 
     Attributes:
         verb: the study's name on the command line.
         request_type: the class of the study's requests.
-        result: the class of the results of units, if its constructor needs no arguments.
+        result: the class of the results of units, called without arguments for an empty result.  A
+            study whose class needs arguments overrides :meth:`empty` and :meth:`read` instead.
         finer: a larger number makes smaller units.  The enumeration makes a map by decisions, and
             a unit holds the maps with the same first decisions; ``finer`` is added to the usual
             number of these first decisions.
-        narrowed: the extent.  If it has a condition of the user, fresh processes must select the
-            same maps by this condition.  None if the selections are not compared.
+        narrowed: the extent whose condition is tested, if it is code of the user: fresh processes
+            must select the same maps by this condition.  By default it is ``extent``; a study of
+            random worlds sets the extent of these worlds.  None if no condition is tested.
         portion: the shard: the part of all units that the job does.
         seconds: the seconds that each finished level took.
         deadline: the end of the time limit, on the monotonic clock; or None.
@@ -129,17 +143,23 @@ class Sweep(ABC, Generic[Total, Answer]):
     def known(
         cls, identity: Identity, portion: units.Shard, listener: Listener
     ) -> "Sweep[Any, Any]":
-        """Return the sweep of the job with this identity, for this shard; load no explorer."""
+        """Return the sweep of the job with the identity ``identity``; load no explorer.
+
+        Args:
+            identity: all on which the report of the job depends.
+            portion: the shard that the sweep is about; :data:`units.WHOLE` if shards are merged.
+            listener: the listener to the progress.
+        """
         return cls(cls.request_of(identity, portion, listener))
 
     @classmethod
     def request_of(cls, identity: Identity, portion: units.Shard, listener: Listener) -> Any:
-        """Return the request of the job with this identity, for this shard."""
+        """Return the request of the job with the identity ``identity``, for this shard."""
         options = requests.remembered(cls.request_type, identity.parameters)
         return cls.request_type(**options, shard=portion, listener=listener)
 
     def list_by(self, by: By) -> None:
-        """Choose the rows of the report's CSV file: one row for each size, world, or run.
+        """Choose the rows of the report's CSV or Parquet file: one for each size, world, or run.
 
         Raises:
             InputError: if the study offers no choice.
@@ -188,19 +208,19 @@ class Sweep(ABC, Generic[Total, Answer]):
 
     @abstractmethod
     def finish(self, level: units.SweptLevel, total: Total) -> outcome.Ending | None:
-        """Use the result ``total`` of a finished level.
+        """Use ``total``, the sum of the results of a finished level.
 
-        Return None if the job shall go on, or the ending with which it ends after this level.
+        Return None if the job shall go on; else the ending with which it ends after this level.
         """
 
     @abstractmethod
     def report(self, ending: outcome.Ending) -> Answer:
-        """Return the report of all finished levels."""
+        """Return the report of all finished levels; ``ending`` says how the job has ended."""
 
     def ended(self, ending: outcome.Ending, extent: classes.Extent | None = None) -> dict[str, Any]:
         """Return the arguments that every report gets: the ending, the request and the extent.
 
-        ``extent`` is needed only if the sweep itself holds no extent.
+        ``extent`` is the extent that the report names; by default it is the sweep's own.
         """
         asked = doc.replace(requests.without_effort(self.request), listener=NOBODY)
         return {"ending": ending, "request": asked, "extent": extent or self.extent}
@@ -210,13 +230,13 @@ class Sweep(ABC, Generic[Total, Answer]):
         return None
 
     def leave(self, level: units.SweptLevel, total: Total) -> None:
-        """Use the result of the finished units of an unfinished level; by default drop it."""
+        """Use ``total``, the results so far of an unfinished level; by default drop them."""
 
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
-        """Do the work after the last level; return a new ending, or None to keep the ending."""
+        """Do the work after the last level; return a new ending, or None to keep ``ending``."""
 
     def costs(self, total: Total) -> Iterable[tuple[int, int, int]]:  # noqa: ARG002  # none
-        """Return triples: edges, vertices, and the largest cost in worlds of this size.
+        """Return triples from ``total``: edges, vertices, and the largest cost in such worlds.
 
         By default there are no triples.
         """
@@ -225,7 +245,10 @@ class Sweep(ABC, Generic[Total, Answer]):
     # ------------------------------------------------------------ what a sweep does
 
     def answer(self, run: str | Path | None) -> Answer:
-        """Do the job, and return its report; keep finished units in the directory, if one is named.
+        """Do the job, and return its report.
+
+        ``run`` is the directory in which finished units are kept, and from which those of an
+        earlier command are read; None if no units are kept.
 
         Raises:
             InputError: if the directory is of another job, in use, damaged, or not writable.
@@ -242,7 +265,7 @@ class Sweep(ABC, Generic[Total, Answer]):
             return self._answered(kept, self._from_the_beginning)
 
     def merged(self, kept: KeptUnits) -> Answer:
-        """Return the report of a job whose units are all kept; no unit is done again.
+        """Return the report of a job whose units are all in ``kept``; no unit is done again.
 
         Raises:
             Gap: if ``kept`` lacks a unit.
@@ -264,10 +287,10 @@ class Sweep(ABC, Generic[Total, Answer]):
         return self._guarded(lambda: self.conclude(ending)) or ending
 
     def _guarded(self, job: Callable[[], outcome.Ending | None]) -> outcome.Ending | None:
-        """Call ``job``, which does a part of the work; return its ending.
+        """Call ``job``, a function that does a part of the work; return what it returns.
 
-        If ``job`` raises an exception that ends the work early, return the ending for this
-        exception.
+        This is an ending, or None if the work goes on.  If ``job`` raises an exception that ends
+        the work early, such as TimeIsUp, return the ending for this exception.
         """
         try:
             with limits.models_bounded(self.deadline):
@@ -315,8 +338,9 @@ class Sweep(ABC, Generic[Total, Answer]):
     ) -> Iterable[units.Unit]:
         """Yield the units of a level that were not finished before.
 
-        The results of the units that were finished before are added to the total.  A random sample
-        of all units of the level is put into ``drawn``; of a small level, all units.
+        The results of the units that an earlier command has finished are added to ``total``.  All
+        units of a small level, and a random sample of the units of a larger level, are put into
+        ``drawn``; on these the condition of the user is tested.
         """
         for number, unit in enumerate(level.units):
             if level.edges <= SMALL or number < DRAWN:
@@ -327,7 +351,7 @@ class Sweep(ABC, Generic[Total, Answer]):
                 yield unit
 
     def _is_kept(self, unit: units.Unit, total: Total) -> bool:
-        """Return whether a unit was finished before; if so, add its result to the total."""
+        """Whether an earlier command has finished a unit; if so, add its result to ``total``."""
         result = self.kept.result(unit.key)
         if result is None:
             return False

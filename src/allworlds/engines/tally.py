@@ -23,7 +23,7 @@ from allworlds.world.world import World
 
 
 def finding_to_record(finding: Finding) -> dict[str, Any]:
-    """The JSON document of a finding without its rules.
+    """The JSON document in which a run directory keeps a finding, without the finding's rules.
 
     The added key ``machine`` says whether the machine, and not the explorer, may be the cause.
     """
@@ -41,8 +41,8 @@ class AtRun(NamedTuple):
     Attributes:
         sigma, alpha: the code: the map with its darts renumbered from the start, which is dart 0.
         place: the number of the lighthouse's place.
-        choices: the indices of the options that were taken; may be empty if the policy makes the
-            choices.
+        choices: the index of the option that was taken at each choice; may be empty if the policy
+            makes the choices.
     """
 
     sigma: tuple[int, ...]
@@ -97,19 +97,22 @@ class Row:
         self.best_of(other.best_cost)
 
     def cost_of(self, cost: int, where: AtRun) -> None:
-        """Update the largest cost, and the run with this cost, by a further run ``where``."""
+        """Update the largest cost, and the run that has it, by the run ``where`` with this cost."""
         if cost > self.max_cost or self.most_expensive is None:
             self.max_cost, self.most_expensive = cost, where
         elif cost == self.max_cost:
             self.most_expensive = min(self.most_expensive, where)
 
     def bound_of(self, run: int | None) -> None:
-        """Update the largest bound by the bound of a run; the bound may be negative, or None."""
+        """Update the largest bound by ``run``, the bound of a run.
+
+        ``run`` may be negative, or None if the run has no bound.
+        """
         if run is not None:
             self.bound = run if self.bound is None else max(self.bound, run)
 
     def best_of(self, run: int | None) -> None:
-        """Update the best cost by the cost of a run's cheapest schedule, if ``run`` is not None."""
+        """Update the best cost by ``run``, the cost of a run's cheapest schedule, or None."""
         if run is not None:
             self.best_cost = max(run, self.best_cost or 0)
 
@@ -122,13 +125,13 @@ class Tally:
         keep: the largest number of findings that are kept.  Of findings with equal laws and maps
             only the smallest is kept.
         rows: the numbers of worlds, runs and traversals, by (edges, vertices).
-        witnesses: the number of occurrences of each event.
+        witnesses: the number of occurrences of each event, such as ``loop-edge``.
         left_out: the number of worlds without a place for the lighthouse.
         checkpoints: the number of checkpoints that the explorer has shown.
         findings: the smallest findings, ascending.
         remarks: texts about events that refute nothing, each with its number of occurrences.
-        covered: by (feature, value), the number of worlds of a sample that have this value of the
-            feature.
+        covered: for random worlds, by pairs of a feature of maps, such as ``genus``, and a value:
+            the number of worlds in which the feature has this value.  Else empty.
     """
 
     keep: int
@@ -143,7 +146,7 @@ class Tally:
     covered: Counter[tuple[str, int]] = field(default_factory=Counter)
 
     def row(self, edges: int, vertices: int) -> Row:
-        """The row of the worlds of this size, which is added if it is missing."""
+        """The row of the worlds of this size; an empty row is added if there is none."""
         return self.rows.setdefault((edges, vertices), Row())
 
     def wants(self, edges: int, vertices: int) -> bool:
@@ -185,13 +188,16 @@ class Tally:
             self.find(finding)
 
     def under(self, rules: Rules) -> Self:
-        """Put the rules of the job into all findings, which were kept without them; return self."""
+        """Put ``rules``, those of the job, into all findings, and return this tally.
+
+        Findings that were read from a run directory have no rules.
+        """
         self.findings = [replace(found, under=rules) for found in self.findings]
         return self
 
     @property
     def costs_by_size(self) -> Iterator[tuple[int, int, int]]:
-        """A triple for each size: edges, vertices, and the largest cost of a run of this size."""
+        """Yield for each size edges, vertices, and the largest cost of a run in worlds so large."""
         for (edges, vertices), row in self.rows.items():
             yield edges, vertices, row.max_cost
 
@@ -224,7 +230,7 @@ class RunCounter(Struct, frozen=True):
 
     Attributes:
         scope: the worlds and the rules of the check.
-        keep: the number of findings that are kept.
+        keep: the largest number of findings that are kept.
         compiled_from: if a level has at least this number of worlds, compiled code judges the runs
             of a user's explorer in that level; in smaller levels Python judges.  None if Python
             judges always.
@@ -235,7 +241,7 @@ class RunCounter(Struct, frozen=True):
     compiled_from: int | None = None
 
     def runs(self, unit: units.UnitOfRuns, start: int = 0) -> Iterator[units.NumberedRun]:
-        """The runs of a unit whose number is ``start`` or more."""
+        """The runs of a unit, from the run with the number ``start`` on."""
         every = units.numbered_runs(unit, self.scope.extent, self.scope.rules.kind)
         return islice(every, start, None)
 
@@ -262,7 +268,10 @@ class RunCounter(Struct, frozen=True):
         return World(run.map, run.lighthouse, 0)
 
     def count_outcome(self, world: World, place: int, outcome: Outcome, tally: Tally) -> None:
-        """Add the outcome of a run under one schedule to the tally."""
+        """Add the outcome of a run under one schedule to the tally.
+
+        ``place`` is the number of the lighthouse's place in the map of ``world``.
+        """
         edges, vertices = world.map.edge_count, world.map.vertex_count
         row, cost = tally.row(edges, vertices), outcome.cost
         row.episodes += 1
@@ -278,14 +287,19 @@ class RunCounter(Struct, frozen=True):
     def settle(
         self, referee: Referee, world: World, place: int, outcome: Outcome, tally: Tally
     ) -> None:
-        """Keep the finding of a run if the run breaks a law.
+        """Keep a finding in the tally if a run breaks a law, after its two plays were compared.
 
-        The two plays of the run have been compared before.
+        Args:
+            referee: the object that makes the finding from the outcome.
+            world: the world of the run.
+            place: the number of the lighthouse's place in the map of the world.
+            outcome: the outcome of the run, with the broken law, if any.
+            tally: the tally, which keeps only the smallest findings.
         """
         if outcome.violation and tally.wants(world.map.edge_count, world.map.vertex_count):
             tally.find(referee.finding(world, place, outcome))
 
     def count_best(self, world: World, cost: int, tally: Tally) -> None:
-        """Add the cost of a run's cheapest schedule to the tally, if every schedule is tried."""
+        """Add to the tally the cost of a run's cheapest schedule, if every schedule is tried."""
         if self.scope.schedules == "all":
             tally.row(world.map.edge_count, world.map.vertex_count).best_of(cost)

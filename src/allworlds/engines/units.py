@@ -33,7 +33,7 @@ from allworlds.world.world import World
 
 
 class Unit(Protocol):
-    """A piece of work for one worker; the number of workers does not change its content."""
+    """A piece of work for one worker; its content does not depend on the number of workers."""
 
     @property
     def key(self) -> str:
@@ -60,8 +60,9 @@ class PartialResult(Struct, frozen=True):
     Attributes:
         unit: the unit.
         result: the part, which the receiver adds to the earlier parts of this unit.
-        last: whether the unit is finished with this part.
-        anew: whether the unit is begun anew, so that the receiver must drop its earlier parts.
+        last: whether this is the last part of the unit's result.
+        anew: whether the unit is begun anew, because a process was lost; the receiver must drop the
+            earlier parts of the unit.
         walk: the number of the explorer's turns in the longest run in progress, and the largest
             legal number of traversals in that run; None if no run is in progress.
     """
@@ -96,16 +97,16 @@ class Transport(Protocol):
 
 
 class Shard(Struct, frozen=True):
-    """One of ``count`` parts of a job: the units of every level are dealt to these parts.
+    """One of several parts of a job, to which the units of every level are dealt.
 
-    The first part has index 0.
-
-    A scope has a shard or a :class:`Sample`, which says which worlds are tried.  So both classes
-    have these attributes.
+    A scope has a shard or a :class:`Sample`; either of them says which worlds are tried.  So both
+    classes have the attributes ``drawn``, ``finished`` and ``min_edges``.
 
     Attributes:
+        index: the number of this part, from 0 on.
+        count: the number of parts.
         drawn: whether worlds are drawn at random.
-        finished: the words by which reports name what is finished.
+        finished: the words by which reports name the finished worlds.
         min_edges: the least number of edges of a world.
 
     Raises:
@@ -190,8 +191,10 @@ class ShardOptions(Request):
 def dealt(weights: Sequence[int], shard: Shard) -> Iterator[int]:
     """The indices, in ascending order, of the units that belong to a shard.
 
-    Item i of ``weights`` is the weight of unit i.  The heaviest unit that is left goes to the shard
-    with the smallest weight so far; among equal units and among equal shards, the first is taken.
+    Item i of ``weights`` is the weight of unit i, such as its number of worlds.  The units are
+    dealt from the heaviest to the lightest; each goes to the shard with the smallest weight so far.
+    Of equally heavy units, and of equally heavy shards, the one with the smallest index comes
+    first.
     """
     heaviest = sorted(range(len(weights)), key=lambda i: (-weights[i], i))
     loads = [(0, index) for index in range(min(shard.count, len(weights)))]
@@ -215,7 +218,7 @@ _LONG = "this takes long, or does not end; an interrupt ends it with what is fin
 
 
 class LevelUnit(Struct, frozen=True):
-    """All maps of a level whose first decisions are ``prefix``.
+    """All maps with ``edges`` edges whose first decisions are ``prefix``.
 
     The enumeration makes each map by a list of decisions.
     """
@@ -229,16 +232,22 @@ class LevelUnit(Struct, frozen=True):
         return f"{self.edges}:{','.join(map(str, self.prefix))}"
 
     def maps(self, extent: Extent) -> Iterator[combinatorial.CombinatorialMap]:
-        """The maps, rooted at dart 0, in the order of the enumeration."""
+        """The maps of the unit that are in the extent, rooted at dart 0, as they are enumerated."""
         return rooted_maps(self.edges, extent.map_class, extent.vertices, self.prefix, extent.where)
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
-        """The maps, each with all places of a lighthouse of this kind."""
+        """The maps of the unit that are in the extent, each with all places of a lighthouse.
+
+        ``kind`` is the kind of the lighthouse.
+        """
         for map_ in self.maps(extent):
             yield map_, list(enumerate(kind.places(map_, 0)))
 
     def weight(self, extent: Extent) -> int:
-        """The number of maps of the unit; in simple classes and under conditions an upper bound."""
+        """The number of maps of the unit; in simple classes and under conditions an upper bound.
+
+        ``extent`` holds the class and the condition of the maps.
+        """
         gluing = Gluing(self.edges, extent.map_class, extent.vertices, extent.where)
         for decision in self.prefix:
             gluing.apply(decision)
@@ -297,11 +306,15 @@ class GivenUnit(Struct, frozen=True):
 def units_of_level(
     extent: Extent, edges: int, portion: Shard = WHOLE, finer: int = 0
 ) -> Iterator[LevelUnit | GivenUnit]:
-    """The units of a level that belong to a shard; the number of workers does not change them.
+    """The units of a level that belong to a shard; they do not depend on the number of workers.
 
-    If there are several shards, the weights of all units are computed first, so that each shard
-    gets about the same number of worlds.  The larger ``finer`` is, the fewer worlds a unit has: the
-    prefix of each unit is longer than usual by this number of decisions.
+    Args:
+        extent: the class of the maps, with bounds and perhaps a condition; or given maps.
+        edges: the number of edges of the level.
+        portion: the shard.  If there are several shards, the weights of all units are computed
+            first, so that each shard gets about the same number of worlds.
+        finer: the number of decisions by which the prefix of each unit is longer than usual; so a
+            larger number makes smaller units.
     """
     given = extent.given
     if isinstance(given, GivenMaps):
@@ -319,10 +332,11 @@ def units_of_level(
 
 
 def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator[LevelUnit]:
-    """Yield without end random units of a level, each of which has at most ``most`` maps.
+    """Yield without end random units of a level, each with a weight of at most ``most``.
 
-    The probability of a unit is proportional to its weight, which is its number of maps or an upper
-    bound of this number.  Units of weight 0 are left out.
+    The weight of a unit is its number of maps, or an upper bound of this number.  The probability
+    of a unit is proportional to its weight; units of weight 0 are left out.  ``draw`` is the
+    generator of random numbers.
     """
     while True:
         gluing, prefix = Gluing(edges, extent.map_class, extent.vertices, extent.where), list[int]()
@@ -338,24 +352,27 @@ def drawn_units(extent: Extent, edges: int, most: int, draw: Random) -> Iterator
 
 
 def cells_of_level(extent: Extent, edges: int) -> dict[int, int]:
-    """The number of rooted maps of a level by number of vertices, computed without making maps.
+    """The number of rooted maps with ``edges`` edges by number of vertices, without making maps.
 
-    If the extent has a condition, and the maps that meet it cannot be counted in this way, the
-    numbers are those of the whole class.  They are then upper bounds.
+    If the extent has a condition, and the maps that meet the condition cannot be counted in this
+    way, the numbers are upper bounds: those of the whole class.
     """
     cells = (count_source.source_of(extent) or counting.SOURCES[extent.map_class]).cells(edges)
     return {n: cells.get(n, 0) for n in range(1, extent.vertex_limit(edges) + 1)}
 
 
 def is_counted(extent: Extent | None) -> bool:
-    """Whether :func:`cells_of_level` returns the exact numbers of the extent, and no bounds."""
+    """Whether :func:`cells_of_level` returns the exact numbers of the extent, and no upper bounds.
+
+    The result is also True if there is no extent.
+    """
     return extent is None or count_source.source_of(extent) is not None
 
 
 def level_size(extent: Extent, edges: int) -> int:
-    """The number of rooted maps of a level.
+    """The number of rooted maps with ``edges`` edges in an extent.
 
-    If :func:`cells_of_level` returns upper bounds, this is an upper bound, too.
+    If :func:`cells_of_level` returns upper bounds, this number is an upper bound, too.
     """
     if extent.given is not None:
         return extent.given.starts.get(edges, 0)
@@ -363,13 +380,16 @@ def level_size(extent: Extent, edges: int) -> int:
 
 
 class SweptLevel(Struct, frozen=True):
-    """Units that are reported together, once all of them are finished.
+    """A level of a study: units whose results the study uses once all of them are finished.
+
+    In most studies these are all worlds with ``edges`` edges.  In a study of random worlds or of
+    families, the worlds of a level may have different numbers of edges.
 
     Attributes:
-        edges: the number of edges of the level's largest worlds.
+        edges: the number of edges of each world; if they differ, the largest possible number.
         worlds: the number of worlds of the whole level, even if only a shard is done.
         units: the units of the level that this job does; each is made when it is needed.
-        of: further data by which the study identifies the level; None if it needs none.
+        of: a value of the study's own, which the study reads when the level is finished; or None.
     """
 
     edges: int
@@ -381,7 +401,10 @@ class SweptLevel(Struct, frozen=True):
 def tell_of_size(extent: Extent, listener: Listener, shards: int = 1) -> None:
     """Tell the user, before the first level begins, if the number of worlds is large.
 
-    ``shards`` is the number of shards of the job.
+    Args:
+        extent: the worlds of the job.
+        listener: shows the user the message.
+        shards: the number of shards of the job, of which this process does one.
 
     Cost: some milliseconds; the counting ends at the first level whose class has very many worlds.
     """
@@ -408,17 +431,25 @@ class UnitOfRuns(Unit, Protocol):
     """A unit that consists of runs."""
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:
-        """Every map with the places of a lighthouse of this kind, in a fixed order."""
+        """Every map of the unit in the extent, with its places of a lighthouse, in a fixed order.
+
+        ``kind`` is the kind of the lighthouse.
+        """
 
 
 class GivenWorlds(Struct, frozen=True):
-    """A unit of chosen worlds with start dart 0, each with the number of its lighthouse's place."""
+    """A unit of chosen worlds, which the job holds already.
+
+    Attributes:
+        worlds: the worlds, each with the number of its lighthouse's place; each start is dart 0.
+        key: the name of the unit.
+    """
 
     worlds: tuple[tuple[World, int], ...]
     key: str = ""
 
     def placed(self, extent: Extent, kind: type[Lighthouse]) -> Iterator[MapWithPlaces]:  # noqa: ARG002  # they are all there
-        """The maps of the worlds, each with its own place and lighthouse."""
+        """The maps of the worlds, each with its own place and lighthouse; no argument is used."""
         for world, place in self.worlds:
             yield world.map, [(place, world.lighthouse)]
 
@@ -454,11 +485,17 @@ class AcrossUnit(Struct, frozen=True):
 
 
 def across_level(extent: Extent, edges: int, portion: Shard) -> Iterator[AcrossUnit]:
-    """Yield the unit of all runs up to a level, or yield no unit.
+    """Yield the unit of all runs with up to ``edges`` edges, if this level has such a unit.
 
-    There is a unit for each level from :data:`TWICE` to :data:`ACROSS`; if the last of all levels
-    is below :data:`TWICE`, there is a unit for that level alone.  If the job is cut into shards,
-    only shard 0 has these units.
+    The level with 3 edges (:data:`TWICE`) and the level with 4 edges (:data:`ACROSS`) have such a
+    unit.  So has the largest of the levels with at most 4 edges, if the extent has neither of these
+    two.  For any other level nothing is yielded.  If the job is cut into shards, only the shard
+    with index 0 has these units.
+
+    Args:
+        extent: the worlds of the check.
+        edges: the number of edges of the level.
+        portion: the shard.
     """
     small = [each for each in extent.levels[:ACROSS] if each <= ACROSS]
     if portion.index == 0 and edges in small and (edges >= TWICE or edges == small[-1]):
@@ -469,11 +506,12 @@ class NumberedRun(Struct, frozen=True):
     """A run of a unit, with its number in the unit.
 
     Attributes:
-        number: the number of the run, from 0 on; a world without a place counts as one run.
+        number: the number of the run in the unit, from 0 on; a world in which the lighthouse has no
+            place also has a number.
         map: the map, rooted at dart 0.
         place: the number of the lighthouse's place.
-        lighthouse: the lighthouse; None if the world has no place for it.
-        first: whether it is the first run in its rooted map.
+        lighthouse: the lighthouse; None if it has no place in this map.
+        first: whether this is the first run of the unit in its rooted map.
     """
 
     number: int
@@ -486,7 +524,13 @@ class NumberedRun(Struct, frozen=True):
 def numbered_runs(
     worlds: UnitOfRuns, extent: Extent, kind: type[Lighthouse]
 ) -> Iterator[NumberedRun]:
-    """Yield the runs of a unit in a fixed order, so that a run has one number in all processes."""
+    """Yield the runs of a unit in a fixed order, so that a run has one number in all processes.
+
+    Args:
+        worlds: the unit.
+        extent: the extent of the maps.
+        kind: the kind of the lighthouse.
+    """
     number = 0
     for map_, places in worlds.placed(extent, kind):
         for i, (place, lighthouse) in enumerate(places or [(0, None)]):
@@ -498,10 +542,16 @@ MOST_RUNS = 10**12
 
 
 class Sample(Struct, frozen=True):
-    """Random worlds that are tried in place of all worlds: their number, their seed, their least m.
+    """Random worlds that are tried in place of all worlds.
 
-    ``mix`` names ways of drawing a map, which take turns; if it is empty, the class of maps
-    determines the ways.  ``portion`` is the shard: the part of the drawn worlds that this job does.
+    Attributes:
+        runs: the number of random worlds.
+        seed: the seed of the random numbers.
+        min_edges: the least number of edges of a world.
+        portion: the shard: the part of the random worlds that this job does.
+        mix: names of ways to draw a map, which take turns; if empty, the class of maps determines
+            the ways.
+        drawn, finished: as in :class:`Shard`.
 
     Raises:
         InputError: for numbers out of range.
@@ -561,9 +611,9 @@ class Scope(Struct, frozen=True):
         return () if self.extent.given is None else self.extent.given.like(world)
 
     def labelled(self, finding: Finding) -> Finding:
-        """The finding; if its world is one of the worlds given by the user, with the user's labels.
+        """The finding; if its world equals one given by the user, with the user's labels.
 
-        These are names of the world and its vertices, and the vertices' positions in a drawing.
+        Labels are names of the world and its vertices, and positions of the vertices in a drawing.
         """
         world = finding.world
         return replace(finding, world=labelled(world, self.like(world)))

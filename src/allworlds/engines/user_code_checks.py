@@ -1,7 +1,7 @@
 """Checks that the user's conditions and lighthouses give the same answers in fresh processes.
 
-A condition must select the same maps in each process.  A lighthouse must give the same percepts on
-the walk of a finding.
+A condition must select the same maps in each process.  On the walk of a finding a lighthouse must
+tell the robot the same value before the start, and give the same percepts.
 """
 
 from collections.abc import Sequence
@@ -30,10 +30,15 @@ level that are drawn at random and checked."""
 def ensure_same_worlds(extent: Extent | None, units: Sequence[Any], deadline: float | None) -> None:
     """Raise InputError unless the condition of the extent selects the same maps in all processes.
 
-    Only the maps of these units are compared.  Without an extent, or without a condition of the
-    user, nothing is checked.
+    Without an extent, or without a condition of the user, nothing is checked.
+
+    Args:
+        extent: the class of the maps with the condition; or None.
+        units: the units whose maps are compared.
+        deadline: the end of the time limit, on the monotonic clock; or None.
 
     Raises:
+        InputError: if the condition does not select the same maps, or if it fails.
         TimeIsUp: when the time limit has been reached.
     """
     where: Any = extent and extent.where
@@ -50,10 +55,11 @@ def ensure_same_worlds(extent: Extent | None, units: Sequence[Any], deadline: fl
 
 
 def ensure_same_senses(finding: Finding) -> None:
-    """Raise InputError unless a user's lighthouse gives the answers of a finding once more.
+    """Raise InputError unless a user's lighthouse is sensed once more as a finding records it.
 
-    Several fresh processes make the world of the finding anew, and follow its walk.  In each
-    process the lighthouse must tell the robot the same, and give the same percepts.
+    Several fresh processes make the world of the finding anew, and follow the walk of the finding.
+    In each process the lighthouse must tell the robot the recorded value before the start, and give
+    the recorded percepts.  Nothing is checked if the lighthouse is not a user's.
     """
     world, transcript = finding.world, finding.transcript
     kind = kind_of(world.lighthouse)
@@ -77,7 +83,7 @@ def _answers_of_processes(
     Args:
         kind: the kind of the message: ``maps`` or ``walk``.
         content: the content of the message.
-        number: the number of items in an answer; each process makes them in an order of its own.
+        number: the number of items in an answer; each process makes these items in a random order.
         said: the words by which error messages name the user's code.
         deadline: the end of the time limit, on the monotonic clock; or None.
 

@@ -24,10 +24,14 @@ By the hypothesis this is a path in S.  So from v0 on, backwards along the path,
 the robot has passed is merged with the vertex of S for which the hypothesis took it.  Hence the
 folded log has every edge of S, and at the end S, which is the answer, is all of W.
 
-``w`` is the state of the check, an array ``WALK``.  ``s`` is the part of ``w`` that is copied at
-each decision, so that the walk can go back to the decision.  The docstrings name the lines and the
-cases of the paper's Algorithm 1, which :mod:`allworlds.engines.kernel.algorithm1` lists; e is the
-dart of U that the present pass explores.
+``w`` is the state of the check, an array ``WALK``.  ``s`` is the part of ``w`` that is copied
+before each decision, so that the walk can go back to the decision.  ``w.choices`` is a stack of
+``w.depth`` entries.  An entry stands for a dart of W for which some decisions have not been tried
+yet; it holds these decisions, and the copy of ``s``.  ``kept`` is a :class:`Kept`: rows for the
+most expensive runs, and for runs that break a law.
+
+The docstrings name the lines and the cases of the paper's Algorithm 1, which
+:mod:`allworlds.engines.kernel.algorithm1` lists; e is the dart of U that the present pass explores.
 
 Source: Algorithm 1, Sections IV and V.
 """
@@ -51,9 +55,12 @@ ONE_CASE_1, ONE_CASE_2, ONE_AT_V0, ONE_EMPTY_H = (1 << bit for bit in (20, 28, 3
 ONE_LOOP, ONE_PARALLEL = 1 << 52, 1 << 53
 
 EDGE, PATH, PICK, NEXT, ENDED, FAILED = range(6)
-"""The phases of a walk: before crossing the dart e; before a step of a test; before the choice of
-e; before the choice of a hypothesis; ended; failed.  A walk can fail while darts of W are open; it
-then counts as failed in every world that W can become."""
+"""The values of ``s.stage``, the phase of a walk: before the robot crosses the dart e; before a
+step of a test; before the choice of e; before the choice of a hypothesis; ended; failed.
+
+A walk can fail while darts of W are open; it then counts as failed in every world that W can
+become.
+"""
 
 # The columns of the tally, by vertices: worlds, the cost summed and the largest, events summed,
 # worlds with a loop and with parallel edges, their fingerprints, and walks that failed.
@@ -64,7 +71,7 @@ _FEW = 0xFF
 
 @entry
 def explore(w, prefix, kept, halt):
-    """Walk once in every world whose first decisions are ``prefix``, and count each world.
+    """Walk once in every world whose first decisions are ``prefix``; count each in ``w.counts``.
 
     The worlds are counted in ``w.counts``.  If a walk has failed, or costs more than the bound, a
     run with place 0 and law 0 is added to ``kept``.  This run stands for all places in the world,
@@ -146,7 +153,7 @@ def _glue(w, s, z):
 
 @inlined
 def _choose(w, s):
-    """Take the next decision for the open dart ``s.y`` of W, and return True.
+    """Take the next decision for ``s.y``, the dart of the last entry of ``w.choices``; return True.
 
     This dart is the last entry of ``w.choices``.  If no decision is left for it, remove the entry,
     and return False.
@@ -225,14 +232,21 @@ def _settle(w, s):
 
 @inner
 def _blame(w, s, kept):
-    """Keep W, in which a law is broken, in ``kept`` if it is among the first of such worlds."""
+    """Write W, in which a law is broken, to the rows ``kept.least``.
+
+    These rows hold the least such worlds so far, in the order of vertices and then of codes.  If
+    all rows are in use, the greatest of these worlds and W is dropped.
+    """
     _settle(w, s)
     blame(w.world, 0, kept.least, kept.row)
 
 
 @inlined
 def _go_back(w, s):
-    """Restore W, S and the walk as they were before the last dart of ``w.choices`` was decided."""
+    """Go back to the last entry of ``w.choices``.
+
+    Restore W, S and the walk as they were before the dart of this entry was decided.
+    """
     now = w.choices[w.depth - 1].now
     while s.passes > now.passes:
         s.passes -= 1
@@ -249,10 +263,10 @@ def _go_back(w, s):
 
 @inlined
 def _walk(w, s):
-    """Walk on until the walk has ended or failed, or until it needs a decision.
+    """Walk on until the walk has ended, has failed, or needs a decision.
 
-    ``s.stage`` is then ENDED or FAILED; otherwise the robot is about to cross the open dart ``s.y``
-    of W, which must be decided.
+    If the walk has ended or failed, ``s.stage`` is ENDED or FAILED.  If it needs a decision, the
+    robot is about to cross the dart ``s.y`` of W, which is open and must be decided.
     """
     while True:
         if s.stage == PICK:
@@ -269,11 +283,12 @@ def _walk(w, s):
 
 @inlined
 def _pick(w, s):
-    """Choose the dart e, and add the cost of the way to e and across e (lines 2-5).
+    """Choose the dart e of U, and add the cost of the way to e and across e (lines 2-5).
 
-    Then ``s.stage`` is EDGE.  If U is empty, no dart is chosen: the walk ends (ENDED) if S is all
-    of W, and fails (FAILED) if not.  The walk also fails if it has cost more than the largest
-    budget.
+    Then ``s.stage`` is EDGE: the robot has not crossed e yet, although the cost is already counted;
+    ``s.y`` is the dart of W for which e stands.  If U is empty, no dart is chosen, and
+    ``s.stage`` is ENDED if S is all of W, and FAILED if not.  The walk also fails if it has cost
+    more than the largest budget.
     """
     if s.total & COST > w.fuel:
         s.stage = FAILED
@@ -305,10 +320,10 @@ def _pick(w, s):
 
 @inlined
 def _arrive(w, s):
-    """Collect the hypotheses about the other end of e, which the robot has crossed (line 6).
+    """Collect in ``s.hypotheses`` the darts of U that may be the other end of e (line 6).
 
-    If the robot has come to v0, the bearing tells the dart of v0, so the edge is added to S at once
-    (lines 18-19).
+    The robot has just crossed e.  If it has come to v0, the bearing tells the dart of v0, so the
+    edge is added to S at once (lines 18-19).
     """
     z = w.partner[s.y]
     if z < w.end[0]:
@@ -378,8 +393,8 @@ def _aim(w, s, dart, x):
     """Plan the next step of a test, on the way to v0.
 
     By the hypothesis the robot has come in by the dart ``dart`` of S; in truth it has come in by
-    the dart ``x`` of W.  ``s.y`` becomes the dart of W that it crosses next, and ``s.t`` the dart
-    of S by which it should then arrive.
+    the dart ``x`` of W.  ``s.y`` becomes the dart of W that the robot crosses next, and ``s.t``
+    the dart of S by which the robot then arrives if the hypothesis is true.
     """
     p = s.parent >> (5 * (w.s_owner[dart] - 1)) & 31
     turn = p - dart
@@ -435,7 +450,8 @@ def _augment_by_vertex(w, s):
 def _augment_by_loop(w, s):
     """Make an edge of S from the dart e and the dart of the confirmed hypothesis (lines 18-19).
 
-    The walk fails if the darts of W for which these two darts stand are not joined in W.
+    The walk fails if the second dart is not in U, or if the two darts stand for darts of W that are
+    not joined.
     """
     e, dart = s.e, s.candidate
     if not s.unexplored >> dart & 1 or w.partner[w.image[e]] != w.image[dart]:
@@ -513,7 +529,10 @@ def _ways_home(w, s):
 
 @inner
 def _nearest(w, s):
-    """The dart of U whose vertex is nearest in S to the robot; of several such darts the first."""
+    """The dart of U whose vertex is nearest in S to the robot.
+
+    Of several such darts, the result is the dart that was added to S first.
+    """
     reached = front = 1 << s.position
     while front:
         after = darts = 0

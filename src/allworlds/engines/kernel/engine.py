@@ -1,5 +1,8 @@
 """The compiled engines for a unit of a level; requests and results are plain numbers.
 
+The request is a :class:`Level`: sizes, explorer, lighthouse and rules, which are the same for all
+units of a level.  A unit is given by its prefix: the first decisions by which its maps are made.
+
 For a built-in explorer, :func:`judge` plays and judges every run; :func:`walk` walks Algorithm 1
 once in each rooted map, and counts the walk for every direction of the lighthouse.
 
@@ -52,8 +55,10 @@ from allworlds.engines.linux import COMPILER
 def judge(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Sums:
     """Play and judge every run of the maps whose first decisions are ``prefix``.
 
+    Return the sums of the results: counts, the most expensive runs, and runs that break a law.
+
     Args:
-        level: the request.
+        level: the request: the number of edges, the explorer, the lighthouse and the rules.
         prefix: the first decisions, at least one, by which these maps are made
             (:func:`allworlds.maps.enumeration.prefixes`).
         keep: the largest number of runs that break a law and are kept; of all runs that break the
@@ -71,7 +76,13 @@ def judge(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = Non
 
 
 def sums_of(unit: runs.UnitArrays, job: Any, robot: Any) -> Sums:
-    """The results that the judge has written to the arrays of a unit and of a robot."""
+    """The results of a unit, which the judge has written to arrays, as :class:`Sums`.
+
+    Args:
+        unit: the arrays of the unit, with the counts and the kept runs.
+        job: an array ``JOB``; it tells the number of edges.
+        robot: an array ``ROBOT``, the state of the compiled Algorithm 1, with the counts of events.
+    """
     darts, kept = 2 * int(job.gluing.edges), unit.kept
     table = enumerate(unit.counts.tolist())
     return Sums(
@@ -88,7 +99,7 @@ def sums_of(unit: runs.UnitArrays, job: Any, robot: Any) -> Sums:
 
 
 def unit_of(level: Level, prefix: Sequence[int], keep: int = 1) -> runs.UnitArrays:
-    """New arrays for a unit: with the request, and with room for the results.
+    """New arrays for a unit: with the prefix and the limits, and with room for the results.
 
     The arguments are those of :func:`judge`.
     """
@@ -105,7 +116,10 @@ def unit_of(level: Level, prefix: Sequence[int], keep: int = 1) -> runs.UnitArra
 
 
 def _rooms(edges: int, keep: int) -> Kept:
-    """Empty rows: for the most expensive run of each n, and for ``keep`` runs that break a law."""
+    """Empty rows: for the most expensive run of each n, and for ``keep`` runs that break a law.
+
+    ``edges`` is the number of edges of the worlds.
+    """
     width = 3 + 8 * edges
     most_expensive, least = (zeros((many, width), int64) for many in (edges + 2, keep))
     return Kept(most_expensive, least, zeros(width, int64))
@@ -114,7 +128,7 @@ def _rooms(edges: int, keep: int) -> Kept:
 def compile_apart(explorer: str) -> None:
     """Let another process compile an explorer into the cache, and wait for that process.
 
-    Without a writable cache this has no effect.
+    ``explorer`` is the name of a built-in explorer.  Without a writable cache this has no effect.
     """
     in_another_process(f"from {__name__} import explorer_addresses as a; a({explorer!r})").wait()
 
@@ -131,7 +145,12 @@ def in_another_process(code: str) -> subprocess.Popen[bytes]:
 
 
 def set_up(job: Any, robot: Any, level: Level) -> None:
-    """Write the request ``level`` into ``job`` and ``robot``, new arrays ``JOB`` and ``ROBOT``."""
+    """Write the request ``level`` into two new arrays.
+
+    ``job`` is an array ``JOB``, the state of the work on a unit; it gets the lighthouse, the laws,
+    the sizes and the addresses of the explorer's functions.  ``robot`` is an array ``ROBOT``, the
+    state of the compiled Algorithm 1; it gets the policy.
+    """
     job.lighthouse = lighthouse_address(level.lighthouse)
     job.laws = sum(1 << LAWS.index(law) for law in level.laws)
     job.until = 1 << 62
@@ -155,9 +174,11 @@ def _at(row: list[int], darts: int) -> At:
 def walk(level: Level, prefix: Sequence[int], *, keep: int = 1, halt: Any = None) -> Sums:
     """Walk Algorithm 1 once in every map whose first decisions are ``prefix``.
 
-    The class is ``maps``, the lighthouse is directional, all laws are checked together, and the
-    bound depends on n alone.  A walk that costs more than the largest budget has failed.  If a law
-    is broken at any place of a rooted map, one broken run stands for all places of this map.
+    The request ``level`` must ask for the class ``maps``, the directional lighthouse, all laws, and
+    a bound that depends on n alone; other values of these options are ignored.  Return the same
+    counts as :func:`judge`, with one exception: if a walk breaks a law, the result has one broken
+    run of this rooted map, without a law's name, which stands for all places of the lighthouse.
+    A walk that costs more than the largest budget breaks a law.
 
     The arguments are those of :func:`judge`.
 
@@ -204,10 +225,12 @@ def flag() -> Any:
 class LaidOutRuns(Struct, frozen=True):
     """A batch of runs whose worlds have been written to memory for a player.
 
+    The runs of a unit are numbered from 0 on; a world without a place also has a number.
+
     Attributes:
-        runs: the number of runs.
-        first, until: two numbers of runs in the unit: the number of the batch's first run, and the
-            number of the run after its last run.
+        runs: how many runs the batch has.
+        first: the number of the batch's first run in the unit.
+        until: the number of the run after the batch's last run.
         last: whether this batch is the last batch of its unit.
     """
 
@@ -221,7 +244,8 @@ class UnitJudge:
     """The compiled judge of the runs of a unit; other processes play these runs, batch by batch.
 
     Args:
-        level, prefix: the request, and the first decisions by which each map of the unit is made.
+        level: the request: the number of edges, the lighthouse and the rules.
+        prefix: the first decisions by which each map of the unit is made.
         keep: the largest number of runs of a batch that break a law and are kept.
         stretch: the memory of the first play of a batch, in which the explorer walks in worlds.
         replay: the memory of the second play, in which the explorer gets the percepts of the first
@@ -250,7 +274,11 @@ class UnitJudge:
         return LaidOutRuns(placed, first, int(ahead.number), int(ahead.until) == 0)
 
     def judge(self, batch: LaidOutRuns, size: int) -> tuple[Sums, bool]:
-        """Judge the logs in memory; return the results, and whether all logs could be judged.
+        """Judge the logs in memory; return the results, and whether they are valid.
+
+        They are not valid if only the Python judge can judge some log, for example because it
+        holds an unusual entry; if the percepts do not fit into memory; or if the bound has no
+        value in a world.
 
         The percepts of these runs are written to the memory of the second play.
 
@@ -283,7 +311,10 @@ def lay_out(job, unit, heads, worlds):
     At least one run is written if a run is left.  Return the number of written runs.  ``job`` and
     ``unit`` are the arguments of :func:`allworlds.engines.kernel.runs.examine`.  ``job.number``
     becomes the number of the next run, and ``job.until`` becomes 0 after the last run.  Each run is
-    written to a row of ``heads`` and a row of ``worlds``.
+    written to a row of ``heads`` and a row of ``worlds``.  A row of ``heads`` holds the budget, the
+    number that the explorer is told, the number of the run, and the number of the place.  A row of
+    ``worlds`` holds five numbers for each dart: the first dart of its vertex, the other dart of its
+    edge, and the percept on arriving by the dart.
     """
     g, world, placed = job.gluing, job.world, 0
     while placed == 0 or (job.number < job.until and placed <= len(heads) - 2 * layout.MOST_PLACES):

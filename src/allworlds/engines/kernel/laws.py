@@ -10,9 +10,10 @@ then leads to two nodes, these two nodes are merged, too.  Each node is a copy o
 true map, and its darts have the numbers of that vertex's darts.  Dart d of node v is the number
 ``v << NODE | d``.
 
-Three arguments have the same meaning in all functions.  ``published`` is S with its ``here``.
-``judged`` holds the laws that the checkpoints of a run have broken so far, and room for the work of
-the functions.  ``fold`` is the state of a log that is being folded.
+Some arguments have the same meaning in all functions.  ``world`` is the true map with its
+lighthouse.  ``published`` is S with its ``here``.  ``judged`` holds the laws that the checkpoints
+of a run have broken so far, and room for the work of the functions.  ``fold`` is the state of a log
+that is being folded.
 
 The twins, Python code with the same results: :mod:`allworlds.judging.laws` and
 :class:`allworlds.maps.combinatorial.CombinatorialMap`.
@@ -47,8 +48,8 @@ NODE = DARTS.bit_length() - 1
 def look_at(judged, published, world, dart, walked):
     """Note in ``judged.broken`` the laws that the checkpoint ``published`` breaks.
 
-    ``alpha[d] == d`` marks an open dart of S.  ``dart`` is the robot's true dart, and ``walked`` is
-    the set of the darts of all edges that the robot has walked so far.
+    In ``published`` an open dart d of S has ``alpha[d] == d``.  ``dart`` is the robot's true dart,
+    and ``walked`` is the set of the darts of all edges that the robot has walked so far.
     """
     darts, alpha, explored = published.darts, published.alpha, 0
     for d in range(darts):
@@ -140,7 +141,7 @@ def _is_part(judged, published, world, dart, walked):
 
 @inner
 def _is_map(published, judged):
-    """Whether the published sigma and alpha are a connected map.
+    """Whether sigma and alpha of the answer ``published`` are a connected map.
 
     Both must be permutations, and alpha must pair each dart with another dart.  ``judged`` is only
     room for the work.
@@ -194,8 +195,8 @@ def folds(world, log, fold):
 def _step(world, fold, entered):
     """Fold one more step of the log: the robot arrives by the dart ``entered`` of the world.
 
-    Before this step some dart must be open.  If no dart is open, the map is known, and no further
-    step is folded.
+    Before this step some dart must be open.  Once no dart is open, the map is known, and no further
+    step needs to be folded.
     """
     leaving, at = world.alpha[entered], fold.node
     if fold.linked[at] >> leaving & 1:
@@ -223,10 +224,7 @@ def _step(world, fold, entered):
 
 @inlined
 def _lead(fold, v, leaving, w, entered):
-    """Join dart ``leaving`` of node v and dart ``entered`` of node w.
-
-    Before, neither dart had a partner.
-    """
+    """Join dart ``leaving`` of node v and dart ``entered`` of node w; before, both were open."""
     fold.link[v << NODE | leaving], fold.link[w << NODE | entered] = w, v
     fold.linked[v] |= 1 << leaving
     fold.linked[w] |= 1 << entered
@@ -243,7 +241,7 @@ def _root(fold, v):
 
 @inner
 def _merge(world, fold, v, w):
-    """Merge two nodes, and then all pairs of nodes that must be merged because of them.
+    """Merge the nodes v and w, and then all pairs of nodes that must be merged because of them.
 
     If darts with the same number lead from both merged nodes, the two nodes behind these darts must
     be merged, too.

@@ -38,9 +38,10 @@ LONGEST_ENTRY = 3 + 2 * codes.MOST_DARTS
 class Handed(NamedTuple):
     """An explorer in a shared library, in the form that compiled code takes.
 
-    ``library`` is a structured array ``LIBRARY``.  ``percept``, ``action`` and ``here`` are the
-    memory of the values that are exchanged with the explorer.  ``beat`` holds the number of the run
-    and the number of the explorer's turn in the run.
+    ``library`` is a structured array ``LIBRARY``: the addresses of the explorer's functions, and
+    more.  ``percept``, ``action`` and ``here`` are the memory of the values that are exchanged with
+    the explorer; ``here`` is the dart in an answer.  ``beat`` holds the number of the run and the
+    number of the explorer's turn in the run.
     """
 
     library: Any
@@ -51,9 +52,7 @@ class Handed(NamedTuple):
 
 
 class LibraryPlayer:
-    """The player of a shared library.
-
-    It plays batches.  Compiled code has written the worlds of each batch into arrays.
+    """The player of a shared library, for batches whose worlds compiled code has written to arrays.
 
     Args:
         explorer: the explorer, loaded in this process.
@@ -73,7 +72,7 @@ class LibraryPlayer:
         """Play a batch; return the lengths of the logs as bytes, and the logs.
 
         Return None if the logs do not fit into memory, or if the library has left new threads
-        running.
+        running.  ``batch`` is the message that asks for the plays: its parts by their names.
         """
         edges, runs, again = batch["edges"], batch["runs"], batch["again"]
         if edges not in self._memories:
@@ -134,9 +133,9 @@ def load_player() -> None:
 
 @entry
 def move(begins, lengths, logs, moved):
-    """Copy parts of ``logs`` to ``moved``, without gaps.
+    """Copy parts of ``logs`` to ``moved``, one behind the other.
 
-    The parts have the given lengths, and begin at the given indices.
+    Part i begins at the index ``begins[i]`` of ``logs``, and has ``lengths[i]`` bytes.
     """
     to = 0
     for run in range(len(lengths)):
@@ -232,13 +231,15 @@ def _sense(address, percept):
 
 @inlined
 def _arrival(sensed, offset, motion, degree):
-    """The offset of the percept that the robot gets after this motion.
+    """The offset of the percept that the robot gets after the motion ``motion``.
 
-    The world of a run is a table of five bytes for each dart: FIRST, PARTNER, and the three bytes
-    of the percept of a robot that arrives by the dart.  ``sensed`` is the address of the percept of
-    dart 0, and an offset is the distance in bytes from there.  ``offset`` is the offset of the
-    percept before the motion, ``degree`` is the degree in this percept, and ``motion`` is less than
-    ``degree``.
+    The world of a run is a table of five bytes for each dart: FIRST, the first dart of its vertex;
+    PARTNER, the other dart of its edge; and the percept of a robot that arrives by the dart, which
+    is three bytes.  The offset of a percept is its address minus ``sensed``, the address of the
+    percept of dart 0; so dart d has the offset ``5 * d``.
+
+    ``offset`` is the offset of the percept before the motion, ``degree`` is the degree in that
+    percept, and ``motion`` is less than ``degree``.
     """
     leaving = offset + layout.WIDE * motion
     if leaving >= layout.WIDE * (byte_of(sensed, offset + layout.FIRST - layout.DEGREE) + degree):
@@ -250,8 +251,9 @@ def _arrival(sensed, offset, motion, degree):
 def _begin(explorer, action, head):
     """Begin a run: let the explorer read its first percept, and write its first action.
 
-    The explorer writes the action to ``action``.  ``head`` holds the numbers of the run, such as
-    the number that the explorer is told before the start.
+    The percept is in the explorer's memory already, and the explorer writes the action to
+    ``action``.  ``head`` holds the numbers of the run, such as the number that the explorer is told
+    before the start.
     """
     explorer.wrong = 0
     if explorer.choose:
@@ -265,7 +267,8 @@ def _begin(explorer, action, head):
 def _end(handed, logs, at):
     """Write the end of a log, with or without an answer; return the index of the last byte.
 
-    The end is written to ``logs``, from index ``at`` on.
+    The end is written to ``logs``, from index ``at`` on.  It follows from the explorer's last
+    action: an answer, one checkpoint too many, or anything illegal.
     """
     kind = handed.action[0]
     if kind == names.ANSWER_READY:
@@ -282,11 +285,13 @@ def _end(handed, logs, at):
 
 @inner
 def _publish(handed, logs, at, what):
-    """Write the byte ``what`` and the explorer's map to ``logs``; return the index after the map.
+    """Write a checkpoint or an answer to ``logs`` from index ``at`` on; return the index after it.
 
-    The first byte has the index ``at``.  If the number of darts is not from 1 to MOST_DARTS, or if
-    another number of the map does not fit into a byte, write only the byte BEYOND, and return
-    ``at``.
+    ``what`` is the first byte of the entry: SHOWN for a checkpoint, ANSWERED for an answer.  The
+    explorer's map follows.  If the number of darts is not from 1 to MOST_DARTS, or if another
+    number of the map does not fit into a byte, the entry cannot be written.  Then the byte BEYOND
+    is written at ``at`` and ends the log, which is left to the Python judge, and ``at`` itself is
+    returned.
     """
     explorer, here = handed.library, handed.here
     here[0] = NONE
@@ -311,10 +316,15 @@ def _publish(handed, logs, at, what):
 def pick(library, of, options, cost):  # pragma: no cover  # compiled
     """Return the index of the option that the policy chooses.
 
-    The explorer calls this function as ``allworlds_pick``.  ``of`` is the number of the kind of
-    choice, from 0 to 3; ``options`` is the number of options; ``cost`` is the address of the costs
-    of the options, or 0.  If ``of`` is not from 0 to 3, or if ``options`` is less than 1,
+    The explorer calls this function as ``allworlds_pick``.  If the call is illegal,
     ``library.wrong`` is set to 1, and the returned index is 0.
+
+    Args:
+        library: the array ``LIBRARY`` of the explorer, which holds the policy.
+        of: the number of the kind of choice, from 0 to 3; 0 is the choice of the dart that is
+            explored next.
+        options: the number of options, at least 1.
+        cost: the address of the costs of the options, or 0.
     """
     taken = 0
     if options < 1 or of < 0 or of > 3:

@@ -3,9 +3,13 @@
 A run is a world with a place of the lighthouse.  Runs have the same numbers in their unit as in the
 Python engine; a world without a place counts as one run.
 
-In this module a player is an explorer behind its C interface, or a reader of logs.  The judge is
-compiled twice: once for explorers, and once for readers.  The argument ``job`` is the state of the
-unit that is being done: the map and the lighthouse of the present run, its log, and more.
+In this module a player is an explorer behind its C interface, or a reader of logs that an explorer
+has left in another process.  The judge is compiled twice: once for explorers, and once for readers.
+
+Some arguments have the same meaning in all functions.  ``job`` is the state of the unit that is
+being done: the map and the lighthouse of the present run, its log, and more.  ``world`` is the map
+with its lighthouse.  ``log`` records the walk of the run, and ``judged`` the laws that its
+checkpoints break.  ``budget`` is the largest legal number of traversals in the run.
 """
 
 from typing import Any, NamedTuple
@@ -62,13 +66,15 @@ class UnitArrays(NamedTuple):
 
 @entry
 def examine(job, player, unit, halt):
-    """Play and judge the runs of a unit; return whether the unit is finished.
+    """Play and judge the runs of a unit; return whether the work on the unit is over.
 
-    True: all runs are done, or the bound has no value for a run; only in this second case
-    ``job.undefined`` is 1.  False: the work was given up, because ``halt[0]`` is not 0, or all runs
-    before the run number ``job.until`` are done.
+    The result is True if all runs of the unit are done.  It is also True if the bound has no value
+    for a run: then the work ends before this run, and ``job.undefined`` is 1.  The result is False
+    if runs are left: because ``halt[0]`` is not 0, or because only the runs before the run number
+    ``job.until`` were to be done.
 
-    ``player`` is an explorer, or the reader of logs that an explorer has left.
+    ``player`` is an explorer, or a reader of logs.  ``unit`` holds the arrays of the unit, to which
+    the results are written.
     """
     g, world, counts = job.gluing, job.world, unit.counts
     while halt[0] == 0 and job.number < job.until:
@@ -102,9 +108,10 @@ def examine(job, player, unit, halt):
 
 @inlined
 def _bound_of(world, bounds, met):
-    """The largest legal cost of this run, or UNDEFINED if the bound has no value.
+    """The largest legal cost of a run in ``world``, or UNDEFINED if the bound has no value.
 
-    Note in ``met`` that a run of this size has occurred.  The size of a run consists of n, the
+    ``bounds`` and ``met`` are those of :class:`UnitArrays`.  Note in ``met`` that a run of this
+    size has occurred.  The size of a run consists of n, the
     degree of v0 and the largest degree; a degree on which the bound does not depend is noted as 0.
     """
     n, d0, largest = world.vertices, 0, 0
@@ -121,7 +128,9 @@ def _bound_of(world, bounds, met):
 def _count_run(world, log, law, counts, most_expensive):
     """Add a run to the counts; if its cost is the largest so far, write it to ``most_expensive``.
 
-    Of several runs with the largest cost the run with the least code is written.
+    ``most_expensive`` has a row for each number of vertices.  Of several runs with the largest cost
+    the run in the map with the least code is written.  ``law`` is the number of the law that the
+    run breaks, or 0.
     """
     n, cost = world.vertices, log.cost
     more_expensive = cost > counts[n, LARGEST]
@@ -139,8 +148,8 @@ def _judged_run(job, player, budget, bound):
     """Play and judge a run in ``job.world``; return the number of the broken law, or 0.
 
     If the run breaks several laws, the number is that of the first law in the order of precedence.
-    ``budget`` is the largest legal number of traversals; a run with more of them ends.  ``bound``
-    is the largest legal cost of a finished run.
+    A run with more than ``budget`` traversals is ended, and breaks the law budget.  ``bound`` is
+    the largest legal cost of a run with an answer.
     """
     world, log, judged = job.world, job.log, job.judged
     judged.broken = judged.shown = 0
@@ -167,8 +176,8 @@ def play(*arguments: Any) -> int:
     """Play a run; return the number of the law that ended the run, or 0 if it has an answer.
 
     The arguments are a world, a player, the budget, and the arrays for the log and for the
-    judgement of the checkpoints.  The budget is the largest legal number of traversals; the largest
-    legal number of checkpoints is the budget plus 1.
+    judgement of the checkpoints.  The largest legal number of checkpoints is the budget plus 1.
+    Compiled code calls :func:`_meet` or :func:`_follow` in place of this function.
     """
     raise NotImplementedError
 
@@ -223,7 +232,7 @@ def _meet(world, explorer, budget, log, judged):
 
 @inlined
 def _sense(world, dart, percept):
-    """Write the percept on arriving by the dart to ``percept``."""
+    """Write to ``percept`` the percept of a robot that arrives by the dart ``dart``."""
     percept.degree = world.degree[dart]
     percept.marks = world.marks[dart]
     percept.bearing = world.bearing[dart]
@@ -233,8 +242,10 @@ def _sense(world, dart, percept):
 def _follow(world, reader, budget, log, judged):
     """Follow the next log through the world; return what :func:`play` returns.
 
-    The percepts are noted for the second play.  A log that only the Python judge can judge is
-    counted in ``reader.strange``, and the returned law is illegal-action.
+    The percepts are noted for the second play.  Here only the kinds of entries that a run with an
+    estimate needs are known.  A log that ends with a fault, or with an unknown entry, gets the law
+    illegal-action for the time being; the Python judge finds the law that is really broken, if
+    any.  The logs with an unknown or misplaced entry are also counted in ``reader.strange``.
     """
     logs, size, published = reader.logs, reader.size, log.published
     run, noted = reader.run, reader.noted
@@ -279,10 +290,11 @@ def _follow(world, reader, budget, log, judged):
 
 @inlined
 def _note(reader, at, world, dart):
-    """Write the percept on arriving by the dart as three bytes, from byte ``at`` of the percepts.
+    """Note the percept of a robot that arrives by the dart ``dart``, for the second play.
 
-    A fourth byte is also written, but the next percept overwrites it.  If there is no room for the
-    percept, the log is counted in ``reader.strange``, as a log for the Python judge.
+    The percept is written as three bytes, from byte ``at`` of the reader's percepts on.  A fourth
+    byte is also written, but the next percept overwrites it.  If there is no room for the percept,
+    the log is counted in ``reader.strange``, as a log for the Python judge.
     """
     if at + 4 > LOG_BYTES:
         reader.strange += 1
@@ -293,7 +305,7 @@ def _note(reader, at, world, dart):
 
 @inlined
 def _find_map(reader, at, published):
-    """Whether the log holds a map at this index; if it does, write the map to ``published``."""
+    """Whether the logs hold a map from index ``at`` on; if so, write the map to ``published``."""
     darts = byte_of(reader.logs, at) if at + 2 <= reader.size else 0
     if darts < 1 or darts > codes.MOST_DARTS or at + 2 + 2 * darts > reader.size:
         return False

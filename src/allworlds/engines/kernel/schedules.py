@@ -14,6 +14,11 @@ The code of a rooted map is its sigma and alpha, with the darts renumbered from 
 The maps are made as in :mod:`allworlds.engines.kernel.worlds`: a list of decisions makes a map, and
 ``viable`` is the table that says which unfinished maps are legal.
 
+Some arguments have the same meaning in all functions.  ``job`` is an array ``SCHEDULES``, the state
+of the search, with the present world.  ``explored`` is a set of edges, those of S.  ``known`` is
+the set of the vertices of these edges, with v0.  ``worst`` and ``best`` hold the costs that remain:
+the entry ``[explored, v]`` is for the robot at vertex v when the edges ``explored`` are explored.
+
 Source: Algorithm 1, Section IV.
 """
 
@@ -32,8 +37,11 @@ TRANSITS = {"shortest": SHORTEST, "simple": SIMPLE}
 
 ROOTED, WORST, BEST, TESTS, WRONG = range(5)
 COLUMNS = 5
-"""The number of columns of results: rooted maps, worst and best cost, tests in the searched maps,
-and tests that confirmed a false hypothesis."""
+"""The number of columns of results, which are named above.
+
+They are: the number of rooted maps; the largest worst cost and the largest best cost of a map; the
+number of tests in the searched maps; the number of tests that confirmed a false hypothesis.
+"""
 
 _FAR = 1 << 30
 
@@ -91,10 +99,10 @@ def _is_least(world, row, other):
 
 @inner
 def _keep(job, rooms):
-    """Add the results of a world to the counts of the worlds with the same number of vertices.
+    """Add the results of the present world to ``rooms``, in the row of its number of vertices.
 
-    Of these worlds the map with the largest worst cost so far is kept; of several such maps, the
-    map with the least code.
+    Of the worlds of a row the one with the largest worst cost so far is kept; of several such
+    worlds, the one with the least code.
     """
     n, counts, least, worst = job.world.vertices, rooms.counts, rooms.least, rooms.worst[0, 0]
     counts[n, TESTS] += job.tests
@@ -110,10 +118,10 @@ def _keep(job, rooms):
 
 @inner
 def _solve(job, worst, best, reached):
-    """Write the worst and the best cost of a run to ``worst[0, 0]`` and ``best[0, 0]``.
+    """Compute ``worst`` and ``best`` for the present world.
 
-    In both arrays, entry ``[explored, v]`` is the cost that remains if the robot is at vertex v and
-    has explored the set ``explored`` of edges.  ``reached`` is room for :func:`_begin`.
+    The entries ``[0, 0]`` are then the worst and the best cost of a whole run: no edge is explored,
+    and the robot is at v0.  ``reached`` is room for :func:`_begin`.
     """
     world = job.world
     _begin(job, reached)
@@ -166,9 +174,8 @@ def _begin(job, reached):
 def _pass(job, explored, known, worst, best):
     """Find for each dart in U the largest and the least cost from crossing that dart to the answer.
 
-    ``explored`` is the set of the explored edges, and ``known`` is the set of their vertices and
-    v0.  The costs are written to ``job.most`` and ``job.least``; for a dart that is not in U, -1 is
-    written to ``job.most``.
+    The costs are written to ``job.most`` and ``job.least``; for a dart that is not in U, -1 is
+    written to ``job.most``.  The costs after this pass are read from ``worst`` and ``best``.
     """
     world = job.world
     _shortest(job, 0, job.near)
@@ -230,11 +237,12 @@ def _ways(job, explored, known, worst, best):
 
 @inner
 def _test(job, explored, hypothesis, entered):
-    """Test a false hypothesis on every simple path in S to v0; the robot has come by ``entered``.
+    """Test a false hypothesis on every simple path in S to v0.
 
-    The least and the greatest number of steps up to a mismatch are written to ``job.shortest`` and
-    ``job.longest``.  All tests are counted in ``job.tests``, and the tests without a mismatch in
-    ``job.wrong``.
+    By the hypothesis the robot has arrived by the dart ``hypothesis``; in truth it has arrived by
+    the dart ``entered``.  The least and the greatest number of steps up to a mismatch are written
+    to ``job.shortest`` and ``job.longest``.  All tests are counted in ``job.tests``, and the tests
+    without a mismatch in ``job.wrong``.
     """
     world = job.world
     job.shortest, job.longest = _FAR, 0
@@ -272,7 +280,7 @@ def _test(job, explored, hypothesis, entered):
 
 @inner
 def _turned(world, dart, turn):
-    """The dart ``sigma^turn(dart)``; ``turn`` is less than the degree of the vertex."""
+    """The dart ``sigma^turn(dart)``; ``turn`` is less than the degree of the dart's vertex."""
     dart += turn
     if dart >= world.first[dart - turn] + world.degree[dart - turn]:
         dart -= world.degree[dart - turn]
@@ -336,11 +344,13 @@ def _longest(job, start, length):
 class ScheduleCosts(NamedTuple):
     """The costs over all schedules in the maps with one number of vertices.
 
+    Each map has a most expensive and a cheapest schedule.
+
     Attributes:
         vertices: n.
         rooted: the number of rooted maps.
-        worst: the largest cost of a schedule in any of the maps.
-        best: the largest cost of a world's cheapest schedule in any of the maps.
+        worst: the maximum, over all maps, of the cost of the map's most expensive schedule.
+        best: the maximum, over all maps, of the cost of the map's cheapest schedule.
         tests: the number of tests, on all simple paths, in the searched worlds.
         wrong: the number of tests that confirmed a false hypothesis.
         sigma, alpha: the map with the cost ``worst``; of several such maps the map with the least
@@ -376,7 +386,7 @@ def schedule_costs_of_unit(
         limit: the largest number of vertices.
         prefix: the first decisions, at least one, by which these maps are made.
         transit: the paths to the next dart that are tried: ``shortest`` or ``simple``.
-        halt: an array of one number; once this number is not 0, the work is given up, and its
+        halt: an array of one number; once this number is not 0, the work is given up, and the
             result is void.
         simple: whether the maps of the class have no loops and no parallel edges.
         planar: whether the maps of the class have genus 0.

@@ -204,7 +204,7 @@ def _take_back(g):
 
 
 def rule(g):  # pragma: no cover  # compiled
-    """Set ``g.possible`` to 0 if the partial map is not of the class, or cannot be finished.
+    """Set ``g.possible`` to 0 if the map so far is not of the class, or cannot be finished.
 
     ``g.planar`` and ``g.simple`` define the class.  In simple classes ``g.possible`` may stay 1
     although the map cannot be finished: only the condition of :func:`_simple` is checked.
@@ -225,7 +225,7 @@ def rule_address() -> int:
 
 @inner
 def _next_open(g, dart, open_):
-    """The first dart of the set ``open_`` that follows this dart on the boundary of its face."""
+    """The first dart of the set ``open_`` that follows ``dart`` on the boundary of its face."""
     while True:
         v = g.owner[dart]
         dart += 1
@@ -253,10 +253,10 @@ def _one_face(g, y, z):
 
 @inner
 def _even(g, new):
-    """Whether the number of faces with an odd number of open darts is at most ``new``.
+    """Whether at most ``new`` faces have an odd number of open darts.
 
-    ``new`` is the largest number of vertices that can still be added.  Otherwise a planar map
-    cannot be finished, because one new vertex makes only one of these faces even.
+    ``new`` is the largest number of vertices that can still be added.  With more such faces no
+    planar map can be finished, because one new vertex makes only one of these faces even.
     """
     odd, rest = 0, g.open
     while rest:
@@ -308,7 +308,7 @@ the neighbours whose degree no other vertex has, if no other vertex has the degr
 
 @inner
 def settle(world, g):
-    """Write the finished map ``g`` to ``world``, without a lighthouse."""
+    """Write the finished map of the gluing ``g`` to ``world``, without a lighthouse."""
     world.darts, world.vertices = g.darts, g.vertices
     world.place = world.pointed = NONE
     for v in range(g.vertices):
@@ -343,7 +343,7 @@ def arrival(world, dart, motion):
 
 @inner
 def doubled(world):
-    """Return 1 if there is a loop, plus 2 if there are parallel edges."""
+    """Return 0, plus 1 if the world has a loop, plus 2 if the world has parallel edges."""
     found = 0
     for v in range(world.vertices):
         joined = 0
@@ -360,12 +360,12 @@ def doubled(world):
 
 
 def none(world):  # pragma: no cover  # compiled
-    """Put no lighthouse into the world; this kind has one place."""
+    """Go on to the only place of this kind, which puts no lighthouse into the world."""
     world.place = 0 if world.place == NONE else NONE
 
 
 def position(world):  # pragma: no cover  # compiled
-    """Put one mark at v0; this kind has one place."""
+    """Go on to the only place of this kind: one mark at v0."""
     world.place = 0 if world.place == NONE else NONE
     _mark(world, 0, 1)
 
@@ -381,7 +381,7 @@ def directional(world):  # pragma: no cover  # compiled
 
 
 def door(world):  # pragma: no cover  # compiled
-    """Mark the next dart of v0; each dart of v0 is a place."""
+    """Put one mark at the next dart of v0, sensed only on arriving by it; each dart is a place."""
     world.place += 1
     darken(world)
     if world.place == world.degree[0]:
@@ -478,7 +478,7 @@ def _to_neighbour(world, which):
 
 @inner
 def _joined(world, vertex):
-    """The number of edges between v0 and the vertex."""
+    """The number of edges between v0 and the vertex ``vertex``."""
     edges = 0
     for dart in range(world.degree[0]):
         edges += world.owner[world.alpha[dart]] == vertex
@@ -514,7 +514,7 @@ def _cluster(world):
 
 @inner
 def _mark(world, vertex, marks):
-    """Put this number of marks at the vertex."""
+    """Let a robot sense this number of marks at the vertex, by whichever dart it arrives."""
     first = world.root[vertex]
     for dart in range(first, first + world.degree[first]):
         world.marks[dart] = marks
@@ -522,7 +522,7 @@ def _mark(world, vertex, marks):
 
 @inner
 def _point(world, dart):
-    """Let the bearings at all darts of this dart's vertex point to this dart."""
+    """Let the marker at the vertex of ``dart`` point to ``dart``: set the bearings of its darts."""
     first, degree = world.first[dart], world.degree[dart]
     for other in range(first, first + degree):
         world.bearing[other] = dart - other
