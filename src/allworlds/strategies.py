@@ -160,9 +160,9 @@ def choices(max_size: int = 40) -> SearchStrategy[Choices]:
 
 
 class Answers:
-    """The policy of :func:`choices`: a list of numbers tells the options, then option 0 is taken.
+    """The policy of :func:`choices`: the numbers ``answers`` give the options of the first choices.
 
-    Each number is taken modulo the number of options.
+    Each number is taken modulo the number of options.  All later choices are option 0.
     """
 
     def __init__(self, answers: Sequence[int] = ()) -> None:
@@ -173,7 +173,10 @@ class Answers:
         return f"Answers({list(self.answers)})"
 
     def choose(self, kind: ChoiceKind, options: Sized, cost: Sequence[int] | None) -> int:  # noqa: ARG002
-        """Return the next number modulo the number of options; 0 if no number is left."""
+        """Return the next number modulo the number of options; 0 if no number is left.
+
+        ``kind`` and ``cost`` have no effect here; other policies use them.
+        """
         return next(self._left, 0) % len(options)
 
 
@@ -213,7 +216,8 @@ def grow(
         map_class: the class.
         edges: m.
         vertices: n; the class has maps with m edges and n vertices.
-        pick: a function that returns the index of an option; it is called ``m`` times.
+        pick: a function that gets the edges that can be added next, and returns the index of one of
+            them; it is called ``m`` times.
 
     Cost: O(m^3).
     """
@@ -281,7 +285,7 @@ class _Growth:
         return [way for way in combinations_with_replacement(darts, 2) if allowed(*way)]
 
     def add(self, way: NewEdge) -> None:
-        """Add the edge to the map."""
+        """Add the edge ``way`` to the map."""
         a, b = way
         first = len(self.sigma)
         self.sigma += [first, first + 1]

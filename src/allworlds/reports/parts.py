@@ -167,18 +167,21 @@ def _names(world: World) -> Sequence[str]:
 
 
 def _without_labels(scene: Scene, world: World) -> Scene:
-    """The scene without marks, if the marks are labels of vertices; else the scene itself."""
+    """The scene ``scene`` of a world, without marks if the world's marks are labels of vertices."""
     return doc.replace(scene, marks={}) if world.lighthouse.labels_vertices else scene
 
 
 def walk_in_world(walk: Walk) -> Scene:
-    """The scene of the world with all its percepts, and with the robot at the end of its walk."""
+    """The scene of a walk's world, with all its percepts, and with the robot at the walk's end."""
     scene = scene_of(walk.world, walk.states[-1].lying)
     return doc.replace(scene, robot=walk.here, walked=walk.arrivals)
 
 
 def walk_in_answer(walk: Walk, answer: Estimate) -> Scene:
-    """The scene of the answer with the percepts that it predicts, and the robot at ``here``."""
+    """The scene of an answer's map, with the percepts that the answer predicts on the walk.
+
+    The robot is at the dart ``here`` of the answer.
+    """
     world, belief = walk.world, believed_walk(walk, answer)
     # Where the answer has no place for the lighthouse it says nothing of markers.
     percepts = zip(belief.trail, belief.percepts or [], strict=False)
@@ -207,7 +210,10 @@ class CsvRows(Struct, frozen=True):
 
     @classmethod
     def of(cls, results: Iterable[Any], **columns: type) -> CsvRows:
-        """Make a row of each result; each column holds the attribute that has the column's name."""
+        """Make a row of each result; ``columns`` has the type of each column by the column's name.
+
+        Each column holds the attribute of the results that has the column's name.
+        """
         return cls(columns, [[getattr(result, name) for name in columns] for result in results])
 
     @property
@@ -252,9 +258,9 @@ class Paragraph(Struct, frozen=True):
 
 
 class FactList(Struct, frozen=True):
-    """Named sentences; a sentence without a name continues the fact before it.
+    """Named sentences, as pairs of a name and a sentence.
 
-    Empty sentences are not shown.
+    A sentence whose name is empty continues the fact before it.  Empty sentences are not shown.
     """
 
     given: Sequence[tuple[str, str]]
@@ -272,7 +278,7 @@ class Table(Struct, frozen=True):
         header: a name for each column.
         rows: the rows, each with a cell for each column.
         caption: the caption of the table.
-        keys: how many of the first columns identify a row.
+        keys: the number of columns, from the first one on, whose cells identify a row.
     """
 
     header: Sequence[str]
@@ -287,7 +293,7 @@ class Table(Struct, frozen=True):
 
     @property
     def right(self) -> str:
-        """``r`` for each column of numbers, ``l`` for each column of words."""
+        """A letter for each column, in one text: ``l`` if the column holds a text, else ``r``."""
         columns = ([row[i] for row in self.rows] for i in range(len(self.header)))
         return "".join("l" if any(isinstance(c, str) for c in cells) else "r" for cells in columns)
 
@@ -365,11 +371,11 @@ class View(Struct, frozen=True):
 
 
 class Elsewhere(Struct, frozen=True):
-    """The percepts of the walk's motions in another map.
+    """The percepts that the motions of a walk would yield in another map.
 
     Attributes:
         where: the heading of these percepts.
-        percepts: the percepts there, one for each percept of the walk.
+        percepts: the percepts in the other map, one for each percept of the walk.
     """
 
     where: str
@@ -385,9 +391,11 @@ class ShownWalk(Struct, frozen=True):
         views: the pictures.
         sentences: sentences about the walk.
         elsewhere: the percepts of the same motions in another map; None if nothing is compared.
-        agreement: the number of darts, from the start of both trails on, before the walks in the
-            first two views diverge; a page draws the second map like the first one as far as these
-            darts show that the maps agree.  None if each map is drawn by itself.
+        agreement: the number of steps, the start counted as one, before the walks in the first two
+            views diverge.  At these steps the robot's darts in the two maps correspond; from these
+            pairs a page finds further pairs.  It gives the darts and vertices of the second map the
+            names of their partners in the first map, and also their positions if the maps turn out
+            to be the same or mirror images.  None if each map is drawn by itself.
         parting: the step at which the explorer is first seen to be wrong, because the walk in its
             answer contradicts the world, or because its checkpoint is wrong; else None.
         tour: whether the walk has the only purpose to go along every edge; then a text shows only
@@ -478,7 +486,7 @@ class Quote(Struct, frozen=True):
         title: the title of the lines.
         text: the lines.
         command: whether the lines are a command to copy and run.
-        prefix: the beginning of each line in a plain text.
+        prefix: the text before each line in a plain text.
     """
 
     name: str
@@ -550,18 +558,20 @@ class ReportContent(Struct, frozen=True):
         result: the result of the verb.
         headline: the answer in a sentence; None if the content consists of sections alone.
         sections: the sections, in the order of reading.
-        whole: further sections, which a terminal shows only under the option ``-v``.
+        whole: further sections, which a terminal shows only under the option ``-v``; none if the
+            content has ``short`` facts.
         more: a function that makes sections with walks to step through, for pages alone; it may
             play runs again.
         rows: a function that makes the rows of a CSV file; None: the steps of the first walk.
         cases: a function that makes the cases for test runners; None without cases.
         command: the arguments of the command line on which the result depends.  The name of each
-            case in a file for test runners begins with them, so that the cases of two reports have
-            different names.
+            case in a file for test runners begins with these arguments, so that the cases of two
+            reports have different names.
         page: a function that makes the page; None: a page of these sections.
         apart: the keys of the result's JSON document that a page leaves out of its copy of the
             document, because sections on the page have their values as a :class:`DataRecord`.
-        short: facts of one line each, which replace the last section on a terminal.
+        short: pairs of a name and a sentence of one line; without the option ``-v`` a terminal
+            shows these facts in place of the last section.
         laws: the laws that a finding may break, each with its sentence.
     """
 
@@ -613,11 +623,13 @@ _SENSED = ("degree", "marks", "bearing")
 
 
 def rows_of_walk(walk: ShownWalk) -> CsvRows:
-    """A row for each step of a walk.
+    """A row for the start and for each step of a walk.
 
-    ``number`` is the number of a motion, or the written value; ``vertex`` and ``dart`` tell where
-    the robot has arrived in the world; ``name`` is the vertex's name, if it has a name. If the walk
-    is compared with another map, the columns ``other_...`` have the percepts there.
+    The column ``action`` has the name of the action, such as ``move`` or ``write``, and ``number``
+    the number k of a motion or the number that the robot writes.  ``vertex`` and ``dart`` tell
+    where the robot is in the world after the action; ``name``, only if the vertices have names, is
+    the name of this vertex.  ``degree``, ``marks`` and ``bearing`` are the percept.  If the walk is
+    compared with another map, the columns ``other_degree`` and so on have the percept in this map.
     """
     walked, others = walk.walked, walk.elsewhere.percepts if walk.elsewhere else ()
     named = walked.world.labels.vertices

@@ -20,8 +20,9 @@ LONGEST_WALK, LONGEST_REFUTING = 60, 16
 """The numbers of steps that are shown of a walk with more than ``LONGEST_WALK`` steps.
 
 The first number is for a walk that breaks no law, the second for a walk that breaks a law.  Half of
-the shown steps are at the start of the walk, half at its end.  But if a walk has a step ``parting``
-(:class:`allworlds.reports.parts.ShownWalk`), the last ``LONGEST_WALK`` steps up to it are shown.
+the shown steps are at the start of the walk, half at its end.  But if a walk that breaks a law has
+a step ``parting`` (:class:`allworlds.reports.parts.ShownWalk`), the last shown step is this one,
+and the others are those before it, ``LONGEST_WALK`` steps in all.
 """
 
 GAP = 2
@@ -45,7 +46,10 @@ def finding_in_words(finding: Any, width: int, number: int = 1) -> str:
 
 
 def content_text(content: parts.ReportContent, width: int) -> str:
-    """The text of a content: the headline and every section."""
+    """The text of a content: the headline and every section.
+
+    Sentences are wrapped to ``width`` characters.
+    """
     said = content.headline
     head = entry(said.word, said.text, width) if said else []
     return _joined([head, *(_section(section, width) for section in content.sections)])
@@ -61,8 +65,9 @@ def on_terminal(content: parts.ReportContent, width: int, *, whole: bool) -> str
     Args:
         content: the content.
         width: the number of characters of a line.
-        whole: whether the text is as long as under the option ``-v``: nothing is shortened, and for
-            a content without short facts the sections ``content.whole`` are at the end.
+        whole: whether the text is as long as under the option ``-v``: nothing is shortened, and the
+            sections ``content.whole`` are at the end.  A content with short facts has no sections
+            ``whole``; if it had some, they would not be shown.
     """
     if not content.short or content.headline is None:
         text, more = content_text(content, width), text_of(content.whole, width)
@@ -88,8 +93,9 @@ def _cut(lines: Sequence[str]) -> str:
 def _found(section: parts.Section, width: int, room: int) -> list[str]:
     """The lines about a finding, without the steps of its walk.
 
-    They are at most ``room`` lines, and a last line, which names the option ``-v``.  The picture of
-    the finding's world is among them if there is room for it.
+    The result has at most ``room`` lines and one more, which names the option ``-v``.  The picture
+    of the finding's world is among the lines if there is room for it.  ``width`` is the number of
+    characters of a line.
     """
     lines = wrap(section.title, width, break_long_words=False)
     picture, command = "", list[str]()
@@ -124,13 +130,16 @@ def _shortened(lines: Sequence[str], most: int) -> str:
 
 
 def content_line(content: parts.ReportContent, width: int) -> str:
-    """The answer in one line of any length; without a headline, the first line of the text."""
+    """The answer in one line of any length; without a headline, the first line of the text.
+
+    Only this first line of the text is wrapped to ``width`` characters.
+    """
     head = content.headline
     return head.line if head else content_text(content, width).partition("\n")[0]
 
 
 def text_of(sections: Iterable[parts.Section], width: int) -> str:
-    """The text of some sections."""
+    """The text of some sections, whose sentences are wrapped to ``width`` characters."""
     return _joined(_section(section, width) for section in sections)
 
 
@@ -216,9 +225,9 @@ def table(
 ) -> list[str]:
     """The lines of a table; column i is flushed right where ``right[i]`` is ``r``.
 
-    If the table is wider than ``width``, the widest columns of texts are wrapped.  If that is not
-    enough, the columns that do not fit are in a table below, which repeats the first ``keys``
-    columns.
+    If the table is wider than ``width`` characters, the widest columns of texts are wrapped.  If
+    that is not enough, the columns that do not fit are in a further table below the first one; this
+    further table repeats the first ``keys`` columns.
     """
     columns = [*zip(header, *rows, strict=True)]
     widths = [max(map(len, column)) for column in columns]
@@ -256,7 +265,7 @@ def table(
 
 
 def entry(name: str, text: str, width: int) -> list[str]:
-    """The lines of a named paragraph, with a hanging indent."""
+    """The lines of a named paragraph, with a hanging indent, wrapped to ``width`` characters."""
     first, indent = f"{name} ".ljust(INDENT), " " * INDENT
     return wrap(
         text, width, initial_indent=first, subsequent_indent=indent, break_on_hyphens=False

@@ -298,7 +298,13 @@ def _head(name: str) -> Schema:
 
 
 def _plain(schema: Any) -> Any:
-    """The schema in short form: without defaults, and with equivalent forms made shorter."""
+    """The schema in short form; the same is done in all its parts.
+
+    The keys ``default`` are left out.  An ``enum`` of one value becomes ``const``.  An ``anyOf`` of
+    a simple type and null becomes one ``type`` with two names, such as ``["integer", "null"]``.
+    The description of an object is cut: its first paragraph becomes the title, its second paragraph
+    the description, and the rest is left out.
+    """
     if isinstance(schema, list):
         return [_plain(inner) for inner in schema]
     if not isinstance(schema, dict):

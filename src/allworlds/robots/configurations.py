@@ -63,7 +63,9 @@ mind after the turn.  The third says whether the action is done in a later event
 class Search:
     """The search of one world, through all configurations that runs can reach.
 
-    A configuration is a state of the world, with the minds of all robots.
+    A configuration is a state of the world, with the minds of all robots.  In the methods
+    ``number`` is the number of a configuration: its index in the order in which the search finds
+    the configurations.
 
     Args:
         world: the model, in one map.
@@ -225,9 +227,9 @@ class Search:
     def able(self, number: int) -> tuple[list[int], list[int]]:
         """The robots that can be activated in a configuration, and those at the end of the budget.
 
-        A robot of the second list could be activated under a larger budget.  In no list is a robot
-        that is gone, that has ended, that watches and senses no change, or that the scheduler does
-        not allow yet.
+        A robot of the second list could be activated under a larger budget.  Neither list has a
+        robot that is gone, that has ended, or that watches and senses no change; the first list has
+        no robot that the scheduler does not allow yet.
         """
         key, able, cut = self._keys[number], [], []
         sensed = self._sensed_in(key[0])
@@ -255,7 +257,8 @@ class Search:
 
         The scheduler allows a robot that has begun, and that, if ``timing.lead`` is given, is fewer
         than ``timing.lead`` activations ahead of every robot in ``able``.  A robot between Look and
-        Move may always move, because its activation is counted already.
+        Move may always move, because its activation is counted already.  ``minds`` and ``counts``
+        are the minds of the robots and the scheduler's counts, see :meth:`configuration`.
         """
         if self.timing.start_delay:
             able = [robot for robot in able if robot != 1 or not counts[0]]
@@ -447,7 +450,10 @@ class Search:
     def _passed(
         self, counts: tuple[int, ...], group: Iterable[int], minds: Sequence[int]
     ) -> tuple[int, ...]:
-        """The scheduler's counts after a group was activated; see :meth:`configuration`."""
+        """The scheduler's counts after a group was activated; see :meth:`configuration`.
+
+        ``counts`` and ``minds`` are the scheduler's counts and the minds before.
+        """
         slept: tuple[int, ...] = ()
         if self.timing.start_delay:
             slept = (max(0, counts[0] - 1),)
@@ -619,7 +625,7 @@ class Search:
 
 
 def in_lockstep(searches: Sequence[Search], minds: Minds) -> None:
-    """Run several searches together, layer by layer.
+    """Run several searches together, layer by layer; all of them share ``minds``.
 
     For each layer a program gets one message with the turns of all these searches.
     """

@@ -120,10 +120,13 @@ def _holds(search: Search, condition: Liveness, number: int) -> bool:
 
 
 def _criteria_of(search: Search, condition: Liveness) -> Iterator[Criterion]:
-    """The criteria for a cycle that breaks the condition.
+    """The criteria for a cycle that breaks the condition: one criterion, or none.
 
-    There is no criterion if the condition must hold again and again: then cycles are searched only
-    among configurations in which the condition does not hold, so every cycle breaks it.
+    If the condition must hold from some time on, a transition meets the criterion if the condition
+    does not hold before the transition.  If the condition is that no robot acts, a transition meets
+    the criterion if a robot acts in the transition.  There is no criterion if the condition must
+    hold again and again: then cycles are searched only among configurations in which the condition
+    does not hold, so every cycle breaks it.
     """
     if condition.holds is None:
         yield lambda _before, index: bool(search.graph.has_action(index))
@@ -159,7 +162,7 @@ def _assumptions(search: Search) -> Iterator[Criterion]:
 def components(search: Search, inside: Sequence[int], outgoing: Outgoing) -> Iterator[list[int]]:
     """The strongly connected components of a subgraph, without those that have no transition.
 
-    They are sorted by their least configurations.  The algorithm is Tarjan's.
+    The components are sorted by their least configurations.  The algorithm is Tarjan's.
 
     Args:
         search: the search with the graph.

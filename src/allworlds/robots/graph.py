@@ -61,7 +61,8 @@ class Graph:
     """The transitions of a search, each packed into 64 bits and named by its index.
 
     A transition leads from one configuration to another.  A configuration is a state of the world,
-    with the minds of all robots.
+    with the minds of all robots.  In the methods ``number`` is the number of a configuration, and
+    ``index`` the index of a transition.
 
     The transitions from one configuration are consecutive, in the order of the configurations.
     """
@@ -72,8 +73,8 @@ class Graph:
     def begin(self, number: int) -> None:
         """Begin the list of transitions from a configuration.
 
-        Configurations are begun in ascending order; a configuration that is skipped has no
-        transitions.
+        The lists are begun in the ascending order of the configurations; a configuration that is
+        skipped has no transitions.
         """
         while len(self._first) <= number:
             self._first.append(len(self._packed))
@@ -90,6 +91,8 @@ class Graph:
 
     def discover(self, before: int, bits: int, adversary: int) -> None:
         """Add a new configuration, with the transition that has reached it.
+
+        The arguments are the attributes of this :class:`Transition`.
 
         Raises:
             InputError: if the adversary has more choices than a search can store.

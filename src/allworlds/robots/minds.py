@@ -3,8 +3,9 @@
 A *mind* is a number.  The mind of a generator stands for its *history*: all its percepts so far.
 The histories are the nodes of a tree, in which each percept leads from a node to a child.  The mind
 of an automaton stands for its memory, with the action that is *due*: the robot has still to do it.
-A search needs three answers: the mind after one more percept, the action of a mind, and the mind
-after that action.
+The *value* of a mind is the action that is due; or, in place of an action, :class:`Ended` or
+:class:`ProgramFault` if the robot's program does not go on.  A search needs three answers: the mind
+after one more percept, the value of a mind, and the mind after the due action.
 
 By the action ``Watch`` a robot does nothing, and is not activated again until its percept differs
 from the percept at the Watch.
@@ -32,7 +33,10 @@ from allworlds.protocol.turns import (
 
 
 class Ended(NamedTuple):
-    """The value of a mind whose program has ended with an answer; its robot stays where it is."""
+    """The value of a mind, in place of an action, if its program has ended with an answer.
+
+    The robot stays where it is.
+    """
 
     answer: Any
 
@@ -41,7 +45,9 @@ class Ended(NamedTuple):
 
 
 class ProgramFault(NamedTuple):
-    """The value of a mind whose program has failed: by an error, silence, or an illegal reply.
+    """The value of a mind, in place of an action, if its program has failed.
+
+    A program fails by an error, by silence, or by an illegal reply.
 
     Attributes:
         law: the law that the program breaks.
@@ -75,8 +81,9 @@ class Dialogue(Struct):
         replies: the program's reply in each of these turns.
         waiting: the turns that the next message to the program will hold, each in a pair with the
             mind after the turn.  For a generator this mind is known: it stands for the history with
-            the new percept.  For an automaton it depends on the reply, and the second value is -1.
-        automaton: whether the program is an automaton; None if it has not been asked yet.
+            the new percept.  For an automaton this mind depends on the reply, and -1 stands in its
+            place.
+        automaton: whether the program is an automaton; None if the program has not been asked yet.
     """
 
     program: RobotProgram
@@ -158,10 +165,10 @@ class Minds:
         return not any(each.automaton for each in self.dialogues)
 
     def look(self, mind: int, sensed: Sensed) -> int:
-        """The mind after one more percept; or a promise of this mind, which is a number below 0.
+        """The mind that follows ``mind`` after the percept ``sensed``, or a promise of this mind.
 
-        A promise stands for a mind that depends on the program's reply.  After :meth:`ask`,
-        :meth:`resolved` returns the promised mind.
+        A promise is a number below 0; it stands for a mind that depends on the program's reply.
+        After :meth:`ask`, :meth:`resolved` returns the promised mind.
         """
         key = mind, sensed
         found = self._after.get(key)
@@ -235,10 +242,12 @@ class Minds:
         return self._automaton(program, self._memory[mind], None, None)
 
     def precedes(self, mind: int, before: int) -> bool:
-        """Whether a turn can be the next turn of a robot with this mind.
+        """Whether the next turn of a robot with the mind ``mind`` can be a turn after ``before``.
 
-        ``before`` is the second item of the turn: for a generator, the number of the turn before;
-        for an automaton, the number of the memory before the turn; or BEGIN for a first turn.
+        A turn is a :data:`allworlds.protocol.turns.NumberedTurn`, and ``before`` its second number.
+        For a generator this is the number of the turn that came before, which is also the number of
+        the mind after that turn; for an automaton it is the number of the memory before the turn.
+        BEGIN stands for the first turn of a history.
         """
         automaton = self.dialogues[self._program_of[mind]].automaton
         first = self.depth[mind] == 0 and self.sensed[mind] is None
@@ -264,10 +273,15 @@ class Minds:
 
 
 def value_of(letter: str, words: Any) -> Any:
-    """The action, the end or the fault that a program's reply names; None if no action is due.
+    """The value of a mind after a program's reply: an action, the program's end, or its fault.
 
-    ``letter`` and ``words`` are parts of the reply, see
-    :func:`allworlds.protocol.turns.marshalled`.
+    None if no action is due.
+
+    Args:
+        letter: the kind of the reply: ``ACTION``, ``ENDED`` or ``FAULT`` of
+            :mod:`allworlds.protocol.turns`.
+        words: the action in the form of :func:`allworlds.protocol.turns.action_of`, or None for no
+            action; else the answer or the fault, as the last entry of a log.
     """
     if letter == ACTION:
         return None if words is None else action_of(words)

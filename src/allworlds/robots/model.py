@@ -66,8 +66,10 @@ class Model:
     """A world that changes.  A model of your own is a frozen dataclass with this base.
 
     A state is any hashable value that never changes.  The methods are called in any order, and more
-    than once with equal arguments; then they must return equal values.  A field that is an integer,
-    a boolean or a text with a default is an option, as in ``--model FILE.py:Class:faults=1``.
+    than once with equal arguments; then they must return equal values.  In the methods ``map_`` is
+    the map, ``state`` a state, and ``robot`` the number of a robot, from 0 on.  A field that is an
+    integer, a boolean or a text with a default is an option, as in
+    ``--model FILE.py:Class:faults=1``.
 
     Attributes:
         schedulers: the schedulers that make sense in this world; the first is the default.
@@ -76,9 +78,9 @@ class Model:
     schedulers: ClassVar[tuple[Scheduler, ...]] = SCHEDULERS
 
     def starts(self, map_: CombinatorialMap, robots: int) -> Iterable[tuple[Dart, ...]]:
-        """The starts to try, each with a dart for each robot; by default robot 0 is at dart 0.
+        """The starts to try, each with a dart for each robot; ``robots`` is the number of robots.
 
-        The other robots are by default at any darts.
+        By default robot 0 is at dart 0, and the other robots are at any darts.
         """
         return every_start(map_, robots)
 
@@ -130,9 +132,10 @@ class Model:
     ) -> Iterable[tuple[ModelState, str]]:
         """Each state after the look of a robot that acts later, with the adversary's choice.
 
-        Only in ``async`` an action is done later than its look.  By default the look does not
-        change the world.  A model can store in the state what the look decides: for example the
-        dart that the action means, if steps of other robots can change this meaning.
+        ``action`` is the action that the robot has chosen at its look.  Only in ``async`` an action
+        is done later than its look.  By default the look does not change the world.  A model can
+        store in the state what the look decides: for example the dart that the action means, if
+        steps of other robots can change this meaning.
 
         Raises:
             IllegalAction: as for ``step``.
@@ -196,8 +199,8 @@ class Places(NamedTuple):
 def every_start(map_: CombinatorialMap, robots: int) -> Iterator[tuple[Dart, ...]]:
     """Every start with robot 0 at dart 0, the root of the map, and the other robots at any darts.
 
-    A search goes through each map once for each root.  So each way to place all robots in a map
-    comes once.
+    ``robots`` is the number of robots.  A search goes through each map once for each root.  So each
+    way to place all robots in a map comes once.
     """
     return ((0, *others) for others in product(map_.darts, repeat=robots - 1))
 
@@ -235,7 +238,7 @@ class ModelInMap:
         self.decides_at_looks = kind.looked is not Model.looked
 
     def starts(self, robots: int) -> list[tuple[Dart, ...]]:
-        """The starts to try, each with a dart for each robot."""
+        """The starts to try for ``robots`` robots, each with a dart for each robot."""
         made = self._list("starts", robots)
         for start in made:
             darts = isinstance(start, tuple) and len(start) == robots
@@ -274,6 +277,8 @@ class ModelInMap:
 
     def looked(self, state: Any, acts: Mapping[int, Any]) -> list[tuple[ModelState, str]]:
         """Each state after looks whose actions are done later, with the adversary's choice.
+
+        ``acts`` has these actions, by robot.
 
         Raises:
             IllegalAction: if the model refuses an action.

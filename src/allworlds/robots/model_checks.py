@@ -48,7 +48,7 @@ def _ensure_same_answers(search: Search) -> None:
 
 
 def _other_names(darts: int) -> list[list[int]]:
-    """Two ways to renumber this number of darts; each is a list of the new numbers."""
+    """Two ways to renumber ``darts`` darts; each is a list of the new numbers."""
     turned = [(dart + 1) % darts for dart in range(darts)]
     return [turned, [darts - 1 - dart for dart in range(darts)]]
 

@@ -97,9 +97,10 @@ class ProgramPlayer:
             return [_fault(lost)]
 
     def _after(self, lost: Lost, turns: Sequence[NumberedTurn]) -> list[bytes]:
-        """The replies in all these turns, after the player was lost in one of them.
+        """The replies in all turns ``turns``, after the player was lost in one of them.
 
-        A new player takes this turn again; if this player is lost, too, the reply is a fault.
+        A new player takes this turn again; if the new player is lost, too, the reply is a fault.
+        ``lost`` says how the first player was lost.
         """
         at = min(max(0, self._player.beat[0]), len(turns) - 1)
         before = turns[:at]
@@ -213,9 +214,10 @@ def histories_of(dialogue: Dialogue) -> list[History]:
 
 
 def difference(dialogue: Dialogue, again: ProgramPlayer) -> Difference | None:
-    """The first turn whose reply differs when all histories are played again; else None.
+    """The first turn in which two plays of a program differ; None if no reply differs.
 
-    The histories are played in the reverse order.
+    The first play is ``dialogue``.  In the second play the player ``again`` plays all histories of
+    the dialogue, in the reverse order.
     """
     histories = [history for history in histories_of(dialogue) if history.indices][::-1]
     turns, numbers = dialogue.turns, dict[int, int]()

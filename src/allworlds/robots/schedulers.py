@@ -21,7 +21,7 @@ class ScheduledEvent(NamedTuple):
     """An event of a schedule that the user gives.
 
     Attributes:
-        phases: a dictionary from each robot of the event to its part: ``L`` (the robot looks, and
+        phases: a dictionary from each robot of the event to a letter: ``L`` (the robot looks, and
             moves later), ``M`` (it makes the move of an earlier look), or an empty text (it looks
             and moves at once).
         adversary: the index of the adversary's choice among the states that can follow.
@@ -91,7 +91,8 @@ class Timing(Struct, frozen=True):
     def groups(self, able: tuple[int, ...]) -> tuple[tuple[tuple[int, ...], int], ...]:
         """The sets of robots that can be activated at once, smallest first, each also as a bit set.
 
-        Under ``async`` each robot of a set makes its next step: Look with Compute, or Move.
+        ``able`` has the robots that can be activated.  Under ``async`` each robot of a set makes
+        its next step: Look with Compute, or Move.
         """
         return _groups(self.scheduler, able)
 

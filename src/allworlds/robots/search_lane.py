@@ -91,8 +91,9 @@ class SearchLane:
     def turn(self, others: Sequence[int] = ()) -> list[PartialResult]:  # noqa: ARG002  # they wait
         """Do the next part of the work on the unit, and return the result of this part.
 
-        A part is up to :data:`AT_ONCE` searches, or the second play of the programs.  The last
-        result of a unit has an empty tally.
+        A part is up to :data:`AT_ONCE` searches, or, after all searches, the second play of the
+        programs.  After these parts one more call returns a result with an empty tally, in which
+        ``last`` is True: the unit is done.
 
         Args:
             others: not used here; other lanes stop waiting when one of these descriptors is ready.
@@ -171,9 +172,10 @@ class SearchLane:
         return finding_of(search, broken, scope.model.name, scope.model.digest, scope.team.names)
 
     def _blame(self, unit: Any, minds: Minds, program: int, found: Difference) -> None:
-        """Add a finding for a difference between two plays of a program.
+        """Add a finding for the difference ``found`` between two plays of a program.
 
-        The finding is in the first world of the unit in which a robot has the turn that differs.
+        The finding is in the first world of ``unit`` in which a robot has the turn that differs.
+        ``program`` is the number of the program, and ``minds`` has the minds of the first play.
         """
         for _, search in self.counter.searches(unit, minds):
             if not isinstance(search, Search):
@@ -192,8 +194,8 @@ def _where_sensed(
 ) -> tuple[int, tuple[int, ...], int] | None:
     """Find the first configuration in which a robot can have the turn of ``found`` as its next one.
 
-    In this turn two plays of the program ``program`` differ.  Return the number of the
-    configuration, a group of robots that can be activated there at once, and the robot, which
+    In this turn two plays of the program with the number ``program`` differ.  Return the number of
+    the configuration, a group of robots that can be activated there at once, and the robot, which
     belongs to the group.  Return None if there is no such configuration.
     """
     _, before, sensed = found.turn

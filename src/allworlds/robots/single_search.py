@@ -25,7 +25,7 @@ class SearchOutcome(Struct, frozen=True):
         law: the broken law; empty if no law is broken.
         seen: how the law is broken, in words.
         events: the events of a shortest run that breaks the law; empty if no law is broken.
-        loop: how many events at the end of this run repeat for ever; 0 if the run ends.
+        loop: how many of ``events``, the last ones, repeat for ever; 0 if the run ends.
         unfinished: the number of configurations in which the budget cuts a run off.
         configurations: the number of configurations that the search reached.
         schedules: the number of complete runs: those that cannot be continued.  None if a law is

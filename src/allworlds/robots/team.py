@@ -72,7 +72,9 @@ class Team(Struct, frozen=True, weakref=True):
     def not_alike(self, digests: tuple[str, ...], answer_timeout: float) -> str:
         """The reason why a program on this machine does not have the expected digest.
 
-        The reason is empty if all programs have the expected digests.
+        ``digests`` has the expected digest of each program; ``answer_timeout`` is the number of
+        seconds in which a program in another language must answer.  The reason is empty if all
+        programs have the expected digests.
         """
         pairs = zip(self.subjects, digests, strict=True)
         found = (not_alike(subject, digest, answer_timeout) for subject, digest in pairs)
@@ -154,12 +156,14 @@ KeptFinding = Annotated[TeamFinding, Form(to_record, TeamFinding.from_json)]
 class TeamTally:
     """The results of all searches of a part of a job, added up.
 
+    A run is cut off by the budget, or at the end of the given schedule.
+
     Attributes:
         keep: the largest number of findings that are kept.  Of findings with the same law and map
             only the smallest is kept.
         rows: the counts by (edges, vertices).
         findings: the smallest findings, ascending.
-        unfinished: a list with the smallest run that the budget cuts off, or an empty list.
+        unfinished: a list with the smallest run that is cut off, or an empty list.
         remarks: texts about processes that were lost, each with its number of occurrences; they
             refute nothing.
     """
@@ -172,17 +176,20 @@ class TeamTally:
 
     @property
     def worlds(self) -> int:
-        """The number of rooted maps."""
+        """The number of rooted maps: the sum of the rows' ``maps``, not of their ``worlds``.
+
+        Listeners and the tallies of other jobs call rooted maps worlds.
+        """
         return sum(row.maps for row in self.rows.values())
 
     def row(self, map_: CombinatorialMap) -> TeamRow:
-        """The row with the counts of worlds of the size of this map; it is added if missing."""
+        """The row with the counts of worlds of the size of this map; a missing row is added."""
         return self.rows.setdefault((map_.edge_count, map_.vertex_count), TeamRow())
 
     def find(self, finding: TeamFinding, *, unfinished: bool = False) -> None:
         """Keep a finding if it is among the smallest; for each law and map only one is kept.
 
-        If ``unfinished`` is set, the finding is a run that the budget cuts off.
+        If ``unfinished`` is set, the finding is a run that is cut off.
         """
         held, most = (self.unfinished, 1) if unfinished else (self.findings, self.keep)
         for index, kept in enumerate(held):
@@ -197,7 +204,7 @@ class TeamTally:
     def wants(self, map_: CombinatorialMap, *, unfinished: bool = False) -> bool:
         """Whether a finding in a map of this size could be among the smallest findings.
 
-        If ``unfinished`` is set, the finding is a run that the budget cuts off.
+        If ``unfinished`` is set, the finding is a run that is cut off.
         """
         held, most = (self.unfinished, 1) if unfinished else (self.findings, self.keep)
         size = map_.edge_count, map_.vertex_count
@@ -248,8 +255,8 @@ class TeamScope(Struct, frozen=True):
         """The searches of a unit, in a fixed order.
 
         Each item is a pair.  The first value says whether the item is the first of its map.  The
-        second value is the search; if the model yields no start for a map, it is the model in this
-        map.
+        second value is the search; for a map without a start, this value is the model in the map,
+        and nothing is searched.
         """
         for map_ in unit.maps(self.extent):
             world, first = ModelInMap(self.model.model, map_, self.model.name), True

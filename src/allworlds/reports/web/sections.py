@@ -62,7 +62,8 @@ def framed(
         verdict: the verdict as a word, as a sentence, and as the name that decides its colour; None
             without a verdict.
         sections: the elements of the page.
-        data: the document of the report, which the page also has.
+        data: the JSON document of the report, which the page also holds, unless the page would be
+            larger than :data:`LARGEST`.
         style: a style in addition to that of all pages.
         script: a script in place of the usual script, by which keys step along walks.
     """
@@ -132,9 +133,15 @@ def figure(
 ) -> ET.Element:
     """A picture with its caption and its legend.
 
-    The robot in the picture follows the walk that ``follows`` names; if ``follows`` is empty, there
-    is no robot.  ``drawn`` is the layout, by default that of :func:`laid_out`; ``moves`` tells
-    whether the walk has motions.
+    Args:
+        title: the caption.
+        scene: the content of the picture.
+        name: the id of the picture's element, unique in the page.
+        follows: a word for the robot in the picture.  Each step of the walk has the attribute
+            ``data-WORD`` with the robot's dart, by which the page's script moves the robot.  Empty:
+            there is no robot that moves.
+        drawn: the layout; by default that of :func:`laid_out`.
+        moves: whether the walk has motions, so that the legend explains the signs of walked edges.
     """
     walks, genus = bool(follows) and moves, scene.map.genus
     keys = (
@@ -180,7 +187,10 @@ NEVER = 10**9
 
 
 def let_grow(drawn: ET.Element, map_: CombinatorialMap, seen: ShownMap) -> None:
-    """Add to a figure the step at which each part appears, and a legend of the styles of darts."""
+    """Add to the figure ``drawn`` the step at which each part of its map ``map_`` appears.
+
+    The steps are those of ``seen``.  The legend of the figure gets the sign of an open dart.
+    """
     for part in drawn.iter():
         if (darts := part.get("data-darts", part.get("data-cut"))) is not None:
             part.set("data-since", str(seen.edges.get(int(darts.split()[0]), NEVER)))
@@ -204,9 +214,10 @@ def _steps(walk: ShownWalk, name: str, views: Mapping[str, View]) -> ET.Element:
 
     Args:
         walk: the walk.
-        name: the name of the walk, with which the names of its steps begin.
+        name: the beginning of the id of each step's element.
         views: the pictures, by name.  The element of each step has an attribute for each picture:
-            its name is ``data-`` and the picture's name, its value the robot's dart there.
+            its name is ``data-`` and the picture's name, its value the robot's dart in this
+            picture.
     """
     items = [
         _step(walk, i, f"{name}-step-{i}") for i in range(len(walk.walked.walk.darts[:LONGEST]))
@@ -343,7 +354,10 @@ def _copier(label: str, of: str) -> ET.Element:
 
 
 def _walk(walk: ShownWalk, name: str) -> Iterator[ET.Element]:
-    """The pictures of a walk, and its steps; keys step along the walk in all pictures."""
+    """The pictures of a walk, and its steps; keys step along the walk in all pictures.
+
+    ``name`` is the name of the section, with which the ids of the elements begin.
+    """
     if walk.walked.world.told is not None:
         yield tag("p", f"Told before the start: {walk.walked.world.told}.")
     steps = len(walk.walked.walk.steps)
@@ -397,7 +411,11 @@ def _run(run: ShownRun, name: str) -> ET.Element:
 
 
 def _event(row: RunRow, i: int, name: str) -> ET.Element:
-    """An event as an element, with data for the picture: the robots' darts, and texts at places."""
+    """An event of a run as an element, with the data that the picture shows after the event.
+
+    These data are the robots' darts, and texts at vertices and edges.  ``i`` is the index of the
+    event in the run, 0 for the start; ``name`` is the id of the element.
+    """
     item = tag(
         "li",
         tag("a", f"{i}*" if row.repeats else str(i), href=f"#{name}", class_="step"),
@@ -417,7 +435,8 @@ def _event(row: RunRow, i: int, name: str) -> ET.Element:
 def world_data(world: World) -> dict[str, Any] | None:
     """The data of a world for the script ``world.js``.
 
-    None for a user's lighthouse under which the robot leaves marks: the script cannot make them.
+    Return None for a user's lighthouse under which the robot leaves marks: the script cannot make
+    these marks.
     """
     map_ = world.map
     marking = next((part for part in kinds.parts_of(world.lighthouse) if part.leaves_marks), None)

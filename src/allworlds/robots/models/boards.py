@@ -107,10 +107,11 @@ def _parts(action: Any) -> dict[str, Any]:
 def _written(
     map_: CombinatorialMap, state: BoardsState, acts: Mapping[int, Any]
 ) -> Iterator[tuple[BoardsState, str]]:
-    """The states after these robots have written, each with the adversary's choice in words.
+    """The states after robots of ``acts`` have written, each with the adversary's choice in words.
 
-    If several robots write on one board, the adversary chooses the robot that writes last; there is
-    one state for each such choice.
+    A robot writes if its action says so, and if it has not written at its look already.  If several
+    robots write on one board, the adversary chooses the robot that writes last; there is one state
+    for each such choice.
     """
     writers: dict[Vertex, list[int]] = {}
     for robot, action in acts.items():

@@ -158,7 +158,7 @@ def _stopping(state: FaultsState) -> Iterator[tuple[FaultsState, str]]:
 
 @dataclass(frozen=True)
 class Hidden(Wrapper):
-    """Markers that the adversary hides from a robot that has just acted, until it next acts.
+    """Markers that the adversary hides from a robot after its action, until the robot acts again.
 
     The wrapped model must have percepts with marks.
     """

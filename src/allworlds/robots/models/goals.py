@@ -17,21 +17,21 @@ from allworlds.robots.model import Liveness, Model, every_start
 Part = TypeVar("Part")
 
 MOST_ROBOTS = 8
-"""The largest number of robots for the goal that each robot visits every vertex."""
+"""The largest number of robots in a model with the goal that each robot visits every vertex."""
 
 
 def are_together(map_: CombinatorialMap, darts: Sequence[Dart]) -> bool:
-    """Whether all robots are at one vertex."""
+    """Whether all robots are at one vertex; ``darts`` has the dart of each robot."""
     return len({map_.vertex_of[dart] for dart in darts}) == 1
 
 
 def are_apart(map_: CombinatorialMap, darts: Sequence[Dart]) -> bool:
-    """Whether no two robots are at one vertex."""
+    """Whether no two robots are at one vertex; ``darts`` has the dart of each robot."""
     return len({map_.vertex_of[dart] for dart in darts}) == len(darts)
 
 
 def others_with(map_: CombinatorialMap, darts: Sequence[Dart], robot: int) -> int:
-    """The number of other robots at the vertex of a robot."""
+    """The number of other robots at the vertex of a robot; ``darts`` has each robot's dart."""
     return sum(map_.vertex_of[dart] == map_.vertex_of[darts[robot]] for dart in darts) - 1
 
 
@@ -81,7 +81,7 @@ def ensure_few(robots: int) -> None:
 
 
 def map_flaw(map_: CombinatorialMap, dart: Dart, answer: Any) -> str:
-    """The flaw, in words, of an answer that should be this map with the robot at this dart.
+    """The flaw, in words, of an answer that should be the map ``map_`` with the robot at ``dart``.
 
     The text is empty if the answer is right.
     """

@@ -20,12 +20,13 @@ from allworlds.world.world import World
 
 
 class LighthouseState(NamedTuple):
-    """A state of a world with one robot and a lighthouse.
+    """A state of the model :class:`LighthouseModel`.
 
     Attributes:
         start: the dart of the robot at the start.
         place: the number of the lighthouse's place.
-        state: the state of the world.
+        state: what the robot's actions change: its dart, the markers that it has dropped, and the
+            numbers that it has written.
     """
 
     start: Dart

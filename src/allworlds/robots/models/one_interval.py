@@ -47,8 +47,8 @@ class OneInterval(Apart):
 
     Attributes:
         ends: whether the run ends when all vertices are visited; else the programs must end.
-        exclusive: whether at most one robot can be on a port; if several robots want to go to one
-            port, the adversary chooses the robot that goes there.
+        exclusive: whether, of several robots that want to go to one port in a round, only one goes
+            there; the adversary chooses this robot, and the motions of the others fail.
         one_face: whether all robots start at darts of one face; on a ring all robots then have the
             same orientation.
     """

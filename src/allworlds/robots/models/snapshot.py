@@ -112,7 +112,7 @@ class Snapshot(Apart):
     def _choices(
         self, map_: CombinatorialMap, state: SnapshotState, robot: int, action: Any
     ) -> list[Dart]:
-        """The darts by which a robot may leave with this action; the adversary chooses one.
+        """The darts by which a robot may leave with this action; the adversary chooses one of them.
 
         Raises:
             IllegalAction: for an action that is no legal ``Do``.
@@ -154,9 +154,10 @@ class Snapshot(Apart):
             yield SnapshotState(darts, due, crossed), "; ".join(filter(None, words))
 
     def _heading(self, map_: CombinatorialMap, before: Dart, leave: Dart) -> Dart:
-        """The robot's new dart in :attr:`SnapshotState.darts`, after it has left by ``leave``.
+        """The new heading of a robot with the heading ``before`` that leaves by dart ``leave``.
 
-        ``before`` is the robot's dart there before the move.
+        A heading is an entry of :attr:`SnapshotState.darts`.  Without chirality it is the least
+        dart at the new vertex.
         """
         arrival = map_.alpha[leave]
         if not self.chirality:

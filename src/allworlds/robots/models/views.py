@@ -65,7 +65,10 @@ class Eyes(NamedTuple):
     def view(
         self, map_: CombinatorialMap, darts: Sequence[Dart], dart: Dart, clockwise: int = 1
     ) -> Sight:
-        """The view from ``dart``, with a robot at each of ``darts``."""
+        """The view from ``dart``, with a robot at each of ``darts``.
+
+        The view is clockwise if ``clockwise`` is 1, anticlockwise if it is -1.
+        """
         at = Counter(map_.vertex_of[each] for each in darts)
         vertices, degrees, alpha = view_order(map_, dart, clockwise)
         robots = [min(at[vertex], self.elsewhere) for vertex in vertices]
@@ -75,7 +78,8 @@ class Eyes(NamedTuple):
     def views(self, map_: CombinatorialMap, darts: Sequence[Dart], dart: Dart) -> dict[Dart, Sight]:
         """For each dart of the vertex of ``dart`` the lesser of its two views.
 
-        The two views of a dart are the clockwise and the anticlockwise view.
+        The two views of a dart are the clockwise and the anticlockwise view; ``darts`` has the dart
+        of each robot.
         """
         found = {}
         for each in map_.vertices[map_.vertex_of[dart]]:
