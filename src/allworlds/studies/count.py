@@ -46,9 +46,9 @@ class CountRow(doc.Document, kw_only=True):
     """The numbers of maps with one number of edges.
 
     ``counted`` holds the numbers of rooted maps by vertices according to the independent source;
-    None without a source. An entry of ``cells`` is a number of vertices, a genus, and for these the
-    number of rooted maps and that of unrooted maps, or None if the latter is not known. ``whole``
-    is false in a shard.
+    None without a source. An entry of ``cells`` is a number of vertices, a genus, the number of
+    rooted maps with this size and genus, and that of unrooted maps; the last number is None if it
+    is not known. ``whole`` is false in a shard.
     """
 
     edges: doc.Edges
@@ -185,10 +185,13 @@ class CountSweep(sweep.Sweep["Counted", Census]):
 class Counted(Struct):
     """Counts of the maps of a part of a level.
 
+    In the sums each rooted map has a term, a number of isomorphisms of this map without its root.
+    From the sums the unrooted maps are counted.  Beyond :data:`UNROOTED_LIMIT` edges the sums are
+    not made.
+
     Attributes:
         cells: the numbers of rooted maps, by vertices and genus.
-        fixed: the sums of the maps' numbers of automorphisms, by vertices and genus; empty beyond
-            :data:`UNROOTED_LIMIT` edges.
+        fixed: the sums of the maps' numbers of automorphisms, by vertices and genus.
         mirrored: the sum of the maps' numbers of isomorphisms onto the mirror image.
         dual: the sum of the maps' numbers of isomorphisms onto the dual.
     """

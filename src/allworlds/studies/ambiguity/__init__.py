@@ -30,10 +30,16 @@ Modules
     the census, which finds all worlds of a class of maps that look alike under one lighthouse;
 ``sensed_classes``
     arrays for many worlds of one size, and names that are equal for worlds that look alike;
-``side_by_side``, ``coarsenings``
-    the comparison of sensors; the weakest sensors among all coarsenings of a finest sensor;
-``question``, ``twin_search``
-    the search by solvers for worlds that no motion tells apart;
+``side_by_side``
+    the comparison of sensors: which of them tells more worlds apart;
+``coarsenings``
+    the weakest sensors that suffice, among all coarsenings of a finest sensor; a sensor suffices if
+    no two worlds with different rooted maps look alike under it;
+``question``
+    the properties of two worlds for which solvers search, and which no motion shall tell apart:
+    lighthouse, class, bounds and a walk;
+``twin_search``
+    the search for two such worlds, from the smallest worlds on;
 ``clauses``, ``one_world``, ``formulas``
     the clauses of a formula; the formulas of one world, and of two worlds that no motion tells
     apart;

@@ -47,7 +47,7 @@ class CensusRequest(
     GivenOptions,
     classes.ExtentOptions,
 ):
-    """Request of ``ambiguity census``: a class, its bounds and the effort."""
+    """Request of ``ambiguity census``: a class of maps, its bounds, a lighthouse and the effort."""
 
     lighthouse: Annotated[
         requests.Converted[kinds.GivenLighthouse, kinds.LighthouseKind],
@@ -106,8 +106,9 @@ class SensedParts(Struct, forbid_unknown_fields=True):
         looks: for each look the name of the smallest world with this look.  A look is a text that
             stands for all that a robot can find out from a start.
         alike: pairs of names of worlds that share a look, the smaller world first.
-        counted: for some looks the number of worlds in the ambiguity class of the worlds with this
-            look, computed by Burnside's lemma.
+        counted: the number of worlds in an ambiguity class, by the look of these worlds, computed
+            by Burnside's lemma.  A look is missing if the number was not asked for, or if the class
+            has one world alone because all its darts look different.
     """
 
     worlds: doc.Natural
@@ -195,7 +196,9 @@ class SensedParts(Struct, forbid_unknown_fields=True):
     def ensure_counted(self) -> None:
         """Raise Disagreement unless each class has as many worlds as Burnside's lemma counts.
 
-        The lemma counts all maps with one marked vertex that have the quotient of the class.
+        The lemma counts all worlds with the lighthouse ``position`` that have the quotient of the
+        class: see :func:`allworlds.maps.quotient.class_size`.  Only classes whose looks are in
+        :attr:`counted` are compared.
         """
         members = Counter({one: len(found) for found in self.classes() for one in found})
         for look, counted in self.counted.items():
@@ -209,7 +212,10 @@ class SensedParts(Struct, forbid_unknown_fields=True):
 class PartBySensing(Struct, frozen=True):
     """The engine of the census: it makes the worlds of a unit, and compares their looks.
 
-    ``counted``: whether sizes of ambiguity classes are also computed by Burnside's lemma.
+    Attributes:
+        extent: the class of maps with its bounds.
+        kind: the kind of lighthouse.
+        counted: whether sizes of ambiguity classes are also computed by Burnside's lemma.
     """
 
     extent: classes.Extent
@@ -235,7 +241,8 @@ def batches(
 ) -> Iterator[tuple[int, list[arrays.LitMap]]]:
     """Yield the worlds of a unit in batches, each with the number of rooted maps in the batch.
 
-    The last batch may be empty; it is yielded all the same.
+    A world is a map of ``extent`` with a place of a lighthouse of this kind.  The last batch may be
+    empty; it is yielded all the same.
     """
     maps, worlds = 0, list[arrays.LitMap]()
     for map_, places in unit.placed(extent, kind.as_class):
@@ -267,8 +274,13 @@ LargestClass: TypeAlias = Annotated[
 class CensusRow(doc.Document, kw_only=True):
     """Counts of the maps with a lighthouse that have one number of edges.
 
-    ``rooted`` is the number of rooted maps that were found, ``counted`` the number according to the
-    independent source. A shard may hold some members of an ambiguity class without the others.
+    In a shard only the worlds are counted, since a shard may hold some members of an ambiguity
+    class without the others.
+
+    ``rooted`` is the number of rooted maps that were found. ``counted`` is their number according
+    to an independent source, a formula or recurrence that makes no map
+    (:mod:`allworlds.maps.count_source`); if there is no source, ``counted`` is an upper limit, with
+    which nothing is compared.
     """
 
     edges: doc.Edges
@@ -280,7 +292,7 @@ class CensusRow(doc.Document, kw_only=True):
     counted: doc.NotInDocument[int]
 
     def agrees(self, *, whole: bool) -> bool:
-        """Whether the number of rooted maps is the count of the independent source.
+        """Whether the number of rooted maps is ``counted``, the number of the independent source.
 
         A shard, for which ``whole`` is false, agrees if it has no more maps than the source counts.
         """
@@ -288,7 +300,7 @@ class CensusRow(doc.Document, kw_only=True):
 
 
 class CensusCell(doc.Document):
-    """Counts of the maps with a lighthouse that have one size."""
+    """Counts of the maps with a lighthouse that have one number of edges and one of vertices."""
 
     edges: doc.Edges
     vertices: doc.Vertices
@@ -311,7 +323,8 @@ class CensusScope(doc.Document):
 class AmbiguityCensus(SweptReport):
     """Report of 'ambiguity census'.
 
-    The counts of worlds that look alike, for each size. Only twins in the class of maps count.
+    The counts of worlds that look alike, for each size. A twin outside the class of maps does not
+    count.
     """
 
     rows: Annotated[tuple[CensusRow, ...], doc.about("one a number of edges, ascending")]
@@ -438,9 +451,10 @@ class CensusSweep(sweep.Sweep[SensedParts, AmbiguityCensus]):
         )
 
     def _compared(self, names: tuple[str, ...]) -> ComparedWorlds | None:
-        """The two worlds with these names, and the proof that no motion tells them apart.
+        """The two worlds whose names are ``names``, and the proof that no motion tells them apart.
 
-        None if ``names`` is empty.
+        A world's name is :attr:`allworlds.studies.ambiguity.sensed_classes.NamedWorld.name`.
+        Return None if ``names`` is empty; otherwise it has two names.
         """
         found: dict[str, dict[str, World]] = {}
         for edges in sorted({self._met.sizes[name][0] for name in names}):

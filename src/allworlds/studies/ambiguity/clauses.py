@@ -66,7 +66,10 @@ class Formula:
         self._sections: list[tuple[int, str]] = []
 
     def block(self, name: str, shape: tuple[int, ...], meaning: str) -> Atoms:
-        """Add a block of new variables to the formula, and return the block."""
+        """Add a block of new variables to the formula, and return the block.
+
+        The arguments are the attributes of :class:`Atoms` with these names.
+        """
         block = Atoms(name, self.variable_count + 1, shape, meaning)
         self.blocks.append(block)
         self.variable_count += prod(shape)

@@ -84,8 +84,9 @@ class WeakestScope(doc.Document):
 class AmbiguityWeakest(Report, kw_only=True):
     """Report of 'ambiguity weakest'.
 
-    The coarsenings of a finest sensor, in the same worlds. A coarsening is a sensor that tells no
-    more percepts apart; it suffices if no two different rooted maps look alike.
+    All coarsenings of a finest sensor, compared in the same worlds. A coarsening is a sensor that
+    tells apart only percepts that the finest sensor tells apart; it suffices if no two worlds with
+    different rooted maps look alike under it.
     """
 
     scope: WeakestScope
@@ -133,7 +134,7 @@ class Coarser(base.Lighthouse):
 
 
 class FinestLevel(NamedTuple):
-    """The worlds of one size, under the finest sensor.
+    """The worlds with one number of edges, under the finest sensor.
 
     Attributes:
         worlds: the rooted maps, each once for every place of the lighthouse.
@@ -174,7 +175,10 @@ def partitions(count: int) -> list[Letters]:
 
 
 def lower(letters: Letters) -> list[Letters]:
-    """The next coarser coarsenings: each merges two letters of this coarsening into one."""
+    """The next coarser coarsenings: each merges two letters of this coarsening into one.
+
+    This coarsening is ``letters``; see :data:`Letters`.
+    """
     count, found = max(letters) + 1, list[Letters]()
     for other in range(count):
         for one in range(other):
@@ -187,8 +191,15 @@ def lower(letters: Letters) -> list[Letters]:
 class Refuter:
     """A search for two worlds with different rooted maps that look alike under a coarsening.
 
-    Such worlds refute a coarsening: it does not suffice.  The worlds that refuted earlier
+    Such worlds refute the coarsening: it does not suffice.  The worlds that refuted earlier
     coarsenings are tried first, then all worlds.
+
+    Args:
+        levels: all worlds under the finest sensor.
+
+    Attributes:
+        tried: the number of coarsenings for which all worlds were tried.
+        pairs: the pairs of worlds that have refuted a coarsening.
     """
 
     def __init__(self, levels: Sequence[FinestLevel]) -> None:
@@ -196,9 +207,10 @@ class Refuter:
         self.pairs = dict[tuple[WorldAt, WorldAt], None]()
 
     def pair(self, letters: Letters) -> tuple[WorldAt, WorldAt] | None:
-        """Return two worlds with different rooted maps that look alike; None if there are none.
+        """Return two worlds with different rooted maps that look alike under a coarsening.
 
-        A world is returned as two numbers: the index of its level, and its index in the level.
+        ``letters`` is the coarsening.  A world is returned as two numbers: the index of its level,
+        and its index in the level.  Return None if there are no such worlds.
         """
         known = sorted({index for pair in self.pairs for index in pair})
         if pair := self._alike(letters, known):
@@ -211,7 +223,10 @@ class Refuter:
         return pair
 
     def _alike(self, letters: Letters, worlds: Sequence[WorldAt]) -> tuple[WorldAt, WorldAt] | None:
-        """The first two of ``worlds`` that look alike and have different rooted maps, or None."""
+        """The first two of ``worlds`` that look alike and have different rooted maps, or None.
+
+        They look alike to a robot that senses by the coarsening ``letters``.
+        """
         first: dict[bytes, WorldAt] = {}
         for i, level in enumerate(self.levels):
             indices = [index for number, index in worlds if number == i]

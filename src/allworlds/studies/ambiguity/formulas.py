@@ -23,7 +23,7 @@ from allworlds.world.lighthouses.base import Where
 
 ALIKE = "related darts sense the same"
 DIFFERENT = "the codes differ, and the first is the smaller one"
-"""The sections of the formula that say that the two worlds look alike, and that they differ."""
+"""The texts of two sections of the formula: the worlds look alike, and the worlds differ."""
 
 
 class PairVariables(Struct, frozen=True):
@@ -32,8 +32,8 @@ class PairVariables(Struct, frozen=True):
     Attributes:
         question: the properties that the two worlds must have.
         one, two: the variables of the maps, rooted at the starts.
-        pointed: a block for each world; its variable x says whether dart x is a reference dart.
-            Empty if the robot senses no bearing.
+        pointed: a block for each world; its variable x says whether dart x is a reference dart, to
+            which bearings are counted.  Empty if the robot senses no bearing.
         letters: a block for each world; its variable ``[x, l]`` says whether dart x has the l-th
             letter.  Empty if the lighthouse has no letters.
     """
@@ -45,11 +45,12 @@ class PairVariables(Struct, frozen=True):
     letters: tuple[Atoms, ...] = ()
 
     def signs(self, x: int, y: int) -> list[tuple[Literal, Literal]]:
-        """A pair of literals for each mark that a robot can sense at single darts.
+        """Pairs of literals about dart x of the first world and dart y of the second world.
 
-        Such a mark is the bearing 0, which only reference darts have, or one of the letters of v0.
-        The first literal says that dart x of the first world has the mark, the second literal that
-        dart y of the second world has it.  The list is empty if the lighthouse has neither.
+        There is a pair for each property by which a robot can tell darts of one vertex apart: that
+        the dart is a reference dart, or that the dart has a certain letter of v0.  The first
+        literal says that x has the property, the second that y has it.  The list is empty if under
+        the lighthouse there are no reference darts and no letters.
         """
         if self.letters:
             one, two = self.letters
@@ -105,8 +106,9 @@ def _title(question: Question, sizes: Sizes) -> list[str]:
 def _reference_darts(formula: Formula, name: str, where: Where, world: OneWorld) -> Atoms:
     """Require exactly one reference dart at each vertex at which the robot senses a bearing.
 
-    ``where`` names these vertices: v0 alone (``AT_V0``), otherwise all vertices.  The variable x of
-    the returned block says whether dart x is a reference dart.
+    ``where`` names these vertices: v0 alone (``AT_V0``), otherwise all vertices.  ``name`` is the
+    number of the world, as a text for the names of variables.  The variable x of the returned block
+    says whether dart x is a reference dart.
     """
     darts, most = world.size.darts, world.size.most
     pointed = formula.block(f"pointed{name}", (darts,), "x is a reference dart")
@@ -132,10 +134,18 @@ def _letters(
 ) -> Atoms:
     """Require the letters of v0's word at the darts of v0, and no letters elsewhere.
 
-    A letter is a mark at a dart of v0.  ``words`` has a word for each degree that v0 can have: the
-    letters at the bearings 0, 1 and so on.  The start has bearing 0.  The variable ``[x, l]`` of
-    the returned block says whether dart x has the l-th of all letters but 0; the letter 0 is no
-    mark.
+    A letter is the number of marks that a robot senses at a dart of v0; 0 stands for no mark.
+
+    Args:
+        formula: the formula, which gets the clauses.
+        name: the number of the world, 1 or 2, for the names of variables.
+        words: a word for each degree that v0 can have: the letters at the bearings 0, 1 and so on.
+            The start has bearing 0.
+        world: the variables of the world.
+
+    Returns:
+        A block of variables; ``[x, l]`` says whether dart x has the letter with index l among all
+        letters but 0, ascending.
     """
     found, (darts, degrees) = sorted({*chain(*words.values())} - {0}), world.degree.shape
     meaning = f"x has one of {','.join(map(str, found))}"
@@ -188,8 +198,8 @@ def _sense_the_same(formula: Formula, pair: PairVariables, related: int, x: int,
 def _smaller_code(formula: Formula, pair: PairVariables) -> None:
     """Require the first world's code to be smaller, at the first step in which the codes differ.
 
-    No pair of worlds is lost: if the second code is smaller, the formula has the same two worlds in
-    the other order.
+    No pair of worlds is lost: if the second code is smaller, the formula has a model with the same
+    two worlds in the other order.
     """
     one, two, darts = pair.one, pair.two, pair.one.size.darts
     steps = 2 * darts
@@ -220,13 +230,15 @@ def forbid_other_start(formula: Formula, pair: PairVariables, start: int) -> Non
     """Require that the second world, if it is entered at dart ``start``, is not the first world.
 
     Only one function F can be an isomorphism from the first map to the second map that takes dart 0
-    to ``start``.  If a dart of the first map got its number as sigma(x), F takes this dart to
-    sigma(F(x)) in the second map; the same holds for alpha.  The clauses require that F fails at
-    some dart: that F does not keep sigma, alpha, the reference darts or the letters.
+    to ``start``.  In a code (:mod:`allworlds.studies.ambiguity.one_world`) each dart but 0 has its
+    number because it was met first as sigma(x) or as alpha(x), for a dart x with a smaller number.
+    F must take the dart sigma(x) to sigma(F(x)) in the second map, and the dart alpha(x) to
+    alpha(F(x)); so F follows from F(0).  The clauses require that F fails at some dart: that F does
+    not keep sigma, alpha, the reference darts or the letters.
 
     If a marker shows v0 and ``start`` is a dart of another vertex, F fails already, because F moves
-    the marker; then the clauses require nothing.  ``start`` is never 0: the two codes differ
-    already.
+    the marker; then the clauses require nothing.  ``start`` is never 0: other clauses require
+    already that the two codes differ.
     """
     one, two, darts = pair.one, pair.two, range(pair.one.size.darts)
     shape = (len(darts), len(darts))
@@ -280,7 +292,8 @@ def _walk(formula: Formula, question: Question, world: OneWorld) -> None:
 def _best_start(formula: Formula, world: OneWorld) -> None:
     """Require that no dart of v0 leads to a vertex of larger degree than the start does.
 
-    No pair is lost, since turning is free: the robot may as well start at any dart of v0.
+    No pair of worlds is lost, since a robot turns without cost: it may as well start at any dart of
+    v0.
     """
     darts, degrees = world.degree.shape
     beyond = formula.block("beyond", (darts, degrees), "alpha(x) is at a vertex of degree k")

@@ -62,7 +62,8 @@ entered at two darts; ``different``: the maps differ, or the places of the light
 class ComparedWorlds(Report):
     """Report of 'twins'.
 
-    Two worlds, their relation, and the proof that motions tell them apart, or that none do.
+    Two worlds: whether they are the same, one map entered at two darts, or different; and the proof
+    that motions tell them apart, or that no motions do.
     """
 
     worlds: Annotated[doc.Pair[World], doc.about("the two, as they were understood")]
@@ -107,8 +108,8 @@ class ComparedWorlds(Report):
 def twins(request: TwinsRequest) -> ComparedWorlds:
     """Decide whether a robot can tell two worlds apart, and return a checked proof.
 
-    The robot can if the percepts after some motions differ, or if its lighthouse tells it different
-    values before the start.
+    A robot can tell them apart if the percepts after some motions differ, or if its lighthouse
+    tells it different values before the start.
 
     Raises:
         InputError: if the lighthouses are of different kinds, whose percepts are not comparable.
@@ -251,10 +252,12 @@ def lifts(quotient: Quotient) -> Iterator[CombinatorialMap]:
     """Yield the maps with this quotient, one for each way to connect the k sheets.
 
     The quotient merges k darts of a map into each class; dart ``q * k + i`` of a map is the dart of
-    class q in sheet i.  To connect the sheets means to choose a permutation of the sheets at each
-    place where sigma or alpha can lead to another sheet.  Sigma can do so only at the last class of
-    a vertex of the quotient, alpha only at semi-edges and at edges outside a spanning tree.  At the
-    first vertex, v0, the permutation is always the same cycle.
+    class q in sheet i.  Sigma and alpha lead from sheet i to sheet i, except from some classes; for
+    each of these classes a permutation of the sheets is chosen, in all possible ways.  For sigma it
+    is one class of each vertex of the quotient: the last one in :attr:`Quotient.vertices`, from
+    which sigma leads back to the first one.  At the vertex v0 there is no choice: there sigma
+    always leads from sheet i to sheet i + 1 modulo k.  For alpha it is each semi-edge, and each
+    edge outside a spanning tree.
 
     Several of these maps can be isomorphic, with v0 taken to v0.  A map whose v0 is fixed by ``a``
     automorphisms is yielded k / ``a`` times.
@@ -304,7 +307,9 @@ def _permute(map_: list[Dart], k: int, q: int, to: int, moved: Sequence[int]) ->
 
 
 def uniform_permutations(k: int, b: int) -> Iterator[SheetPermutation]:
-    """Yield the permutations of ``0..k-1`` with cycles of length b only; none if b is no divisor.
+    """Yield the permutations of ``0..k-1`` all of whose cycles have length b.
+
+    There are none if b does not divide k.
 
     Cost: O(k) for each permutation at most.
     """
@@ -372,7 +377,10 @@ class SensedQuotient(doc.Document):
 
     @classmethod
     def of(cls, quotient: Quotient) -> Self:
-        """Return the document of a quotient, whose labels must be percepts."""
+        """Return the document of a quotient.
+
+        The label of each class must be the percept at its darts, as in :func:`projection_of`.
+        """
         marks = tuple(label.marks for label in quotient.labels if isinstance(label, Percept))
         return cls(sigma=quotient.sigma, alpha=quotient.alpha, degree=quotient.degree, marks=marks)
 
@@ -380,10 +388,11 @@ class SensedQuotient(doc.Document):
 class AmbiguityClass(Report):
     """Report of 'ambiguity class'.
 
-    All worlds that no motion tells from a given world. The given world comes first, the other ones
-    are sorted by their codes. All are in canonical numbering, and each starts at a dart that looks
-    like the start of the given world. A pose is a world of the class with a dart where the robot
-    can be; two darts count as one pose if an automorphism of the world takes one to the other.
+    All worlds that no motion tells from a given world. The given world comes first, the other
+    worlds are sorted by their codes. Each world is in canonical numbering, and starts at a dart
+    that looks like the start of the given world. A pose is a world of the class with a dart where
+    the robot can be; two darts count as one pose if an automorphism of the world takes one to the
+    other.
     """
 
     world: Annotated[World, doc.about("as it was understood")]
@@ -429,7 +438,7 @@ class AmbiguityClass(Report):
 def projection_of(world: World) -> Projection:
     """The quotient of a world, rooted at the class of the start, and the class of each dart.
 
-    The labels of the quotient are the percepts.
+    The labels of the quotient are the percepts: for each class that at its darts.
     """
     return project((world.map, world.percepts, world.start))
 
@@ -505,8 +514,9 @@ def _checked(world: World, limit: int, universe: MapClass) -> None:
 def _members(quotient: Quotient, limit: int, own: LeastRooting) -> dict[Code, LeastRooting]:
     """The members of an ambiguity class by their codes, at most ``limit`` of them.
 
-    If there are more than ``limit`` members, the given world is always returned, with the first
-    other members.  ``own`` has the code of the given world.
+    The members are those that :func:`lifts` yields first.  One of the ``limit`` members shall be
+    the given world, whose code is in ``own``: as long as this world was not met, only ``limit - 1``
+    others are kept.  If there are more than ``limit`` members, the result can lack the given world.
     """
     alike = range(quotient.sheets)  # the darts of a lift that lie over class 0
     found: dict[Code, LeastRooting] = {}
@@ -537,8 +547,9 @@ def _check_complete(quotient: Quotient, found: dict[Code, LeastRooting], own: Le
 def _poses(quotient: Quotient, found: dict[Code, LeastRooting]) -> int:
     """The number of poses: pairs of a world of the class and a dart in it, up to isomorphism.
 
-    This number is the sum of k / |Aut(world, v0)| over the worlds of the class (the mass formula);
-    k is the number of sheets, and Aut(world, v0) are the automorphisms that fix v0.
+    ``found`` has the worlds of the class.  The number is the sum of k / |Aut(world, v0)| over these
+    worlds (the mass formula); k is the number of sheets, and Aut(world, v0) are the automorphisms
+    that fix v0.
     """
     return sum(quotient.sheets // rooting.times for rooting in found.values())
 

@@ -4,6 +4,10 @@ The darts have their canonical numbers (see :mod:`allworlds.maps.combinatorial`)
 ``t = 0, 1, 2, ...`` the values ``sigma(0), alpha(0), sigma(1), ...`` are found, and each value is
 either a number that was given before or the next free one.  So a model is a canonical code, and the
 number of models is the number of rooted maps.
+
+A *label* of a dart is a number, for example that of its vertex or of its face, or the degree of its
+vertex.  A block of labels gives each dart exactly one label: its variable ``[x, v]`` says that dart
+x has the label v.
 """
 
 from itertools import product
@@ -136,10 +140,11 @@ def _vertices(formula: Formula, world: OneWorld) -> None:
 
 
 def _constant(formula: Formula, step: Atoms, here: Atoms, there: Atoms) -> None:
-    """Require that two darts have the same label if ``step`` leads from one to the other.
+    """Require that dart y has the same label as dart x if ``step[x, y]`` is true.
 
-    The block ``here`` has the label of the dart before the step, the block ``there`` the label of
-    the dart after the step.
+    ``here`` is the block with the label of x, and ``there`` the block with the label of y.  They
+    are one block, or two: for example the block of the faces of darts, and the block of the faces
+    of their other ends.
     """
     labels = range(here.shape[1])
     for x, y in product(*map(range, step.shape)):
@@ -147,9 +152,11 @@ def _constant(formula: Formula, step: Atoms, here: Atoms, there: Atoms) -> None:
 
 
 def _in_order(formula: Formula, label: Atoms, used: Atoms) -> None:
-    """Require that labels are numbered in the order of the first darts that have them.
+    """Require that vertices, or faces, are numbered in the order of their first darts.
 
-    The variable ``used[x, v]`` says that one of the darts 0 to x has label v.
+    The block ``label`` has the number v of the vertex or face of each dart x.  The variable
+    ``used[x, v]`` says that one of the darts 0 to x is at the vertex, or on the face, with the
+    number v.
     """
     formula.section(f"{label.name} is numbered in the order of first darts")
     formula.add(label[0, 0])
@@ -207,10 +214,12 @@ def _simple(formula: Formula, world: OneWorld, name: str) -> None:
 
 
 def _planar(formula: Formula, world: OneWorld, name: str) -> None:
-    """Require ``n + f >= m + 2``.
+    """Require that the map is planar, by the inequality ``n + f >= m + 2``.
 
-    Here f is the number of labels of faces; each face has one label.  No map has more than
-    ``m + 2 - n`` faces, so the map is planar, and different faces have different labels.
+    Each face gets a number; f is how many numbers occur.  The clauses allow two faces with the same
+    number.  But no map has more than ``m + 2 - n`` faces; so if the inequality holds, the map is
+    planar, and different faces have different numbers.  ``name`` is the number of the world, for
+    the names of variables.
     """
     size, darts = world.size, world.size.darts
     most_faces = size.edges + 2 - size.fewest

@@ -1,9 +1,9 @@
 """Checkers of the proofs, written by a solver, that a formula has no model.
 
-They share no code with the modules that make or solve formulas.  A proof adds clauses that follow
-from the formula, line by line, until it adds the empty clause.  DRAT and LRAT are two formats of
-proofs.  :func:`check_lrat` checks LRAT; :func:`lrat_of_drat` is a forward checker of DRAT by unit
-propagation, which returns LRAT.
+The checkers share no code with the modules that make or solve formulas.  A proof adds clauses that
+follow from the formula, line by line, until it adds the empty clause.  DRAT and LRAT are two
+formats of proofs.  :func:`check_lrat` checks LRAT; :func:`lrat_of_drat` is a forward checker of
+DRAT by unit propagation, which returns LRAT.
 
 *Unit propagation*: as long as all literals of a clause but one are false, and this one is open, the
 open literal becomes true.  A *conflict* is a clause whose literals are all false.  Every added

@@ -103,9 +103,10 @@ SEARCHED: Mapping[str, Callable[[Sequence[combinatorial.Dart]], base.Lighthouse]
 }
 """Functions, by kind of lighthouse; each makes a lighthouse of its kind from the reference darts.
 
-For these kinds the formulas say which darts are reference darts.  For all other kinds the formulas
-say which letters are at the darts of v0; a letter is a mark that depends on the bearing.  There the
-start has bearing 0, since turning is free: the robot may as well start at any dart of v0.
+A reference dart is one to which bearings are counted.  For the kinds in this table the formulas say
+which darts are reference darts.  For all other kinds the formulas say which letters are at the
+darts of v0; a letter is a mark that depends on the bearing.  In these formulas the start has
+bearing 0, since a robot turns without cost: it may as well start at any dart of v0.
 """
 
 LETTERS = (marked.Door.kind, marked.Word.kind)
@@ -175,10 +176,12 @@ class Question(Struct, frozen=True, dict=True):
 
     @property
     def sensing(self) -> base.Sensing:
-        """The vertices at which a robot senses more than the degree, and whether bearings, too.
+        """The vertices that a robot recognises by more than the degree, and whether by bearings.
 
-        Letters are sensed at v0.  But if for some degree of v0 all letters are 0, v0 may look like
-        another vertex; then the result names no vertex.
+        The class of a lighthouse in :data:`SEARCHED` says this itself.  Under any other lighthouse
+        the robot recognises v0 by the letters at its darts, without bearings.  But if for some
+        degree of v0 all letters are 0, a v0 of this degree may look like another vertex; then the
+        result names no vertex, and no formula assumes that v0 is recognised.
         """
         kind, shown = self.kind, all(map(any, self.words.values()))  # else v0 may look like others
         if shown and issubclass(kind, base.ReferenceLighthouse):
@@ -229,7 +232,7 @@ class Question(Struct, frozen=True, dict=True):
                     yield Sizes(one, two)
 
     def _possible(self, m: int, n: int) -> bool:
-        """Whether worlds with these numbers of edges and vertices can exist, by simple counting."""
+        """Whether worlds with m edges and n vertices can exist, by simple counting."""
         root, others = self.degree_marked, self.degree_others
         if n > m + 1:
             return False
@@ -267,8 +270,9 @@ class Question(Struct, frozen=True, dict=True):
 def letters_at(placed: base.Lighthouse, map_: combinatorial.CombinatorialMap) -> tuple[int, ...]:
     """The marks that a robot senses at the darts of v0, at the bearings 0, 1 and so on.
 
-    Here the bearing of a dart is the number of darts clockwise from this dart to dart 0, which is a
-    dart of v0.  So the letters are those of dart 0, then of the dart before it, and so on.
+    ``placed`` is the lighthouse at a place in the map.  Here the bearing of a dart is the number of
+    darts clockwise from this dart to dart 0, which is a dart of v0.  So the letters are those of
+    dart 0, then of the dart before it, and so on.
     """
     seen = placed.percepts(map_)
     return tuple(seen[map_.turn(0, -bearing)].marks for bearing in range(map_.degree_at[0]))

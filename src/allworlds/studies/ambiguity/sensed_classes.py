@@ -111,11 +111,12 @@ def compiled_name(kind: type[Lighthouse], extent: Extent) -> str:
 
 @lru_cache(16)
 def _room(edges: int, thread: int) -> tuple[Any, ...]:  # noqa: ARG001  # each has its own
-    """The memory in which compiled code makes worlds: four arrays; each thread has its own.
+    """The memory in which compiled code makes worlds with ``edges`` edges: four arrays.
 
-    The first array holds the state of the unit that is being done.  The second one holds the state
-    of an explorer, which the compiled code asks for, although no explorer runs here.  The third one
-    has an entry for each world, the fourth one an entry for each dart of each world.
+    Each thread has arrays of its own; ``thread`` is the number of the thread.  The first array
+    holds the state of the unit that is being done.  The second one holds the state of an explorer,
+    which the compiled code asks for, although no explorer runs here.  The third one has an entry
+    for each world, the fourth one an entry for each dart of each world.
     """
     from allworlds.engines.kernel import arrays
 
@@ -267,7 +268,10 @@ def rooted_codes(worlds: SensedWorlds, of: Matrix, roots: Matrix) -> Iterator[by
 
 
 def digest(code: bytes, told: Told = None) -> str:
-    """A digest of a world's code and of the value that the robot is told before the start."""
+    """A digest of a world's code and of the value that the robot is told before the start.
+
+    The code is one that :func:`rooted_codes` yields.
+    """
     value = "" if told is None else told
     text = str(value) if isinstance(value, int | str) else json.dumps(value, sort_keys=True)
     return blake2b(text.encode() + b"\0" + code, digest_size=16).hexdigest()

@@ -122,8 +122,8 @@ class SensorsScope(doc.Document):
 class AmbiguitySensors(Report, kw_only=True):
     """Report of 'ambiguity sensors'.
 
-    Sensors, compared in the same worlds. Two worlds that look alike count if their maps differ, and
-    also if they have the same map with two different starts.
+    Sensors, compared in the same worlds. Two worlds that look alike under a sensor show that it
+    does not suffice, if their maps differ, or if they have the same map with two different starts.
     """
 
     scope: SensorsScope
@@ -195,10 +195,10 @@ class Sensor(Struct):
 
         Args:
             edges: the number of edges of the largest maps.
-            places: the value of the row's key ``places``.  Sensors with equal values have the same
-                places, and only such sensors are compared with each other.  The value is the index,
-                from 0 on, of the first row of the table whose lighthouse can stand at exactly the
-                places at which this lighthouse can stand.
+            places: a number that sensors with the same places have in common, and no others; only
+                such sensors are compared with each other.  It is the index, from 0 on, of the first
+                of them in the table.  Two sensors have the same places if their lighthouses can
+                stand at exactly the same places in every map.
         """
         first: dict[str, int] = {}
         fails, alike, roots = None, list[tuple[int, int]](), set[int]()
@@ -278,7 +278,7 @@ def sensors(*lighthouses: kinds.GivenLighthouse, **asked: Any) -> AmbiguitySenso
     """Compare sensors: which of them suffice in all small worlds?
 
     A sensor suffices if no two different rooted maps look alike to a robot, with the lighthouse at
-    any of its places.
+    any of its places.  The keywords are the options of :class:`SensorsRequest`, such as ``edges``.
 
     Raises:
         InputError: naming the offending option and what would be legal.
@@ -294,7 +294,8 @@ def worlds_of_level(
 ) -> list[list[LitMap]]:
     """The worlds of a level under one lighthouse, in batches.
 
-    The number of rooted maps is compared with that of an independent source.
+    The number of rooted maps is compared with that of an independent source.  The listener of
+    ``request`` is told of the progress.
 
     Raises:
         Disagreement: if the independent source gives another number of maps.

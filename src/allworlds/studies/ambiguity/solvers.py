@@ -1,5 +1,6 @@
 """Solvers of formulas, all with a time limit.  No other module imports z3 or pysat.
 
+A *deadline* is a time on the monotonic clock; None stands for no time limit.
 ``python -m allworlds.studies.ambiguity.solvers FORMULA PROOF`` runs python-sat's CaDiCaL in a
 process of its own, since a call of CaDiCaL cannot be interrupted.
 """
@@ -156,7 +157,8 @@ def _solve_with_process(
 ) -> SolverAnswer:
     """The answer that a solver prints, with the model if there is one.
 
-    The answer is ``unknown`` after the deadline.
+    The arguments of the solver are those in ``command``, then the files of the formula and of the
+    proof.  The answer is ``unknown`` after the deadline.
 
     Raises:
         RuntimeError: if the solver prints no answer.

@@ -171,7 +171,9 @@ def bisimulation(a: World, b: World) -> tuple[tuple[int, ...], tuple[int, ...]]:
 
 
 def decoded(pair: formulas.PairVariables, model: frozenset[int]) -> Twins:
-    """The two worlds of a model, which is given as the set of its true variables.
+    """The two worlds of a model of a formula, with the bisimulation between their darts.
+
+    ``pair`` has the variables of the formula; ``model`` is the set of the variables that are true.
 
     Raises:
         RuntimeError: if the worlds do not fit the question, so that the formula or the solver is
@@ -389,7 +391,8 @@ class _TwinsSearch(Struct):
     def _fewer_vertices(self, sizes: Sizes, twins: Twins) -> Twins:
         """Twins with the fewest vertices, among all twins that have as many edges as ``twins``.
 
-        If the time is over before, the twins with the fewest vertices so far.
+        ``twins`` are the solution of the formula of ``sizes``.  If the time limit is reached
+        before, return the twins with the fewest vertices so far.
         """
         counts = [world.map.vertex_count for world in twins.pair]
         one, two = (doc.replace(size, most=n) for size, n in zip(sizes, counts, strict=True))

@@ -124,7 +124,8 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
     def begin(self) -> outcome.Ending | None:
         """Try again the findings in the user's corpus, a directory of earlier findings.
 
-        If the check keeps K findings, and K past findings or more are reproduced, the check ends.
+        If the check keeps K findings, and K past findings or more are reproduced, return the ending
+        with which the check ends; otherwise return None.
         """
         return self.retry_past(self._tally)
 
@@ -154,7 +155,12 @@ class CheckSweep(tally_sweep.TallySweep[CheckReport]):
 
     @override
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
-        """Confirm the findings, and add new findings to the user's corpus."""
+        """Confirm the findings, and add new findings to the user's corpus.
+
+        Return None if the check ends with ``ending``.  Return another ending, :class:`Stopped`, if
+        the check was completed, and no finding is left because a fresh process repeated none of
+        them: then the check is no proof that no law is broken.
+        """
         corpus = self.corpus
         self._tally.findings = [*map(self.scope.labelled, self._tally.findings)]
         known = corpus.holds if corpus is not None else None

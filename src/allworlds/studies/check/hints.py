@@ -57,7 +57,9 @@ RIGHT = 200
 def hinted(finding: Finding, subject: Subject, limits: Limits, scope: Scope) -> Finding:
     """The confirmed finding with both kinds of hints.
 
-    For the lines of code, runs in the worlds of the scope with at most as many edges are compared.
+    For the hints with lines of code, the lines that ran in the finding are compared with those that
+    ran in other worlds.  These are worlds of ``scope`` with at most as many edges as the finding's
+    world; :func:`located` uses the first of them.
     """
     levels = (edges for edges in scope.extent.levels if edges <= finding.world.map.edge_count)
     others = (run for edges in levels for run in _runs(scope, edges))

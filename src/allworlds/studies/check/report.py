@@ -46,8 +46,9 @@ SharedFile: TypeAlias = Annotated[
 def shared_file(explorer: str, rules: Rules, where: Condition | None) -> str:
     """The name of the explorer's file if this file also has code that judges the explorer.
 
-    The name is empty if there is no such code.  Otherwise the judge's process must load the
-    explorer's file, whose code could change a verdict.
+    ``explorer`` is the explorer's name; ``rules`` and the condition ``where`` may need code of the
+    user.  The result is empty if none of this code is in the explorer's file.  Otherwise the
+    judge's process must load the explorer's file, whose code could change a verdict.
     """
     files = (*rules.files, *selection.files_of_condition(where))
     if not files:
@@ -173,11 +174,12 @@ Then the fingerprints of both lists are compared.
 
 
 def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
-    """The known fingerprints, in hexadecimal, of the worlds with these edges, by vertices.
+    """The known fingerprints of the maps with ``edges`` edges, in hexadecimal, by vertices.
 
     A fingerprint is a number made from a map; for many maps it is the sum of their fingerprints.
-    Up to :data:`LISTED_EDGES` edges, code that the check does not use lists the worlds once more.
-    For more edges, the fingerprints are those in the corpus that ships with the package.
+    Up to :data:`LISTED_EDGES` edges, code that the check does not use lists the maps once more.
+    For more edges, the fingerprints are those in a file of the package, which has them for each
+    class of maps; under a condition none are known.
     """
     if edges <= LISTED_EDGES:
         return {n: f"{each:x}" for n, each in count_source.listed(extent, edges).items()}
@@ -190,9 +192,9 @@ def known_fingerprints(extent: classes.Extent, edges: int) -> dict[int, str]:
 def count_gate(extent: classes.Extent, edges: int, tally: Tally) -> list[GateCell]:
     """Compare the number of a level's maps with that of an independent source.
 
-    There is a comparison for each number of vertices.  There is none if no source counts the maps,
-    for example under some conditions.  The fingerprints of the maps are compared, too, if they are
-    known.
+    ``edges`` is the number of edges of these maps; ``tally`` has their counts.  There is a
+    comparison for each number of vertices.  There is none if no source counts the maps, for example
+    under some conditions.  The fingerprints of the maps are compared, too, if they are known.
     """
     source = count_source.source_of(extent)
     if source is None:

@@ -68,8 +68,8 @@ class Confirmation(Struct, frozen=True):
 
         If a fresh process does not repeat a crash or a time-out, and the machine may be its cause,
         the finding becomes a remark, which refutes nothing.  If the machine cannot be the cause,
-        the finding becomes one of the law ``nondeterministic``.  A finding for which ``known`` is
-        true stays as it is.
+        the finding becomes one of the law ``nondeterministic``.  The function ``known`` says which
+        findings stay as they are; None: no finding stays.
         """
         kept, remarks = list[Finding](), list[str]()
         for found in tally.findings:
@@ -92,9 +92,9 @@ class Confirmation(Struct, frozen=True):
         The new finding is recorded in the run directory under ``name``.  If it is recorded there
         already, the recorded finding is returned, and ``by`` is not called.
 
-        If the deadline is past and nothing is recorded, ``found`` itself is returned.  The same
-        holds if :meth:`settle` has recorded a remark for ``found``, since then there is no new
-        finding.
+        In two cases ``by`` is not called, and ``found`` itself is returned: if nothing is recorded
+        and the deadline is past; and if the record is a remark, by which :meth:`settle` has
+        replaced ``found``.
         """
         settled = self._recorded(name, found, by)
         return found if isinstance(settled, str) else settled
@@ -121,7 +121,8 @@ class Confirmation(Struct, frozen=True):
 
         If a crash or a time-out is not repeated, and the machine may be its cause, a remark
         replaces the finding.  If the machine cannot be the cause, the explorer is nondeterministic:
-        then a finding of the law ``nondeterministic`` is returned.
+        then a finding of the law ``nondeterministic`` is returned.  ``number`` is the number of
+        findings before ``found``.
         """
         again = self._again(found, number=number)
         if again.law not in LOST or not self.subject.importable or again.confirmed:

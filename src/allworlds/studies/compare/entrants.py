@@ -248,7 +248,10 @@ class CostsOfAll(Struct):
 
     @property
     def worlds(self) -> int:
-        """The number of rooted maps, counted once for each explorer."""
+        """The sum, over all explorers, of the numbers of rooted maps in which the explorer was run.
+
+        A map in which two explorers were run counts twice.
+        """
         return sum(tally.worlds for tally in self.of.values())
 
     def one(self, number: int) -> CostTally:
@@ -502,7 +505,11 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
 
     @override
     def leave(self, level: units.SweptLevel, total: CostsOfAll) -> None:
-        """Keep the smallest finding of each explorer, in each family of growing worlds."""
+        """Keep the smallest findings of a level, whether the level is finished or not.
+
+        One finding is kept for each explorer; in worlds that grow, one for each explorer and
+        family.  ``total`` has the results of the finished units of the level.
+        """
         family = getattr(level.of, "number", 0)
         for number, tally in total.of.items():
             known = self._found.setdefault((family, number), CostTally(keep=1))
@@ -526,7 +533,9 @@ class Contest(sweep.Sweep[CostsOfAll, Answer]):
     def conclude(self, ending: outcome.Ending) -> outcome.Ending | None:
         """Confirm the findings of all explorers.
 
-        A job that was stopped because a law is broken counts as completed.
+        If there are findings, and ``ending`` is final, return :class:`Completed`: a job that was
+        stopped because a law is broken counts as completed.  Otherwise return None: the job ends
+        with ``ending``.
         """
         for (_, number), tally in sorted(self._found.items()):
             one, limits = self.entrants[number], self.request.limits

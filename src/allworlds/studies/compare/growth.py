@@ -540,7 +540,11 @@ def _ensure_grows(who: Sequence[entrants.Entrant], request: entrants.CompareRequ
 
 
 def _size(number: int, family: str, members: Sequence[Member]) -> _Size:
-    """The members of a family that have one size; isomorphic members count once."""
+    """The members of a family that have one size; isomorphic members count once.
+
+    ``number`` is the index of the family among the families of the request, ``family`` its name;
+    ``members`` are the members that were drawn.
+    """
     maps = distinct(members)
     member, map_ = next(iter(maps.items()))
     drawn_from = families.rootings(member.text, map_, member.holes)

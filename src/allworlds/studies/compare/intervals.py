@@ -128,11 +128,15 @@ def _reach(left: Sequence[float], across: Sequence[float], degrees: int) -> floa
 
 
 def _bend(sizes: Sequence[float], heights: Sequence[float]) -> str:
-    """A text that says how the points bend; empty if no quadratic term is significant.
+    """A text that says how the points bend; empty if a line fits the points well enough.
 
-    ``heights`` and the squares of ``sizes`` are each fitted by a line over ``sizes``.  By the
-    theorem of Frisch, Waugh and Lovell the coefficient of the quadratic term is the slope of the
-    residuals of the heights over the residuals of the squares.
+    ``sizes`` and ``heights`` are the coordinates of the points: the logarithms of the numbers of
+    edges, and of the mean costs.  The points bend if a parabola fits them better than a line, that
+    is, if the coefficient of its quadratic term differs significantly from 0.
+
+    By the theorem of Frisch, Waugh and Lovell this coefficient is the slope of a line through other
+    points.  Their abscissas are the residuals of the squared sizes after a linear fit over the
+    sizes; their heights are the residuals of ``heights`` after such a fit.
     """
     left = _left_by(sizes, heights)
     if max(map(abs, left)) < CLOSE:

@@ -104,21 +104,24 @@ def bred(
     bred worlds depend on the explorer and on these draws alone.  If the player dies, or is silent
     for too long, breeding ends.
 
-    These runs have a step budget of their own, :data:`TRAVERSALS_TRACED`.  So the receiver runs the
-    explorer again in each yielded world; only this second run can refute the explorer.
+    These runs have a step budget of their own, :data:`TRAVERSALS_TRACED`, in place of that of the
+    rules.  So an explorer that breaks a law here may break none under the rules.  The caller must
+    run the explorer again in each yielded world; only this second run can refute the explorer.
 
-    Breeding helps to find slips (mistakes in an explorer) behind nested conditions.  For slips
-    behind four nested conditions, 48 searches were made in worlds with up to 60 edges.  With 256
-    draws, 4 of the searches found a slip; with 64 draws and 192 bred worlds, 14 did.  In worlds
-    with up to 12 edges, one such slip was searched for with 8 seeds.  Breeding found the slip with
-    7 of the seeds, 448 draws with one.
+    Breeding helps to find slips (mistakes in an explorer) behind nested conditions.  It was
+    compared with plain draws, that is, with random worlds alone.  For slips behind four nested
+    conditions, 48 searches of each kind were made in worlds with up to 60 edges: 4 searches with
+    256 plain draws found a slip, and 14 searches with 64 draws and 192 bred worlds.  In worlds with
+    up to 12 edges, one such slip was searched for with 8 seeds: breeding found the slip with 7 of
+    the seeds, and 448 plain draws found it with 1 seed.
 
     Breeding prefers worlds in which rare lines ran.  Two other preferences were tried: worlds in
     which the explorer had a high cost, and worlds in which a wrong hypothesis of the explorer was
     long in agreement with the world.  Both found less than plain draws, in up to four times the
-    time.  An explorer that trusts a hypothesis after 24 steps was refuted with 2 and with 1 of 6
-    seeds, by plain draws with 4.  A run with a cost above 8,000 was found with 4 and with 3 of the
-    6 seeds, by plain draws with 5.
+    time.  An explorer that trusts a hypothesis after 24 steps was refuted with 2 of 6 seeds under
+    the first preference, with 1 seed under the second, and with 4 seeds by plain draws.  A run with
+    a cost above 8,000 was found with 4 of the 6 seeds under the first preference, with 3 under the
+    second, and with 5 by plain draws.
 
     Cost: 256 traced runs, each some three times as expensive as a plain run.
     """

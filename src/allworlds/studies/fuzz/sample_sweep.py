@@ -195,7 +195,8 @@ class FuzzSweep(TallySweep[CheckReport]):
     def begin(self) -> Ending | None:
         """Try again the findings in the user's corpus, a directory of earlier findings.
 
-        If the job keeps K findings, and K past findings or more are reproduced, the job ends.
+        If the job keeps K findings, and K past findings or more are reproduced, return the ending
+        with which the job ends; otherwise return None.
         """
         return self.retry_past(self._tally)
 
@@ -225,6 +226,9 @@ class FuzzSweep(TallySweep[CheckReport]):
         """Shrink the findings if the job is completed; confirm them, and add them to the corpus.
 
         If the job has reproduced a finding of the corpus, nothing is confirmed or added.
+
+        Raises:
+            TimeIsUp: if there are findings, and the deadline is past after this work.
         """
         settled = self.confirmation
         if isinstance(ending, Completed):
