@@ -201,7 +201,10 @@ def _lit(
 
 @composite
 def _grown(draw: DrawFn, map_class: MapClass, least: int, most: int) -> CombinatorialMap:
-    """A map of the class; Hypothesis draws its size first, then both ends of each edge."""
+    """A map of the class, with ``least`` to ``most`` edges.
+
+    Hypothesis draws the size of the map first, then both ends of each edge.
+    """
     edges = draw(integers(least, most))
     vertices = draw(integers(_fewest_vertices(map_class, edges), edges + 1))
     return grow(map_class, edges, vertices, lambda options: draw(integers(0, len(options) - 1)))

@@ -114,10 +114,10 @@ class Scene(Struct, frozen=True):
     ) -> Scene:
         """Return the scene of a map from percepts, each with the robot's dart of arrival.
 
-        A bearing gives a pointed dart, and marks give a marked vertex.  ``lasting`` is True if no
-        marks change between the percepts: then different marks at one vertex depend on the dart of
-        arrival, and become ``letters`` of the scene.  If ``lasting`` is False, the last percept at
-        a vertex tells the vertex's marks.
+        A bearing gives a pointed dart, and marks give a marked vertex.  ``start`` is the dart that
+        the robot faced at the start.  ``lasting`` is True if no marks change between the percepts:
+        then different marks at one vertex depend on the dart of arrival, and become ``letters`` of
+        the scene.  If ``lasting`` is False, the last percept at a vertex tells the vertex's marks.
         """
         known = list(percepts)
         # What is sensed last holds: markers can be taken away.

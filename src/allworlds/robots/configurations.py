@@ -309,7 +309,8 @@ class Search:
     def _groups(self, number: int, able: Sequence[int]) -> Iterable[tuple[tuple[int, ...], int]]:
         """The sets of robots that may be activated, each also as a bit set.
 
-        If a schedule is given, the only set is that of the schedule's next event.
+        ``able`` has the robots that can be activated.  If a schedule is given, the only set is that
+        of the schedule's next event.
 
         Raises:
             InputError: if the schedule names a robot that cannot be activated.

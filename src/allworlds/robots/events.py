@@ -100,7 +100,7 @@ def event_of(search: Search, transition: Transition) -> Event:
 
 
 def events_of(search: Search, broken: Broken) -> Iterator[Event]:
-    """The events of a run that breaks a law; if the run ends in a cycle, this cycle comes once."""
+    """The events of the run in ``broken``; if the run ends in a cycle, this cycle comes once."""
     for number in search.way(broken.at)[1:]:
         yield event_of(search, search.graph.discovery(number))
     if broken.group:

@@ -85,7 +85,10 @@ class Model:
         return every_start(map_, robots)
 
     def initial(self, map_: CombinatorialMap, starts: Sequence[Dart]) -> Iterable[ModelState]:
-        """The states at the start, of which the adversary chooses one."""
+        """The states at the start, of which the adversary chooses one.
+
+        ``starts`` has the dart of each robot.
+        """
         raise NotImplementedError
 
     def told(self, map_: CombinatorialMap, robot: int) -> Any:  # noqa: ARG002  # nothing
@@ -312,7 +315,7 @@ class ModelInMap:
         return bool(self._ask("over", state))
 
     def flaw(self, state: Any, answers: Sequence[Any]) -> str:
-        """The flaw, in words, of a run with this last state; empty if the run has no flaw."""
+        """The flaw, in words, of a run with this last state and these answers; empty if none."""
         return self._text("flaw", state, answers)
 
     def progress(self) -> list[Liveness]:

@@ -411,7 +411,10 @@ class _TwinsSearch(Struct):
         return twins
 
     def _found(self, twins: Twins, ending: Ending = COMPLETED) -> SearchResult:
-        """The result ``sat`` with these twins, which are also written to the file ``pair.json``."""
+        """The result ``sat`` with these twins, which are also written to the file ``pair.json``.
+
+        ``ending`` says whether the user interrupted the search.
+        """
         file = self.directory / "pair.json"
         file.write_text(json.dumps(twins.to_json()) + "\n", encoding="ascii")
         found = {"pair": twins.pair, "bisimulation": twins.bisimulation}

@@ -121,7 +121,8 @@ def tried_options(finding: Finding, subject: Subject, limits: Limits, scope: Sco
 def _runs(scope: Scope, edges: int) -> Iterator[WorldAtPlace]:
     """Yield all worlds with this number of edges, each with the number of its lighthouse's place.
 
-    If the check is a shard, it tries only a part of the worlds; here all worlds are yielded.
+    The class of maps and the lighthouse are those of ``scope``.  If the check is a shard, it tries
+    only a part of the worlds; here all worlds are yielded.
     """
     for unit in units_of_level(scope.extent, edges):
         for run in numbered_runs(unit, scope.extent, scope.rules.kind):

@@ -45,7 +45,8 @@ class Confirmation(Struct, frozen=True):
 
     Attributes:
         subject, limits, scope: the explorer, the limits and the scope of the job.
-        deadline: the time after which findings are no longer played again.
+        deadline: the time, on the monotonic clock, after which findings are no longer played again;
+            None: there is no such time.
         kept: the records in the run directory.  A confirmation that is recorded there is not
             repeated, so all reports of a job agree.
     """

@@ -105,7 +105,8 @@ def worlds_of(job: Job) -> int:
 def estimated(job: Job, engine: EngineKind) -> Guess:
     """An estimate of a job's duration, from runs in random units of the job's last level.
 
-    The estimate does not include compiling and the start of workers.  The runs take some seconds.
+    ``engine`` is the kind of engine that would do the job.  The estimate does not include compiling
+    and the start of workers.  The runs take some seconds.
     """
     engine.ready(job)  # compiles, where that is still to be done
     ready = engine.ready(doc.replace(job, deadline=time.monotonic() + MOST_SECONDS))

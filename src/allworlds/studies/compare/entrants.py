@@ -186,8 +186,8 @@ class CostEngine(RunCounter, frozen=True):
     def count_outcome(self, world: world.World, place: int, outcome: Outcome, tally: Tally) -> None:
         """Add the outcome of a run, and its cost, to the tally.
 
-        In ``compare`` the policy makes all choices, so each run is played under one schedule alone
-        and has one cost.
+        ``place`` is the number of the lighthouse's place in the world.  In ``compare`` the policy
+        makes all choices, so each run is played under one schedule alone and has one cost.
         """
         super().count_outcome(world, place, outcome, tally)
         assert isinstance(tally, CostTally)
@@ -329,7 +329,11 @@ class Entrant(Struct, frozen=True):
         return f"{explorer}{AT}{self.at}" if self.at else explorer
 
     def scope(self, extent: classes.Extent, portion: units.Shard = units.WHOLE) -> units.Scope:
-        """The scope of the explorer's runs in the worlds of ``extent``, or in a shard of them."""
+        """The scope of the explorer's runs in the worlds of ``extent``.
+
+        If ``portion`` is a shard, the scope has only the worlds of this shard; by default all
+        worlds.
+        """
         return units.Scope(extent, self.rules, coverage=portion)
 
     def first_world(self, map_: combinatorial.CombinatorialMap) -> world.World:

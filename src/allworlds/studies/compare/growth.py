@@ -154,11 +154,11 @@ def members_of(family: str, to: int, worlds: int, seed: int) -> list[list[Member
 
 
 def _largest(growing: Growing, degree: int, edges: int) -> str:
-    """The name of the largest member of a family with at most ``edges`` edges.
+    """The name of the largest member of the family ``growing`` with at most ``edges`` edges.
 
-    Some families remove a share of a member's edges; these edges are counted here.  The name is
-    empty if this member has fewer than :data:`LEAST` edges, or if all members have more than
-    ``edges`` edges.
+    ``degree`` is the degree in the family's name, or 0.  Some families remove a share of a member's
+    edges; these edges are counted here.  The name is empty if this member has fewer than
+    :data:`LEAST` edges, or if all members have more than ``edges`` edges.
     """
     number = 1
     while families.edges_of(growing.member(number + 1, degree)) <= edges:
@@ -496,7 +496,8 @@ class GrowingWorlds(entrants.Contest[Growth]):
     def _rows_of(self, size: _Size, total: entrants.CostsOfAll) -> Iterator[GrowRow]:
         """Yield a row for each explorer, about the members whose runs are all done.
 
-        In a member there is one run for each chosen place of the explorer's lighthouse.
+        ``size`` has the members of one size, and ``total`` the costs of the runs that are done.  In
+        a member there is one run for each chosen place of the explorer's lighthouse.
         """
         for number, one in enumerate(self.entrants):
             costs, members = total.one(number).costs, dict[CombinatorialMap, GrownWorld]()
